@@ -1,0 +1,26 @@
+# Debian 12 packages; `./quickstart` installs them.
+find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Boost REQUIRED)
+find_library(FFTW3_LIBRARY fftw3 REQUIRED)
+find_library(FFTW3_THREADS_LIBRARY fftw3_threads REQUIRED)
+
+if(ASPERITY_COMPONENTS STREQUAL "all")
+  find_package(CLI11 REQUIRED)
+  find_package(spdlog REQUIRED)
+  find_package(deal.II 9.4 REQUIRED)
+  find_package(CGAL REQUIRED)
+endif()
+
+if(ASPERITY_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+
+if(ASPERITY_COMPONENTS STREQUAL "all")
+  # deal.II's own flags (-std=, -W...) are left out; only its headers, definitions and libraries are taken.
+  add_library(asperity_deal_ii INTERFACE)
+  target_include_directories(asperity_deal_ii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+  target_link_libraries(asperity_deal_ii INTERFACE ${DEAL_II_TARGET_RELEASE})
+endif()

@@ -1,0 +1,68 @@
+// What a case file says, in SI units. app/ reads it; meshing and fem work from it.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace asperity {
+
+/// One elastic-plastic body of a contact (small-strain J2 plasticity with associated flow).
+struct BodyInput {
+  double youngs_modulus = 0;  ///< E [Pa]
+  double poisson_ratio = 0;   ///< nu [-]
+  double yield_stress = std::numeric_limits<double>::infinity();  ///< initial uniaxial yield stress [Pa]; inf: elastic
+  double hardening_modulus = 0;  ///< H = d(sigma_y)/d(eps_p) [Pa]; 0: perfectly plastic
+  enum class Hardening { isotropic, kinematic } hardening = Hardening::isotropic;
+  double voce_saturation = 0;  ///< additional yield stress Q reached by Voce hardening Q(1-exp(-b eps_p)) [Pa]
+  double voce_rate = 0;        ///< b of Voce hardening [-]
+  /// "smooth", a file, or "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"
+  std::string topography = "smooth";
+};
+
+/// How the particle is moved.
+struct ExperimentInput {
+  enum class Type { normal, sliding, rolling, torsion } type = Type::normal;
+  enum class Control { force, displacement } control = Control::force;
+  double normal_load = 0;      ///< largest normal force F [N] (force control)
+  double normal_approach = 0;  ///< largest approach [m] (displacement control)
+  int load_steps = 10;         ///< accepted steps from zero to the largest load
+  bool unload = true;          ///< return to zero load after loading
+  int unload_steps = 10;
+  int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
+  double hold_steps = 0;       ///< steps at the largest load before unloading
+  double distance = 0;         ///< lateral path of sliding and rolling [m]
+  double angle = 0;            ///< torsion angle [rad]
+};
+
+struct MeshInput {
+  double interface_spacing = 0;  ///< node spacing where contact can come [m]; 0: derived from load and roughness
+  double contact_region = 0;     ///< half width of the finely meshed square [m]; 0: derived from load and roughness
+  int layers = 4;                ///< cells of each refinement level below the interface (grading)
+  std::string sphere = "hemisphere";
+};
+
+struct SolverInput {
+  std::string backend = "matrix-free";  ///< "matrix-free" (geometric multigrid) or "assembled" (algebraic multigrid)
+  double tolerance = 1e-6;              ///< residual force of an accepted step relative to the contact force [-]
+  int threads = 0;                      ///< per process; 0: all cores of the machine divided by the ranks on it
+};
+
+struct OutputInput {
+  bool fields = true;       ///< VTU/PVD of the bodies, VTP/PVD of the interface
+  int fields_every = 0;     ///< steps between field files; 0: at the largest load and the last step
+};
+
+struct CaseInput {
+  std::string file;         ///< where it was read, for messages
+  std::string title;
+  BodyInput particle;
+  double radius = 0;        ///< of the particle [m]
+  BodyInput substrate;
+  double friction_coefficient = 0, shear_strength = 0, work_of_adhesion = 0;
+  ExperimentInput experiment;
+  MeshInput mesh;
+  SolverInput solver;
+  OutputInput output;
+};
+
+}  // namespace asperity

@@ -1,0 +1,107 @@
+#include "core/quantity.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+using Units = std::vector<std::pair<std::string, double>>;
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+/// Units of each dimension, the SI unit first.
+const Units& units_of(Dimension dimension) {
+  static const Units none{{"", 1.0}, {"%", 0.01}};
+  static const Units length{{"m", 1.0},    {"mm", 1e-3}, {"um", 1e-6},          {"µm", 1e-6}, {"μm", 1e-6},
+                            {"nm", 1e-9}, {"pm", 1e-12}, {"A", 1e-10}, {"Å", 1e-10}, {"cm", 1e-2},
+                            {"km", 1e3}};
+  static const Units force{{"N", 1.0},     {"mN", 1e-3}, {"uN", 1e-6},   {"µN", 1e-6},
+                           {"μN", 1e-6}, {"nN", 1e-9}, {"pN", 1e-12}, {"kN", 1e3}};
+  static const Units pressure{{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"TPa", 1e12}};
+  static const Units time{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}, {"h", 3600.0}};
+  static const Units angle{{"rad", 1.0}, {"mrad", 1e-3}, {"urad", 1e-6}, {"deg", degree}, {"°", degree}};
+  static const Units speed{{"m/s", 1.0}, {"mm/s", 1e-3}, {"um/s", 1e-6}, {"nm/s", 1e-9}};
+  static const Units surface_energy{{"J/m^2", 1.0}, {"mJ/m^2", 1e-3}, {"N/m", 1.0}, {"mN/m", 1e-3}};
+  static const Units area{{"m^2", 1.0}, {"mm^2", 1e-6}, {"um^2", 1e-12}, {"nm^2", 1e-18}};
+  static const Units stiffness{{"N/m", 1.0}, {"kN/m", 1e3}, {"MN/m", 1e6}, {"uN/nm", 1e3}, {"mN/um", 1e3}};
+  switch (dimension) {
+    case Dimension::none: return none;
+    case Dimension::length: return length;
+    case Dimension::force: return force;
+    case Dimension::pressure: return pressure;
+    case Dimension::time: return time;
+    case Dimension::angle: return angle;
+    case Dimension::speed: return speed;
+    case Dimension::surface_energy: return surface_energy;
+    case Dimension::area: return area;
+    case Dimension::stiffness: return stiffness;
+  }
+  return none;
+}
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::string list_of(const Units& units) {
+  std::string list;
+  for (const auto& [name, factor] : units)
+    if (!name.empty()) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+}  // namespace
+
+std::string si_symbol(Dimension dimension) { return units_of(dimension).front().first; }
+
+double unit_factor(const std::string& unit, Dimension dimension) {
+  for (const auto& [name, factor] : units_of(dimension))
+    if (name == unit) return factor;
+  throw InputError("unit '" + unit + "' does not fit; use one of " + list_of(units_of(dimension)));
+}
+
+double parse_quantity(const std::string& text, Dimension dimension) {
+  const std::string trimmed = trim(text);
+  char* end = nullptr;
+  const double number = std::strtod(trimmed.c_str(), &end);
+  if (trimmed.empty() || end == trimmed.c_str() || std::isnan(number))
+    throw InputError("'" + text + "' is not a number with a unit; write for example '2.5 " +
+                     si_symbol(dimension) + "'");
+  const std::string unit = trim(end);
+  if (unit.empty()) return number;
+  try {
+    return number * unit_factor(unit, dimension);
+  } catch (const InputError& error) {
+    throw InputError("in '" + trimmed + "' the " + error.what());
+  }
+}
+
+std::string format_quantity(double si_value, Dimension dimension, int digits) {
+  char buffer[64];
+  if (dimension == Dimension::none || !std::isfinite(si_value)) {
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
+    return buffer;
+  }
+  const std::string symbol = si_symbol(dimension);
+  static const std::vector<std::pair<std::string, double>> prefixes{
+      {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"", 1.0}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+  const bool prefixable = dimension != Dimension::area && dimension != Dimension::angle;
+  if (si_value != 0.0 && prefixable)
+    for (const auto& [prefix, factor] : prefixes)
+      if (std::abs(si_value) >= factor * (1 - 1e-12)) {
+        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", digits, si_value / factor, prefix.c_str(), symbol.c_str());
+        return buffer;
+      }
+  std::snprintf(buffer, sizeof buffer, "%.*g %s", digits, si_value, symbol.c_str());
+  return buffer;
+}
+
+}  // namespace asperity

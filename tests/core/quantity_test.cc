@@ -1,0 +1,35 @@
+#include "core/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace asperity {
+
+TEST(Quantity, reads_a_number_with_its_unit_into_SI) {
+  EXPECT_DOUBLE_EQ(parse_quantity("2.5 um", Dimension::length), 2.5e-6);
+  EXPECT_DOUBLE_EQ(parse_quantity(" 3000uN ", Dimension::force), 3e-3);
+  EXPECT_DOUBLE_EQ(parse_quantity("71 GPa", Dimension::pressure), 71e9);
+  EXPECT_DOUBLE_EQ(parse_quantity("180 deg", Dimension::angle), M_PI);
+  EXPECT_DOUBLE_EQ(parse_quantity("1e-6", Dimension::length), 1e-6);
+  EXPECT_TRUE(std::isinf(parse_quantity("inf", Dimension::pressure)));
+}
+
+TEST(Quantity, refuses_what_is_no_quantity_of_that_dimension) {
+  EXPECT_THROW(parse_quantity("", Dimension::length), InputError);
+  EXPECT_THROW(parse_quantity("um", Dimension::length), InputError);
+  EXPECT_THROW(parse_quantity("2.5 GPa", Dimension::length), InputError);
+  EXPECT_THROW(parse_quantity("2.5 um um", Dimension::length), InputError);
+  EXPECT_THROW(parse_quantity("nan", Dimension::length), InputError);
+}
+
+TEST(Quantity, is_written_with_a_readable_prefix) {
+  EXPECT_EQ(format_quantity(2.5e-6, Dimension::length), "2.5 um");
+  EXPECT_EQ(format_quantity(1e-3, Dimension::force), "1 mN");
+  EXPECT_EQ(format_quantity(71e9, Dimension::pressure), "71 GPa");
+  EXPECT_EQ(format_quantity(0, Dimension::length), "0 m");
+}
+
+}  // namespace asperity
