@@ -29,7 +29,7 @@ struct ExperimentInput {
   bool unload = true;          ///< return to zero load after loading
   int unload_steps = 10;
   int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
-  double hold_steps = 0;       ///< steps at the largest load before unloading
+  int hold_steps = 0;          ///< steps at the largest load before unloading
   double distance = 0;         ///< lateral path of sliding and rolling [m]
   double angle = 0;            ///< torsion angle [rad]
 };

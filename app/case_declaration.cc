@@ -1,0 +1,247 @@
+#include "app/case_declaration.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "app/nearest_name.h"
+#include "app/topography_text.h"
+#include "core/error.h"
+#include "core/quantity.h"
+
+namespace asperity {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// An interval of admissible numbers, in SI units.
+struct Range {
+  double low, high;
+  bool low_open = false, high_open = false;
+  bool holds(double x) const {
+    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
+  }
+};
+const Range positive{0, infinity, true, true};
+const Range positive_or_infinite{0, infinity, true, false};
+const Range not_negative{0, infinity, false, true};
+
+std::string in_words(const Range& range, Dimension dimension) {
+  const auto number = [&](double x) { return format_quantity(x, x == 0 ? Dimension::none : dimension, 6); };
+  if (std::isinf(range.high)) {
+    const std::string words = range.low_open ? "above " + number(range.low) : number(range.low) + " or more";
+    return range.high_open ? words : words + ", or inf";
+  }
+  return std::string("from ") + number(range.low) + (range.low_open ? " (excluded)" : "") + " to " +
+         number(range.high) + (range.high_open ? " (excluded)" : "");
+}
+
+std::string kind_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length: return "a length [m, um, nm] ";
+    case Dimension::force: return "a force [N, mN, uN, nN] ";
+    case Dimension::pressure: return "a pressure [Pa, MPa, GPa] ";
+    case Dimension::surface_energy: return "an energy per area [J/m^2, mJ/m^2] ";
+    case Dimension::angle: return "an angle [rad, deg] ";
+    default: return "a number ";
+  }
+}
+
+template <class T>
+using Member = std::function<T&(CaseInput&)>;
+
+CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension, Range range,
+                   std::string default_text, std::string example, std::string documentation) {
+  const std::string admissible = kind_of(dimension) + in_words(range, dimension);
+  return {std::move(section), std::move(name), std::move(default_text), std::move(example), admissible,
+          std::move(documentation), [=](CaseInput& input, const std::string& text) {
+            const double value = parse_quantity(text, dimension);
+            if (!range.holds(value)) throw InputError("'" + text + "' is not admissible; it must be " + admissible);
+            member(input) = value;
+          }};
+}
+
+CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low, std::string default_text,
+                       std::string documentation) {
+  const std::string admissible = "a whole number, " + std::to_string(low) + " or more";
+  return {std::move(section), std::move(name), std::move(default_text), "", admissible, std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
+            char* end = nullptr;
+            const long value = std::strtol(text.c_str(), &end, 10);
+            if (text.empty() || *end != '\0' || value < low || value > std::numeric_limits<int>::max())
+              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
+            member(input) = static_cast<int>(value);
+          }};
+}
+
+/// One of several words, each with the value it stands for.
+template <class T>
+CaseEntry choice(std::string section, std::string name, Member<T> member,
+                 std::vector<std::pair<std::string, T>> values, std::string default_text, std::string documentation) {
+  std::vector<std::string> words;
+  std::string admissible;
+  for (const auto& [word, value] : values) {
+    words.push_back(word);
+    admissible += (admissible.empty() ? "" : " | ") + word;
+  }
+  return {std::move(section), std::move(name), std::move(default_text), "", admissible, std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
+            for (const auto& [word, value] : values)
+              if (word == text) {
+                member(input) = value;
+                return;
+              }
+            const std::string meant = nearest_name(text, words);
+            throw InputError("'" + text + "' is not one of " + admissible +
+                             (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+          }};
+}
+
+CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
+               std::string documentation) {
+  return choice<bool>(std::move(section), std::move(name), std::move(member), {{"true", true}, {"false", false}},
+                      std::move(default_text), std::move(documentation));
+}
+
+CaseEntry topography(std::string section, Member<std::string> member) {
+  return {std::move(section), "Topography", "smooth", "",
+          "smooth | FILE | generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)",
+          "Roughness of the surface: none, a measured scan (see `asperity surface --help` for the formats; a relative "
+          "name is looked for beside the case file), or a Gaussian surface from a spectrum.",
+          [=](CaseInput& input, const std::string& text) {
+            if (is_generated(text)) generated_arguments(text);
+            member(input) = text;
+          }};
+}
+
+/// Entries that both bodies have.
+void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
+              const std::string& modulus_example, const std::string& ratio_example) {
+  const auto at = [body](auto BodyInput::*member) {
+    return [=](CaseInput& input) -> auto& { return input.*body.*member; };
+  };
+  entries.push_back(quantity(section, "Young modulus", at(&BodyInput::youngs_modulus), Dimension::pressure, positive,
+                             "", modulus_example, "Young's modulus E."));
+  entries.push_back(quantity(section, "Poisson ratio", at(&BodyInput::poisson_ratio), Dimension::none,
+                             {0, 0.5, false, true}, "", ratio_example, "Poisson's ratio nu."));
+  entries.push_back(quantity(section, "Yield stress", at(&BodyInput::yield_stress), Dimension::pressure,
+                             positive_or_infinite, "inf", "", "Initial uniaxial yield stress; inf: the body stays elastic."));
+  entries.push_back(quantity(section, "Hardening modulus", at(&BodyInput::hardening_modulus), Dimension::pressure,
+                             not_negative, "0 Pa", "",
+                             "H, growth of the yield stress per plastic strain; 0: perfectly plastic."));
+  entries.push_back(choice<BodyInput::Hardening>(
+      section, "Hardening", at(&BodyInput::hardening),
+      {{"isotropic", BodyInput::Hardening::isotropic}, {"kinematic", BodyInput::Hardening::kinematic}}, "isotropic",
+      "Whether the linear hardening widens the yield surface or shifts it (Prager)."));
+  entries.push_back(quantity(section, "Voce saturation", at(&BodyInput::voce_saturation), Dimension::pressure,
+                             not_negative, "0 Pa", "", "Q of Voce's hardening Q (1 - exp(-b eps_p)), added to the yield stress."));
+  entries.push_back(quantity(section, "Voce rate", at(&BodyInput::voce_rate), Dimension::none, not_negative, "0", "",
+                             "b of Voce's hardening."));
+  entries.push_back(topography(section, at(&BodyInput::topography)));
+}
+
+void add_interface(std::vector<CaseEntry>& entries) {
+  entries.push_back(quantity("Interface", "Friction coefficient", [](CaseInput& c) -> double& { return c.friction_coefficient; },
+                             Dimension::none, not_negative, "0", "",
+                             "Local Coulomb friction of the asperities (an input; the effective friction of the rough "
+                             "contact is a result)."));
+  entries.push_back(quantity("Interface", "Shear strength", [](CaseInput& c) -> double& { return c.shear_strength; },
+                             Dimension::pressure, not_negative, "0 Pa", "",
+                             "Largest local shear traction; 0: no such limit."));
+  entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.work_of_adhesion; },
+                             Dimension::surface_energy, not_negative, "0 J/m^2", "",
+                             "Work per area to separate the surfaces; 0: no adhesion."));
+}
+
+void add_experiment(std::vector<CaseEntry>& entries) {
+  const auto at = [](auto ExperimentInput::*member) {
+    return [=](CaseInput& input) -> auto& { return input.experiment.*member; };
+  };
+  using Type = ExperimentInput::Type;
+  using Control = ExperimentInput::Control;
+  const std::string section = "Experiment";
+  entries.push_back(choice<Type>(section, "Type", at(&ExperimentInput::type),
+                                 {{"normal", Type::normal}, {"sliding", Type::sliding}, {"rolling", Type::rolling}, {"torsion", Type::torsion}},
+                                 "normal", "How the particle is moved after the normal load is applied."));
+  entries.push_back(choice<Control>(section, "Control", at(&ExperimentInput::control),
+                                    {{"force", Control::force}, {"displacement", Control::displacement}}, "force",
+                                    "Whether Normal load or Normal approach is prescribed."));
+  entries.push_back(quantity(section, "Normal load", at(&ExperimentInput::normal_load), Dimension::force, not_negative,
+                             "0 N", "1 mN", "Largest normal force (control by force)."));
+  entries.push_back(quantity(section, "Normal approach", at(&ExperimentInput::normal_approach), Dimension::length,
+                             not_negative, "0 m", "", "Largest approach of the bodies (control by displacement)."));
+  entries.push_back(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load."));
+  entries.push_back(flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
+  entries.push_back(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1, "10", "Steps from the largest load to zero."));
+  entries.push_back(whole_number(section, "Cycles", at(&ExperimentInput::cycles), 1, "1",
+                                 "Cycles of loading and unloading; above 1 needs Unload = true."));
+  entries.push_back(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading."));
+  entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
+                             "Lateral path of sliding and rolling."));
+  entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
+                             "Angle of torsion."));
+}
+
+void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
+  entries.push_back(quantity("Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
+                             Dimension::length, not_negative, "0 m", "",
+                             "Distance of nodes where contact can come; 0: derived from load and roughness."));
+  entries.push_back(quantity("Mesh", "Contact region", [](CaseInput& c) -> double& { return c.mesh.contact_region; },
+                             Dimension::length, not_negative, "0 m", "",
+                             "Half width of the finely meshed square; 0: derived from load and roughness."));
+  entries.push_back(whole_number("Mesh", "Layers", [](CaseInput& c) -> int& { return c.mesh.layers; }, 1, "4",
+                                 "Cells of each refinement level below the interface: the grading."));
+  entries.push_back(choice<std::string>("Mesh", "Sphere", [](CaseInput& c) -> std::string& { return c.mesh.sphere; },
+                                        {{"hemisphere", "hemisphere"}, {"full", "full"}}, "hemisphere",
+                                        "Part of the particle that is meshed."));
+  entries.push_back(choice<std::string>("Solver", "Backend", [](CaseInput& c) -> std::string& { return c.solver.backend; },
+                                        {{"matrix-free", "matrix-free"}, {"assembled", "assembled"}}, "matrix-free",
+                                        "Matrix-free operators with geometric multigrid, or assembled matrices with "
+                                        "algebraic multigrid."));
+  entries.push_back(quantity("Solver", "Tolerance", [](CaseInput& c) -> double& { return c.solver.tolerance; },
+                             Dimension::none, {0, 1e-2, true, false}, "1e-6", "",
+                             "Residual force of an accepted step relative to the contact force."));
+  entries.push_back(whole_number("Solver", "Threads", [](CaseInput& c) -> int& { return c.solver.threads; }, 0, "0",
+                                 "Threads of each process; 0: all cores, divided by the processes of this machine."));
+  entries.push_back(flag("Output", "Fields", [](CaseInput& c) -> bool& { return c.output.fields; }, "true",
+                         "Write the fields for ParaView (VTU and PVD of the bodies, VTP of the interface)."));
+  entries.push_back(whole_number("Output", "Fields every", [](CaseInput& c) -> int& { return c.output.fields_every; }, 0, "0",
+                                 "Steps between files of fields; 0: at the largest load and at the last step."));
+}
+
+std::vector<CaseEntry> declare_entries() {
+  std::vector<CaseEntry> entries;
+  entries.push_back({"", "Title", "untitled", "", "a text", "Name of the case in reports.",
+                     [](CaseInput& input, const std::string& text) { input.title = text == "untitled" ? "" : text; }});
+  entries.push_back(quantity("Particle", "Radius", [](CaseInput& c) -> double& { return c.radius; }, Dimension::length,
+                             positive, "", "8.5 um", "Radius R of the sphere."));
+  add_body(entries, "Particle", &CaseInput::particle, "71 GPa", "0.17");
+  add_body(entries, "Substrate", &CaseInput::substrate, "179 GPa", "0.25");
+  add_interface(entries);
+  add_experiment(entries);
+  add_mesh_solver_output(entries);
+  return entries;
+}
+
+}  // namespace
+
+const std::vector<CaseSection>& case_sections() {
+  static const std::vector<CaseSection> sections{
+      {"", "Entries outside of subsections."},
+      {"Particle", "The sphere, an elastic-plastic body (J2 plasticity, small strain)."},
+      {"Substrate", "The plane, an elastic-plastic body."},
+      {"Interface", "The laws at a point of the interface."},
+      {"Experiment", "How the particle is loaded and moved."},
+      {"Mesh", "Resolution at the interface; it is coarse away from it."},
+      {"Solver", "How the equations are solved; the answer does not depend on it."},
+      {"Output", "What is written beside result.json and history.csv."}};
+  return sections;
+}
+
+const std::vector<CaseEntry>& case_entries() {
+  static const std::vector<CaseEntry> entries = declare_entries();
+  return entries;
+}
+
+}  // namespace asperity

@@ -1,0 +1,216 @@
+#include "app/case_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/case_declaration.h"
+#include "app/nearest_name.h"
+#include "app/topography_text.h"
+#include "core/error.h"
+#include "core/quantity.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+const CaseEntry* find_entry(const std::string& section, const std::string& name) {
+  for (const auto& entry : case_entries())
+    if (entry.section == section && entry.name == name) return &entry;
+  return nullptr;
+}
+
+bool is_section(const std::string& name) {
+  const auto& sections = case_sections();
+  return std::any_of(sections.begin(), sections.end(), [&](const auto& s) { return s.name == name; });
+}
+
+std::string place(const std::string& section) {
+  return section.empty() ? "outside of subsections" : "in subsection " + section;
+}
+
+/// Settings by path, for the checks that concern several entries at once.
+class Checker {
+ public:
+  Checker(const CaseInput& input, const Settings& settings, const fs::path& file)
+      : input_(input), settings_(settings), file_(file) {}
+
+  void check() const {
+    check_load();
+    check_motion();
+    check_mesh();
+    check_hardening("Particle", input_.particle);
+    check_hardening("Substrate", input_.substrate);
+    check_seeds();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
+    for (const auto& setting : settings_)
+      if (setting.path() == path) throw InputError(setting.where + ": " + sentence);
+    throw InputError(file_.string() + ": " + sentence);
+  }
+
+  static double plane_strain_compliance(const BodyInput& body) {
+    return (1 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
+  }
+
+  /// Radius of the contact by Hertz 1881: a = (3 F R / (4 E*))^(1/3) or sqrt(R delta).
+  double hertz_radius() const {
+    const auto& experiment = input_.experiment;
+    if (experiment.control == ExperimentInput::Control::displacement)
+      return std::sqrt(input_.radius * experiment.normal_approach);
+    return std::cbrt(0.75 * experiment.normal_load * input_.radius *
+                     (plane_strain_compliance(input_.particle) + plane_strain_compliance(input_.substrate)));
+  }
+
+  void check_load() const {
+    const auto& experiment = input_.experiment;
+    const bool by_force = experiment.control == ExperimentInput::Control::force;
+    if (by_force && !(experiment.normal_load > 0))
+      refuse("Experiment/Normal load", experiment.normal_approach > 0
+                                           ? "Experiment/Normal approach is given but Control is force; set Control = displacement"
+                                           : "Experiment/Normal load must be above 0 under control by force; set for example 1 mN");
+    if (!by_force && !(experiment.normal_approach > 0))
+      refuse("Experiment/Normal approach",
+             "Experiment/Normal approach must be above 0 under control by displacement; set for example 10 nm");
+    if (!by_force && experiment.normal_load > 0)
+      refuse("Experiment/Normal load",
+             "Experiment/Normal load is given but Control is displacement; remove it or set Control = force");
+    if (experiment.cycles > 1 && !experiment.unload)
+      refuse("Experiment/Cycles", "Experiment/Cycles above 1 needs unloading; set Unload = true");
+    if (hertz_radius() > input_.radius / 2)
+      refuse(by_force ? "Experiment/Normal load" : "Experiment/Normal approach",
+             "this load would press the sphere flat over a contact radius of " +
+                 format_quantity(hertz_radius(), Dimension::length) + " (Hertz), more than half its radius of " +
+                 format_quantity(input_.radius, Dimension::length) + "; small strain does not hold there: lower it");
+  }
+
+  void check_motion() const {
+    const auto& experiment = input_.experiment;
+    using Type = ExperimentInput::Type;
+    const bool moves_along = experiment.type == Type::sliding || experiment.type == Type::rolling;
+    if (moves_along && !(experiment.distance > 0))
+      refuse("Experiment/Type", "sliding and rolling need Experiment/Distance above 0; set for example 50 nm");
+    if (experiment.type == Type::torsion && !(experiment.angle > 0))
+      refuse("Experiment/Type", "torsion needs Experiment/Angle above 0; set for example 1 deg");
+  }
+
+  void check_mesh() const {
+    const auto& mesh = input_.mesh;
+    if (mesh.contact_region > 0 && !(mesh.contact_region < input_.radius / 2))
+      refuse("Mesh/Contact region", "Mesh/Contact region, " + format_quantity(mesh.contact_region, Dimension::length) +
+                                        ", must be less than half the Radius of " +
+                                        format_quantity(input_.radius, Dimension::length) + "; lower it, or 0 derives it");
+    if (mesh.contact_region > 0 && mesh.contact_region < hertz_radius())
+      refuse("Mesh/Contact region", "Mesh/Contact region, " + format_quantity(mesh.contact_region, Dimension::length) +
+                                        ", does not hold the contact radius of " +
+                                        format_quantity(hertz_radius(), Dimension::length) +
+                                        " (Hertz); raise it, or 0 derives it");
+    const double extent = mesh.contact_region > 0 ? mesh.contact_region : hertz_radius();
+    if (mesh.interface_spacing > extent / 2)
+      refuse("Mesh/Interface spacing", "Mesh/Interface spacing, " +
+                                           format_quantity(mesh.interface_spacing, Dimension::length) +
+                                           ", leaves less than two cells in the " +
+                                           (mesh.contact_region > 0 ? "contact region" : "contact radius") + " of " +
+                                           format_quantity(extent, Dimension::length) + "; lower it, or 0 derives it");
+  }
+
+  void check_hardening(const std::string& section, const BodyInput& body) const {
+    if ((body.voce_saturation > 0) != (body.voce_rate > 0))
+      refuse(section + (body.voce_saturation > 0 ? "/Voce saturation" : "/Voce rate"),
+             section + "'s Voce hardening needs both Voce saturation and Voce rate above 0; set both or neither");
+    if (body.hardening_modulus >= body.youngs_modulus)
+      refuse(section + "/Hardening modulus", section + "'s Hardening modulus must be less than its Young modulus of " +
+                                                 format_quantity(body.youngs_modulus, Dimension::pressure));
+  }
+
+  void check_seeds() const {
+    if (is_generated(input_.particle.topography) && is_generated(input_.substrate.topography) &&
+        generated_seed(input_.particle.topography) == generated_seed(input_.substrate.topography))
+      refuse("Substrate/Topography",
+             "both surfaces are generated with the same seed, so that their heights are correlated; give one another seed");
+  }
+
+  const CaseInput& input_;
+  const Settings& settings_;
+  const fs::path& file_;
+};
+
+/// The name of a measured scan, relative to the folder of the case file.
+void find_topography_file(std::string& topography, const std::string& section, const Settings& settings, const fs::path& file) {
+  if (is_smooth(topography) || is_generated(topography)) return;
+  std::string where = file.string();
+  for (const auto& setting : settings)
+    if (setting.path() == section + "/Topography") where = setting.where;
+  const fs::path beside = file.parent_path() / topography;
+  if (fs::is_regular_file(beside)) {
+    topography = beside.lexically_normal().string();
+    return;
+  }
+  const std::string meant = nearest_name(topography.substr(0, topography.find('(')), {"smooth", "generated"});
+  throw InputError(where + ": " + section + "/Topography: there is no file '" + beside.lexically_normal().string() + "'" +
+                   (meant.empty() ? "; write smooth, a file, or generated(rms=1.5 nm, rolloff=200 nm, seed=3)"
+                    : meant == "smooth" ? "; did you mean smooth?"
+                                        : "; did you mean generated(rms=1.5 nm, rolloff=200 nm, seed=3)?"));
+}
+
+}  // namespace
+
+void check_entry_exists(const Setting& setting) {
+  if (find_entry(setting.section, setting.entry)) return;
+  if (!is_section(setting.section)) {
+    std::vector<std::string> names;
+    for (const auto& section : case_sections()) names.push_back(section.name);
+    const std::string meant = nearest_name(setting.section, names);
+    throw InputError(setting.where + ": there is no subsection '" + setting.section + "'" +
+                     (meant.empty() ? "; `asperity case-reference` lists them" : "; did you mean '" + meant + "'?"));
+  }
+  std::vector<std::string> here;
+  for (const auto& entry : case_entries())
+    if (entry.section == setting.section) here.push_back(entry.name);
+  const std::string meant = nearest_name(setting.entry, here);
+  std::string remedy = "; did you mean '" + meant + "'?";
+  if (meant.empty()) {
+    remedy = "; `asperity case-reference` lists what there is";
+    for (const auto& entry : case_entries())
+      if (entry.name == setting.entry) remedy = "; it belongs " + place(entry.section);
+  }
+  throw InputError(setting.where + ": there is no entry '" + setting.entry + "' " + place(setting.section) + remedy);
+}
+
+CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
+  CaseInput input;
+  input.file = file.string();
+  for (const auto& entry : case_entries())
+    if (!entry.required()) entry.store(input, entry.default_text);
+  for (const auto& setting : settings) {
+    check_entry_exists(setting);
+    try {
+      find_entry(setting.section, setting.entry)->store(input, setting.value);
+    } catch (const InputError& error) {
+      throw InputError(setting.where + ": " + setting.path() + ": " + error.what());
+    }
+  }
+  for (const auto& entry : case_entries()) {
+    const bool given = std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
+      return s.section == entry.section && s.entry == entry.name;
+    });
+    if (entry.required() && !given)
+      throw InputError(file.string() + ": " + entry.section + "/" + entry.name + " is missing; add 'set " + entry.name +
+                       " = " + entry.example + "' (with your value) to subsection " + entry.section);
+  }
+  find_topography_file(input.particle.topography, "Particle", settings, file);
+  find_topography_file(input.substrate.topography, "Substrate", settings, file);
+  Checker(input, settings, file).check();
+  return input;
+}
+
+CaseInput read_case(const fs::path& file, const std::vector<std::string>& overrides) {
+  if (!fs::exists(file)) throw InputError("there is no case file '" + file.string() + "'");
+  Settings settings = read_settings(file);
+  for (const auto& text : overrides) override_setting(settings, parse_override(text));
+  return case_from_settings(settings, file);
+}
+
+}  // namespace asperity
