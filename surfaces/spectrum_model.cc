@@ -1,0 +1,40 @@
+#include "surfaces/spectrum_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/quantity.h"
+
+namespace asperity {
+
+double SelfAffineSpectrum::plateau() const {
+  const double q_r = 2 * M_PI / rolloff;
+  // (2 pi) Sq^2 = C0 q_r^2 [1/2 + (1 - (q_s/q_r)^(-2H)) / (2H)]
+  return 2 * M_PI * rms * rms / (q_r * q_r * (0.5 + (1 - std::pow(cutoff / rolloff, 2 * hurst)) / (2 * hurst)));
+}
+
+double SelfAffineSpectrum::operator()(double q) const {
+  const double q_r = 2 * M_PI / rolloff, q_s = 2 * M_PI / cutoff;
+  if (q > q_s) return 0;
+  return q < q_r ? plateau() : plateau() * std::pow(q / q_r, -2 - 2 * hurst);
+}
+
+void SelfAffineSpectrum::check() const {
+  if (!(rms >= 0) || !std::isfinite(rms)) throw InputError("rms must be a length, zero or larger");
+  if (!(hurst > 0 && hurst <= 1)) throw InputError("hurst must lie between 0 and 1 (0.8 is common)");
+  if (!(cutoff > 0) || !std::isfinite(cutoff)) throw InputError("cutoff must be a wavelength larger than zero");
+  if (!(rolloff >= cutoff) || !std::isfinite(rolloff))
+    throw InputError("rolloff (" + format_quantity(rolloff, Dimension::length) + ") must be a wavelength not shorter than cutoff (" +
+                     format_quantity(cutoff, Dimension::length) + ")");
+}
+
+double TabulatedSpectrum::operator()(double wave_number) const {
+  if (q.empty() || wave_number > q.back()) return 0;
+  if (wave_number <= q.front()) return C.front();
+  const std::size_t upper = std::lower_bound(q.begin(), q.end(), wave_number) - q.begin();
+  const double t = std::log(wave_number / q[upper - 1]) / std::log(q[upper] / q[upper - 1]);
+  return std::exp((1 - t) * std::log(C[upper - 1]) + t * std::log(C[upper]));
+}
+
+}  // namespace asperity
