@@ -12,6 +12,8 @@
 namespace asperity {
 namespace {
 
+constexpr std::size_t worth_sharing = 1u << 18;  // points; below, starting threads costs more than it saves
+
 std::mutex& planner_mutex() {  // FFTW may be executed, but not planned, by several threads at once
   static std::mutex mutex;
   return mutex;
@@ -53,7 +55,7 @@ fftw_plan plan_columns(int n, int sign) {
 void transform_columns(HalfSpectrum& spectrum, int columns, int ny, int sign) {
   const Plan plan(plan_columns(ny, sign));
   constexpr int block = 8;  // columns gathered together: one cache line of each row is used whole
-#pragma omp parallel
+#pragma omp parallel if (spectrum.size() > worth_sharing)
   {
     std::vector<Buffer<fftw_complex>> lines;
     for (int b = 0; b < block; ++b) lines.push_back(complex_buffer(ny));
@@ -86,7 +88,7 @@ HalfSpectrum forward_fft(const std::vector<double>& map, int nx, int ny) {
       const auto out = complex_buffer(columns);
       return fftw_plan_dft_r2c_1d(nx, in.get(), out.get(), FFTW_ESTIMATE);
     }());
-#pragma omp parallel
+#pragma omp parallel if (map.size() > worth_sharing)
     {
       const auto in = real_buffer(nx);
       const auto out = complex_buffer(columns);
@@ -113,7 +115,7 @@ std::vector<double> inverse_fft(HalfSpectrum&& spectrum, int nx, int ny) {
     const auto out = real_buffer(nx);
     return fftw_plan_dft_c2r_1d(nx, in.get(), out.get(), FFTW_ESTIMATE);
   }());
-#pragma omp parallel
+#pragma omp parallel if (map.size() > worth_sharing)
   {
     const auto in = complex_buffer(columns);
     const auto out = real_buffer(nx);

@@ -86,9 +86,9 @@ TEST(Generate_analytic, random_amplitudes_have_the_expected_mean_square) {
 TEST(Generate, is_the_same_bit_for_bit_on_any_number_of_threads) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
-  const auto one = generate_periodic(spectrum(), options(240, 1.2e-6)).heights;
+  const auto one = generate_periodic(spectrum(), options(900, 4.5e-6)).heights;
   omp_set_num_threads(3);
-  const auto three = generate_periodic(spectrum(), options(240, 1.2e-6)).heights;
+  const auto three = generate_periodic(spectrum(), options(900, 4.5e-6)).heights;
   omp_set_num_threads(threads);
   EXPECT_EQ(one, three);
 }
