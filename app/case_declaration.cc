@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/nearest_name.h"
-#include "app/topography_text.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -110,7 +110,7 @@ CaseEntry topography(std::string section, Member<std::string> member) {
           "Roughness of the surface: none, a measured scan (see `asperity surface --help` for the formats; a relative "
           "name is looked for beside the case file), or a Gaussian surface from a spectrum.",
           [=](CaseInput& input, const std::string& text) {
-            if (is_generated(text)) generated_arguments(text);
+            if (is_generator_call(text)) parse_generator(text);
             member(input) = text;
           }};
 }

@@ -5,9 +5,9 @@
 
 #include "app/case_declaration.h"
 #include "app/nearest_name.h"
-#include "app/topography_text.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -126,8 +126,9 @@ class Checker {
   }
 
   void check_seeds() const {
-    if (is_generated(input_.particle.topography) && is_generated(input_.substrate.topography) &&
-        generated_seed(input_.particle.topography) == generated_seed(input_.substrate.topography))
+    const std::string &on_particle = input_.particle.topography, &on_substrate = input_.substrate.topography;
+    if (is_generator_call(on_particle) && is_generator_call(on_substrate) &&
+        parse_generator(on_particle).seed == parse_generator(on_substrate).seed)
       refuse("Substrate/Topography",
              "both surfaces are generated with the same seed, so that their heights are correlated; give one another seed");
   }
@@ -139,7 +140,7 @@ class Checker {
 
 /// The name of a measured scan, relative to the folder of the case file.
 void find_topography_file(std::string& topography, const std::string& section, const Settings& settings, const fs::path& file) {
-  if (is_smooth(topography) || is_generated(topography)) return;
+  if (topography == "smooth" || is_generator_call(topography)) return;
   std::string where = file.string();
   for (const auto& setting : settings)
     if (setting.path() == section + "/Topography") where = setting.where;

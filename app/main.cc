@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/case_command.h"
+#include "app/study_command.h"
 #include "core/error.h"
 
 int main(int argc, char** argv) {
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
              "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
+  asperity::add_study_command(app);
   asperity::add_case_commands(app);
 
   constexpr int failed = 1, refused = 2;

@@ -1,0 +1,255 @@
+#include "app/study.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+
+#include "app/case_file.h"
+#include "app/nearest_name.h"
+#include "core/error.h"
+#include "surfaces/topography_spec.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seeds of successive realisations lie this far apart, so that the few seeds a case names do not meet.
+constexpr std::uint64_t seeds_apart = 1000;
+constexpr std::size_t longest_folder_part = 40;
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Parts between separators that stand outside of parentheses.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == separator && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  for (auto& part : parts) part = trim(part);
+  return parts;
+}
+
+/// One value of an axis: the entries it sets.
+struct Choice {
+  std::string label;
+  Settings settings;
+};
+
+struct Axis {
+  std::string path, where;
+  std::vector<Choice> choices;
+};
+
+/// Topography files are named relative to the file they stand in; cases live in other folders.
+void make_topography_absolute(Setting& setting, const fs::path& file) {
+  if (setting.entry == "Topography" && setting.value != "smooth" && !is_generator_call(setting.value) &&
+      fs::exists(file.parent_path() / setting.value))
+    setting.value = fs::absolute(file.parent_path() / setting.value).lexically_normal().string();
+}
+
+/// "Section/Entry" of a case file.
+Setting case_setting(const std::string& path, const std::string& value, const std::string& where, const fs::path& file) {
+  const auto slash = path.rfind('/');
+  Setting setting{slash == std::string::npos ? "" : trim(path.substr(0, slash)),
+                  slash == std::string::npos ? path : trim(path.substr(slash + 1)), value, where};
+  check_entry_exists(setting);
+  make_topography_absolute(setting, file);
+  return setting;
+}
+
+Axis read_vary(const Setting& written, const fs::path& file) {
+  Axis axis{written.entry, written.where, {}};
+  for (const auto& part : split(written.value, ',')) {
+    if (part.empty()) throw InputError(written.where + ": the values of " + written.entry + " have an empty one; remove the comma");
+    // A label is what stands before ": ".
+    const auto colon = part.find(": ");
+    const std::string value = colon == std::string::npos ? part : trim(part.substr(colon + 1));
+    const std::string label = colon == std::string::npos ? part : trim(part.substr(0, colon));
+    axis.choices.push_back({label, {case_setting(written.entry, value, written.where, file)}});
+  }
+  return axis;
+}
+
+Choice read_variant(const Setting& written, const fs::path& file) {
+  Choice variant{written.entry, {}};
+  if (written.value.empty()) return variant;
+  for (const auto& part : split(written.value, ';')) {
+    const auto equals = part.find('=');
+    if (equals == std::string::npos)
+      throw InputError(written.where + ": '" + part + "' lacks '='; write Section/Entry=value, several separated by ';'");
+    variant.settings.push_back(case_setting(trim(part.substr(0, equals)), trim(part.substr(equals + 1)), written.where, file));
+  }
+  return variant;
+}
+
+int count_of(const Setting& setting, int least) {
+  char* end = nullptr;
+  const long value = std::strtol(setting.value.c_str(), &end, 10);
+  if (setting.value.empty() || *end != '\0' || value < least || value > 1000000)
+    throw InputError(setting.where + ": " + setting.path() + ": '" + setting.value + "' is not a whole number, " +
+                     std::to_string(least) + " or more");
+  return static_cast<int>(value);
+}
+
+/// A label as part of a folder's name.
+std::string folder_part(const std::string& label, std::size_t index) {
+  std::string name;
+  for (const char c : label) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+')
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() || name.size() > longest_folder_part ? "value" + std::to_string(index + 1) : name;
+}
+
+/// Gives every generated topography the seed of a realisation; false if there is none.
+bool apply_realisation(Settings& settings, int realisation) {
+  bool any = false;
+  for (auto& setting : settings) {
+    if (setting.entry != "Topography" || !is_generator_call(setting.value)) continue;
+    any = true;
+    if (realisation == 1) continue;
+    GeneratorParameters generator = parse_generator(setting.value);
+    generator.seed += seeds_apart * static_cast<std::uint64_t>(realisation - 1);
+    setting.value = generator.text();
+  }
+  return any;
+}
+
+class StudyReader {
+ public:
+  explicit StudyReader(const fs::path& file) { study_.file = file; }
+
+  Study read() {
+    if (!fs::exists(study_.file)) throw InputError("there is no study file '" + study_.file.string() + "'");
+    for (const auto& setting : read_settings(study_.file)) take(setting);
+    if (!variants_.choices.empty()) axes_.push_back(variants_);
+    merge_base();
+    for (const auto& axis : axes_) name_axis(axis);
+    for (int realisation = 1; realisation <= study_.realisations; ++realisation) add_cases({}, realisation);
+    return study_;
+  }
+
+ private:
+  void take(const Setting& setting) {
+    if (setting.section == "Study/Vary") {
+      axes_.push_back(read_vary(setting, study_.file));
+    } else if (setting.section == "Study/Variants") {
+      variants_.path = "Variant";
+      variants_.where = setting.where;
+      variants_.choices.push_back(read_variant(setting, study_.file));
+    } else if (setting.section == "Study") {
+      take_study_entry(setting);
+    } else if (setting.section.rfind("Study/", 0) == 0) {
+      throw InputError(setting.where + ": subsection Study has Vary and Variants, not '" + setting.section.substr(6) + "'");
+    } else {
+      check_entry_exists(setting);
+      own_.push_back(setting);
+      make_topography_absolute(own_.back(), study_.file);
+    }
+  }
+
+  void take_study_entry(const Setting& setting) {
+    if (setting.entry == "Base case") {
+      base_ = study_.file.parent_path() / setting.value;
+      if (!fs::exists(base_)) throw InputError(setting.where + ": there is no base case '" + base_.string() + "'");
+    } else if (setting.entry == "Realisations") {
+      study_.realisations = count_of(setting, 1);
+    } else if (setting.entry == "Parallel cases") {
+      study_.parallel_cases = count_of(setting, 0);
+    } else {
+      const std::string meant = nearest_name(setting.entry, {"Base case", "Realisations", "Parallel cases"});
+      throw InputError(setting.where + ": there is no entry '" + setting.entry + "' in subsection Study" +
+                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases and the subsections Vary and Variants"
+                                      : "; did you mean '" + meant + "'?"));
+    }
+  }
+
+  void merge_base() {
+    if (!base_.empty())
+      for (auto setting : read_settings(base_)) {
+        check_entry_exists(setting);
+        make_topography_absolute(setting, base_);
+        merged_.push_back(setting);
+      }
+    for (const auto& setting : own_) override_setting(merged_, setting);
+    for (const auto& setting : merged_)
+      if (setting.path() == "Title") study_.title = setting.value;
+  }
+
+  void name_axis(const Axis& axis) {
+    const auto short_name = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+    const bool shared = std::count_if(axes_.begin(), axes_.end(), [&](const Axis& other) {
+                          return short_name(other.path) == short_name(axis.path);
+                        }) > 1;
+    StudyAxis named{shared ? axis.path : short_name(axis.path), {}};
+    std::set<std::string> folders;
+    for (std::size_t i = 0; i < axis.choices.size(); ++i) {
+      named.labels.push_back(axis.choices[i].label);
+      if (!folders.insert(folder_part(axis.choices[i].label, i)).second)
+        throw InputError(axis.where + ": two values of " + axis.path + " are called '" + axis.choices[i].label +
+                         "' or give the same folder name; write a label before each, as in 'smooth one: value'");
+    }
+    study_.axes.push_back(named);
+  }
+
+  /// All cells of the matrix whose first indices are `chosen`.
+  void add_cases(std::vector<std::size_t> chosen, int realisation) {
+    if (chosen.size() == axes_.size()) {
+      add_case(chosen, realisation);
+      return;
+    }
+    const std::size_t choices = axes_[chosen.size()].choices.size();
+    chosen.push_back(0);
+    for (; chosen.back() < choices; ++chosen.back()) add_cases(chosen, realisation);
+  }
+
+  void add_case(const std::vector<std::size_t>& chosen, int realisation) {
+    StudyCase cell;
+    cell.settings = merged_;
+    cell.realisation = realisation;
+    std::string title = study_.title;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const Choice& choice = axes_[i].choices[chosen[i]];
+      for (const auto& setting : choice.settings) override_setting(cell.settings, setting);
+      cell.labels.push_back(choice.label);
+      cell.name += (cell.name.empty() ? "" : "-") + folder_part(choice.label, chosen[i]);
+      title += (title.empty() ? "" : ", ") + choice.label;
+    }
+    // Realisations differ by their generated surfaces alone; without any there is one.
+    if (!apply_realisation(cell.settings, realisation) && realisation > 1) return;
+    if (study_.realisations > 1) {
+      cell.name += (cell.name.empty() ? "r" : "-r") + std::to_string(realisation);
+      title += (title.empty() ? "" : ", ") + std::string("realisation ") + std::to_string(realisation);
+    }
+    if (cell.name.empty()) cell.name = "case";
+    override_setting(cell.settings, {"", "Title", title, study_.file.string()});
+    case_from_settings(cell.settings, study_.file);
+    study_.cases.push_back(std::move(cell));
+  }
+
+  Study study_;
+  fs::path base_;
+  Settings own_, merged_;
+  std::vector<Axis> axes_;
+  Axis variants_;
+};
+
+}  // namespace
+
+Study read_study(const fs::path& file) { return StudyReader(file).read(); }
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+// A study: a base case and what is varied, as a matrix of complete cases.
+//
+//   subsection Study
+//     set Base case    = base.prm            # optional; the study's own case sections override it
+//     set Realisations = 4                   # of every generated topography
+//     subsection Vary                        # each value with each value of the others
+//       set Experiment/Normal load = 300 uN, 1 mN
+//       set Substrate/Topography   = untreated: generated(rms=0.3 nm), etched: generated(rms=1.5 nm)
+//     end
+//     subsection Variants                    # named groups of entries, varied together
+//       set elastic  = Particle/Yield stress=inf; Substrate/Yield stress=inf
+//       set yielding =
+//     end
+//   end
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/parameter_file.h"
+
+namespace asperity {
+
+/// One direction of the matrix.
+struct StudyAxis {
+  std::string name;                 ///< "Normal load"; the whole path where two axes share it; "Variant"
+  std::vector<std::string> labels;  ///< "300 uN", "1 mN"
+};
+
+/// One cell of the matrix and one realisation.
+struct StudyCase {
+  std::string name;                 ///< its folder: "1_mN-untreated-r2"
+  std::vector<std::string> labels;  ///< one of each axis
+  int realisation = 1;              ///< counted from 1
+  Settings settings;                ///< the complete case
+};
+
+struct Study {
+  std::string title;
+  std::filesystem::path file;
+  std::vector<StudyAxis> axes;
+  int realisations = 1;
+  int parallel_cases = 0;           ///< at the same time; 0: as many as the machine has cores
+  std::vector<StudyCase> cases;     ///< the first realisation of all, then the second, ...
+};
+
+/// Reads a study and checks each of its cases. Throws InputError naming file and line.
+Study read_study(const std::filesystem::path& file);
+
+}  // namespace asperity

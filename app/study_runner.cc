@@ -1,0 +1,261 @@
+#include "app/study_runner.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+#include "app/child_process.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using State = CaseProgress::State;
+
+constexpr auto poll_interval = std::chrono::milliseconds(50);
+constexpr auto report_interval = std::chrono::seconds(30);
+constexpr auto stop_grace = std::chrono::seconds(10);
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string duration(double seconds) {
+  char buffer[32];
+  if (seconds < 90)
+    std::snprintf(buffer, sizeof buffer, "%.0f s", seconds);
+  else if (seconds < 5400)
+    std::snprintf(buffer, sizeof buffer, "%.0f min", seconds / 60);
+  else
+    std::snprintf(buffer, sizeof buffer, "%.1f h", seconds / 3600);
+  return buffer;
+}
+
+volatile sig_atomic_t stop_requested = 0;
+
+/// While it lives, SIGINT and SIGTERM ask the study to stop.
+class StopOnSignal {
+ public:
+  StopOnSignal() {
+    stop_requested = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop_requested = 1; };
+    ::sigaction(SIGINT, &action, &interrupt_before_);
+    ::sigaction(SIGTERM, &action, &terminate_before_);
+  }
+  ~StopOnSignal() {
+    ::sigaction(SIGINT, &interrupt_before_, nullptr);
+    ::sigaction(SIGTERM, &terminate_before_, nullptr);
+  }
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+ private:
+  struct sigaction interrupt_before_ {}, terminate_before_ {};
+};
+
+/// Keeps a second study out of the same folder; the kernel gives it free when this process ends, however it ends.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder) {
+    const fs::path path = folder / ".study.lock";
+    file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (file_ < 0) throw WorkError("cannot write '" + path.string() + "': " + std::strerror(errno));
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      ::close(file_);
+      throw InputError("another study is running in '" + folder.string() + "'; wait for it or choose another folder");
+    }
+  }
+  ~FolderLock() { ::close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
+std::string last_line(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line, last;
+  while (std::getline(stream, line)) {
+    line = line.substr(line.rfind('\r') + 1);
+    if (line.find_first_not_of(" \t") != std::string::npos) last = line;
+  }
+  return last;
+}
+
+class StudyRun {
+ public:
+  StudyRun(const Study& study, const StudyRunOptions& options) : study_(study), options_(options), progress_(study.cases.size()) {}
+
+  std::vector<CaseProgress> run() {
+    prepare();
+    const StopOnSignal stop_on_signal;
+    write_study_summary(study_, progress_, options_.output);
+    while (!stop_requested) {
+      start_waiting_cases();
+      if (running_.empty()) break;
+      std::this_thread::sleep_for(poll_interval);
+      collect_ended_cases();
+      report_running_cases();
+    }
+    if (stop_requested) stop_running_cases();
+    write_study_summary(study_, progress_, options_.output);
+    return std::move(progress_);
+  }
+
+ private:
+  struct Running {
+    std::size_t index;
+    ChildProcess process;
+    Clock::time_point start;
+  };
+
+  fs::path folder(std::size_t index) const { return options_.output / study_.cases[index].name; }
+  static constexpr const char* case_file = "case.prm";
+  static constexpr const char* log_file = "solve.log";
+
+  /// What is in the folder from an earlier run: complete cases are kept, those whose input changed begin anew.
+  void prepare() {
+    for (std::size_t i = 0; i < study_.cases.size(); ++i) {
+      const std::string text = format_settings(study_.cases[i].settings);
+      if (fs::exists(folder(i) / case_file) && read_file(folder(i) / case_file) == text) {
+        if (has_result(folder(i))) progress_[i].state = State::done;
+        continue;
+      }
+      if (fs::exists(folder(i))) {
+        options_.say(study_.cases[i].name + ": its input has changed; it is solved anew");
+        fs::remove_all(folder(i));
+      }
+      fs::create_directories(folder(i));
+      write_file_atomically(folder(i) / case_file, text);
+    }
+    const long to_do = std::count_if(progress_.begin(), progress_.end(), [](const auto& p) { return p.state != State::done; });
+    const int wanted = study_.parallel_cases > 0 ? study_.parallel_cases : options_.cores;
+    parallel_ = std::clamp(static_cast<int>(to_do), 1, wanted);
+    options_.say(std::to_string(study_.cases.size()) + " cases, " + std::to_string(study_.cases.size() - to_do) +
+                 " of them done already; " + std::to_string(parallel_) + " at a time");
+  }
+
+  void start_waiting_cases() {
+    for (; next_ < study_.cases.size() && running_.size() < static_cast<std::size_t>(parallel_); ++next_)
+      if (progress_[next_].state == State::waiting) start(next_);
+  }
+
+  void start(std::size_t index) {
+    const std::string threads = std::to_string(std::max(1, options_.cores / parallel_));
+    std::vector<std::string> arguments{options_.program.string(), "solve", (folder(index) / case_file).string(), "--output",
+                                       folder(index).string(), "--set", "Solver/Threads=" + threads};
+    const bool begun = fs::exists(folder(index) / log_file);
+    if (begun) arguments.push_back("--resume");
+    running_.push_back({index, ChildProcess(arguments, folder(index) / log_file, {"OMP_NUM_THREADS=" + threads}), Clock::now()});
+    progress_[index].state = State::running;
+    options_.say(study_.cases[index].name + (begun ? ": resumed" : ": started"));
+  }
+
+  void collect_ended_cases() {
+    bool any = false;
+    for (auto& running : running_) {
+      const auto status = running.process.exit_status();
+      if (!status) continue;
+      any = true;
+      finish(running, *status);
+    }
+    if (!any) return;
+    std::vector<Running> still;
+    for (auto& running : running_)
+      if (progress_[running.index].state == State::running) still.push_back(std::move(running));
+    running_.swap(still);
+    write_study_summary(study_, progress_, options_.output);
+  }
+
+  void finish(const Running& running, int status) {
+    CaseProgress& progress = progress_[running.index];
+    progress.seconds = seconds_since(running.start);
+    const std::string& name = study_.cases[running.index].name;
+    if (status == 0 && has_result(folder(running.index))) {
+      progress.state = State::done;
+      ++solved_;
+      seconds_of_solved_ += progress.seconds;
+    } else {
+      progress.state = State::failed;
+      progress.message = last_line(folder(running.index) / log_file);
+      if (progress.message.empty())
+        progress.message = status == 0 ? "it left no complete result.json" : "it ended with status " + std::to_string(status);
+    }
+    const long ended = std::count_if(progress_.begin(), progress_.end(), [](const auto& p) {
+      return p.state == State::done || p.state == State::failed;
+    });
+    const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(study_.cases.size()) + "] ";
+    options_.say(counter + name + ": " +
+                 (progress.state == State::done ? "done in " + duration(progress.seconds) : "failed: " + progress.message) +
+                 time_left());
+  }
+
+  /// From the mean time of the cases solved in this run.
+  std::string time_left() const {
+    double seconds = 0;
+    if (solved_ == 0) return "";
+    const double mean = seconds_of_solved_ / solved_;
+    for (std::size_t i = 0; i < progress_.size(); ++i)
+      if (progress_[i].state == State::waiting) seconds += mean;
+    for (const auto& running : running_)
+      if (progress_[running.index].state == State::running) seconds += std::max(0.0, mean - seconds_since(running.start));
+    return seconds > 0 ? "; about " + duration(seconds / parallel_) + " left" : "";
+  }
+
+  void report_running_cases() {
+    if (Clock::now() - last_report_ < report_interval) return;
+    last_report_ = Clock::now();
+    for (const auto& running : running_) {
+      const std::string line = last_line(folder(running.index) / log_file);
+      if (!line.empty()) options_.say("  " + study_.cases[running.index].name + ": " + line);
+    }
+  }
+
+  void stop_running_cases() {
+    options_.say("stopping " + std::to_string(running_.size()) + " running cases; --resume goes on");
+    for (auto& running : running_) running.process.ask_to_stop();
+    const auto start = Clock::now();
+    const auto all_ended = [&] {
+      return std::all_of(running_.begin(), running_.end(), [](Running& r) { return r.process.exit_status().has_value(); });
+    };
+    while (!all_ended() && Clock::now() - start < stop_grace) std::this_thread::sleep_for(poll_interval);
+    for (const auto& running : running_)
+      progress_[running.index].state = has_result(folder(running.index)) ? State::done : State::stopped;
+    running_.clear();
+  }
+
+  const Study& study_;
+  const StudyRunOptions& options_;
+  std::vector<CaseProgress> progress_;
+  std::vector<Running> running_;
+  std::size_t next_ = 0;
+  int parallel_ = 1;
+  int solved_ = 0;
+  double seconds_of_solved_ = 0;
+  Clock::time_point last_report_ = Clock::now();
+};
+
+}  // namespace
+
+std::vector<CaseProgress> run_study(const Study& study, const StudyRunOptions& options) {
+  fs::create_directories(options.output);
+  const FolderLock lock(options.output);
+  if (!options.resume && fs::exists(options.output / "study.json"))
+    throw InputError("'" + options.output.string() + "' holds a study already; add --resume to go on with it, or choose another folder");
+  return StudyRun(study, options).run();
+}
+
+}  // namespace asperity

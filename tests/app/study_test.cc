@@ -1,0 +1,112 @@
+#include "app/study.h"
+
+#include <set>
+
+#include "app/case_file.h"
+#include "core/error.h"
+#include "surfaces/topography_spec.h"
+#include "tests/app/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::message_of;
+using test::smooth_case;
+using test::TemporaryFolder;
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+Study study_of(const std::string& study_section, const std::string& base = smooth_case()) {
+  const TemporaryFolder folder;
+  return read_study(folder.write("study.prm", base + study_section));
+}
+
+std::string refusal(const std::string& study_section) {
+  return message_of<InputError>([&] { study_of(study_section); });
+}
+
+std::string value_of(const StudyCase& cell, const std::string& path) {
+  for (const auto& setting : cell.settings)
+    if (setting.path() == path) return setting.value;
+  return "";
+}
+
+}  // namespace
+
+TEST(Study, is_every_combination_of_the_varied_values) {
+  const Study study = study_of(
+      "subsection Study\n subsection Vary\n"
+      "  set Experiment/Normal load = 300 uN, 1 mN, 2 mN\n"
+      "  set Substrate/Topography = flat: smooth, rough: generated(rms=1.5 nm, rolloff=200 nm, seed=3)\n"
+      " end\nend\n");
+  ASSERT_EQ(study.axes.size(), 2u);
+  EXPECT_EQ(study.axes[0].name, "Normal load");
+  EXPECT_EQ(study.axes[1].labels, (std::vector<std::string>{"flat", "rough"}));
+  ASSERT_EQ(study.cases.size(), 6u);
+  std::set<std::string> names;
+  for (const auto& cell : study.cases) names.insert(cell.name);
+  EXPECT_EQ(names.size(), 6u);
+  EXPECT_EQ(study.cases[3].name, "1_mN-rough");
+  EXPECT_EQ(value_of(study.cases[3], "Experiment/Normal load"), "1 mN");
+  EXPECT_EQ(value_of(study.cases[3], "Substrate/Topography"), "generated(rms=1.5 nm, rolloff=200 nm, seed=3)");
+}
+
+TEST(Study, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
+  const Study study = study_of(
+      "subsection Study\n set Realisations = 3\n subsection Vary\n"
+      "  set Substrate/Topography = flat: smooth, rough: generated(rms=1.5 nm, rolloff=200 nm, seed=3)\n"
+      " end\nend\n");
+  // The smooth case has one realisation: there is nothing to draw.
+  ASSERT_EQ(study.cases.size(), 4u);
+  std::set<std::uint64_t> seeds;
+  for (const auto& cell : study.cases) {
+    const std::string topography = value_of(cell, "Substrate/Topography");
+    if (topography == "smooth") continue;
+    const auto generator = parse_generator(topography);
+    EXPECT_DOUBLE_EQ(generator.spectrum.rms, 1.5e-9);
+    EXPECT_DOUBLE_EQ(generator.spectrum.rolloff, 200e-9);
+    seeds.insert(generator.seed);
+  }
+  EXPECT_EQ(seeds.size(), 3u);
+  EXPECT_EQ(seeds.count(3), 1u);
+}
+
+TEST(Study, variants_set_several_entries_together) {
+  const Study study = study_of(
+      "subsection Study\n subsection Variants\n"
+      "  set elastic =\n"
+      "  set yielding = Particle/Yield stress=3 GPa; Substrate/Yield stress=4 GPa\n"
+      " end\nend\n");
+  ASSERT_EQ(study.cases.size(), 2u);
+  EXPECT_EQ(value_of(study.cases[0], "Particle/Yield stress"), "");
+  EXPECT_EQ(value_of(study.cases[1], "Particle/Yield stress"), "3 GPa");
+  EXPECT_EQ(value_of(study.cases[1], "Substrate/Yield stress"), "4 GPa");
+}
+
+TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
+  const TemporaryFolder folder;
+  folder.write("cases/scan.gsf", "x");
+  folder.write("cases/base.prm", smooth_case() + "subsection Mesh\n set Layers = 6\nend\n");
+  const Study study = read_study(folder.write("study.prm",
+                                              "subsection Study\n set Base case = cases/base.prm\n"
+                                              " subsection Vary\n set Substrate/Topography = smooth, cases/scan.gsf\n end\nend\n"
+                                              "subsection Experiment\n set Normal load = 2 mN\nend\n"));
+  ASSERT_EQ(study.cases.size(), 2u);
+  EXPECT_EQ(value_of(study.cases[0], "Mesh/Layers"), "6");
+  EXPECT_EQ(value_of(study.cases[0], "Experiment/Normal load"), "2 mN");
+  EXPECT_EQ(value_of(study.cases[1], "Substrate/Topography"), (folder.path / "cases/scan.gsf").string());
+}
+
+TEST(Study, what_it_cannot_mean_is_refused_with_its_line) {
+  EXPECT_CONTAINS(refusal("subsection Study\n set Realisation = 3\nend\n"), "study.prm:14:");
+  EXPECT_CONTAINS(refusal("subsection Study\n set Realisation = 3\nend\n"), "did you mean 'Realisations'?");
+  EXPECT_CONTAINS(refusal("subsection Study\n set Realisations = 0\nend\n"), "whole number, 1 or more");
+  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal laod = 1 mN\n end\nend\n"), "did you mean 'Normal load'?");
+  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"), "study.prm:15:");
+  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"), "remove the comma");
+  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"), "write a label");
+  EXPECT_CONTAINS(refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"), "Vary and Variants");
+  EXPECT_CONTAINS(refusal("subsection Study\n set Base case = none.prm\nend\n"), "there is no base case");
+}
+
+}  // namespace asperity
