@@ -3,10 +3,49 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/case_command.h"
+#if __has_include("fem/mesh_case.h")
+#include "app/mesh_command.h"
+#endif
+#include "app/nearest_name.h"
+#if __has_include("report/report.h")
+#include "app/report_command.h"
+#endif
+#if __has_include("fem/solve_case.h")
+#include "app/solve_command.h"
+#endif
 #include "app/study_command.h"
+#if __has_include("app/surface_command.h")
+#include "app/surface_command.h"
+#endif
 #include "core/error.h"
+
+namespace {
+
+constexpr int failed = 1, refused = 2;
+
+int say(const std::exception& error, int status) {
+  std::fprintf(stderr, "asperity: %s\n", error.what());
+  return status;
+}
+
+/// A subcommand that does not exist; CLI11's own message does not say what was meant.
+void check_subcommand_exists(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  for (const auto& name : names)
+    if (name == argv[1]) return;
+  const std::string meant = asperity::nearest_name(argv[1], names);
+  throw asperity::InputError("there is no subcommand '" + std::string(argv[1]) + "'" +
+                             (meant.empty() ? "; asperity --help lists them" : "; did you mean '" + meant + "'?"));
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
@@ -15,22 +54,33 @@ int main(int argc, char** argv) {
   app.name("asperity");
   app.set_version_flag("--version", "asperity " ASPERITY_VERSION);
   app.require_subcommand(1);
-  app.footer("Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
-             "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
+  app.footer(
+      "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
+      "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
+#if __has_include("app/surface_command.h")
+  asperity::add_surface_command(app);
+#endif
+#if __has_include("fem/mesh_case.h")
+  asperity::add_mesh_command(app);
+#endif
+#if __has_include("fem/solve_case.h")
+  asperity::add_solve_command(app);
+#endif
   asperity::add_study_command(app);
+#if __has_include("report/report.h")
+  asperity::add_report_command(app);
+#endif
   asperity::add_case_commands(app);
 
-  constexpr int failed = 1, refused = 2;
   try {
+    check_subcommand_exists(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : refused;
   } catch (const asperity::InputError& error) {
-    std::fprintf(stderr, "asperity: %s\n", error.what());
-    return refused;
+    return say(error, refused);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "asperity: %s\n", error.what());
-    return failed;
+    return say(error, failed);
   }
   return 0;
 }

@@ -148,7 +148,6 @@ class StudyReader {
     if (setting.section == "Study/Vary") {
       axes_.push_back(read_vary(setting, study_.file));
     } else if (setting.section == "Study/Variants") {
-      variants_.path = "Variant";
       variants_.where = setting.where;
       variants_.choices.push_back(read_variant(setting, study_.file));
     } else if (setting.section == "Study") {
@@ -170,10 +169,13 @@ class StudyReader {
       study_.realisations = count_of(setting, 1);
     } else if (setting.entry == "Parallel cases") {
       study_.parallel_cases = count_of(setting, 0);
+    } else if (setting.entry == "Name of variants") {
+      variants_.path = setting.value;
     } else {
-      const std::string meant = nearest_name(setting.entry, {"Base case", "Realisations", "Parallel cases"});
+      const std::string meant =
+          nearest_name(setting.entry, {"Base case", "Realisations", "Parallel cases", "Name of variants"});
       throw InputError(setting.where + ": there is no entry '" + setting.entry + "' in subsection Study" +
-                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases and the subsections Vary and Variants"
+                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases, Name of variants and the subsections Vary and Variants"
                                       : "; did you mean '" + meant + "'?"));
     }
   }
@@ -245,7 +247,7 @@ class StudyReader {
   fs::path base_;
   Settings own_, merged_;
   std::vector<Axis> axes_;
-  Axis variants_;
+  Axis variants_{"Variant", "", {}};
 };
 
 }  // namespace

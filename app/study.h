@@ -7,6 +7,7 @@
 //       set Experiment/Normal load = 300 uN, 1 mN
 //       set Substrate/Topography   = untreated: generated(rms=0.3 nm), etched: generated(rms=1.5 nm)
 //     end
+//     set Name of variants = Material        # optional; else they are called Variant
 //     subsection Variants                    # named groups of entries, varied together
 //       set elastic  = Particle/Yield stress=inf; Substrate/Yield stress=inf
 //       set yielding =
@@ -24,7 +25,7 @@ namespace asperity {
 
 /// One direction of the matrix.
 struct StudyAxis {
-  std::string name;                 ///< "Normal load"; the whole path where two axes share it; "Variant"
+  std::string name;                 ///< "Normal load"; the whole path where two axes share it
   std::vector<std::string> labels;  ///< "300 uN", "1 mN"
 };
 

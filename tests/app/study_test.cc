@@ -73,11 +73,12 @@ TEST(Study, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
 
 TEST(Study, variants_set_several_entries_together) {
   const Study study = study_of(
-      "subsection Study\n subsection Variants\n"
+      "subsection Study\n set Name of variants = Material\n subsection Variants\n"
       "  set elastic =\n"
       "  set yielding = Particle/Yield stress=3 GPa; Substrate/Yield stress=4 GPa\n"
       " end\nend\n");
   ASSERT_EQ(study.cases.size(), 2u);
+  EXPECT_EQ(study.axes[0].name, "Material");
   EXPECT_EQ(value_of(study.cases[0], "Particle/Yield stress"), "");
   EXPECT_EQ(value_of(study.cases[1], "Particle/Yield stress"), "3 GPa");
   EXPECT_EQ(value_of(study.cases[1], "Substrate/Yield stress"), "4 GPa");

@@ -1,0 +1,43 @@
+#include "app/mesh_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/case_file.h"
+#include "app/mpi_session.h"
+#include "fem/mesh_case.h"
+
+namespace asperity {
+namespace {
+
+struct Arguments {
+  std::string file, output;
+  std::vector<std::string> overrides;
+};
+
+void run(const Arguments& arguments) {
+  const CaseInput input = read_case(arguments.file, arguments.overrides);
+  with_mpi(input.solver.threads, [&] {
+    mesh_case(input, arguments.output, [](const std::string& line) {
+      if (is_speaking_rank()) std::cout << line << std::endl;
+    });
+  });
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("mesh", "Write the meshes of a case; print quality, counts and memory to solve it");
+  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
+  command->add_option("--output", arguments->output, "Folder for the meshes")->required();
+  command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)->take_all();
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace asperity

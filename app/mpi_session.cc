@@ -1,0 +1,44 @@
+#include "app/mpi_session.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "core/error.h"
+
+namespace asperity {
+
+bool is_speaking_rank() {
+  // Set by Open MPI's mpirun; not set in a process started alone.
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  return !rank || std::string(rank) == "0";
+}
+
+void with_mpi(int threads, const std::function<void()>& work) {
+  std::exception_ptr failure;
+  {
+    int argc = 0;
+    char** argv = nullptr;
+    const dealii::Utilities::MPI::MPI_InitFinalize session(
+        argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
+    try {
+      work();
+    } catch (const InputError&) {
+      failure = std::current_exception();  // every rank reads the same input and refuses it
+    } catch (const std::exception& error) {
+      failure = std::current_exception();
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1) {
+        std::fprintf(stderr, "asperity: %s\n", error.what());
+        constexpr int failed = 1;
+        MPI_Abort(MPI_COMM_WORLD, failed);
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+#include "app/report_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "report/report.h"
+
+namespace asperity {
+
+void add_report_command(CLI::App& app) {
+  const auto directory = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("report", "Write report.html for a solved case or a study");
+  command->add_option("DIR", *directory, "Folder that solve or study wrote")->required()->check(CLI::ExistingDirectory);
+  command->callback([directory] {
+    write_report(*directory);
+    std::cout << (std::filesystem::path(*directory) / "report.html").string() << std::endl;
+  });
+}
+
+}  // namespace asperity

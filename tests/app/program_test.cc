@@ -1,0 +1,72 @@
+// The program as a person calls it: exit status and messages.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "tests/app/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::smooth_case;
+using test::TemporaryFolder;
+
+struct Outcome {
+  int status;
+  std::string output;  ///< and errors
+};
+
+Outcome call(const std::string& arguments) {
+  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " " + arguments + " 2>&1").c_str(), "r");
+  Outcome outcome{-1, ""};
+  if (!pipe) return outcome;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+  return outcome;
+}
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+}  // namespace
+
+TEST(Program, helps_and_says_its_version) {
+  EXPECT_EQ(call("--help").status, 0);
+  EXPECT_CONTAINS(call("--help").output, "study");
+  EXPECT_EQ(call("study --help").status, 0);
+  EXPECT_EQ(call("--version").status, 0);
+  EXPECT_EQ(call("--version").output.rfind("asperity ", 0), 0u);
+}
+
+TEST(Program, refuses_a_wrong_call_with_status_2) {
+  EXPECT_EQ(call("").status, 2);
+  EXPECT_EQ(call("study").status, 2);
+  const Outcome wrong = call("sutdy x.prm");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_CONTAINS(wrong.output, "did you mean 'study'?");
+  EXPECT_EQ(call("study nothing.prm --output nowhere").status, 2);
+}
+
+TEST(Program, refuses_a_wrong_study_with_status_2_and_one_sentence) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("study.prm", "subsection Particle\n set Radus = 1 um\nend\n");
+  const Outcome outcome = call("study " + file.string() + " --output " + (folder.path / "results").string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.output, "asperity: " + file.string() + ":2: there is no entry 'Radus' in subsection Particle; did you mean 'Radius'?\n");
+}
+
+TEST(Program, ends_with_status_1_when_a_case_of_a_study_fails) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("study.prm", smooth_case());
+  const auto arguments = "study " + file.string() + " --output " + (folder.path / "results").string() + " --solver ";
+  const Outcome failed = call(arguments + "/bin/false");
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_CONTAINS(failed.output, "1 of 1 cases failed");
+  EXPECT_CONTAINS(failed.output, "--resume");
+}
+
+}  // namespace asperity
