@@ -39,12 +39,12 @@ std::string in_words(const Range& range, Dimension dimension) {
 
 std::string kind_of(Dimension dimension) {
   switch (dimension) {
-    case Dimension::length: return "a length [m, um, nm] ";
-    case Dimension::force: return "a force [N, mN, uN, nN] ";
-    case Dimension::pressure: return "a pressure [Pa, MPa, GPa] ";
-    case Dimension::surface_energy: return "an energy per area [J/m^2, mJ/m^2] ";
-    case Dimension::angle: return "an angle [rad, deg] ";
-    default: return "a number ";
+    case Dimension::length: return "a length [m, um, nm], ";
+    case Dimension::force: return "a force [N, mN, uN, nN], ";
+    case Dimension::pressure: return "a pressure [Pa, MPa, GPa], ";
+    case Dimension::surface_energy: return "an energy per area [J/m^2, mJ/m^2], ";
+    case Dimension::angle: return "an angle [rad, deg], ";
+    default: return "a number, ";
   }
 }
 

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "app/case_declaration.h"
+#include "app/study.h"
 
 namespace asperity {
 namespace {
@@ -68,6 +69,8 @@ std::string case_reference() {
         text += "| `" + entry.name + "` | " + (entry.required() ? "required" : "`" + entry.default_text + "`") + " | " +
                 in_table(entry.admissible) + " | " + in_table(entry.documentation) + " |\n";
   }
+  text += "\n## Study files\n\nA study file is a case file with one more subsection, for `asperity study`:\n\n```\n" +
+          std::string(study_example) + "```\n";
   return text;
 }
 

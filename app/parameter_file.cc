@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -122,18 +123,38 @@ int line_of_key(const std::string& text, const std::string& key, std::size_t& st
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(std::min(start, text.size())), '\n'));
 }
 
+/// deal.II writes names into JSON with other characters than letters and digits as _XX (hexadecimal).
+std::string without_mangling(const std::string& key) {
+  std::string name;
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    const bool mangled = key[i] == '_' && i + 2 < key.size() &&
+                         std::isxdigit(static_cast<unsigned char>(key[i + 1])) &&
+                         std::isxdigit(static_cast<unsigned char>(key[i + 2]));
+    name += mangled ? static_cast<char>(std::stoi(key.substr(i + 1, 2), nullptr, 16)) : key[i];
+    if (mangled) i += 2;
+  }
+  return name;
+}
+
+/// True for an entry as deal.II writes it: an object of value, default_value, documentation, pattern.
+bool is_described_entry(const nlohmann::ordered_json& value) {
+  return value.is_object() && value.contains("value") && value.contains("default_value");
+}
+
 void collect_json(const nlohmann::ordered_json& object, const std::string& section, const std::string& text,
                   const std::string& file, std::size_t& position, Settings& settings) {
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, item] : object.items()) {
     const std::string where = file + ":" + std::to_string(line_of_key(text, key, position));
-    if (value.is_object()) {
-      collect_json(value, section.empty() ? key : section + "/" + key, text, file, position, settings);
+    const std::string name = without_mangling(key);
+    if (item.is_object() && !is_described_entry(item)) {
+      collect_json(item, section.empty() ? name : section + "/" + name, text, file, position, settings);
       continue;
     }
+    const auto& value = item.is_object() ? item.at("value") : item;
     if (value.is_array() || value.is_null())
-      throw InputError(where + ": '" + key + "' holds " + value.type_name() +
+      throw InputError(where + ": '" + name + "' holds " + value.type_name() +
                        "; write a number, true, false, or a text such as \"8.5 um\"");
-    override_setting(settings, {section, key, value.is_string() ? trim(value.get<std::string>()) : value.dump(), where});
+    override_setting(settings, {section, name, value.is_string() ? trim(value.get<std::string>()) : value.dump(), where});
   }
 }
 

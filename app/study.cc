@@ -252,6 +252,22 @@ class StudyReader {
 
 }  // namespace
 
+const char* const study_example =
+    "subsection Study\n"
+    "  set Base case        = base.prm     # optional; the study's own case sections override it\n"
+    "  set Realisations     = 4            # seeds of each generated topography\n"
+    "  set Parallel cases   = 2            # at the same time; 0 or nothing: one per core\n"
+    "  subsection Vary                     # each value with each value of the others\n"
+    "    set Experiment/Normal load = 300 uN, 1 mN\n"
+    "    set Substrate/Topography   = flat: smooth, rough: generated(rms=1.5 nm)\n"
+    "  end\n"
+    "  set Name of variants = Material     # optional\n"
+    "  subsection Variants                 # named groups of entries, varied together\n"
+    "    set elastic  = Particle/Yield stress=inf; Substrate/Yield stress=inf\n"
+    "    set yielding =\n"
+    "  end\n"
+    "end\n";
+
 Study read_study(const fs::path& file) { return StudyReader(file).read(); }
 
 }  // namespace asperity

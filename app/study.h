@@ -46,6 +46,9 @@ struct Study {
   std::vector<StudyCase> cases;     ///< the first realisation of all, then the second, ...
 };
 
+/// The subsection above, for the help and the manual.
+extern const char* const study_example;
+
 /// Reads a study and checks each of its cases. Throws InputError naming file and line.
 Study read_study(const std::filesystem::path& file);
 

@@ -59,19 +59,7 @@ void add_study_command(CLI::App& app) {
   command->add_option("--parallel", arguments->parallel, "Cases at the same time (default: the study's, else one per core)")
       ->check(CLI::PositiveNumber);
   command->add_option("--solver", arguments->solver, "Program called in place of this one")->group("");
-  command->footer("A study file is a case file with one more subsection:\n"
-                  "  subsection Study\n"
-                  "    set Base case = base.prm      # optional\n"
-                  "    set Realisations = 4          # seeds of generated topographies\n"
-                  "    subsection Vary               # every combination\n"
-                  "      set Experiment/Normal load = 300 uN, 1 mN\n"
-                  "      set Substrate/Topography = flat: smooth, rough: generated(rms=1.5 nm)\n"
-                  "    end\n"
-                  "    subsection Variants           # entries varied together\n"
-                  "      set elastic = Particle/Yield stress=inf; Substrate/Yield stress=inf\n"
-                  "      set yielding =\n"
-                  "    end\n"
-                  "  end");
+  command->footer(std::string("A study file is a case file with one more subsection:\n\n") + study_example);
   command->callback([arguments] { run(*arguments); });
 }
 

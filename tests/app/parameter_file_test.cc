@@ -44,6 +44,15 @@ TEST(ParameterFile, reads_the_same_from_JSON_with_the_line_of_each_entry) {
   EXPECT_EQ(settings[2].value, "true");
 }
 
+TEST(ParameterFile, reads_the_JSON_that_deal_II_writes) {
+  const TemporaryFolder folder;
+  const auto settings = read_settings(folder.write(
+      "case.json", R"({"Particle": {"Young_20modulus": {"value": "70 GPa", "default_value": "71 GPa", "pattern": "0"}}})"));
+  ASSERT_EQ(settings.size(), 1u);
+  EXPECT_EQ(settings[0].path(), "Particle/Young modulus");
+  EXPECT_EQ(settings[0].value, "70 GPa");
+}
+
 TEST(ParameterFile, an_included_file_can_be_overridden_where_it_is_included) {
   const TemporaryFolder folder;
   folder.write("base.prm", "subsection Particle\n set Radius = 8.5 um\nend\n");
