@@ -60,7 +60,9 @@ void add_slope_and_curvature(const Topography& map, HeightStatistics& statistics
   statistics.rms_curvature = std::sqrt(curvature.value());
 }
 
-void add_moments(const Topography& map, HeightStatistics& statistics) {
+}  // namespace
+
+HeightMoments height_moments(const Topography& map) {
   Mean mean;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   const auto for_each_known = [&](auto visit) {
@@ -73,23 +75,23 @@ void add_moments(const Topography& map, HeightStatistics& statistics) {
   });
   if (mean.count == 0) throw InputError("the topography '" + map.source + "' has no known points");
   const double level = mean.value();
+  HeightMoments moments;
   Mean absolute, square, cube, fourth;
   for_each_known([&](double h) {
     const double z = h - level, z2 = z * z;
     absolute.add(std::abs(z)), square.add(z2), cube.add(z2 * z), fourth.add(z2 * z2);
   });
-  statistics.Sq = std::sqrt(square.value());
-  statistics.Sa = absolute.value();
-  statistics.Sz = highest - lowest;
-  statistics.Ssk = cube.value() / std::pow(statistics.Sq, 3);
-  statistics.Sku = fourth.value() / std::pow(statistics.Sq, 4);
+  moments.Sq = std::sqrt(square.value());
+  moments.Sa = absolute.value();
+  moments.Sz = highest - lowest;
+  moments.Ssk = cube.value() / std::pow(moments.Sq, 3);
+  moments.Sku = fourth.value() / std::pow(moments.Sq, 4);
+  return moments;
 }
-
-}  // namespace
 
 HeightStatistics height_statistics(const Topography& map) {
   HeightStatistics statistics;
-  add_moments(map, statistics);
+  static_cast<HeightMoments&>(statistics) = height_moments(map);
   add_slope_and_curvature(map, statistics);
   statistics.correlation_length = autocorrelation(map).length();
   return statistics;
@@ -98,8 +100,7 @@ HeightStatistics height_statistics(const Topography& map) {
 GaussianTest gaussian_test(const Topography& map) {
   constexpr double significance = 0.01;       // of the test
   constexpr double fewest_samples = 20;       // below, moments have not even roughly their limiting distribution
-  HeightStatistics moments;
-  add_moments(map, moments);
+  const HeightMoments moments = height_moments(map);
   const Autocorrelation correlation = autocorrelation(map);
   GaussianTest test;
   const double points = static_cast<double>(map.heights.size() - map.missing_count());

@@ -8,12 +8,18 @@
 namespace asperity {
 
 /// Heights z are counted from the mean of the known points; the map is taken as it is (level it first).
-struct HeightStatistics {
+struct HeightMoments {
   double Sq = 0;   ///< root mean square height [m]
   double Sa = 0;   ///< mean absolute height [m]
   double Sz = 0;   ///< highest minus lowest point (peak to valley) [m]
   double Ssk = 0;  ///< skewness <z^3>/Sq^3 [-]
   double Sku = 0;  ///< kurtosis <z^4>/Sq^4 [-], 3 for Gaussian heights
+};
+
+/// Throws InputError if no point is known.
+HeightMoments height_moments(const Topography& map);
+
+struct HeightStatistics : HeightMoments {
   /// (<(dz/dx)^2> + <(dz/dy)^2>)^(1/2), from differences of neighbouring pixels [-]
   double rms_slope = 0;
   /// root mean square of the mean curvature (d2z/dx2 + d2z/dy2)/2, from second differences [1/m]
