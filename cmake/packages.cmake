@@ -6,6 +6,10 @@ find_package(nlohmann_json REQUIRED)
 find_package(Boost REQUIRED)
 find_library(FFTW3_LIBRARY fftw3 REQUIRED)
 find_library(FFTW3_THREADS_LIBRARY fftw3_threads REQUIRED)
+# readers
+find_library(NETCDF_LIBRARY netcdf REQUIRED)
+find_library(LIBZIP_LIBRARY zip REQUIRED)
+find_package(pugixml REQUIRED)
 
 if(ASPERITY_COMPONENTS STREQUAL "all")
   find_package(CLI11 REQUIRED)
@@ -20,6 +24,7 @@ endif()
 
 if(ASPERITY_COMPONENTS STREQUAL "all")
   # deal.II's own flags (-std=, -W...) are left out; only its headers, definitions and libraries are taken.
+  include(${DEAL_II_TARGET_CONFIG})
   add_library(asperity_deal_ii INTERFACE)
   target_include_directories(asperity_deal_ii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
   target_link_libraries(asperity_deal_ii INTERFACE ${DEAL_II_TARGET_RELEASE})
