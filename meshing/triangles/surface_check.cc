@@ -94,19 +94,26 @@ SurfaceCheck check_surface(const TriangleSurface& surface) {
   return check;
 }
 
+std::string SurfaceCheck::defects() const {
+  std::string list;
+  const auto add = [&](bool present, const std::string& defect) {
+    if (present) list += (list.empty() ? "" : ", ") + defect;
+  };
+  const auto add_count = [&](std::size_t count, const std::string& what) {
+    add(count > 0, std::to_string(count) + " " + what);
+  };
+  add_count(boundary_edges, "open edges");
+  add_count(non_manifold_edges, "edges where triangles disagree");
+  add_count(non_manifold_vertices, "points where sheets touch");
+  add_count(degenerate_triangles, "triangles without area");
+  add_count(self_intersections, "pairs of triangles that cross");
+  add(closed() && volume <= 0, "triangles that face inward");
+  return list;
+}
+
 void require_body(const SurfaceCheck& check, const std::string& what) {
   if (check.bounds_a_body()) return;
-  const auto count = [](std::size_t number, const std::string& name) {
-    return number == 0 ? std::string() : std::to_string(number) + " " + name + ", ";
-  };
-  std::string reasons = count(check.boundary_edges, "open edges") +
-                        count(check.non_manifold_edges, "edges where triangles disagree") +
-                        count(check.non_manifold_vertices, "points where sheets touch") +
-                        count(check.degenerate_triangles, "triangles without area") +
-                        count(check.self_intersections, "pairs of triangles that cross");
-  if (check.closed() && check.volume <= 0) reasons += "triangles that face inward, ";
-  reasons.resize(reasons.size() - 2);
-  throw InputError("the surface of " + what + " does not bound a body (" + reasons +
+  throw InputError("the surface of " + what + " does not bound a body (" + check.defects() +
                    "); use a finer interface spacing, a smoother topography, or a closed surface");
 }
 

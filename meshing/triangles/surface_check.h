@@ -28,6 +28,8 @@ struct SurfaceCheck {
   bool bounds_a_body() const {
     return manifold() && outward() && degenerate_triangles == 0 && self_intersections == 0;
   }
+  /// What keeps it from that, e.g. "3 open edges, 2 pairs of triangles that cross"; empty if nothing does.
+  std::string defects() const;
 };
 
 SurfaceCheck check_surface(const TriangleSurface& surface);
