@@ -126,8 +126,19 @@ class StudyRun {
   static constexpr const char* case_file = "case.prm";
   static constexpr const char* log_file = "solve.log";
 
+  /// Summaries that an earlier run was killed in writing.
+  void remove_unfinished_files() const {
+    std::vector<fs::path> unfinished;
+    for (const auto& item : fs::directory_iterator(options_.output)) {
+      const std::string name = item.path().filename().string();
+      if (name.rfind("study.", 0) == 0 && name.find(".tmp") != std::string::npos) unfinished.push_back(item.path());
+    }
+    for (const auto& path : unfinished) fs::remove(path);
+  }
+
   /// What is in the folder from an earlier run: complete cases are kept, those whose input changed begin anew.
   void prepare() {
+    remove_unfinished_files();
     for (std::size_t i = 0; i < study_.cases.size(); ++i) {
       const std::string text = format_settings(study_.cases[i].settings);
       if (fs::exists(folder(i) / case_file) && read_file(folder(i) / case_file) == text) {

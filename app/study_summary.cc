@@ -184,7 +184,8 @@ void write_study_summary(const Study& study, const std::vector<CaseProgress>& pr
   for (std::size_t i = 0; i < study.cases.size(); ++i)
     json["cases"].push_back(case_json(study, study.cases[i], progress[i], results[i]));
   json["groups"] = groups_json(study, results);
-  write_file_atomically(output / "study.json", json.dump(1) + "\n");
+  // A message of a log that was cut off need not be valid UTF-8.
+  write_file_atomically(output / "study.json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file_atomically(output / "study.csv", csv_text(study, progress, results));
 }
 

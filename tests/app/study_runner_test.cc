@@ -31,7 +31,7 @@ here=$(dirname "$0")
 case_file=$2; output=$4
 echo "$@" >> "$output/calls"
 if [ -e "$here/slow" ]; then echo $$ > "$output/begun"; exec sleep 1000; fi
-if grep -q '2 mN' "$case_file" && ! [ -e "$here/mended" ]; then echo "the step did not converge" >&2; exit 1; fi
+if grep -q '2 mN' "$case_file" && ! [ -e "$here/mended" ]; then printf "the step did not converge\n" >&2; exit 1; fi
 seed=$(sed -n '/set Topography/s/.*seed=\([0-9]*\).*/\1/p' "$case_file")
 cat > "$output/result.json" <<END
 {"format": "asperity-result/1",
@@ -178,6 +178,7 @@ TEST_F(StudyRunner, a_killed_study_leaves_valid_files_and_no_running_solver) {
   ASSERT_TRUE(waits_for(options_.output / "2_mN" / "begun"));
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
+  const fs::path cut_off = folder_.write("results/study.json.tmp123", "{");
   EXPECT_EQ(summary()["cases"].size(), 2u);
   const pid_t solver = std::stoi(read_file(options_.output / "2_mN" / "begun"));
   for (int i = 0; i < 100 && is_running(solver); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -186,6 +187,7 @@ TEST_F(StudyRunner, a_killed_study_leaves_valid_files_and_no_running_solver) {
   fs::remove(slow);
   options_.resume = true;
   for (const auto& progress : run_study(both, options_)) EXPECT_EQ(progress.state, State::done);
+  EXPECT_FALSE(fs::exists(cut_off));
 }
 
 }  // namespace asperity
