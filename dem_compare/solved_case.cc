@@ -1,0 +1,145 @@
+#include "dem_compare/solved_case.h"
+
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Entries = std::map<std::string, std::string>;
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The entries of a case.prm as `solve` and `study` write it: subsection, set and end, one per line.
+Entries read_case_prm(const fs::path& file) {
+  Entries entries;
+  std::vector<std::string> sections;
+  std::istringstream stream(read_file(file));
+  for (std::string line; std::getline(stream, line);) {
+    line = trim(line.substr(0, line.find('#')));
+    const auto equals = line.find('=');
+    if (line.rfind("subsection ", 0) == 0) {
+      sections.push_back(trim(line.substr(11)));
+    } else if (line == "end" && !sections.empty()) {
+      sections.pop_back();
+    } else if (line.rfind("set ", 0) == 0 && equals != std::string::npos) {
+      std::string path;
+      for (const auto& section : sections) path += section + "/";
+      entries[path + trim(line.substr(4, equals - 4))] = trim(line.substr(equals + 1));
+    }
+  }
+  return entries;
+}
+
+/// {"Particle": {"Radius": "8.5 um"}} as "Particle/Radius" -> "8.5 um"; a number is in SI units.
+void flatten(const Json& object, const std::string& prefix, Entries& entries) {
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_object())
+      flatten(value, prefix + name + "/", entries);
+    else if (!value.is_null())
+      entries[prefix + name] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+}
+
+Json read_result(const fs::path& file) {
+  if (!fs::exists(file)) return nullptr;
+  Json result = Json::parse(read_file(file), nullptr, false);
+  if (!result.is_object())
+    throw InputError(file.string() + ": is not valid JSON; solve the case again, or remove the file");
+  if (result.value("format", "") != "asperity-result/1")
+    throw InputError(file.string() + ": has the format '" + result.value("format", "") +
+                     "' where this program reads 'asperity-result/1'");
+  return result.value("complete", true) ? result : Json(nullptr);
+}
+
+}  // namespace
+
+std::string CaseEntries::text(const std::string& path, const std::string& otherwise) const {
+  const auto found = entries_.find(path);
+  return found == entries_.end() ? otherwise : found->second;
+}
+
+double CaseEntries::quantity(const std::string& path, Dimension dimension) const {
+  if (!has(path)) throw InputError("the inputs of the case lack the entry " + path);
+  return parse_quantity(text(path), dimension);
+}
+
+double CaseEntries::quantity(const std::string& path, Dimension dimension, double otherwise) const {
+  return has(path) ? quantity(path, dimension) : otherwise;
+}
+
+std::string SolvedCase::title() const {
+  const std::string name = entries.text("Title");
+  return name.empty() || name == "untitled" ? fs::absolute(folder).lexically_normal().filename().string() : name;
+}
+
+ElasticBody SolvedCase::body(const std::string& section) const {
+  return {entries.quantity(section + "/Young modulus", Dimension::pressure),
+          entries.quantity(section + "/Poisson ratio", Dimension::none)};
+}
+
+double SolvedCase::yield_stress(const std::string& section) const {
+  return entries.quantity(section + "/Yield stress", Dimension::pressure, std::numeric_limits<double>::infinity());
+}
+
+Hertz SolvedCase::hertz() const {
+  return {reduced_modulus(particle(), substrate()), entries.quantity("Particle/Radius", Dimension::length)};
+}
+
+double SolvedCase::first_yield_force() const {
+  return std::min(hertz().first_yield_force(particle().poisson_ratio, yield_stress("Particle")),
+                  hertz().first_yield_force(substrate().poisson_ratio, yield_stress("Substrate")));
+}
+
+bool SolvedCase::is_rough() const {
+  return entries.text("Particle/Topography", "smooth") != "smooth" ||
+         entries.text("Substrate/Topography", "smooth") != "smooth";
+}
+
+bool SolvedCase::can_yield() const {
+  return std::isfinite(yield_stress("Particle")) || std::isfinite(yield_stress("Substrate"));
+}
+
+double SolvedCase::interface_spacing() const {
+  if (finished() && result.contains("mesh") && result["mesh"].contains("interface_spacing")) {
+    const Json& spacing = result["mesh"]["interface_spacing"];
+    if (spacing.is_number()) return spacing.get<double>();
+    if (spacing.is_object() && spacing.contains("value")) return spacing["value"].get<double>();
+  }
+  const double asked = entries.quantity("Mesh/Interface spacing", Dimension::length, 0);
+  return asked > 0 ? asked : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool is_case_folder(const fs::path& folder) { return fs::exists(folder / "history.csv"); }
+
+SolvedCase read_solved_case(const fs::path& folder) {
+  if (!is_case_folder(folder))
+    throw InputError(folder.string() + ": there is no history.csv; name a folder that 'asperity solve' wrote");
+  SolvedCase solved;
+  solved.folder = folder;
+  solved.history = read_history(folder / "history.csv");
+  solved.result = read_result(folder / "result.json");
+  Entries entries;
+  if (fs::exists(folder / "case.prm")) entries = read_case_prm(folder / "case.prm");
+  if (solved.finished() && solved.result.contains("inputs") && solved.result["inputs"].contains("Particle"))
+    flatten(solved.result["inputs"], "", entries);
+  solved.entries = CaseEntries(std::move(entries));
+  try {
+    solved.hertz();
+  } catch (const InputError& error) {
+    throw InputError(folder.string() + ": " + error.what() + "; result.json or case.prm must say it");
+  }
+  return solved;
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+// A folder that `asperity solve` wrote, as the comparison and the report read it: inputs, result.json, history.csv.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/quantity.h"
+#include "dem_compare/contact_history.h"
+#include "dem_compare/laws/hertz.h"
+
+namespace asperity {
+
+/// Entries of a case as "Section/Entry" and their texts, "Particle/Radius" -> "8.5 um".
+class CaseEntries {
+ public:
+  CaseEntries() = default;
+  explicit CaseEntries(std::map<std::string, std::string> entries) : entries_(std::move(entries)) {}
+
+  const std::map<std::string, std::string>& all() const { return entries_; }
+  bool has(const std::string& path) const { return entries_.count(path) > 0; }
+  std::string text(const std::string& path, const std::string& otherwise = "") const;
+  /// SI value; throws InputError naming an entry that is not there.
+  double quantity(const std::string& path, Dimension dimension) const;
+  double quantity(const std::string& path, Dimension dimension, double otherwise) const;
+
+ private:
+  std::map<std::string, std::string> entries_;
+};
+
+struct SolvedCase {
+  std::filesystem::path folder;
+  CaseEntries entries;
+  nlohmann::ordered_json result;  ///< null as long as the case is not finished
+  ContactHistory history;
+
+  std::string title() const;
+  bool finished() const { return !result.is_null(); }
+  ElasticBody particle() const { return body("Particle"); }
+  ElasticBody substrate() const { return body("Substrate"); }
+  /// Both bodies smooth and elastic.
+  Hertz hertz() const;
+  /// Load at which the first of the smooth bodies would yield; infinite if neither can.
+  double first_yield_force() const;
+  bool is_rough() const;
+  bool can_yield() const;
+  /// Of the mesh as made [m]; NaN if it is not known.
+  double interface_spacing() const;
+
+ private:
+  ElasticBody body(const std::string& section) const;
+  double yield_stress(const std::string& section) const;
+};
+
+/// True if the folder holds a history.csv.
+bool is_case_folder(const std::filesystem::path& folder);
+
+/// Inputs come from `inputs` of result.json (sections as in a case file) or else from case.prm. A case that is not
+/// finished has a history as far as it came. Throws InputError naming the file that is missing or wrong.
+SolvedCase read_solved_case(const std::filesystem::path& folder);
+
+}  // namespace asperity
