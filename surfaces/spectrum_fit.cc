@@ -77,11 +77,14 @@ struct Candidate {
 };
 
 double cost_beyond(const Rings& rings, int end) {
-  const int left_out = rings.size() - end;
+  constexpr int widest_edge = 3;  // rings that a window smears a sharp cut-off over
   const double price = std::log(rings.size());  // of one free parameter (Schwarz)
-  const double one_by_one = left_out * (1 + price);
-  if (left_out < fewest_kept) return one_by_one;
-  return std::min(one_by_one, fit_line(rings, end, rings.size(), rings.x[end]).cost() + 3 * price);
+  double least = (rings.size() - end) * (1 + price);
+  for (int edge = 0; edge <= widest_edge && rings.size() - end - edge >= fewest_kept; ++edge) {
+    const Line line = fit_line(rings, end + edge, rings.size(), rings.x[end + edge]);
+    least = std::min(least, edge * (1 + price) + line.cost() + 3 * price);
+  }
+  return least;
 }
 
 Candidate evaluate(const Rings& rings, double knee, int end, bool rolloff, double beyond) {

@@ -5,7 +5,7 @@
 // - sum n (C/M + ln M) (Whittle 1953, Ark. Mat. 2, 423), found by Fisher scoring. The knees are searched for the least cost
 // D/phi + N ln phi of the line's N rings, with deviance D = 2 sum n (C/M - 1 - ln C/M) and misfit phi = max(1, D/N)
 // (extended quasi-likelihood, Nelder and Pregibon 1987, Biometrika 74, 221). Rings beyond q_s follow a straight line of
-// their own (noise) or are left out one by one (nothing but leakage there). Each freedom so taken must pay for itself by the
+// their own (noise), or are left out one by one (leakage of the window). Each freedom so taken must pay for itself by the
 // Bayesian information criterion, ln(number of rings) (Schwarz 1978, Ann. Stat. 6, 461).
 #pragma once
 

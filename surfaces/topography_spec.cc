@@ -7,6 +7,8 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "surfaces/fft2d.h"
+#include "surfaces/levelling.h"
+#include "surfaces/read_topography.h"
 
 namespace asperity {
 namespace {
@@ -130,7 +132,13 @@ Topography topography_for(const std::string& spec, double size, double /*spacing
     map.source = parameters.text();
     return map;
   }
-  throw InputError("cannot read '" + text + "'");
+  Topography map = levelled(read_topography(text), Level::plane);
+  map.source += ", mean plane removed";
+  if (map.lx < size || map.ly < size)
+    throw InputError("the topography '" + text + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +
+                     format_quantity(map.ly, Dimension::length) + " but a region of " + format_quantity(size, Dimension::length) +
+                     " is needed; take a larger map or a smaller contact region");
+  return map;
 }
 
 }  // namespace asperity

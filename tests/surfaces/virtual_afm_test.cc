@@ -28,6 +28,8 @@ const std::vector<Target> targets{{"Si as received", 0.3e-9, {0, 0.8, 500e-9, 20
                                   {"rail, middle", 3.6e-9, {0, 0.6, 200e-9, 25e-9}},
                                   {"rail, roughest", 4.8e-9, {0, 0.9, 300e-9, 30e-9}}};
 
+constexpr double psd_tolerance = 0.03;  // per decade
+
 /// Running mean with its standard error.
 class Sample {
  public:
@@ -44,18 +46,67 @@ class Sample {
 struct Outcome {
   Sample Sq, Ssk, excess;            ///< per realisation: mean of its windows; per surface skewness and Sku - 3
   double skewness_error = 0, kurtosis_error = 0;  ///< standard errors of their means that Gaussian heights have
-  std::vector<double> psd_ratio;     ///< measured over model, per band of a decade of wave numbers, from long to short waves
+  /// measured over model power spectral density per decade of wave numbers, from long to short waves: of the windows (the
+  /// model seen through their Hann window), and of the whole periodic surfaces
+  std::vector<double> window_psd, surface_psd;
 };
+
+/// What a Hann window of side 2 pi / ring makes of a spectrum, averaged over the directions and the width of a ring: each
+/// wave is smeared by (sin(pi u) / (pi u) / (1 - u^2))^2 in both directions, u in rings.
+double through_hann(const SelfAffineSpectrum& spectrum, double q, double ring) {
+  constexpr int reach = 4, per_ring = 4, directions = 8;
+  const auto kernel = [](double u) {
+    if (std::abs(u) < 1e-9) return 1.0;
+    if (std::abs(std::abs(u) - 1) < 1e-9) return 0.25;
+    return std::pow(std::sin(M_PI * u) / (M_PI * u) / (1 - u * u), 2);
+  };
+  double sum = 0, weights = 0;
+  for (int i = -reach * per_ring; i <= reach * per_ring; ++i)
+    for (int j = -reach * per_ring; j <= reach * per_ring; ++j) {
+      const double u = i / static_cast<double>(per_ring), v = j / static_cast<double>(per_ring), weight = kernel(u) * kernel(v);
+      for (int k = 0; k < directions; ++k)
+        for (const double across : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+          const double angle = M_PI / 2 * (k + 0.5) / directions, radius = q + across * ring;
+          sum += weight * spectrum(std::hypot(radius * std::cos(angle) + u * ring, radius * std::sin(angle) + v * ring));
+          weights += weight;
+        }
+    }
+  return sum / weights;
+}
+
+/// Means over decades of wave numbers down from `upper` to `lower`. What is left of a decade above `lower` is dropped if the
+/// sampling error of so few waves (1/sqrt of their number in all maps) exceeds half of the tolerance.
+std::vector<double> by_decades(const RadialSpectrum& spectrum, const std::vector<double>& ratio, int maps, double lower,
+                               double upper) {
+  const std::vector<double>&q = spectrum.q, &modes = spectrum.modes;
+  std::vector<double> means;
+  for (; upper > lower; upper /= 10) {
+    double sum = 0, weight = 0;
+    for (std::size_t k = 0; k < q.size(); ++k)
+      if (q[k] <= upper && q[k] > std::max(lower, upper / 10)) sum += modes[k] * ratio[k], weight += modes[k];
+    if (1 / std::sqrt(weight * maps) < psd_tolerance / 2) means.insert(means.begin(), sum / weight);
+  }
+  return means;
+}
 
 Outcome run(const Target& target, int realisations, std::uint64_t first_seed, bool all_windows) {
   const AfmSettings afm;
   const SelfAffineSpectrum spectrum = calibrated(target.spectrum, target.rms, afm);
   Outcome outcome;
-  std::vector<double> power, modes;
-  RadialSpectrum radial;
+  std::vector<double> window_ratio, surface_ratio;
+  RadialSpectrum window_spectrum, surface_spectrum;
+  const double ring = 2 * M_PI / afm.size;
+  double surface_side = 0;
+  int windows_in_all = 0;
+  const auto add = [](std::vector<double>& ratio, const RadialSpectrum& radial, double weight) {
+    ratio.resize(radial.C.size(), 0.0);
+    for (std::size_t k = 0; k < ratio.size(); ++k) ratio[k] += radial.C[k] * weight;
+  };
   for (int i = 0; i < realisations; ++i) {
     const Topography surface = afm_surface(spectrum, afm, first_seed + i);
+    surface_side = surface.lx;
     const auto windows = all_windows ? all_afm_windows(surface, afm) : afm_windows(surface, afm);
+    windows_in_all += static_cast<int>(windows.size());
     outcome.Sq.add(measure(windows).Sq.mean);
     const HeightMoments moments = height_moments(surface);
     outcome.Ssk.add(moments.Ssk);
@@ -65,38 +116,36 @@ Outcome run(const Target& target, int realisations, std::uint64_t first_seed, bo
       outcome.skewness_error = gaussian.skewness_error / std::sqrt(realisations);
       outcome.kurtosis_error = gaussian.kurtosis_error / std::sqrt(realisations);
     }
+    surface_spectrum = radial_spectrum(surface);
+    add(surface_ratio, surface_spectrum, 1.0 / realisations);
     for (const Topography& window : windows) {
-      radial = radial_spectrum(window);
-      power.resize(radial.C.size(), 0.0);
-      for (std::size_t k = 0; k < power.size(); ++k) power[k] += radial.C[k] / (windows.size() * realisations);
+      window_spectrum = radial_spectrum(window);
+      add(window_ratio, window_spectrum, 1.0 / (windows.size() * realisations));
     }
   }
-  // bands of one decade down from the cut-off. The two longest waves of a window, which levelling takes from, and the
-  // rings that the window smears across the cut-off are left out.
-  const double q_s = 2 * M_PI / spectrum.cutoff, ring = 2 * M_PI / afm.size;
-  for (double upper = q_s - 3 * ring; upper > 3 * ring; upper /= 10) {
-    double measured = 0, expected = 0;
-    for (std::size_t k = 0; k < power.size(); ++k) {
-      const double q = radial.q[k];
-      if (q > upper || q <= upper / 10 || q < 2.5 * ring) continue;
-      measured += radial.modes[k] * power[k] / spectrum(q);
-      expected += radial.modes[k];
-    }
-    if (expected > 0) outcome.psd_ratio.insert(outcome.psd_ratio.begin(), measured / expected);
-  }
+  for (std::size_t k = 0; k < window_ratio.size(); ++k) window_ratio[k] /= through_hann(spectrum, window_spectrum.q[k], ring);
+  for (std::size_t k = 0; k < surface_ratio.size(); ++k) surface_ratio[k] /= spectrum(surface_spectrum.q[k]);
+  // levelling takes from the two longest waves of a window
+  const double q_s = 2 * M_PI / spectrum.cutoff, surface_ring = 2 * M_PI / surface_side;
+  outcome.window_psd = by_decades(window_spectrum, window_ratio, windows_in_all, 2.5 * ring, q_s - 3 * ring);
+  outcome.surface_psd = by_decades(surface_spectrum, surface_ratio, realisations, 0.5 * surface_ring, q_s - surface_ring);
   return outcome;
 }
 
 void check(const Target& target, const Outcome& outcome) {
-  std::printf("%-18s %.1f nm: Sq %.4f +- %.4f nm (%+.2f %%), skewness %+.4f +- %.4f, excess kurtosis %+.4f +- %.4f, PSD ratio",
+  std::printf("%-18s %.1f nm: Sq %.4f +- %.4f nm (%+.2f %%), skewness %+.4f +- %.4f, excess kurtosis %+.4f +- %.4f, PSD of windows",
               target.surface, target.rms * 1e9, outcome.Sq.mean() * 1e9, outcome.Sq.error() * 1e9,
               100 * (outcome.Sq.mean() / target.rms - 1), outcome.Ssk.mean(), outcome.skewness_error, outcome.excess.mean(),
               outcome.kurtosis_error);
-  for (const double ratio : outcome.psd_ratio) std::printf(" %.3f", ratio);
+  for (const double ratio : outcome.window_psd) std::printf(" %.3f", ratio);
+  std::printf(", of surfaces");
+  for (const double ratio : outcome.surface_psd) std::printf(" %.3f", ratio);
   std::printf("\n");
   EXPECT_NEAR(outcome.Sq.mean() / target.rms, 1, 0.01) << target.surface;
-  EXPECT_GE(outcome.psd_ratio.size(), 2u);
-  for (const double ratio : outcome.psd_ratio) EXPECT_NEAR(ratio, 1, 0.03) << target.surface;
+  EXPECT_GE(outcome.window_psd.size(), 1u);  // 2.5 rings to the cut-off: a decade and a half at most
+  EXPECT_GE(outcome.surface_psd.size(), 2u);
+  for (const double ratio : outcome.window_psd) EXPECT_NEAR(ratio, 1, psd_tolerance) << target.surface;
+  for (const double ratio : outcome.surface_psd) EXPECT_NEAR(ratio, 1, psd_tolerance) << target.surface;
   EXPECT_NEAR(outcome.Ssk.mean(), 0, 3 * outcome.skewness_error) << target.surface;
   EXPECT_NEAR(outcome.excess.mean(), 0, 3 * outcome.kurtosis_error) << target.surface;
 }
