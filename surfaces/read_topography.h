@@ -1,7 +1,8 @@
 // Height maps that people bring, read into a Topography with units, orientation, scale and channel said back.
 //
-// Orientation: every reader returns pixel rows from the bottom of the image to its top (y up, x to the right), as a
-// viewer such as Gwyddion shows the file. Formats that store the top row first are turned over, and `source` says so.
+// Orientation: every reader returns pixel rows from the bottom of the image to its top (y up, x to the
+// right), as a viewer such as Gwyddion shows the file. Formats that store the top row first are turned over,
+// and `source` says so.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +15,19 @@ namespace asperity {
 
 /// What the user knows better than the file.
 struct ReadOptions {
-  std::optional<double> size_x_m;          ///< physical width [m]; wins over the file's
-  std::optional<double> size_y_m;          ///< physical height [m]; where only one is given, pixels are square
-  std::optional<std::string> channel;      ///< name of a channel, or its number counted from 0 as in the file
+  std::optional<double> size_x_m;      ///< physical width [m]; wins over the file's
+  std::optional<double> size_y_m;      ///< physical height [m]; where only one is given, pixels are square
+  std::optional<std::string> channel;  ///< name of a channel, or its number counted from 0 as in the file
   std::optional<std::string> height_unit;  ///< unit of heights in a text file that names none, such as "nm"
 };
 
-/// Reads a file of any kind listed in surfaces/readers/registry.cc, recognised by what it holds and not by its name.
-/// Throws InputError with one sentence that says what is wrong with the file and what to pass instead.
+/// Reads a file of any kind listed in surfaces/readers/registry.cc, recognised by what it holds and not by
+/// its name. Throws InputError with one sentence that says what is wrong with the file and what to pass
+/// instead.
 Topography read_topography(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// One line: pixels, size, range of heights, channel, missing points, and from what file, scale and orientation.
+/// One line: pixels, size, range of heights, channel, missing points, and from what file, scale and
+/// orientation.
 std::string describe(const Topography& map);
 
 /// Writes a Gwyddion Simple Field (32-bit heights in metres, NaN where missing), whole or not at all.

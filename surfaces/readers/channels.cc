@@ -1,7 +1,7 @@
 #include "surfaces/readers/channels.h"
 
-#include <cctype>
 #include <algorithm>
+#include <cctype>
 
 #include "core/error.h"
 #include "surfaces/readers/text_parts.h"

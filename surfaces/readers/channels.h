@@ -14,8 +14,8 @@ struct ChannelEntry {
   bool is_height = false;  ///< its values are lengths
 };
 
-/// Index of the channel asked for by name or number; without a wish, the first named after height or topography, else
-/// the first whose values are lengths. Throws InputError listing the channels there are.
+/// Index of the channel asked for by name or number; without a wish, the first named after height or
+/// topography, else the first whose values are lengths. Throws InputError listing the channels there are.
 std::size_t choose_channel(const SourceFile& file, const std::vector<ChannelEntry>& channels,
                            const ReadOptions& options);
 

@@ -1,4 +1,5 @@
-// What a reader of one file format is, and what it hands over before sizes, rows and missing points are settled.
+// What a reader of one file format is, and what it hands over before sizes, rows and missing points are
+// settled.
 #pragma once
 
 #include <optional>
@@ -23,15 +24,16 @@ enum class FirstRow { top, bottom };
 /// Heights as a file holds them, already in metres.
 struct StoredMap {
   int nx = 0, ny = 0;
-  std::vector<double> heights;        ///< [row * nx + column] in m, rows in the order of the file; NaN where missing
+  std::vector<double>
+      heights;  ///< [row * nx + column] in m, rows in the order of the file; NaN where missing
   FirstRow first_row = FirstRow::top;
-  std::optional<double> lx, ly;       ///< physical size [m], empty where the file does not say
-  bool height_unit_assumed = false;   ///< metres were taken for want of a unit: refused if implausible
+  std::optional<double> lx, ly;      ///< physical size [m], empty where the file does not say
+  bool height_unit_assumed = false;  ///< metres were taken for want of a unit: refused if implausible
   bool lateral_unit_assumed = false;
   bool periodic = false;
   std::string channel;
-  std::string scale;                  ///< how stored numbers became metres, e.g. "heights in nm"
-  std::string note;                   ///< anything assumed, or empty
+  std::string scale;  ///< how stored numbers became metres, e.g. "heights in nm"
+  std::string note;   ///< anything assumed, or empty
 };
 
 /// One format; each has one file that defines a function returning it, listed in registry.cc.

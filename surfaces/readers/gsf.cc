@@ -1,6 +1,6 @@
-// Gwyddion Simple Field (.gsf), read and written. Format: Gwyddion user guide, "Simple Field Files": the magic line,
-// lines "name = value", one to four NUL bytes up to a multiple of four, then 32-bit floats, top row first; NaN where
-// missing. Numbers are in base SI units. Checked against the real maps of the tests.
+// Gwyddion Simple Field (.gsf), read and written. Format: Gwyddion user guide, "Simple Field Files": the
+// magic line, lines "name = value", one to four NUL bytes up to a multiple of four, then 32-bit floats, top
+// row first; NaN where missing. Numbers are in base SI units. Checked against the real maps of the tests.
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -23,23 +23,26 @@ std::map<std::string, std::string> header_fields(const std::string& header) {
   std::string line;
   while (std::getline(lines, line)) {
     const auto equals = line.find('=');
-    if (equals != std::string::npos) fields[trimmed_text(line.substr(0, equals))] = trimmed_text(line.substr(equals + 1));
+    if (equals != std::string::npos)
+      fields[trimmed_text(line.substr(0, equals))] = trimmed_text(line.substr(equals + 1));
   }
   return fields;
 }
 
-int pixels(const SourceFile& file, const std::map<std::string, std::string>& fields, const std::string& name) {
+int pixels(const SourceFile& file, const std::map<std::string, std::string>& fields,
+           const std::string& name) {
   const auto found = fields.find(name);
   const auto number = found == fields.end() ? std::nullopt : whole_number_text(found->second);
   constexpr double most = 1 << 20;
   if (!number || !(*number >= 1) || *number > most || *number != std::floor(*number))
-    throw InputError(file.name() + " has no valid '" + name + "' in its header, so it is damaged; export it again");
+    throw InputError(file.name() + " has no valid '" + name +
+                     "' in its header, so it is damaged; export it again");
   return static_cast<int>(*number);
 }
 
 /// Factor to metres of a unit field; lengths without a unit are metres by the format's use of base units.
-double unit_of(const SourceFile& file, const std::map<std::string, std::string>& fields, const std::string& name,
-               bool& assumed, std::string& note) {
+double unit_of(const SourceFile& file, const std::map<std::string, std::string>& fields,
+               const std::string& name, bool& assumed, std::string& note) {
   const auto found = fields.find(name);
   if (found == fields.end() || found->second.empty()) {
     note += (note.empty() ? "" : "; ") + name + " not given, metres taken";
@@ -51,7 +54,8 @@ double unit_of(const SourceFile& file, const std::map<std::string, std::string>&
                    "', which is no length; export the channel of the topography");
 }
 
-std::optional<double> size_of(const std::map<std::string, std::string>& fields, const std::string& name, double unit) {
+std::optional<double> size_of(const std::map<std::string, std::string>& fields, const std::string& name,
+                              double unit) {
   const auto found = fields.find(name);
   const auto number = found == fields.end() ? std::nullopt : whole_number_text(found->second);
   return number ? std::optional<double>(*number * unit) : std::nullopt;
@@ -69,9 +73,9 @@ StoredMap read(const SourceFile& file, const ReadOptions&) {
   const std::size_t points = static_cast<std::size_t>(map.nx) * map.ny;
   const std::size_t expected = data_begin + points * sizeof(float);
   if (file.bytes.size() < expected)
-    throw InputError(file.name() + " has " + std::to_string(file.bytes.size()) + " of the " + std::to_string(expected) +
-                     " bytes that " + std::to_string(map.nx) + " x " + std::to_string(map.ny) +
-                     " pixels take: it is cut off; copy or export it again");
+    throw InputError(file.name() + " has " + std::to_string(file.bytes.size()) + " of the " +
+                     std::to_string(expected) + " bytes that " + std::to_string(map.nx) + " x " +
+                     std::to_string(map.ny) + " pixels take: it is cut off; copy or export it again");
   if (file.bytes.size() > expected)
     throw InputError(file.name() + " has more bytes than its " + std::to_string(map.nx) + " x " +
                      std::to_string(map.ny) + " pixels take: its header is wrong; export it again");

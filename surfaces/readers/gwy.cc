@@ -1,8 +1,9 @@
-// Gwyddion's native format (.gwy). Format: Gwyddion user guide, "Format of Gwyddion Files": after "GWYP" a tree of
-// objects (name, size, components), each component a name, a type character and little-endian data. Channel N is the
-// GwyDataField "/N/data" with its title "/N/data/title"; top row first; base SI units. Pixels marked by "/N/mask" are
-// taken as missing, since importers mark invalid points so, and the echo says how many.
-// No real file was at hand: checked only against files that the tests write from this description.
+// Gwyddion's native format (.gwy). Format: Gwyddion user guide, "Format of Gwyddion Files": after "GWYP" a
+// tree of objects (name, size, components), each component a name, a type character and little-endian data.
+// Channel N is the GwyDataField "/N/data" with its title "/N/data/title"; top row first; base SI units.
+// Pixels marked by "/N/mask" are taken as missing, since importers mark invalid points so, and the echo says
+// how many. No real file was at hand: checked only against files that the tests write from this description.
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -86,20 +87,47 @@ class GwyParser {
   GwyValue parse_value(char type, std::size_t end, int depth) {
     GwyValue value;
     switch (type) {
-      case 'b': value.number = next<std::uint8_t>(end); break;
-      case 'c': next<char>(end); break;
-      case 'i': value.number = next<std::int32_t>(end); break;
-      case 'q': value.number = static_cast<double>(next<std::int64_t>(end)); break;
-      case 'd': value.number = next<double>(end); break;
-      case 's': value.text = next_string(end); break;
-      case 'o': value.object = std::make_shared<GwyObject>(parse_object(end, depth + 1)); break;
-      case 'C': advance(next<std::uint32_t>(end), 1, end); break;
-      case 'I': advance(next<std::uint32_t>(end), 4, end); break;
-      case 'Q': advance(next<std::uint32_t>(end), 8, end); break;
-      case 'D': value.array = next_doubles(end); break;
-      case 'S': skip_each(end, [&] { next_string(end); }); break;
-      case 'O': skip_each(end, [&] { parse_object(end, depth + 1); }); break;
-      default: damaged();
+      case 'b':
+        value.number = next<std::uint8_t>(end);
+        break;
+      case 'c':
+        next<char>(end);
+        break;
+      case 'i':
+        value.number = next<std::int32_t>(end);
+        break;
+      case 'q':
+        value.number = static_cast<double>(next<std::int64_t>(end));
+        break;
+      case 'd':
+        value.number = next<double>(end);
+        break;
+      case 's':
+        value.text = next_string(end);
+        break;
+      case 'o':
+        value.object = std::make_shared<GwyObject>(parse_object(end, depth + 1));
+        break;
+      case 'C':
+        advance(next<std::uint32_t>(end), 1, end);
+        break;
+      case 'I':
+        advance(next<std::uint32_t>(end), 4, end);
+        break;
+      case 'Q':
+        advance(next<std::uint32_t>(end), 8, end);
+        break;
+      case 'D':
+        value.array = next_doubles(end);
+        break;
+      case 'S':
+        skip_each(end, [&] { next_string(end); });
+        break;
+      case 'O':
+        skip_each(end, [&] { parse_object(end, depth + 1); });
+        break;
+      default:
+        damaged();
     }
     return value;
   }
@@ -107,7 +135,8 @@ class GwyParser {
     const std::size_t count = next<std::uint32_t>(end);
     const std::size_t begin = advance(count, sizeof(double), end);
     std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i) values[i] = little_endian<double>(file_.bytes, begin + i * sizeof(double));
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = little_endian<double>(file_.bytes, begin + i * sizeof(double));
     return values;
   }
   template <class Step>
@@ -139,7 +168,9 @@ double number_of(const GwyObject& field, const std::string& name) {
 /// "/3/data" gives 3; anything else -1.
 int channel_number(const std::string& key) {
   const std::string end = "/data";
-  if (key.size() < end.size() + 2 || key[0] != '/' || key.compare(key.size() - end.size(), end.size(), end) != 0) return -1;
+  if (key.size() < end.size() + 2 || key[0] != '/' ||
+      key.compare(key.size() - end.size(), end.size(), end) != 0)
+    return -1;
   const auto number = whole_number_text(key.substr(1, key.size() - end.size() - 1));
   return number && *number >= 0 && *number < 1e6 ? static_cast<int>(*number) : -1;
 }
@@ -178,7 +209,8 @@ void apply_mask(const GwyObject& container, int number, StoredMap& map) {
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const GwyObject container = GwyParser(file).parse_object(file.bytes.size());
   const std::vector<Channel> channels = channels_of(container);
-  if (channels.empty()) throw InputError(file.name() + " holds no image channel; pass a file with a height map");
+  if (channels.empty())
+    throw InputError(file.name() + " holds no image channel; pass a file with a height map");
   std::vector<ChannelEntry> entries;
   for (const auto& channel : channels) {
     const std::string unit = unit_of(*channel.field, "si_unit_z");
@@ -188,11 +220,13 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const GwyObject& field = *channels[chosen].field;
   const GwyValue* data = field.find("data");
   StoredMap map;
-  map.nx = static_cast<int>(number_of(field, "xres"));
-  map.ny = static_cast<int>(number_of(field, "yres"));
-  if (!data || map.nx < 1 || map.ny < 1 || data->array.size() != static_cast<std::size_t>(map.nx) * map.ny)
+  const double columns = number_of(field, "xres"), rows = number_of(field, "yres");
+  if (!data || !(columns >= 1) || !(rows >= 1) || columns != std::floor(columns) ||
+      columns * rows != static_cast<double>(data->array.size()))
     throw InputError(file.name() + " has a channel '" + entries[chosen].name +
                      "' whose data do not fit its pixels, so it is damaged; save it again in Gwyddion");
+  map.nx = static_cast<int>(columns);
+  map.ny = static_cast<int>(rows);
   map.heights = data->array;
   const double unit = *length_unit_factor(entries[chosen].unit);
   for (double& height : map.heights) height *= unit;
@@ -212,8 +246,6 @@ bool recognises(const SourceFile& file) { return file.bytes.compare(0, magic.siz
 
 }  // namespace
 
-TopographyFormat gwy_format() {
-  return {"Gwyddion (.gwy)", {".gwy"}, "the mark 'GWYP'", recognises, read};
-}
+TopographyFormat gwy_format() { return {"Gwyddion (.gwy)", {".gwy"}, "the mark 'GWYP'", recognises, read}; }
 
 }  // namespace asperity

@@ -10,10 +10,11 @@ namespace asperity {
 
 std::string plain_unit(const std::string& unit) {
   static const std::map<std::string, std::string> spellings{
-      {"~m", "um"},        {"\xB5m", "um"},     {"µm", "um"},          {"μm", "um"},        {"micron", "um"},
-      {"microns", "um"},   {"micrometer", "um"}, {"micrometers", "um"}, {"micrometre", "um"}, {"\xC5", "A"},
-      {"Å", "A"},          {"Ang", "A"},        {"Angstrom", "A"},     {"angstrom", "A"},   {"nanometer", "nm"},
-      {"nanometers", "nm"}, {"nanometre", "nm"}, {"meter", "m"},        {"meters", "m"},     {"metre", "m"},
+      {"~m", "um"},         {"\xB5m", "um"},     {"µm", "um"},         {"μm", "um"},
+      {"micron", "um"},     {"microns", "um"},   {"micrometer", "um"}, {"micrometers", "um"},
+      {"micrometre", "um"}, {"\xC5", "A"},       {"Å", "A"},           {"Ang", "A"},
+      {"Angstrom", "A"},    {"angstrom", "A"},   {"nanometer", "nm"},  {"nanometers", "nm"},
+      {"nanometre", "nm"},  {"meter", "m"},      {"meters", "m"},      {"metre", "m"},
       {"millimeter", "mm"}, {"millimetre", "mm"}};
   const std::string trimmed = trimmed_text(unit);
   const auto found = spellings.find(trimmed);

@@ -1,10 +1,11 @@
-// NanoScope files of Digital Instruments, Veeco and Bruker (.spm, .di, .001, ...), software version 4.3 and later.
+// NanoScope files of Digital Instruments, Veeco and Bruker (.spm, .di, .001, ...), software version 4.3 and
+// later.
 //
-// A header of lines "\Key: value" in sections "\*Name" is followed by the images as little-endian integers, bottom row
-// first whatever the scan direction was. Height = stored / 2^(8 Bytes/pixel) * hard value of "@2:Z scale" * the
-// sensitivity it names (Bruker, NanoScope 8.10 user guide, appendix on file formats). Since version 9.2 every image is
-// stored in 32 bits, while Bytes/pixel remains that of the scaling.
-// Checked against two real files of versions 7.2 and 10 (16 and 32 bit) in the tests.
+// A header of lines "\Key: value" in sections "\*Name" is followed by the images as little-endian integers,
+// bottom row first whatever the scan direction was. Height = stored / 2^(8 Bytes/pixel) * hard value of "@2:Z
+// scale" * the sensitivity it names (Bruker, NanoScope 8.10 user guide, appendix on file formats). Since
+// version 9.2 every image is stored in 32 bits, while Bytes/pixel remains that of the scaling. Checked
+// against two real files of versions 7.2 and 10 (16 and 32 bit) in the tests.
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -38,7 +39,8 @@ Header parse_header(const SourceFile& file) {
   Section* section = &header.instrument;
   for (std::size_t begin = 0; begin < file.bytes.size();) {
     const std::size_t end = file.bytes.find('\n', begin);
-    const std::string line = trimmed_text(file.bytes.substr(begin, end == std::string::npos ? end : end - begin));
+    const std::string line =
+        trimmed_text(file.bytes.substr(begin, end == std::string::npos ? end : end - begin));
     const std::string lower = lower_case(line);
     if (lower == "\\*file list end") return header;
     if (lower.rfind("\\*", 0) == 0) {
@@ -64,7 +66,8 @@ Header parse_header(const SourceFile& file) {
 std::string entry(const SourceFile& file, const Section& section, const std::string& key) {
   const auto found = section.find(key);
   if (found == section.end())
-    throw InputError(file.name() + " lacks '" + key + "' in its NanoScope header; open it in Gwyddion and pass a .gsf");
+    throw InputError(file.name() + " lacks '" + key +
+                     "' in its NanoScope header; open it in Gwyddion and pass a .gsf");
   return found->second;
 }
 
@@ -86,7 +89,8 @@ std::optional<double> volt_factor(const std::string& unit) {
   return found == volts.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
-/// Scale of an entry such as "V [Sens. Zsens] (0.005035400 V/LSB) 329.9950 V" with "V 22.25786 nm/V" for Sens. Zsens.
+/// Scale of an entry such as "V [Sens. Zsens] (0.005035400 V/LSB) 329.9950 V" with "V 22.25786 nm/V" for
+/// Sens. Zsens.
 void resolve_scale(const Header& header, const Section& section, std::size_t scaling_bytes, Image& image) {
   auto found = section.find("@2:z scale");
   if (found == section.end()) found = section.find("@4:z scale");
@@ -115,7 +119,8 @@ void resolve_scale(const Header& header, const Section& section, std::size_t sca
   const auto length = length_unit_factor(soft[2].str());
   const auto from_hard = volt_factor(hard_unit), from_soft = volt_factor(soft[3].str());
   if (!length || !from_hard || !from_soft) return;
-  image.metres_per_step = hard_value * (*from_hard / *from_soft) * std::atof(soft[1].str().c_str()) * *length / steps;
+  image.metres_per_step =
+      hard_value * (*from_hard / *from_soft) * std::atof(soft[1].str().c_str()) * *length / steps;
   image.scale_text = soft[1].str() + " " + image.unit + "/" + soft[3].str() + " x " + parts[2].str() + " " +
                      hard_unit + over_steps;
 }
@@ -154,7 +159,8 @@ std::size_t stored_bytes_per_pixel(const SourceFile& file, const Header& header,
                     std::strtol(version->second.c_str(), nullptr, 16) >= first_version_with_32_bit;
   const std::size_t bytes = wide ? 4 : 2;
   if (length < bytes * points)
-    throw InputError(file.name() + " keeps " + std::to_string(length) + " bytes for " + std::to_string(points) +
+    throw InputError(file.name() + " keeps " + std::to_string(length) + " bytes for " +
+                     std::to_string(points) +
                      " pixels, which is too few; open it in Gwyddion and pass a .gsf");
   return bytes;
 }
@@ -167,10 +173,12 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   std::vector<ChannelEntry> channels;
   for (const auto& section : header.images) {
     if (section.count("z scale height") || section.count("z scale"))
-      throw InputError(file.name() + " was written by NanoScope software before 4.3; open it in Gwyddion and pass a .gsf");
+      throw InputError(file.name() +
+                       " was written by NanoScope software before 4.3; open it in Gwyddion and pass a .gsf");
     Image image;
     image.name = image_name(section);
-    if (const auto found = section.find("line direction"); found != section.end()) image.direction = found->second;
+    if (const auto found = section.find("line direction"); found != section.end())
+      image.direction = found->second;
     const std::size_t bytes = section.count("bytes/pixel") ? whole_entry(file, section, "bytes/pixel", 4) : 2;
     resolve_scale(header, section, bytes, image);
     channels.push_back({image.name, image.unit, image.metres_per_step != 0});

@@ -1,7 +1,8 @@
-// NetCDF as SurfaceTopography and contact.engineering write it: a variable `heights` over the dimensions `x` and `y`;
-// variables `x` and `y` with attributes `length`, `periodic` and `unit` (older files: `length_unit`). The first index
-// along y is the top of the image, as in that program's own readers of instrument files. Missing: NaN or fill value.
-// No real file was at hand: checked only against files that the tests write from this description.
+// NetCDF as SurfaceTopography and contact.engineering write it: a variable `heights` over the dimensions `x`
+// and `y`; variables `x` and `y` with attributes `length`, `periodic` and `unit` (older files:
+// `length_unit`). The first index along y is the top of the image, as in that program's own readers of
+// instrument files. Missing: NaN or fill value. No real file was at hand: checked only against files that the
+// tests write from this description.
 #include <netcdf.h>
 
 #include <cmath>
@@ -42,7 +43,8 @@ class NetcdfFile {
     double value = 0;
     std::size_t length = 0;
     nc_type type = NC_NAT;
-    if (nc_inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length != 1) return std::nullopt;
+    if (nc_inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length != 1)
+      return std::nullopt;
     if (type == NC_CHAR || type == NC_STRING) return std::nullopt;
     check(nc_get_att_double(id_, variable, attribute.c_str(), &value));
     return value;
@@ -95,7 +97,8 @@ std::vector<Axis> axes_of(const SourceFile& file, const NetcdfFile& netcdf, int 
     netcdf.check(nc_inq_dim(netcdf.id(), dimensions[i], name, &axes[i].points));
     axes[i].name = name;
   }
-  const bool known = (axes[0].name == "x" && axes[1].name == "y") || (axes[0].name == "y" && axes[1].name == "x");
+  const bool known =
+      (axes[0].name == "x" && axes[1].name == "y") || (axes[0].name == "y" && axes[1].name == "x");
   if (!known)
     throw InputError(file.name() + " has heights over '" + axes[0].name + "' and '" + axes[1].name +
                      "'; name the dimensions x and y");
@@ -103,7 +106,8 @@ std::vector<Axis> axes_of(const SourceFile& file, const NetcdfFile& netcdf, int 
 }
 
 /// Length of an axis in metres: its attribute `length` in its unit (or the heights' unit).
-std::optional<double> axis_length(const NetcdfFile& netcdf, const std::string& name, const std::string& fallback_unit) {
+std::optional<double> axis_length(const NetcdfFile& netcdf, const std::string& name,
+                                  const std::string& fallback_unit) {
   const int variable = netcdf.variable(name);
   if (variable < 0) return std::nullopt;
   const std::string own_unit = netcdf.unit(variable);
@@ -124,10 +128,11 @@ void check_whole(const SourceFile& file) {
   if (!is_classic(file)) return;  // HDF5 checks its own length
   const auto length = netcdf_classic_length(file.bytes);
   if (length && file.bytes.size() >= *length) return;
-  throw InputError(file.name() + (length ? " has " + std::to_string(file.bytes.size()) + " of its " +
-                                               std::to_string(*length) + " bytes"
-                                         : std::string(" ends inside its NetCDF header")) +
-                   ": it is cut off; copy or export it again");
+  throw InputError(
+      file.name() +
+      (length ? " has " + std::to_string(file.bytes.size()) + " of its " + std::to_string(*length) + " bytes"
+              : std::string(" ends inside its NetCDF header")) +
+      ": it is cut off; copy or export it again");
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
@@ -135,9 +140,10 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const NetcdfFile netcdf(file);
   const int heights = netcdf.variable("heights");
   if (heights < 0)
-    throw InputError(file.name() +
-                     " is a NetCDF file without a variable 'heights'; pass a topography that contact.engineering or "
-                     "SurfaceTopography wrote");
+    throw InputError(
+        file.name() +
+        " is a NetCDF file without a variable 'heights'; pass a topography that contact.engineering or "
+        "SurfaceTopography wrote");
   if (options.channel && lower_case(*options.channel) != "heights" && *options.channel != "0")
     throw InputError(file.name() + " has no channel '" + *options.channel + "'; its only one is 'heights'");
   const auto axes = axes_of(file, netcdf, heights);
@@ -154,7 +160,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const std::string unit = own_unit.empty() ? lateral_unit : own_unit;
   const auto factor = length_unit_factor(unit);
   if (!factor && !unit.empty())
-    throw InputError(file.name() + " has heights in '" + unit + "', which is no length; export the topography");
+    throw InputError(file.name() + " has heights in '" + unit +
+                     "', which is no length; export the topography");
   StoredMap map;
   map.height_unit_assumed = !factor;
   if (!factor) map.note = "no unit of height given, metres taken";
@@ -186,7 +193,11 @@ bool recognises(const SourceFile& file) {
 }  // namespace
 
 TopographyFormat netcdf_format() {
-  return {"NetCDF of contact.engineering (.nc)", {".nc", ".nc4"}, "the mark 'CDF' or that of HDF5", recognises, read};
+  return {"NetCDF of contact.engineering (.nc)",
+          {".nc", ".nc4"},
+          "the mark 'CDF' or that of HDF5",
+          recognises,
+          read};
 }
 
 }  // namespace asperity

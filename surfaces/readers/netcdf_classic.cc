@@ -50,7 +50,8 @@ class HeaderCursor {
 };
 
 std::uint64_t type_size(std::uint64_t type) {
-  static const std::vector<std::uint64_t> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};  // byte char short int float double ...
+  static const std::vector<std::uint64_t> sizes{0, 1, 1, 2, 4, 4,
+                                                8, 1, 2, 4, 8, 8};  // byte char short int float double ...
   return type < sizes.size() ? sizes[type] : 0;
 }
 

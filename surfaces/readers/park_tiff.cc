@@ -1,7 +1,8 @@
-// Park Systems (PSIA) TIFF: a TIFF picture whose private tags carry the heights: 50432 magic number, 50433 version,
-// 50434 data, 50435 header. Little-endian; size in micrometres; height = gain * (scale * stored + offset) in the unit of
-// the header; bottom row first. Layout as described in SurfaceTopography's and Gwyddion's manuals and readers.
-// No real file was at hand: checked only against files that the tests write from this description.
+// Park Systems (PSIA) TIFF: a TIFF picture whose private tags carry the heights: 50432 magic number, 50433
+// version, 50434 data, 50435 header. Little-endian; size in micrometres; height = gain * (scale * stored +
+// offset) in the unit of the header; bottom row first. Layout as described in SurfaceTopography's and
+// Gwyddion's manuals and readers. No real file was at hand: checked only against files that the tests write
+// from this description.
 #include <map>
 
 #include "core/error.h"
@@ -23,7 +24,8 @@ struct TagValue {
 };
 
 [[noreturn]] void cut_off(const SourceFile& file) {
-  throw InputError(file.name() + " points beyond its end: it is a TIFF file that is cut off; copy or export it again");
+  throw InputError(file.name() +
+                   " points beyond its end: it is a TIFF file that is cut off; copy or export it again");
 }
 
 /// The tags of the first picture of a little-endian TIFF file (Adobe, TIFF 6.0, 1992).
@@ -53,7 +55,8 @@ std::map<int, TagValue> read_tags(const SourceFile& file) {
 /// Values of the header tag one after the other, without padding.
 class HeaderCursor {
  public:
-  HeaderCursor(const SourceFile& file, TagValue tag) : file_(file), at_(tag.offset), end_(tag.offset + tag.length) {
+  HeaderCursor(const SourceFile& file, TagValue tag)
+      : file_(file), at_(tag.offset), end_(tag.offset + tag.length) {
     if (end_ > file.bytes.size()) cut_off(file);
   }
   template <class T>
@@ -89,7 +92,8 @@ class HeaderCursor {
   }
   std::size_t advance(std::size_t bytes) {
     if (at_ + bytes > end_)
-      throw InputError(file_.name() + " has a Park header that is too short; export it again, for example as .gsf");
+      throw InputError(file_.name() +
+                       " has a Park header that is too short; export it again, for example as .gsf");
     at_ += bytes;
     return at_ - bytes;
   }
@@ -115,11 +119,12 @@ ParkHeader read_header(const SourceFile& file, TagValue tag, std::uint32_t versi
   ParkHeader header;
   header.image_type = cursor.next<ImageType>();
   header.source = cursor.next_text(32);
-  cursor.next_text(8);                 // image mode
-  cursor.skip(sizeof(double) + 4 + 4); // low pass filter, flattening, AC tracking
+  cursor.next_text(8);                  // image mode
+  cursor.skip(sizeof(double) + 4 + 4);  // low pass filter, flattening, AC tracking
   header.columns = cursor.next<std::uint32_t>();
   header.rows = cursor.next<std::uint32_t>();
-  cursor.skip(sizeof(double) + 4 + sizeof(double) + 4 + 4 + 4);  // angle, sine scan, overscan, forward, up, swap
+  cursor.skip(sizeof(double) + 4 + sizeof(double) + 4 + 4 +
+              4);  // angle, sine scan, overscan, forward, up, swap
   header.width_um = cursor.next<double>();
   header.height_um = cursor.next<double>();
   cursor.skip(4 * sizeof(double));  // offsets, scan rate, set point
@@ -151,21 +156,27 @@ std::uint32_t number_of(const SourceFile& file, const std::map<int, TagValue>& t
 
 double stored_value(const SourceFile& file, DataType type, std::size_t begin, std::size_t index) {
   switch (type) {
-    case DataType::int16: return little_endian<std::int16_t>(file.bytes, begin + 2 * index);
-    case DataType::int32: return little_endian<std::int32_t>(file.bytes, begin + 4 * index);
-    case DataType::float32: return little_endian<float>(file.bytes, begin + 4 * index);
+    case DataType::int16:
+      return little_endian<std::int16_t>(file.bytes, begin + 2 * index);
+    case DataType::int32:
+      return little_endian<std::int32_t>(file.bytes, begin + 4 * index);
+    case DataType::float32:
+      return little_endian<float>(file.bytes, begin + 4 * index);
   }
-  throw InputError(file.name() + " stores its heights in a way that is not known; open it in Gwyddion and pass a .gsf");
+  throw InputError(file.name() +
+                   " stores its heights in a way that is not known; open it in Gwyddion and pass a .gsf");
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
   if (file.bytes[0] == 'M')
-    throw InputError(file.name() + " is a big-endian TIFF picture and not a Park file; export the heights as .gsf");
+    throw InputError(file.name() +
+                     " is a big-endian TIFF picture and not a Park file; export the heights as .gsf");
   const auto tags = read_tags(file);
   if (number_of(file, tags, magic_tag) != park_magic || !tags.count(data_tag) || !tags.count(header_tag))
-    throw InputError(file.name() +
-                     " is a TIFF picture without Park's heights, so it holds colours and no lengths; export the "
-                     "heights, for example as .gsf");
+    throw InputError(
+        file.name() +
+        " is a TIFF picture without Park's heights, so it holds colours and no lengths; export the "
+        "heights, for example as .gsf");
   const std::uint32_t version = number_of(file, tags, version_tag);
   if (version != version_1 && version != version_2)
     throw InputError(file.name() + " is of a version of Park's format that is not known; export it as .gsf");
@@ -202,7 +213,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
 }
 
 bool recognises(const SourceFile& file) {
-  return file.bytes.compare(0, 4, std::string("II*\0", 4)) == 0 || file.bytes.compare(0, 4, std::string("MM\0*", 4)) == 0;
+  return file.bytes.compare(0, 4, std::string("II*\0", 4)) == 0 ||
+         file.bytes.compare(0, 4, std::string("MM\0*", 4)) == 0;
 }
 
 }  // namespace

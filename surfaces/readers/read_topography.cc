@@ -1,4 +1,5 @@
-// From a path to a Topography: recognise, read, settle size, rows and missing points, and say back what was done.
+// From a path to a Topography: recognise, read, settle size, rows and missing points, and say back what was
+// done.
 #include "surfaces/read_topography.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ std::string kinds_read() {
   for (const auto& format : topography_formats())
     if (std::find(format.extensions.begin(), format.extensions.end(), ending) != format.extensions.end())
       throw InputError(file.name() + " is named like " + format.name + " but does not begin with " +
-                       format.begins_with + ": it is damaged or of another kind; export it again, for example as .gsf");
+                       format.begins_with +
+                       ": it is damaged or of another kind; export it again, for example as .gsf");
   throw InputError(file.name() + " is of a kind that is not read; pass one of " + kinds_read() +
                    " (Gwyddion exports .gsf from most others)");
 }
@@ -48,7 +50,8 @@ void settle_size(const SourceFile& file, const ReadOptions& options, StoredMap& 
   if (options.size_x_m || options.size_y_m) {
     const double x = options.size_x_m ? *options.size_x_m : *options.size_y_m * map.nx / map.ny;
     const double y = options.size_y_m ? *options.size_y_m : *options.size_x_m * map.ny / map.nx;
-    const bool differs = map.lx && map.ly && (std::abs(*map.lx - x) > 1e-6 * x || std::abs(*map.ly - y) > 1e-6 * y);
+    const bool differs =
+        map.lx && map.ly && (std::abs(*map.lx - x) > 1e-6 * x || std::abs(*map.ly - y) > 1e-6 * y);
     map.note += std::string(map.note.empty() ? "" : "; ") + "size as passed";
     if (differs)
       map.note += " instead of the file's " + format_quantity(*map.lx, Dimension::length, 6) + " x " +
@@ -58,9 +61,11 @@ void settle_size(const SourceFile& file, const ReadOptions& options, StoredMap& 
     map.lateral_unit_assumed = false;
   }
   if (!map.lx || !map.ly)
-    throw InputError(file.name() + " does not say how wide the map is; pass its size, for example --size \"2.5 um\"");
+    throw InputError(file.name() +
+                     " does not say how wide the map is; pass its size, for example --size \"2.5 um\"");
   if (!(*map.lx > 0 && *map.ly > 0 && std::isfinite(*map.lx) && std::isfinite(*map.ly)))
-    throw InputError(file.name() + " gives a size that is no length above 0; pass it, for example --size \"2.5 um\"");
+    throw InputError(file.name() +
+                     " gives a size that is no length above 0; pass it, for example --size \"2.5 um\"");
 }
 
 /// A unit that was assumed must at least give a map as scanning instruments measure it.
@@ -77,12 +82,14 @@ void check_assumed_units(const SourceFile& file, const StoredMap& map) {
     highest = std::max(highest, height);
   }
   if (map.height_unit_assumed && highest - lowest > std::min(*map.lx, *map.ly))
-    throw InputError(file.name() + " names no unit of height, and in metres the map would be higher than wide (" +
-                     format_quantity(highest - lowest, Dimension::length) +
-                     "); name the unit in its header, in a text file by a first line such as '# Value units: nm'");
+    throw InputError(
+        file.name() + " names no unit of height, and in metres the map would be higher than wide (" +
+        format_quantity(highest - lowest, Dimension::length) +
+        "); name the unit in its header, in a text file by a first line such as '# Value units: nm'");
 }
 
-Topography settled(const SourceFile& file, const TopographyFormat& format, const ReadOptions& options, StoredMap map) {
+Topography settled(const SourceFile& file, const TopographyFormat& format, const ReadOptions& options,
+                   StoredMap map) {
   if (map.nx < 2 || map.ny < 2)
     throw InputError(file.name() + " holds " + std::to_string(map.nx) + " x " + std::to_string(map.ny) +
                      " points, a profile and not a map; pass a height map of at least 2 x 2 pixels");
@@ -109,9 +116,9 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
   if (known == 0) throw InputError(file.name() + " holds no valid height; pass a map that was measured");
   if (known < topography.heights.size())
     for (const double height : topography.heights) topography.missing.push_back(std::isnan(height));
-  topography.source = file.path.string() + " (" + format.name + "; " + map.scale + "; first row stored is the " +
-                      (map.first_row == FirstRow::top ? "top" : "bottom") + " of the image" +
-                      (map.note.empty() ? "" : "; " + map.note) + ")";
+  topography.source = file.path.string() + " (" + format.name + "; " + map.scale +
+                      "; first row stored is the " + (map.first_row == FirstRow::top ? "top" : "bottom") +
+                      " of the image" + (map.note.empty() ? "" : "; " + map.note) + ")";
   return topography;
 }
 
@@ -131,8 +138,9 @@ std::string describe(const Topography& map) {
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
   }
-  std::string line = std::to_string(map.nx) + " x " + std::to_string(map.ny) + " pixels, " + length(map.lx) + " x " +
-                     length(map.ly) + " (x right, y up), heights from " + length(lowest) + " to " + length(highest);
+  std::string line = std::to_string(map.nx) + " x " + std::to_string(map.ny) + " pixels, " + length(map.lx) +
+                     " x " + length(map.ly) + " (x right, y up), heights from " + length(lowest) + " to " +
+                     length(highest);
   if (!map.channel.empty()) line += ", channel '" + map.channel + "'";
   const std::size_t missing = map.missing_count();
   line += missing ? ", " + std::to_string(missing) + " missing points" : ", no missing points";

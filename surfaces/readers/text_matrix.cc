@@ -1,7 +1,7 @@
-// A text matrix of heights, top row of the image first, under a header that names size and units: Gwyddion's ASCII
-// export ("# Channel: Height", "# Width: 2.5 µm", "# Height: 2.5 µm", "# Value units: nm", also in German), or lines
-// such as "size: 2.5 um x 2.5 um", "pixel size: 4.9 nm", "unit: nm". Without a unit heights are metres, as Gwyddion
-// writes them, if that is plausible.
+// A text matrix of heights, top row of the image first, under a header that names size and units: Gwyddion's
+// ASCII export ("# Channel: Height", "# Width: 2.5 µm", "# Height: 2.5 µm", "# Value units: nm", also in
+// German), or lines such as "size: 2.5 um x 2.5 um", "pixel size: 4.9 nm", "unit: nm". Without a unit heights
+// are metres, as Gwyddion writes them, if that is plausible.
 #include <cmath>
 
 #include "core/error.h"
@@ -47,7 +47,8 @@ void read_lateral_scale(const TextTable& table, StoredMap& map) {
     if (const auto pixel = length_of(table.find(text_names::pixel), table, map)) map.lx = *pixel * map.nx;
   if (map.lx && !map.ly) map.ly = *map.lx * map.ny / map.nx;
   if (map.ly && !map.lx) map.lx = *map.ly * map.nx / map.ny;
-  if (map.lateral_unit_assumed) map.note += std::string(map.note.empty() ? "" : "; ") + "no unit of size given, metres taken";
+  if (map.lateral_unit_assumed)
+    map.note += std::string(map.note.empty() ? "" : "; ") + "no unit of size given, metres taken";
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
@@ -72,7 +73,11 @@ bool recognises(const SourceFile& file) { return text_beginning(file).columns > 
 }  // namespace
 
 TopographyFormat text_matrix_format() {
-  return {"text matrix (.txt, .asc)", {".txt", ".asc", ".csv", ".dat"}, "a header and rows of numbers", recognises, read};
+  return {"text matrix (.txt, .asc)",
+          {".txt", ".asc", ".csv", ".dat"},
+          "a header and rows of numbers",
+          recognises,
+          read};
 }
 
 }  // namespace asperity

@@ -41,7 +41,8 @@ class Lines {
 bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
 bool means_missing(const std::string& word) {
-  static const std::vector<std::string> words{"nan", "na", "n/a", "bad", "missing", "void", "null", "-", "--", "---", "***"};
+  static const std::vector<std::string> words{"nan",  "na", "n/a", "bad", "missing", "void",
+                                              "null", "-",  "--",  "---", "***"};
   return std::find(words.begin(), words.end(), lower_case(word)) != words.end();
 }
 
@@ -86,13 +87,15 @@ bool is_comment(const std::string& line) {
 }
 
 void add_header_line(const std::string& line, TextTable& table) {
-  const std::string content = trimmed_text(line.substr(std::min(line.find_first_not_of("#%/! \t"), line.size())));
+  const std::string content =
+      trimmed_text(line.substr(std::min(line.find_first_not_of("#%/! \t"), line.size())));
   const auto mark = content.find_first_of(":=");
   if (mark == std::string::npos || mark == 0) {
     if (!content.empty()) table.titles.push_back(content);
     return;
   }
-  table.header.emplace(lower_case(trimmed_text(content.substr(0, mark))), trimmed_text(content.substr(mark + 1)));
+  table.header.emplace(lower_case(trimmed_text(content.substr(0, mark))),
+                       trimmed_text(content.substr(mark + 1)));
 }
 
 /// Reads the header and the first row of numbers, and leaves `lines` behind it.
@@ -142,7 +145,8 @@ TextTable text_table(const SourceFile& file) {
     const std::size_t before = table.values.size();
     if (!append_numbers(line, decimal_comma, table.values)) {
       const std::string shown = line.substr(0, 20) + (line.size() > 20 ? "..." : "");
-      throw InputError("line " + std::to_string(lines.number()) + " of " + file.name() + " is no row of numbers ('" + shown +
+      throw InputError("line " + std::to_string(lines.number()) + " of " + file.name() +
+                       " is no row of numbers ('" + shown +
                        "'): it is damaged or of another kind; export it again");
     }
     if (table.values.size() - before != table.columns)
@@ -154,7 +158,8 @@ TextTable text_table(const SourceFile& file) {
   return table;
 }
 
-double text_height_unit(const SourceFile& file, const TextTable& table, const ReadOptions& options, StoredMap& map) {
+double text_height_unit(const SourceFile& file, const TextTable& table, const ReadOptions& options,
+                        StoredMap& map) {
   std::string unit = table.find(text_names::value_unit);
   if (unit.empty()) unit = table.find(text_names::any_unit);
   if (unit.empty() && options.height_unit) {
@@ -169,7 +174,8 @@ double text_height_unit(const SourceFile& file, const TextTable& table, const Re
   }
   const auto factor = length_unit_factor(unit);
   if (!factor)
-    throw InputError(file.name() + " has values in '" + unit + "', which is no length; export the channel of the topography");
+    throw InputError(file.name() + " has values in '" + unit +
+                     "', which is no length; export the channel of the topography");
   map.scale = "heights in " + plain_unit(unit);
   return *factor;
 }

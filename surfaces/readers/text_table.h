@@ -1,4 +1,5 @@
-// Numbers in rows under a header of "name: value" lines, as Gwyddion, SPIP and people write height maps as text.
+// Numbers in rows under a header of "name: value" lines, as Gwyddion, SPIP and people write height maps as
+// text.
 #pragma once
 
 #include <map>
@@ -11,9 +12,9 @@ namespace asperity {
 
 struct TextTable {
   std::map<std::string, std::string> header;  ///< names in lower case
-  std::vector<std::string> titles;            ///< header lines that are no "name: value", such as "x [um] y [um]"
+  std::vector<std::string> titles;  ///< header lines that are no "name: value", such as "x [um] y [um]"
   std::size_t columns = 0, rows = 0;
-  std::vector<double> values;                 ///< [row * columns + column]; NaN for words such as "nan" and "bad"
+  std::vector<double> values;  ///< [row * columns + column]; NaN for words such as "nan" and "bad"
 
   /// Value of the first of these names that the header has; empty if none.
   std::string find(const std::vector<std::string>& names) const;
@@ -26,6 +27,7 @@ TextTable text_beginning(const SourceFile& file);
 TextTable text_table(const SourceFile& file);
 
 /// Unit of heights: the header's, else the user's, else metres with `height_unit_assumed` set.
-double text_height_unit(const SourceFile& file, const TextTable& table, const ReadOptions& options, StoredMap& map);
+double text_height_unit(const SourceFile& file, const TextTable& table, const ReadOptions& options,
+                        StoredMap& map);
 
 }  // namespace asperity

@@ -1,8 +1,9 @@
-// x3p (ISO 25178-72:2017, before that ISO 5436-2): a zip archive with main.xml and the heights as a binary matrix, x
-// fastest, y growing from row to row (right-handed axes, so the first row is the bottom); metres. DataType I, L: signed
-// integers of 16 and 32 bit, F, D: floats; z = Increment * stored + Offset. Missing: NaN, or a 0 in the bit field that
-// ValidPointsLink names, lowest bit first.
-// No real file was at hand: checked only against files that the tests write from this description.
+// x3p (ISO 25178-72:2017, before that ISO 5436-2): a zip archive with main.xml and the heights as a binary
+// matrix, x fastest; metres. DataType I, L: signed integers of 16 and 32 bit, F, D: floats; z = Increment *
+// stored + Offset. Missing: NaN, or a 0 in the bit field that ValidPointsLink names, lowest bit first. The
+// first row is the top of the image, as Gwyddion and SurfaceTopography show it; the standard itself speaks of
+// right-handed axes and of no image. No real file was at hand: checked only against files that the tests
+// write from this description.
 #include <zip.h>
 
 #include <cmath>
@@ -58,7 +59,8 @@ class ZipArchive {
     const zip_int64_t got = part ? zip_fread(part, bytes.data(), bytes.size()) : -1;
     if (part) zip_fclose(part);
     if (got != static_cast<zip_int64_t>(bytes.size()))
-      throw InputError(file_.name() + " has a part '" + name + "' that cannot be unpacked: it is damaged; export it again");
+      throw InputError(file_.name() + " has a part '" + name +
+                       "' that cannot be unpacked: it is damaged; export it again");
     return bytes;
   }
 
@@ -102,7 +104,8 @@ std::size_t bytes_of(const SourceFile& file, const std::string& type) {
   if (type == "I") return 2;
   if (type == "L" || type == "F") return 4;
   if (type == "D") return 8;
-  throw InputError(file.name() + " stores heights as '" + type + "', which x3p does not know; export it again");
+  throw InputError(file.name() + " stores heights as '" + type +
+                   "', which x3p does not know; export it again");
 }
 
 double stored_value(const std::string& data, const std::string& type, std::size_t i) {
@@ -129,17 +132,21 @@ std::string list_for_person(const std::vector<std::string>& names) {
 StoredMap read(const SourceFile& file, const ReadOptions&) {
   const ZipArchive archive(file);
   if (!archive.has(main_document))
-    throw InputError(file.name() + " is a zip archive and no x3p, for it lacks main.xml; unpack it and pass one of its "
-                     "height maps (it holds " + list_for_person(archive.names()) + ")");
+    throw InputError(file.name() +
+                     " is a zip archive and no x3p, for it lacks main.xml; unpack it and pass one of its "
+                     "height maps (it holds " +
+                     list_for_person(archive.names()) + ")");
   const std::string xml = archive.content(main_document);
   pugi::xml_document document;
   if (const auto result = document.load_buffer(xml.data(), xml.size()); !result)
-    throw InputError(file.name() + " has a main.xml that cannot be read (" + result.description() + "); export it again");
+    throw InputError(file.name() + " has a main.xml that cannot be read (" + result.description() +
+                     "); export it again");
   const pugi::xml_node root = document.document_element();
   const pugi::xml_node axes = descendant(root, {"Record1", "Axes"});
   const std::string feature = text_of(root, {"Record1", "FeatureType"});
   if (feature != "SUR")
-    throw InputError(file.name() + " holds a feature of type '" + feature + "' and not a surface (SUR); pass a height map");
+    throw InputError(file.name() + " holds a feature of type '" + feature +
+                     "' and not a surface (SUR); pass a height map");
   if (text_of(axes, {"CX", "AxisType"}) != "I" || text_of(axes, {"CY", "AxisType"}) != "I")
     throw InputError(file.name() + " gives each point its own x and y; export it on a regular grid");
   if (const auto layers = number_of(root, {"Record3", "MatrixDimension", "SizeZ"}); layers && *layers != 1)
@@ -156,7 +163,8 @@ StoredMap read(const SourceFile& file, const ReadOptions&) {
   if (data.size() < points * bytes_of(file, type))
     throw InputError(file.name() + " has " + std::to_string(data.size()) + " of the " +
                      std::to_string(points * bytes_of(file, type)) + " bytes of heights that " +
-                     std::to_string(map.nx) + " x " + std::to_string(map.ny) + " points take; export it again");
+                     std::to_string(map.nx) + " x " + std::to_string(map.ny) +
+                     " points take; export it again");
   const double increment = number_of(axes, {"CZ", "Increment"}).value_or(1.0);
   const double offset = number_of(axes, {"CZ", "Offset"}).value_or(0.0);
   map.heights.resize(points);
@@ -170,7 +178,7 @@ StoredMap read(const SourceFile& file, const ReadOptions&) {
   }
   map.channel = "heights";
   map.scale = "heights in m";
-  map.first_row = FirstRow::bottom;
+  map.first_row = FirstRow::top;
   return map;
 }
 

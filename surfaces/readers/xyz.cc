@@ -1,6 +1,6 @@
 // Points "x y z" line by line (.xyz) on a regular grid, in any order; y grows upwards. Units from the header
-// ("# Lateral units: um", "# Value units: nm", or titles "x [um] y [um] z [nm]"), else metres if that is plausible.
-// A grid place without a point is missing.
+// ("# Lateral units: um", "# Value units: nm", or titles "x [um] y [um] z [nm]"), else metres if that is
+// plausible. A grid place without a point is missing.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,25 +27,28 @@ struct GridAxis {
 };
 
 [[noreturn]] void refuse_grid(const SourceFile& file) {
-  throw InputError(file.name() + " has points that lie on no regular grid; interpolate them to a grid, for example in "
+  throw InputError(file.name() +
+                   " has points that lie on no regular grid; interpolate them to a grid, for example in "
                    "Gwyddion, and pass a .gsf");
 }
 
 /// The grid whose places the positions take: the median gap between neighbours is its spacing.
 GridAxis find_axis(const SourceFile& file, std::vector<double> positions) {
-  constexpr double same_place = 1e-6;       // relative to the range
-  constexpr double largest_offset = 0.25;   // of the spacing: rounded coordinates
+  constexpr double same_place = 1e-6;      // relative to the range
+  constexpr double largest_offset = 0.25;  // of the spacing: rounded coordinates
   constexpr double most_points = 1 << 20;
   std::sort(positions.begin(), positions.end());
   const double range = positions.back() - positions.front();
   std::vector<double> gaps;
   for (std::size_t i = 1; i < positions.size(); ++i)
     if (positions[i] - positions[i - 1] > same_place * range) gaps.push_back(positions[i] - positions[i - 1]);
-  if (gaps.empty()) throw InputError(file.name() + " has all its points on one line, a profile and not a map; pass a height map");
+  if (gaps.empty())
+    throw InputError(file.name() +
+                     " has all its points on one line, a profile and not a map; pass a height map");
   std::nth_element(gaps.begin(), gaps.begin() + gaps.size() / 2, gaps.end());
   GridAxis axis;
   const double intervals = std::round(range / gaps[gaps.size() / 2]);
-  if (intervals + 1 > most_points) refuse_grid(file);
+  if (!(intervals + 1 <= most_points)) refuse_grid(file);  // also where the range overflows
   axis.first = positions.front();
   axis.points = static_cast<int>(intervals) + 1;
   axis.spacing = range / intervals;
@@ -60,7 +63,8 @@ std::vector<std::string> title_units(const TextTable& table) {
   static const std::regex bracketed(R"([\[(]\s*([^\])]+?)\s*[\])])");
   for (const auto& title : table.titles) {
     std::vector<std::string> units;
-    for (std::sregex_iterator it(title.begin(), title.end(), bracketed), end; it != end; ++it) units.push_back((*it)[1]);
+    for (std::sregex_iterator it(title.begin(), title.end(), bracketed), end; it != end; ++it)
+      units.push_back((*it)[1]);
     if (units.size() == coordinates) return units;
   }
   return {};
@@ -75,7 +79,8 @@ double lateral_unit(const SourceFile& file, const TextTable& table, StoredMap& m
     return 1.0;
   }
   if (const auto factor = length_unit_factor(unit)) return *factor;
-  throw InputError(file.name() + " has coordinates in '" + unit + "', which is no length; pass points with lengths");
+  throw InputError(file.name() + " has coordinates in '" + unit +
+                   "', which is no length; pass points with lengths");
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
@@ -94,7 +99,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
     x[i] = table.values[coordinates * i] * unit;
     y[i] = table.values[coordinates * i + 1] * unit;
     if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
-      throw InputError(file.name() + " has a point without x or y (row " + std::to_string(i + 1) + " of numbers); export it again");
+      throw InputError(file.name() + " has a point without x or y (row " + std::to_string(i + 1) +
+                       " of numbers); export it again");
   }
   const GridAxis along_x = find_axis(file, x), along_y = find_axis(file, y);
   constexpr double least_filled = 0.25;  // of the grid; fewer points mean scattered positions
@@ -107,8 +113,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   for (std::size_t i = 0; i < table.rows; ++i) {
     const std::size_t place = static_cast<std::size_t>(along_y.index(y[i])) * map.nx + along_x.index(x[i]);
     if (taken[place])
-      throw InputError(file.name() + " has two points at one place of its grid (row " + std::to_string(i + 1) +
-                       " of numbers); export it again");
+      throw InputError(file.name() + " has two points at one place of its grid (row " +
+                       std::to_string(i + 1) + " of numbers); export it again");
     taken[place] = true;
     map.heights[place] = table.values[coordinates * i + 2] * height_unit;
   }

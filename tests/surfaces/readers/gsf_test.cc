@@ -8,7 +8,8 @@ using namespace asperity::test;
 
 namespace {
 
-const std::string fields = "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\nZUnits = m\nTitle = Height Sensor\n";
+const std::string fields =
+    "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\nZUnits = m\nTitle = Height Sensor\n";
 
 std::vector<float> metres() { return {1e-9f, 2e-9f, 3e-9f, 4e-9f, 5e-9f, 6e-9f}; }
 
@@ -78,7 +79,8 @@ TEST(Gsf_file, of_voltages_is_refused) {
 
 TEST(Gsf_file, of_wrong_pixel_numbers_is_refused) {
   for (const std::string number : {"0", "-3", "2.5", "many", "1e300"})
-    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = " + number + "\nYRes = 2\n", metres()))), "'XRes'");
+    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = " + number + "\nYRes = 2\n", metres()))),
+                "'XRes'");
 }
 
 TEST(Gsf_file, without_unit_of_height_is_metres_if_that_is_plausible) {
@@ -122,10 +124,11 @@ TEST(Gsf_written_file, is_byte_for_byte_what_the_format_says) {
   for (const double nm : {4, 5, 6, 1, 2, 3}) map.heights.push_back(nm * 1e-9);
   const auto path = write_bytes("a.gsf", "");
   write_gsf(path, map);
-  EXPECT_EQ(bytes_of(path), gsf_bytes("XRes = 3\nYRes = 2\nXReal = 0.5\nYReal = 0.25\nXYUnits = m\nZUnits = m\n", metres()));
+  EXPECT_EQ(bytes_of(path),
+            gsf_bytes("XRes = 3\nYRes = 2\nXReal = 0.5\nYReal = 0.25\nXYUnits = m\nZUnits = m\n", metres()));
 }
 
-// Sq of tests/shared README: computed by its author with other code.
+// Sq as stated beside the files, computed by other code.
 TEST(Gsf_real_other_code, bruker_scan_has_its_known_roughness) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "topographies/di-5_1um_512.gsf");
   const Topography map = read_topography(path);

@@ -13,14 +13,17 @@ std::vector<double> metres() {
 
 /// Components that a real file also has and a height map does not need.
 std::string clutter() {
-  return gwy_component("/filename", 's', std::string("/home/a/b.gwy") + '\0') + gwy_component("/0/base/range-type", 'i', raw<std::int32_t>(2)) +
-         gwy_component("/0/data/visible", 'b', std::string(1, '\1')) + gwy_component("/big", 'q', raw<std::int64_t>(7)) +
-         gwy_component("/one", 'c', "x") + gwy_component("/raw", 'C', raw<std::uint32_t>(3) + "abc") +
+  return gwy_component("/filename", 's', std::string("/home/a/b.gwy") + '\0') +
+         gwy_component("/0/base/range-type", 'i', raw<std::int32_t>(2)) +
+         gwy_component("/0/data/visible", 'b', std::string(1, '\1')) +
+         gwy_component("/big", 'q', raw<std::int64_t>(7)) + gwy_component("/one", 'c', "x") +
+         gwy_component("/raw", 'C', raw<std::uint32_t>(3) + "abc") +
          gwy_component("/ints", 'I', raw<std::uint32_t>(1) + raw<std::int32_t>(5)) +
          gwy_component("/longs", 'Q', raw<std::uint32_t>(1) + raw<std::int64_t>(5)) +
          gwy_component("/names", 'S', raw<std::uint32_t>(2) + std::string("a\0bc\0", 5)) +
          gwy_component("/objects", 'O', raw<std::uint32_t>(1) + gwy_unit("V")) +
-         gwy_component("/0/meta", 'o', gwy_object("GwyContainer", gwy_component("Date", 's', std::string("today") + '\0')));
+         gwy_component("/0/meta", 'o',
+                       gwy_object("GwyContainer", gwy_component("Date", 's', std::string("today") + '\0')));
 }
 
 std::string height_channel() {
@@ -63,7 +66,8 @@ TEST(Gwy_file, channel_is_chosen_by_name_or_number) {
 }
 
 TEST(Gwy_file, without_heights_is_refused_with_what_it_holds) {
-  EXPECT_SAYS(refusal(write_bytes("a.gwy", gwy_bytes(phase_channel()))), "holds no heights, only 0: 'Phase' in deg");
+  EXPECT_SAYS(refusal(write_bytes("a.gwy", gwy_bytes(phase_channel()))),
+              "holds no heights, only 0: 'Phase' in deg");
   EXPECT_SAYS(refusal(write_bytes("b.gwy", gwy_bytes(clutter()))), "no image channel");
 }
 

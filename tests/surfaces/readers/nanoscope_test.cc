@@ -88,13 +88,16 @@ TEST(Nanoscope_file, with_one_scan_size_is_square) {
 TEST(Nanoscope_file, cut_off_is_refused) {
   const std::string bytes = nanoscope_bytes({{}}, 2);
   const std::string sentence = refusal(write_bytes("a.001", bytes.substr(0, bytes.size() - 1)));
-  EXPECT_SAYS(sentence, "has " + std::to_string(bytes.size() - 1) + " of at least " + std::to_string(bytes.size()));
+  EXPECT_SAYS(sentence,
+              "has " + std::to_string(bytes.size() - 1) + " of at least " + std::to_string(bytes.size()));
   EXPECT_SAYS(sentence, "cut off");
   EXPECT_SAYS(refusal(write_bytes("b.001", bytes.substr(0, 300))), "ends inside its NanoScope header");
 }
 
 TEST(Nanoscope_file, before_version_4_3_is_refused_with_a_way_out) {
-  const std::string old = "\\*File list\r\n\\Version: 0x04220200\r\n\\*NCAFM image list\r\n\\Z scale height: 12\r\n\\*File list end\r\n";
+  const std::string old =
+      "\\*File list\r\n\\Version: 0x04220200\r\n\\*NCAFM image list\r\n\\Z scale height: 12\r\n\\*File list "
+      "end\r\n";
   EXPECT_SAYS(refusal(write_bytes("a.001", old)), "before 4.3; open it in Gwyddion");
 }
 
@@ -119,20 +122,30 @@ TEST(Nanoscope_real_other_code, bruker_scan_has_the_rms_of_its_owners) {
   EXPECT_NEAR(height_statistics(levelled(map, Level::quadratic)).Sq, 1.310e-9, 0.0005e-9);
 }
 
-// The .gsf beside it was written in the order of the instrument's rows, bottom first, while the format says top first:
-// a viewer shows one as the mirror image of the other, and so do the readers. Heights agree to 32-bit rounding.
+// The .gsf beside it was written in the order of the instrument's rows, bottom first, while the format says
+// top first: a viewer shows one as the mirror image of the other, and so do the readers. Heights agree to
+// 32-bit rounding.
 TEST(Nanoscope_real_other_code, agrees_with_its_conversion_up_to_the_order_of_rows) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "topographies/SurfaceTopography_di-5.di");
   const auto converted = shared_file("topographies/di-5_1um_512.gsf");
-  if (!converted) GTEST_SKIP() << "no " "topographies/di-5_1um_512.gsf" " on this machine";
+  if (!converted)
+    GTEST_SKIP() << "no "
+                    "topographies/di-5_1um_512.gsf"
+                    " on this machine";
   EXPECT_LT(difference_to_mirrored(read_topography(path), read_topography(*converted)), 1e-15);
 }
 
 TEST(Nanoscope_real_other_code, diamond_scan_of_the_container_agrees_with_its_conversion) {
   const auto container = shared_file("topographies/SurfaceTopography_container-2.zip");
-  if (!container) GTEST_SKIP() << "no " "topographies/SurfaceTopography_container-2.zip" " on this machine";
+  if (!container)
+    GTEST_SKIP() << "no "
+                    "topographies/SurfaceTopography_container-2.zip"
+                    " on this machine";
   const auto converted = shared_file("topographies/UNCD_100nm_512.gsf");
-  if (!converted) GTEST_SKIP() << "no " "topographies/UNCD_100nm_512.gsf" " on this machine";
+  if (!converted)
+    GTEST_SKIP() << "no "
+                    "topographies/UNCD_100nm_512.gsf"
+                    " on this machine";
   const Topography map = read_topography(unpacked(*container, "gain_control_uncd_35_z03tr3R.001"));
   EXPECT_DOUBLE_EQ(map.lx, 1e-7);
   EXPECT_EQ(map.channel, "Height");
@@ -156,8 +169,13 @@ TEST(Nanoscope_real, written_as_gsf_and_read_again_has_the_same_orientation) {
 
 TEST(Nanoscope_real, profiles_of_the_container_are_refused_as_profiles) {
   const auto container = shared_file("topographies/SurfaceTopography_container-2.zip");
-  if (!container) GTEST_SKIP() << "no " "topographies/SurfaceTopography_container-2.zip" " on this machine";
-  EXPECT_SAYS(refusal(unpacked(*container, "80_Scale10.472_FIXEDv2p1_D7eHXiT.asc")), "a profile and not a map");
-  EXPECT_SAYS(refusal(unpacked(*container, "uncd_stylus_300um_5mar_3_k0HpKJt.txt")), "a profile and not a map");
+  if (!container)
+    GTEST_SKIP() << "no "
+                    "topographies/SurfaceTopography_container-2.zip"
+                    " on this machine";
+  EXPECT_SAYS(refusal(unpacked(*container, "80_Scale10.472_FIXEDv2p1_D7eHXiT.asc")),
+              "a profile and not a map");
+  EXPECT_SAYS(refusal(unpacked(*container, "uncd_stylus_300um_5mar_3_k0HpKJt.txt")),
+              "a profile and not a map");
   EXPECT_SAYS(refusal(*container), "unpack it");
 }

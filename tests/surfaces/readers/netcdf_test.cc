@@ -32,10 +32,12 @@ std::filesystem::path write_netcdf(const std::string& name, const NetcdfContent&
   for (const int axis : {x, y}) {
     if (content.sizes) nc_put_att_double(file, axis, "length", NC_DOUBLE, 1, &lengths[axis == y]);
     nc_put_att_int(file, axis, "periodic", NC_INT, 1, &content.periodic);
-    if (!content.unit.empty()) nc_put_att_text(file, axis, content.unit_name.c_str(), content.unit.size(), content.unit.data());
+    if (!content.unit.empty())
+      nc_put_att_text(file, axis, content.unit_name.c_str(), content.unit.size(), content.unit.data());
   }
   if (!content.heights_unit.empty())
-    nc_put_att_text(file, heights, content.unit_name.c_str(), content.heights_unit.size(), content.heights_unit.data());
+    nc_put_att_text(file, heights, content.unit_name.c_str(), content.heights_unit.size(),
+                    content.heights_unit.data());
   nc_enddef(file);
   std::vector<double> stored(6);
   for (int row = 0; row < 2; ++row)

@@ -75,7 +75,8 @@ TEST(Park_tiff, picture_without_heights_is_refused_with_a_reason) {
 
 TEST(Park_tiff, cut_off_anywhere_is_refused) {
   const std::string bytes = park_bytes(of_16_bit());
-  for (std::size_t length = 4; length + 4 < bytes.size(); ++length)  // the last four bytes say that no picture follows
+  for (std::size_t length = 4; length + 4 < bytes.size();
+       ++length)  // the last four bytes say that no picture follows
     EXPECT_SAYS(refusal(write_bytes("a.tiff", bytes.substr(0, length))), "cut off");
 }
 

@@ -32,7 +32,8 @@ TEST(Text_matrix, of_gwyddion_is_read_with_its_first_line_on_top) {
 
 TEST(Text_matrix, headers_of_other_writers_are_understood) {
   for (const std::string header :
-       {"size: 3 um x 2 um\nunit: nm\n", "# size = 3 x 2 um\n# unit = nm\n", "% pixel size: 1 um\n% height unit: nm\n",
+       {"size: 3 um x 2 um\nunit: nm\n", "# size = 3 x 2 um\n# unit = nm\n",
+        "% pixel size: 1 um\n% height unit: nm\n",
         "# Kanal: Topographie\r\n# Breite: 3 \xB5m\r\n# H\xF6he: 2 \xB5m\r\n# Werteinheiten: nm\r\n",
         "width: 3000 nm\nz-unit: nm\n", "xy unit: um\nlx: 3\nly: 2\nvalue unit: nm\n",
         "\xEF\xBB\xBF# Width: 3 ~m\n# Height: 2 ~m\n# Value units: nanometer\n"})
@@ -40,8 +41,9 @@ TEST(Text_matrix, headers_of_other_writers_are_understood) {
 }
 
 TEST(Text_matrix, separators_and_decimal_commas_are_understood) {
-  for (const std::string body : {"1 2 3\n4 5 6\n", "1,2,3\n4,5,6\n", "1, 2, 3\n4, 5, 6\n", "1;2;3;\n4;5;6;\n", "1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n",
-                                 "1,0;2,0;3,0\n4,0;5,0;6,0\n", "\n1 2 3\r\n\r\n4 5 6", "1e0 +2 3.0\n# remark\n4 5 6\n"})
+  for (const std::string body : {"1 2 3\n4 5 6\n", "1,2,3\n4,5,6\n", "1, 2, 3\n4, 5, 6\n", "1;2;3;\n4;5;6;\n",
+                                 "1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n", "1,0;2,0;3,0\n4,0;5,0;6,0\n",
+                                 "\n1 2 3\r\n\r\n4 5 6", "1e0 +2 3.0\n# remark\n4 5 6\n"})
     expect_common_map(read_text(gwyddion_header + body));
 }
 
@@ -56,7 +58,8 @@ TEST(Text_matrix, words_for_missing_points_are_a_mask) {
 
 TEST(Text_matrix, without_size_asks_for_it) {
   const std::string content = "# Value units: nm\n1 2 3 4\n4 5 6 7\n";
-  EXPECT_SAYS(text_refusal(content), "does not say how wide the map is; pass its size, for example --size \"2.5 um\"");
+  EXPECT_SAYS(text_refusal(content),
+              "does not say how wide the map is; pass its size, for example --size \"2.5 um\"");
   ReadOptions options;
   options.size_x_m = 4e-6;
   EXPECT_DOUBLE_EQ(read_text(content, options).ly, 2e-6);  // square pixels
@@ -83,7 +86,8 @@ TEST(Text_matrix, of_other_values_is_refused) {
 
 TEST(Text_matrix, cut_off_in_a_line_is_refused_with_the_line) {
   EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5"), "line 6 of");
-  EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5"), "has 2 numbers where the first row has 3: it is cut off");
+  EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5"),
+              "has 2 numbers where the first row has 3: it is cut off");
   EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5 six\n"), "line 6 of");
 }
 
@@ -96,7 +100,9 @@ TEST(Text_matrix, without_any_valid_height_is_refused) {
   EXPECT_SAYS(text_refusal(gwyddion_header + "nan nan nan\nnan nan nan\n"), "holds no valid height");
 }
 
-TEST(Xyz_file, is_put_on_its_grid_with_y_upwards) { expect_common_map(read_topography(write_bytes("a.xyz", points()))); }
+TEST(Xyz_file, is_put_on_its_grid_with_y_upwards) {
+  expect_common_map(read_topography(write_bytes("a.xyz", points())));
+}
 
 TEST(Xyz_file, units_of_column_titles_are_understood) {
   expect_common_map(read_topography(write_bytes("a.xyz", points("x [um]  y [um]  z [nm]\n"))));
@@ -105,8 +111,8 @@ TEST(Xyz_file, units_of_column_titles_are_understood) {
 
 TEST(Xyz_file, without_units_is_metres_only_if_plausible) {
   EXPECT_SAYS(refusal(write_bytes("a.xyz", points(""))), "names no unit of length");
-  const Topography map = read_topography(
-      write_bytes("b.xyz", "0 0 4e-9\n1e-6 0 5e-9\n2e-6 0 6e-9\n0 1e-6 1e-9\n1e-6 1e-6 2e-9\n2e-6 1e-6 3e-9\n"));
+  const Topography map = read_topography(write_bytes(
+      "b.xyz", "0 0 4e-9\n1e-6 0 5e-9\n2e-6 0 6e-9\n0 1e-6 1e-9\n1e-6 1e-6 2e-9\n2e-6 1e-6 3e-9\n"));
   expect_common_map(map);
   EXPECT_SAYS(map.source, "metres taken");
 }
@@ -122,10 +128,12 @@ TEST(Xyz_file, places_without_a_point_are_missing) {
 
 TEST(Xyz_file, off_a_grid_is_refused) {
   const std::string header = "# unit: um\n";
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", header + "0 0 0\n1 0 0\n2 0 0\n3.5 0 0\n0 1 0\n1 1 0\n2 1 0\n3.5 1 0\n")),
-              "no regular grid");
+  EXPECT_SAYS(
+      refusal(write_bytes("a.xyz", header + "0 0 0\n1 0 0\n2 0 0\n3.5 0 0\n0 1 0\n1 1 0\n2 1 0\n3.5 1 0\n")),
+      "no regular grid");
   EXPECT_SAYS(refusal(write_bytes("b.xyz", points() + "0.5 0.5 9\n")), "two points at one place");
-  EXPECT_SAYS(refusal(write_bytes("c.xyz", header + "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")), "a profile and not a map");
+  EXPECT_SAYS(refusal(write_bytes("c.xyz", header + "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")),
+              "a profile and not a map");
 }
 
 TEST(Any_file, empty_is_refused) {
@@ -134,14 +142,18 @@ TEST(Any_file, empty_is_refused) {
 }
 
 TEST(Any_file, of_another_kind_is_refused_with_what_is_read) {
-  EXPECT_SAYS(refusal(write_bytes("a.pdf", "%PDF-1.4\nhello\n")), "is of a kind that is not read; pass one of Gwyddion Simple Field");
-  EXPECT_SAYS(refusal(write_bytes("b.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\0", 12))), "of a kind that is not read");
-  EXPECT_SAYS(refusal(write_bytes("c.gsf", "hello")), "is named like Gwyddion Simple Field (.gsf) but does not begin with");
-  EXPECT_SAYS(refusal(write_bytes("d.md", "# A title\n\nSome words of prose.\n")), "of a kind that is not read");
+  EXPECT_SAYS(refusal(write_bytes("a.pdf", "%PDF-1.4\nhello\n")),
+              "is of a kind that is not read; pass one of Gwyddion Simple Field");
+  EXPECT_SAYS(refusal(write_bytes("b.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\0", 12))),
+              "of a kind that is not read");
+  EXPECT_SAYS(refusal(write_bytes("c.gsf", "hello")),
+              "is named like Gwyddion Simple Field (.gsf) but does not begin with");
+  EXPECT_SAYS(refusal(write_bytes("d.md", "# A title\n\nSome words of prose.\n")),
+              "of a kind that is not read");
 }
 
 TEST(Any_file, that_is_not_there_is_refused_by_name) {
-  EXPECT_SAYS(refusal("/nowhere/a.gsf"), "/nowhere/a.gsf");
+  EXPECT_SAYS(refusal("no-such-folder/a.gsf"), "no-such-folder/a.gsf");
 }
 
 TEST(Any_file, size_that_is_no_length_is_refused) {
@@ -152,7 +164,8 @@ TEST(Any_file, size_that_is_no_length_is_refused) {
 
 TEST(Description, says_pixels_size_orientation_channel_scale_and_missing_points) {
   const std::string line = describe(read_text(gwyddion_header + rows));
-  for (const std::string part : {"3 x 2 pixels", "3 um x 2 um", "x right, y up", "heights from 1 nm to 6 nm", "channel 'Height'",
-                                 "no missing points", "text matrix", "heights in nm", "first row stored is the top"})
+  for (const std::string part :
+       {"3 x 2 pixels", "3 um x 2 um", "x right, y up", "heights from 1 nm to 6 nm", "channel 'Height'",
+        "no missing points", "text matrix", "heights in nm", "first row stored is the top"})
     EXPECT_SAYS(line, part);
 }

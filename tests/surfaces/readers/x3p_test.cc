@@ -5,17 +5,17 @@ using namespace asperity::test;
 
 namespace {
 
-/// Stored numbers, bottom row first.
+/// Stored numbers, top row first.
 template <class T>
 std::string stored(double unit) {
   std::string data;
-  for (const int nm : {4, 5, 6, 1, 2, 3}) data += raw<T>(static_cast<T>(nm * unit));
+  for (const int nm : {1, 2, 3, 4, 5, 6}) data += raw<T>(static_cast<T>(nm * unit));
   return data;
 }
 
 }  // namespace
 
-TEST(X3p_file, of_floats_is_read_in_metres_with_its_first_row_at_the_bottom) {
+TEST(X3p_file, of_floats_is_read_in_metres_with_its_first_row_on_top) {
   const Topography map = read_topography(
       write_zip("a.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", stored<double>(1e-9)}}));
   expect_common_map(map);
@@ -27,22 +27,23 @@ TEST(X3p_file, of_integers_is_scaled_by_increment_and_offset) {
   const std::string scale = "<Increment>1e-10</Increment><Offset>-1e-9</Offset>";
   const auto integers = [&](auto zero) {
     std::string data;
-    for (const int nm : {4, 5, 6, 1, 2, 3}) data += raw(static_cast<decltype(zero)>(10 * (nm + 1)));
+    for (const int nm : {1, 2, 3, 4, 5, 6}) data += raw(static_cast<decltype(zero)>(10 * (nm + 1)));
     return data;
   };
-  expect_common_map(read_topography(
-      write_zip("a.x3p", {{"main.xml", x3p_main("I", scale, "")}, {"bindata/data.bin", integers(std::int16_t{})}})));
-  expect_common_map(read_topography(
-      write_zip("b.x3p", {{"main.xml", x3p_main("L", scale, "")}, {"bindata/data.bin", integers(std::int32_t{})}})));
+  expect_common_map(read_topography(write_zip(
+      "a.x3p", {{"main.xml", x3p_main("I", scale, "")}, {"bindata/data.bin", integers(std::int16_t{})}})));
+  expect_common_map(read_topography(write_zip(
+      "b.x3p", {{"main.xml", x3p_main("L", scale, "")}, {"bindata/data.bin", integers(std::int32_t{})}})));
 }
 
 TEST(X3p_file, invalid_points_are_missing) {
   const std::string link = "<ValidPointsLink>bindata/valid.bin</ValidPointsLink>";
-  const Topography map = read_topography(write_zip("a.x3p", {{"main.xml", x3p_main("D", "", link)},
-                                                             {"bindata/data.bin", stored<double>(1e-9)},
-                                                             {"bindata/valid.bin", std::string(1, '\x37')}}));  // not bit 3
+  const Topography map =
+      read_topography(write_zip("a.x3p", {{"main.xml", x3p_main("D", "", link)},
+                                          {"bindata/data.bin", stored<double>(1e-9)},
+                                          {"bindata/valid.bin", std::string(1, '\x37')}}));  // not bit 3
   EXPECT_EQ(map.missing_count(), 1u);
-  EXPECT_TRUE(std::isnan(map.at(0, 1)));
+  EXPECT_TRUE(std::isnan(map.at(0, 0)));
 }
 
 TEST(X3p_file, without_spacing_asks_for_the_size) {
@@ -55,8 +56,8 @@ TEST(X3p_file, without_spacing_asks_for_the_size) {
 }
 
 TEST(X3p_file, with_too_few_data_is_refused) {
-  const auto path = write_zip(
-      "a.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", stored<double>(1e-9).substr(0, 40)}});
+  const auto path = write_zip("a.x3p", {{"main.xml", x3p_main("D", "", "")},
+                                        {"bindata/data.bin", stored<double>(1e-9).substr(0, 40)}});
   EXPECT_SAYS(refusal(path), "has 40 of the 48 bytes of heights");
 }
 
