@@ -1,0 +1,133 @@
+#include "dem_compare/comparison.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders of cases whose force is a known multiple of Hertz's.
+class ComparedFolders : public testing::Test {
+ protected:
+  void SetUp() override {
+    root = fs::temp_directory_path() / ("asperity-comparison-" + std::to_string(::getpid()));
+    fs::create_directories(root);
+  }
+  void TearDown() override { fs::remove_all(root); }
+
+  /// A contact that behaves as a sphere of `softness` times the radius, its approach counted from `offset`.
+  fs::path write_case(const std::string& name, double softness, double offset = 0, const std::string& seed = "1",
+                      const std::string& spacing = "10 nm", bool finished = true) {
+    const fs::path folder = root / name;
+    fs::create_directories(folder);
+    const std::string inputs =
+        "subsection Particle\n set Radius = 8.5 um\n set Young modulus = 71 GPa\n set Poisson ratio = 0.17\n"
+        " set Topography = generated(rms=1.5 nm, seed=" + seed + ")\nend\n"
+        "subsection Substrate\n set Young modulus = 179 GPa\n set Poisson ratio = 0.25\nend\n"
+        "subsection Mesh\n set Interface spacing = " + spacing + "\nend\n";
+    write_file_atomically(folder / "case.prm", "set Title = " + name + "\n" + inputs);
+    const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6 * softness};
+    ContactHistory history;
+    for (int i = 1; i <= 8; ++i) {
+      for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+      const double force = i * 1.25e-4;
+      history.normal_force.back() = force;
+      history.normal_displacement.back() = hertz.approach(force) + offset;
+      history.contact_area.back() = hertz.contact_area(force);
+      history.max_pressure.back() = hertz.peak_pressure(force);
+    }
+    write_file_atomically(folder / "history.csv", format_history(history));
+    if (finished) write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1"})");
+    return folder;
+  }
+
+  fs::path root;
+};
+
+TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load) {
+  const Comparison comparison = compare_with_hertz(collect_cases({write_case("smooth", 1)}), 0.05);
+  ASSERT_EQ(comparison.groups.size(), 1u);
+  const GroupComparison& group = comparison.groups[0];
+  for (const auto& load : group.loads) {
+    EXPECT_NEAR(load.force_ratio.mean, 1, 1e-6);
+    EXPECT_NEAR(load.stiffness_ratio.mean, 1, 1e-6);
+    EXPECT_NEAR(load.area_ratio.mean, 1, 1e-6);
+    EXPECT_NEAR(load.pressure_ratio.mean, 1, 1e-6);
+  }
+  EXPECT_NEAR(group.hertzian_from, 1.25e-4, 1e-10);
+  EXPECT_EQ(group.verdict.find("softer"), std::string::npos);
+  EXPECT_NEAR(group.numbers.fitted_radius.mean, 8.5e-6, 1e-11);
+  EXPECT_FALSE(group.mesh.has_value());
+}
+
+TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_root_of_its_radius) {
+  const Comparison comparison = compare_with_hertz(collect_cases({write_case("soft", 0.512)}), 0.05);
+  // k = 2 E* (R delta)^(1/2) at given load scales with R^(1/3): 0.512^(1/3) = 0.8
+  EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_ratio.mean, 0.8, 1e-6);
+  EXPECT_TRUE(std::isnan(comparison.groups[0].hertzian_from));
+  EXPECT_NE(comparison.groups[0].verdict.find("softer than Hertz by 20 % still at 1 mN"), std::string::npos)
+      << comparison.groups[0].verdict;
+}
+
+TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_contact) {
+  const Comparison comparison =
+      compare_with_hertz(collect_cases({write_case("a", 0.9, 0, "1"), write_case("b", 1.1, 0, "2")}), 0.05);
+  ASSERT_EQ(comparison.groups.size(), 1u);
+  EXPECT_EQ(comparison.groups[0].realisations, 2);
+  const Scatter& ratio = comparison.groups[0].loads.back().stiffness_ratio;
+  EXPECT_NEAR(ratio.mean, (std::cbrt(0.9) + std::cbrt(1.1)) / 2, 1e-6);
+  EXPECT_NEAR(ratio.sd, (std::cbrt(1.1) - std::cbrt(0.9)) / std::sqrt(2.0), 1e-6);
+}
+
+TEST_F(ComparedFolders, cases_that_differ_by_their_spacing_give_the_mesh_error_and_stay_apart_from_the_scatter) {
+  const Comparison comparison = compare_with_hertz(
+      collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.1, 0, "1", "10 nm")}), 0.05);
+  ASSERT_EQ(comparison.groups.size(), 2u);
+  ASSERT_TRUE(comparison.groups[0].mesh.has_value());
+  EXPECT_TRUE(comparison.groups[0].mesh->order_is_assumed);
+  const double limit = 1 - (std::cbrt(1.1) - 1);  // first order: the step from 10 to 5 nm once more
+  EXPECT_NEAR(comparison.groups[0].mesh->relative_error, 1 / limit - 1, 1e-6);
+  EXPECT_NEAR(comparison.groups[1].mesh->relative_error, std::cbrt(1.1) / limit - 1, 1e-6);
+  EXPECT_TRUE(std::isnan(comparison.groups[0].loads.back().stiffness_ratio.sd));
+}
+
+TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing) {
+  write_case("rough-r1", 0.9);
+  write_case("rough-r2", 0.9, 0, "2", "10 nm", false);
+  const auto entry = [](const std::string& name, const std::string& state) {
+    return R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Surface": "rough"}, "state": ")" + state + R"("})";
+  };
+  write_file_atomically(root / "study.json", R"({"format": "asperity-study/1", "title": "S", "axes": [{"name": "Surface",
+      "values": ["rough"]}], "cases": [)" + entry("rough-r1", "done") + "," + entry("rough-r2", "stopped") + "," +
+      entry("rough-r3", "done") + "]}");
+  const Comparison comparison = compare_with_hertz(collect_cases({root}), 0.05);
+  EXPECT_EQ(comparison.planned, 3u);
+  ASSERT_EQ(comparison.missing.size(), 2u);
+  EXPECT_EQ(comparison.missing[0].state, "stopped");
+  EXPECT_EQ(comparison.missing[1].state, "its folder is gone");
+  ASSERT_EQ(comparison.groups.size(), 1u);
+  EXPECT_EQ(comparison.groups[0].label, "rough");
+  const std::string markdown = to_markdown(comparison);
+  EXPECT_NE(markdown.find("rough-r2: stopped"), std::string::npos);
+  EXPECT_EQ(to_json(comparison)["missing"].size(), 2u);
+}
+
+TEST_F(ComparedFolders, a_folder_that_is_neither_case_nor_study_is_refused) {
+  EXPECT_THROW(collect_cases({root}), InputError);
+}
+
+TEST(PlusMinus, shows_as_many_digits_as_the_scatter_deserves) {
+  EXPECT_EQ(plus_minus({3, 0.93123, 0.0213, 0.01}), "0.931 ± 0.021");
+  EXPECT_EQ(plus_minus({3, 24321.0, 512.0, 300}, 1000), "24.32 ± 0.51");
+  EXPECT_EQ(plus_minus({1, 0.93123, std::nan(""), std::nan("")}), "0.931");
+}
+
+}  // namespace
+}  // namespace asperity
