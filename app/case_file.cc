@@ -207,11 +207,24 @@ CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
   return input;
 }
 
+Settings complete_settings(const Settings& settings, const fs::path& file) {
+  const CaseInput input = case_from_settings(settings, file);
+  Settings complete;
+  for (const auto& entry : case_entries()) {
+    Setting setting{entry.section, entry.name, entry.default_text, file.string()};
+    for (const auto& given : settings)
+      if (given.section == entry.section && given.entry == entry.name) setting = given;
+    if (entry.name == "Topography") {
+      const std::string& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
+      if (fs::is_regular_file(found)) setting.value = fs::absolute(found).lexically_normal().string();
+    }
+    complete.push_back(setting);
+  }
+  return complete;
+}
+
 CaseInput read_case(const fs::path& file, const std::vector<std::string>& overrides) {
-  if (!fs::exists(file)) throw InputError("there is no case file '" + file.string() + "'");
-  Settings settings = read_settings(file);
-  for (const auto& text : overrides) override_setting(settings, parse_override(text));
-  return case_from_settings(settings, file);
+  return case_from_settings(read_settings(file, overrides), file);
 }
 
 }  // namespace asperity

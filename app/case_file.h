@@ -16,6 +16,10 @@ CaseInput read_case(const std::filesystem::path& file, const std::vector<std::st
 /// Case of settings already read from `file` (for messages, and the folder topography files are looked for in).
 CaseInput case_from_settings(const Settings& settings, const std::filesystem::path& file);
 
+/// Every entry of a case in the order of the manual, defaults written out and files of topographies named in full, so
+/// that it can be read from any folder. Expects settings that case_from_settings accepts.
+Settings complete_settings(const Settings& settings, const std::filesystem::path& file);
+
 /// Refuses a setting whose name is no entry of a case file: names the nearest right one.
 void check_entry_exists(const Setting& setting);
 

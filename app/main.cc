@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "app/case_command.h"
+#if __has_include("dem_compare/comparison.h")
+#include "app/compare_command.h"
+#endif
 #if __has_include("fem/mesh_case.h")
 #include "app/mesh_command.h"
 #endif
@@ -18,9 +21,7 @@
 #include "app/solve_command.h"
 #endif
 #include "app/study_command.h"
-#if __has_include("app/surface_command.h")
 #include "app/surface_command.h"
-#endif
 #include "core/error.h"
 
 namespace {
@@ -57,9 +58,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
       "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
-#if __has_include("app/surface_command.h")
   asperity::add_surface_command(app);
-#endif
 #if __has_include("fem/mesh_case.h")
   asperity::add_mesh_command(app);
 #endif
@@ -67,6 +66,9 @@ int main(int argc, char** argv) {
   asperity::add_solve_command(app);
 #endif
   asperity::add_study_command(app);
+#if __has_include("dem_compare/comparison.h")
+  asperity::add_compare_command(app);
+#endif
 #if __has_include("report/report.h")
   asperity::add_report_command(app);
 #endif

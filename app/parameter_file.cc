@@ -174,17 +174,24 @@ Settings read_json(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-Settings read_settings(const fs::path& file) {
+Settings read_settings(const fs::path& file, const std::vector<std::string>& overrides) {
+  if (!fs::exists(file)) throw InputError("there is no file '" + file.string() + "'");
   const std::string text = read_file(file);
   if (text.find('\0') != std::string::npos)
     throw InputError(file.string() + ": this is a binary file, not a parameter file");
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos)
     throw InputError(file.string() + ": the file is empty; `asperity case-template` prints one to start from");
-  if (text[first] == '{') return read_json(file, text);
-  PrmReader reader;
-  reader.read(file);
-  return reader.settings;
+  Settings settings;
+  if (text[first] == '{') {
+    settings = read_json(file, text);
+  } else {
+    PrmReader reader;
+    reader.read(file);
+    settings = std::move(reader.settings);
+  }
+  for (const auto& override_text : overrides) override_setting(settings, parse_override(override_text));
+  return settings;
 }
 
 Setting parse_override(const std::string& text) {

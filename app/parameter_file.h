@@ -20,8 +20,9 @@ struct Setting {
 
 using Settings = std::vector<Setting>;
 
-/// Settings of a file in their order, JSON if its first character is '{'. Throws InputError naming file and line.
-Settings read_settings(const std::filesystem::path& file);
+/// Settings of a file in their order, JSON if its first character is '{', after `overrides` (see parse_override).
+/// Throws InputError naming file and line.
+Settings read_settings(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// `Section/Entry=value` as given to --set.
 Setting parse_override(const std::string& text);

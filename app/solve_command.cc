@@ -9,6 +9,7 @@
 
 #include "app/case_declaration.h"
 #include "app/case_file.h"
+#include "app/case_folder.h"
 #include "app/mpi_session.h"
 #include "fem/solve_case.h"
 
@@ -22,7 +23,9 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments) {
-  const CaseInput input = read_case(arguments.file, arguments.overrides);
+  const Settings settings = read_settings(arguments.file, arguments.overrides);
+  const CaseInput input = case_from_settings(settings, arguments.file);
+  if (is_speaking_rank()) remember_case(settings, arguments.file, arguments.output, arguments.resume);
   with_mpi(input.solver.threads, [&] {
     SolveOptions options;
     options.output = arguments.output;

@@ -134,7 +134,6 @@ class StudyReader {
   explicit StudyReader(const fs::path& file) { study_.file = file; }
 
   Study read() {
-    if (!fs::exists(study_.file)) throw InputError("there is no study file '" + study_.file.string() + "'");
     for (const auto& setting : read_settings(study_.file)) take(setting);
     if (!variants_.choices.empty()) axes_.push_back(variants_);
     merge_base();
@@ -239,7 +238,7 @@ class StudyReader {
     }
     if (cell.name.empty()) cell.name = "case";
     override_setting(cell.settings, {"", "Title", title, study_.file.string()});
-    case_from_settings(cell.settings, study_.file);
+    cell.settings = complete_settings(cell.settings, study_.file);
     study_.cases.push_back(std::move(cell));
   }
 

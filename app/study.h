@@ -34,7 +34,7 @@ struct StudyCase {
   std::string name;                 ///< its folder: "1_mN-untreated-r2"
   std::vector<std::string> labels;  ///< one of each axis
   int realisation = 1;              ///< counted from 1
-  Settings settings;                ///< the complete case
+  Settings settings;                ///< every entry of the case
 };
 
 struct Study {

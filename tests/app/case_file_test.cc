@@ -128,6 +128,21 @@ TEST(CaseFile, a_scan_is_looked_for_beside_the_case_file) {
   EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography, (folder.path / "scan.gsf").string());
 }
 
+TEST(CaseFile, completed_it_says_the_same_from_any_folder) {
+  const TemporaryFolder folder;
+  folder.write("cases/scan.gsf", "x");
+  const auto file = folder.write("cases/case.prm", smooth_case() + "subsection Mesh\n set Layers = 6\nend\n");
+  Settings settings = read_settings(file);
+  override_setting(settings, parse_override("Substrate/Topography=scan.gsf"));
+  const Settings complete = complete_settings(settings, file);
+  EXPECT_EQ(complete.size(), case_entries().size());
+  const auto again = read_case(folder.write("elsewhere/case.prm", format_settings(complete)));
+  EXPECT_EQ(again.substrate.topography, (folder.path / "cases/scan.gsf").string());
+  EXPECT_DOUBLE_EQ(again.radius, 8.5e-6);
+  EXPECT_EQ(again.mesh.layers, 6);
+  EXPECT_EQ(again.title, "");
+}
+
 TEST(CaseFile, the_template_is_a_case_file_and_holds_the_defaults) {
   const TemporaryFolder folder;
   const auto settings = read_settings(folder.write("case.prm", case_template()));

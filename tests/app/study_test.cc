@@ -79,7 +79,7 @@ TEST(Study, variants_set_several_entries_together) {
       " end\nend\n");
   ASSERT_EQ(study.cases.size(), 2u);
   EXPECT_EQ(study.axes[0].name, "Material");
-  EXPECT_EQ(value_of(study.cases[0], "Particle/Yield stress"), "");
+  EXPECT_EQ(value_of(study.cases[0], "Particle/Yield stress"), "inf");
   EXPECT_EQ(value_of(study.cases[1], "Particle/Yield stress"), "3 GPa");
   EXPECT_EQ(value_of(study.cases[1], "Substrate/Yield stress"), "4 GPa");
 }
