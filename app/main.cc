@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "app/case_command.h"
-#if __has_include("dem_compare/comparison.h")
 #include "app/compare_command.h"
-#endif
 #if __has_include("fem/mesh_case.h")
 #include "app/mesh_command.h"
 #endif
@@ -66,9 +64,7 @@ int main(int argc, char** argv) {
   asperity::add_solve_command(app);
 #endif
   asperity::add_study_command(app);
-#if __has_include("dem_compare/comparison.h")
   asperity::add_compare_command(app);
-#endif
 #if __has_include("report/report.h")
   asperity::add_report_command(app);
 #endif
