@@ -1,4 +1,5 @@
-// asperity surface measure | generate | afm: topographies measured, made, and judged as a microscope would see them.
+// asperity surface measure | generate | afm: topographies measured, made, and judged as a microscope would
+// see them.
 #pragma once
 
 namespace CLI {

@@ -36,7 +36,8 @@ Autocorrelation autocorrelation(const Topography& map) {
       heights[static_cast<std::size_t>(iy) * padded_nx + ix] = map.at(ix, iy) - mean;
       mask[static_cast<std::size_t>(iy) * padded_nx + ix] = 1;
     }
-  const std::vector<double> products = correlate(heights, padded_nx, padded_ny), pairs = correlate(mask, padded_nx, padded_ny);
+  const std::vector<double> products = correlate(heights, padded_nx, padded_ny),
+                            pairs = correlate(mask, padded_nx, padded_ny);
 
   Autocorrelation result;
   result.reach_x = map.periodic ? (map.nx - 1) / 2 : map.nx / 2;

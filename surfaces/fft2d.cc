@@ -31,7 +31,8 @@ Buffer<double> real_buffer(int n) { return Buffer<double>(fftw_alloc_real(n)); }
 class Plan {
  public:
   explicit Plan(fftw_plan plan) : plan_(plan) {
-    if (!plan_) throw WorkError("FFTW could not plan a transform; try a number of pixels with small prime factors");
+    if (!plan_)
+      throw WorkError("FFTW could not plan a transform; try a number of pixels with small prime factors");
   }
   Plan(const Plan&) = delete;
   ~Plan() {

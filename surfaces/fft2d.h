@@ -1,5 +1,5 @@
-// Two-dimensional Fourier transform of real maps whose result does not depend on the number of threads: one serial
-// FFTW plan per direction, rows and columns shared out among OpenMP threads.
+// Two-dimensional Fourier transform of real maps whose result does not depend on the number of threads: one
+// serial FFTW plan per direction, rows and columns shared out among OpenMP threads.
 #pragma once
 
 #include <complex>

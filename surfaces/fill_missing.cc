@@ -73,7 +73,8 @@ void fill(Level& level) {
 Topography fill_missing(const Topography& map) {
   const std::size_t missing = map.missing_count();
   if (missing == 0) return map;
-  if (missing == map.heights.size()) throw InputError("the topography '" + map.source + "' has missing points only");
+  if (missing == map.heights.size())
+    throw InputError("the topography '" + map.source + "' has missing points only");
   Level level{map.nx, map.ny, map.heights, std::vector<std::uint8_t>(map.missing.size())};
   for (std::size_t i = 0; i < level.known.size(); ++i) level.known[i] = !map.missing[i];
   fill(level);

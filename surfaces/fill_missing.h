@@ -1,5 +1,6 @@
-// Missing pixels filled by the smoothest heights that their surroundings allow: the discrete Laplace equation with the
-// known pixels as boundary values (membrane interpolation), solved by a coarse-to-fine start and relaxation.
+// Missing pixels filled by the smoothest heights that their surroundings allow: the discrete Laplace equation
+// with the known pixels as boundary values (membrane interpolation), solved by a coarse-to-fine start and
+// relaxation.
 #pragma once
 
 #include "surfaces/topography.h"

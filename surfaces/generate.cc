@@ -10,7 +10,8 @@
 namespace asperity {
 namespace {
 
-/// Calls visit(ix, iy, kx, ky, q) for each wave vector of row iy of the half spectrum below the Nyquist wave number.
+/// Calls visit(ix, iy, kx, ky, q) for each wave vector of row iy of the half spectrum below the Nyquist wave
+/// number.
 template <typename Visit>
 void for_each_wave_vector(int iy, int nx, int ny, double lx, double ly, Visit visit) {
   const int ky = signed_wave_number(iy, ny);
@@ -48,12 +49,14 @@ double discrete_variance(const Spectrum& spectrum, int nx, int ny, double lx, do
 Topography generate_periodic(const Spectrum& spectrum, const GenerateOptions& options) {
   const int nx = options.nx, ny = options.ny;
   const double lx = options.lx, ly = options.ly, rms = options.rms;
-  if (nx < 2 || ny < 2 || !(lx > 0) || !(ly > 0)) throw InputError("a generated surface needs a size and at least 2 x 2 pixels");
+  if (nx < 2 || ny < 2 || !(lx > 0) || !(ly > 0))
+    throw InputError("a generated surface needs a size and at least 2 x 2 pixels");
   double scale = 1 / std::sqrt(lx * ly);
   if (rms >= 0) {
     const double variance = discrete_variance(spectrum, nx, ny, lx, ly);
     if (rms > 0 && !(variance > 0))
-      throw InputError("no wave of the spectrum fits between the size and two pixels; take a larger size or more pixels");
+      throw InputError(
+          "no wave of the spectrum fits between the size and two pixels; take a larger size or more pixels");
     scale *= rms > 0 ? rms / std::sqrt(variance) : 0.0;
   }
 
@@ -67,7 +70,8 @@ Topography generate_periodic(const Spectrum& spectrum, const GenerateOptions& op
       const bool mirrored = kx == 0 && ky < 0;  // a(-q) = conj a(q)
       std::complex<double> a = unit_amplitude(kx, mirrored ? -ky : ky, options);
       if (mirrored) a = std::conj(a);
-      // pixel centres lie half a pixel from the origin: with this phase the surface does not move with the pixel size
+      // pixel centres lie half a pixel from the origin: with this phase the surface does not move with the
+      // pixel size
       const double phase = M_PI * (static_cast<double>(kx) / nx + static_cast<double>(ky) / ny);
       half[static_cast<std::size_t>(iy) * columns + kx] = a * std::polar(scale * std::sqrt(C), phase);
     });
@@ -93,7 +97,8 @@ Topography cut_window(const Topography& periodic, int ix, int iy, int nx, int ny
   return window;
 }
 
-Topography generate_window(const Spectrum& spectrum, double longest_wavelength, const GenerateOptions& options) {
+Topography generate_window(const Spectrum& spectrum, double longest_wavelength,
+                           const GenerateOptions& options) {
   constexpr double margin = 8;  // longest wavelengths between a window and its periodic image
   GenerateOptions larger = options;
   const double dx = options.lx / options.nx, dy = options.ly / options.ny;
@@ -101,7 +106,8 @@ Topography generate_window(const Spectrum& spectrum, double longest_wavelength, 
   larger.ny = fast_fft_length((options.ly + margin * longest_wavelength) / dy);
   larger.lx = larger.nx * dx, larger.ly = larger.ny * dy;
   const Topography periodic = generate_periodic(spectrum, larger);
-  return cut_window(periodic, (larger.nx - options.nx) / 2, (larger.ny - options.ny) / 2, options.nx, options.ny);
+  return cut_window(periodic, (larger.nx - options.nx) / 2, (larger.ny - options.ny) / 2, options.nx,
+                    options.ny);
 }
 
 }  // namespace asperity

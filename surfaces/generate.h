@@ -8,33 +8,38 @@
 
 namespace asperity {
 
-/// random: real and imaginary parts of each amplitude are Gaussian (a sample of the Gaussian field; Sq and PSD scatter
-/// from seed to seed). fixed: |a_q| = sqrt(C/(lx ly)), only the phase is random (Sq is met exactly on the period).
+/// random: real and imaginary parts of each amplitude are Gaussian (a sample of the Gaussian field; Sq and
+/// PSD scatter from seed to seed). fixed: |a_q| = sqrt(C/(lx ly)), only the phase is random (Sq is met
+/// exactly on the period).
 enum class Amplitudes { random, fixed };
 
 struct GenerateOptions {
-  int nx = 0, ny = 0;      ///< pixels
-  double lx = 0, ly = 0;   ///< size [m]
+  int nx = 0, ny = 0;     ///< pixels
+  double lx = 0, ly = 0;  ///< size [m]
   std::uint64_t seed = 1;
   Amplitudes amplitudes = Amplitudes::random;
-  /// Sq that the discrete sum over the period is scaled to [m]; negative: the spectrum's own magnitude is kept
+  /// Sq that the discrete sum over the period is scaled to [m]; negative: the spectrum's own magnitude is
+  /// kept
   double rms = -1;
 };
 
-/// Periodic map with period lx x ly. The amplitude of a wave vector depends on (seed, its integer wave numbers) only:
-/// the result is bit for bit the same on any number of threads, and the same surface on any pixel grid that resolves
-/// the spectrum. Wave vectors at or above the Nyquist wave number are left out.
+/// Periodic map with period lx x ly. The amplitude of a wave vector depends on (seed, its integer wave
+/// numbers) only: the result is bit for bit the same on any number of threads, and the same surface on any
+/// pixel grid that resolves the spectrum. Wave vectors at or above the Nyquist wave number are left out.
 /// Throws InputError if nothing of the spectrum fits between the period and two pixels.
 Topography generate_periodic(const Spectrum& spectrum, const GenerateOptions& options);
 
-/// Non-periodic map: a window of lx x ly (pixels nx x ny, the same pixel size) in the centre of a larger periodic map
-/// whose period is at least lx + 8 `longest_wavelength`; `rms` then belongs to the larger map.
-Topography generate_window(const Spectrum& spectrum, double longest_wavelength, const GenerateOptions& options);
+/// Non-periodic map: a window of lx x ly (pixels nx x ny, the same pixel size) in the centre of a larger
+/// periodic map whose period is at least lx + 8 `longest_wavelength`; `rms` then belongs to the larger map.
+Topography generate_window(const Spectrum& spectrum, double longest_wavelength,
+                           const GenerateOptions& options);
 
-/// sum over the wave vectors of a periodic map of C(|q|)/(lx ly) [m^2]: the expected Sq^2 of generate_periodic.
+/// sum over the wave vectors of a periodic map of C(|q|)/(lx ly) [m^2]: the expected Sq^2 of
+/// generate_periodic.
 double discrete_variance(const Spectrum& spectrum, int nx, int ny, double lx, double ly);
 
-/// The nx x ny pixels of a periodic map that start at pixel (ix, iy), as a non-periodic map; every `stride`-th is taken.
+/// The nx x ny pixels of a periodic map that start at pixel (ix, iy), as a non-periodic map; every
+/// `stride`-th is taken.
 Topography cut_window(const Topography& periodic, int ix, int iy, int nx, int ny, int stride = 1);
 
 }  // namespace asperity

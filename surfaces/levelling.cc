@@ -10,18 +10,19 @@ namespace asperity {
 namespace {
 
 constexpr std::array<std::pair<Level, const char*>, 6> names{{{Level::mean, "mean"},
-                                                               {Level::plane, "plane"},
-                                                               {Level::quadratic, "quadratic"},
-                                                               {Level::rows0, "rows0"},
-                                                               {Level::rows1, "rows1"},
-                                                               {Level::rows2, "rows2"}}};
+                                                              {Level::plane, "plane"},
+                                                              {Level::quadratic, "quadratic"},
+                                                              {Level::rows0, "rows0"},
+                                                              {Level::rows1, "rows1"},
+                                                              {Level::rows2, "rows2"}}};
 /// Pixel position scaled to [-1, 1], which keeps the normal equations well conditioned.
 double scaled(int i, int n) { return (2 * i + 1.0) / n - 1; }
 
-/// Solves the symmetric normal equations A x = b by elimination. A pivot that vanishes (too few points for this term)
-/// gives its term the coefficient zero.
+/// Solves the symmetric normal equations A x = b by elimination. A pivot that vanishes (too few points for
+/// this term) gives its term the coefficient zero.
 template <std::size_t N>
-std::array<double, N> solve_normal_equations(std::array<std::array<double, N>, N> A, std::array<double, N> b) {
+std::array<double, N> solve_normal_equations(std::array<std::array<double, N>, N> A,
+                                             std::array<double, N> b) {
   constexpr double vanishing = 1e-12;
   std::array<double, N> original_diagonal, x{};
   for (std::size_t k = 0; k < N; ++k) original_diagonal[k] = A[k][k];
@@ -110,12 +111,24 @@ std::string level_name(Level level) {
 Topography levelled(const Topography& map, Level level) {
   Topography result = map;
   switch (level) {
-    case Level::mean: level_map<1>(result); break;
-    case Level::plane: level_map<3>(result); break;
-    case Level::quadratic: level_map<6>(result); break;
-    case Level::rows0: level_rows<1>(result); break;
-    case Level::rows1: level_rows<2>(result); break;
-    case Level::rows2: level_rows<3>(result); break;
+    case Level::mean:
+      level_map<1>(result);
+      break;
+    case Level::plane:
+      level_map<3>(result);
+      break;
+    case Level::quadratic:
+      level_map<6>(result);
+      break;
+    case Level::rows0:
+      level_rows<1>(result);
+      break;
+    case Level::rows1:
+      level_rows<2>(result);
+      break;
+    case Level::rows2:
+      level_rows<3>(result);
+      break;
   }
   if (level != Level::mean) result.periodic = false;
   return result;

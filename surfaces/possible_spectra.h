@@ -1,6 +1,7 @@
-// Which Gaussian surfaces could have given a published pair of roughness numbers, RMS and peak to valley, both measured by
-// the same scans. Their ratio falls as the correlation length grows (fewer independent heights, fewer extremes), whatever
-// the amplitude: it bounds the correlation length, and some ratios no Gaussian surface can have.
+// Which Gaussian surfaces could have given a published pair of roughness numbers, RMS and peak to valley,
+// both measured by the same scans. Their ratio falls as the correlation length grows (fewer independent
+// heights, fewer extremes), whatever the amplitude: it bounds the correlation length, and some ratios no
+// Gaussian surface can have.
 #pragma once
 
 #include <cstdint>
@@ -47,28 +48,39 @@ struct PublishedRoughness {
   double peak_to_valley = 0, peak_to_valley_error = 0;
 };
 
-/// Lengths between which spectra fit; empty if lower > upper. open: the end is that of the roll-offs tried, not a bound.
+/// Lengths between which spectra fit; empty if lower > upper. open: the end is that of the roll-offs tried,
+/// not a bound.
 struct LengthRange {
   double lower = 1, upper = 0;
   bool open_below = false, open_above = false;
   bool empty() const { return lower > upper; }
 };
 
+/// One spectrum that fits, scaled so that scans show `measured_rms` [m]: the published RMS or, where only the
+/// uncertainties allow it, the nearest to it.
+struct PossibleSpectrum {
+  SelfAffineSpectrum spectrum;
+  double measured_rms = 0;
+};
+
 struct PossibleSpectra {
   PublishedRoughness published;
-  double ratio = 0, lowest_ratio = 0, highest_ratio = 0;  ///< peak to valley over RMS, and its limits by the uncertainties
-  double least_possible = 0, most_possible = 0;           ///< ratios of all curves, two standard deviations included
-  /// roll-off and correlation length for which the published means themselves can hold (95 % of sets of windows), and for
-  /// which they can within their uncertainties
+  double ratio = 0, lowest_ratio = 0,
+         highest_ratio = 0;  ///< peak to valley over RMS, and its limits by the uncertainties
+  double least_possible = 0, most_possible = 0;  ///< ratios of all curves, two standard deviations included
+  /// roll-off and correlation length for which the published means themselves can hold (95 % of sets of
+  /// windows), and for which they can within their uncertainties
   LengthRange rolloff_of_means, correlation_of_means, rolloff_within_errors, correlation_within_errors;
-  /// the same within the uncertainties if peak to valley was read from a single profile instead of the whole scan
+  /// the same within the uncertainties if peak to valley was read from a single profile instead of the whole
+  /// scan
   LengthRange correlation_of_profiles;
-  /// spectra that span the range within errors (means if they can hold), scaled to the measured RMS: for each Hurst
-  /// exponent the shortest, the middle and the longest roll-off
-  std::vector<SelfAffineSpectrum> examples;
+  /// for each Hurst exponent that fits, the shortest, a middle and the longest roll-off (of the means; within
+  /// errors if they cannot hold)
+  std::vector<PossibleSpectrum> examples;
   std::string sentence;
 };
 
-PossibleSpectra possible_spectra(const PublishedRoughness& published, const AfmSettings& afm, const std::vector<RatioCurve>& curves);
+PossibleSpectra possible_spectra(const PublishedRoughness& published, const AfmSettings& afm,
+                                 const std::vector<RatioCurve>& curves);
 
 }  // namespace asperity

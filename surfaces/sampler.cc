@@ -67,14 +67,22 @@ int wrapped(int i, int n, bool periodic) {
 }  // namespace
 
 HeightSampler::HeightSampler(const Topography& map, Outside outside)
-    : nx_(map.nx), ny_(map.ny), lx_(map.lx), ly_(map.ly), periodic_(map.periodic), outside_(outside), source_(map.source) {
-  if (nx_ < 1 || ny_ < 1 || !(lx_ > 0) || !(ly_ > 0)) throw InputError("the topography '" + source_ + "' has no points or no size");
+    : nx_(map.nx),
+      ny_(map.ny),
+      lx_(map.lx),
+      ly_(map.ly),
+      periodic_(map.periodic),
+      outside_(outside),
+      source_(map.source) {
+  if (nx_ < 1 || ny_ < 1 || !(lx_ > 0) || !(ly_ > 0))
+    throw InputError("the topography '" + source_ + "' has no points or no size");
   coefficients_ = map.missing_count() > 0 ? fill_missing(map).heights : map.heights;
 #pragma omp parallel
   {
     std::vector<double> line;
 #pragma omp for schedule(static)
-    for (int iy = 0; iy < ny_; ++iy) filter_line(&coefficients_[static_cast<std::size_t>(iy) * nx_], nx_, 1, periodic_, line);
+    for (int iy = 0; iy < ny_; ++iy)
+      filter_line(&coefficients_[static_cast<std::size_t>(iy) * nx_], nx_, 1, periodic_, line);
 #pragma omp for schedule(static)
     for (int ix = 0; ix < nx_; ++ix) filter_line(&coefficients_[ix], ny_, nx_, periodic_, line);
   }
@@ -92,7 +100,8 @@ double HeightSampler::height(double x, double y) const {
   for (int i = 0; i <= degree; ++i) columns[i] = wrapped(static_cast<int>(u0) - 2 + i, nx_, periodic_);
   double sum = 0;
   for (int j = 0; j <= degree; ++j) {
-    const double* row = &coefficients_[static_cast<std::size_t>(wrapped(static_cast<int>(v0) - 2 + j, ny_, periodic_)) * nx_];
+    const double* row =
+        &coefficients_[static_cast<std::size_t>(wrapped(static_cast<int>(v0) - 2 + j, ny_, periodic_)) * nx_];
     double row_sum = 0;
     for (int i = 0; i <= degree; ++i) row_sum += wx[i] * row[columns[i]];
     sum += wy[j] * row_sum;
@@ -102,9 +111,10 @@ double HeightSampler::height(double x, double y) const {
 
 void HeightSampler::refuse(double x, double y) const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };
-  throw InputError("the topography '" + source_ + "' covers " + length(lx_) + " x " + length(ly_) +
-                   " but a height is needed at (" + length(x) + ", " + length(y) +
-                   ") from its centre; take a larger map, a smaller contact region, or its mirrored continuation");
+  throw InputError(
+      "the topography '" + source_ + "' covers " + length(lx_) + " x " + length(ly_) +
+      " but a height is needed at (" + length(x) + ", " + length(y) +
+      ") from its centre; take a larger map, a smaller contact region, or its mirrored continuation");
 }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
-// Heights of a topography between its pixels: quintic B-spline interpolation (Unser, Aldroubi, Eden 1993, IEEE Trans.
-// Signal Process. 41, 821), which passes through every pixel and is four times continuously differentiable.
-// A sine of four pixels per wavelength keeps its amplitude within 0.2 %, hence Sq to well within 1 %.
+// Heights of a topography between its pixels: quintic B-spline interpolation (Unser, Aldroubi, Eden 1993,
+// IEEE Trans. Signal Process. 41, 821), which passes through every pixel and is four times continuously
+// differentiable. A sine of four pixels per wavelength keeps its amplitude within 0.2 %, hence Sq to well
+// within 1 %.
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@ class HeightSampler {
   /// Missing pixels are first filled smoothly from their surroundings (surfaces/fill_missing.h).
   explicit HeightSampler(const Topography& map, Outside outside = Outside::refuse);
 
-  /// Height [m] at (x, y) [m] from the centre of the map. Periodic maps continue periodically; beyond the edge of others
-  /// throws InputError, or goes on mirrored if asked to. Safe to call from several threads.
+  /// Height [m] at (x, y) [m] from the centre of the map. Periodic maps continue periodically; beyond the
+  /// edge of others throws InputError, or goes on mirrored if asked to. Safe to call from several threads.
   double height(double x, double y) const;
 
  private:

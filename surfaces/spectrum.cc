@@ -17,8 +17,8 @@ std::vector<double> hann(int n) {
   return window;
 }
 
-/// Loss of independent wave vectors per direction: sum of the squared correlations between the periodogram at a wave
-/// number and at its neighbours, 1 + 2 (2/3)^2 + 2 (1/6)^2 = 35/18 for Hann.
+/// Loss of independent wave vectors per direction: sum of the squared correlations between the periodogram at
+/// a wave number and at its neighbours, 1 + 2 (2/3)^2 + 2 (1/6)^2 = 35/18 for Hann.
 constexpr double hann_overlap = 35.0 / 18.0;
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace asperity {
 namespace {
 
-constexpr int fewest_rings = 16;        // to fit at all
-constexpr int fewest_kept = 12;         // rings of the self-affine line with its roll-off
-constexpr int fewest_falling = 4;       // of these beyond the roll-off
-constexpr int coarse_candidates = 40;   // knees tried before the search is refined
+constexpr int fewest_rings = 16;       // to fit at all
+constexpr int fewest_kept = 12;        // rings of the self-affine line with its roll-off
+constexpr int fewest_falling = 4;      // of these beyond the roll-off
+constexpr int coarse_candidates = 40;  // knees tried before the search is refined
 
 struct Rings {
   std::vector<double> x, C, n;  ///< ln q, C, independent periodograms
@@ -40,7 +40,8 @@ Line fit_line(const Rings& rings, int first, int last, double knee) {
   const double determinant = S0 * S2 - S1 * S1;
   const bool sloped = determinant > 1e-12 * S0 * S2;
   Line line;
-  const auto step = [&](double r0, double r1) {  // solves the Fisher matrix, which is the same in each iteration
+  const auto step = [&](double r0,
+                        double r1) {  // solves the Fisher matrix, which is the same in each iteration
     const double d_slope = sloped ? (S0 * r1 - S1 * r0) / determinant : 0.0;
     line.slope += d_slope;
     const double d_level = (r0 - S1 * d_slope) / S0;
@@ -53,7 +54,8 @@ Line fit_line(const Rings& rings, int first, int last, double knee) {
     double r0 = 0, r1 = 0;
     for (int i = first; i < last; ++i) {
       const double u = std::max(rings.x[i] - knee, 0.0);
-      const double excess = std::min(rings.C[i] * std::exp(-line.level - line.slope * u) - 1, 3.0);  // bounded step
+      const double excess =
+          std::min(rings.C[i] * std::exp(-line.level - line.slope * u) - 1, 3.0);  // bounded step
       r0 += rings.n[i] * excess, r1 += rings.n[i] * excess * u;
     }
     if (step(r0, r1) < 1e-7) break;
@@ -77,7 +79,7 @@ struct Candidate {
 };
 
 double cost_beyond(const Rings& rings, int end) {
-  constexpr int widest_edge = 3;  // rings that a window smears a sharp cut-off over
+  constexpr int widest_edge = 3;                // rings that a window smears a sharp cut-off over
   const double price = std::log(rings.size());  // of one free parameter (Schwarz)
   double least = (rings.size() - end) * (1 + price);
   for (int edge = 0; edge <= widest_edge && rings.size() - end - edge >= fewest_kept; ++edge) {
@@ -93,7 +95,8 @@ Candidate evaluate(const Rings& rings, double knee, int end, bool rolloff, doubl
   return candidate;
 }
 
-/// Best knee for a given end, by a search that narrows around the best of the knees tried; no knee if none pays.
+/// Best knee for a given end, by a search that narrows around the best of the knees tried; no knee if none
+/// pays.
 Candidate best_knee(const Rings& rings, int end) {
   const double beyond = cost_beyond(rings, end);
   Candidate best = evaluate(rings, rings.x.front(), end, false, beyond);
@@ -151,7 +154,8 @@ double end_error(const Rings& rings, const Candidate& fit) {
   return std::max(0.5 * (rings.x[upper] - rings.x[lower]), ring / std::sqrt(12.0));
 }
 
-/// Mean of ln C/M of the rings left out: negative where the surface lacks short waves, positive where noise adds some.
+/// Mean of ln C/M of the rings left out: negative where the surface lacks short waves, positive where noise
+/// adds some.
 double mean_departure(const Rings& rings, const Candidate& fit) {
   double sum = 0, weight = 0;
   for (int i = fit.end; i < rings.size(); ++i) {
@@ -164,7 +168,8 @@ double mean_departure(const Rings& rings, const Candidate& fit) {
 Rings usable_rings(const RadialSpectrum& spectrum) {
   Rings rings;
   const double largest = spectrum.C.empty() ? 0 : *std::max_element(spectrum.C.begin(), spectrum.C.end());
-  constexpr double rounding = 1e-24;  // of the largest C: a generated map holds nothing but rounding beyond its cut-off
+  constexpr double rounding =
+      1e-24;  // of the largest C: a generated map holds nothing but rounding beyond its cut-off
   for (std::size_t i = 1; i < spectrum.q.size(); ++i) {
     rings.x.push_back(std::log(spectrum.q[i]));
     rings.C.push_back(std::max(spectrum.C[i], rounding * largest));
@@ -172,7 +177,8 @@ Rings usable_rings(const RadialSpectrum& spectrum) {
   }
   if (rings.size() < fewest_rings || !(largest > 0))
     throw InputError("the map is too small or too flat for a fit of its spectrum; it needs at least " +
-                     std::to_string(2 * (fewest_rings + 1)) + " x " + std::to_string(2 * (fewest_rings + 1)) + " pixels");
+                     std::to_string(2 * (fewest_rings + 1)) + " x " + std::to_string(2 * (fewest_rings + 1)) +
+                     " pixels");
   return rings;
 }
 
@@ -204,16 +210,22 @@ SpectrumFit fit_spectrum(const RadialSpectrum& spectrum) {
 
 std::string SpectrumFit::sentence() const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };
-  const auto with_error = [&](const Estimate& estimate) { return length(estimate.value) + " +- " + length(estimate.error); };
+  const auto with_error = [&](const Estimate& estimate) {
+    return length(estimate.value) + " +- " + length(estimate.error);
+  };
   std::string text = "Hurst exponent " + format_quantity(hurst.value, Dimension::none) + " +- " +
                      format_quantity(hurst.error, Dimension::none, 1);
   if (hurst.value > 1) text += " (above 1: smoother than any self-affine surface)";
   if (hurst.value < 0) text += " (below 0: no self-affine surface)";
   text += has_rolloff ? ", roll-off at " + with_error(rolloff) : ", no roll-off up to " + length(longest);
-  if (has_cutoff) text += ", cut-off at " + with_error(cutoff);
-  else if (has_noise) text += ", noise below " + with_error(noise);
-  else text += ", no cut-off down to " + length(shortest);
-  return text + "; misfit " + format_quantity(misfit, Dimension::none, 2) + " (1: an isotropic self-affine surface)";
+  if (has_cutoff)
+    text += ", cut-off at " + with_error(cutoff);
+  else if (has_noise)
+    text += ", noise below " + with_error(noise);
+  else
+    text += ", no cut-off down to " + length(shortest);
+  return text + "; misfit " + format_quantity(misfit, Dimension::none, 2) +
+         " (1: an isotropic self-affine surface)";
 }
 
 }  // namespace asperity

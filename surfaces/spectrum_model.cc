@@ -11,7 +11,8 @@ namespace asperity {
 double SelfAffineSpectrum::plateau() const {
   const double q_r = 2 * M_PI / rolloff;
   // (2 pi) Sq^2 = C0 q_r^2 [1/2 + (1 - (q_s/q_r)^(-2H)) / (2H)]
-  return 2 * M_PI * rms * rms / (q_r * q_r * (0.5 + (1 - std::pow(cutoff / rolloff, 2 * hurst)) / (2 * hurst)));
+  return 2 * M_PI * rms * rms /
+         (q_r * q_r * (0.5 + (1 - std::pow(cutoff / rolloff, 2 * hurst)) / (2 * hurst)));
 }
 
 double SelfAffineSpectrum::operator()(double q) const {
@@ -23,9 +24,11 @@ double SelfAffineSpectrum::operator()(double q) const {
 void SelfAffineSpectrum::check() const {
   if (!(rms >= 0) || !std::isfinite(rms)) throw InputError("rms must be a length, zero or larger");
   if (!(hurst > 0 && hurst <= 1)) throw InputError("hurst must lie between 0 and 1 (0.8 is common)");
-  if (!(cutoff > 0) || !std::isfinite(cutoff)) throw InputError("cutoff must be a wavelength larger than zero");
+  if (!(cutoff > 0) || !std::isfinite(cutoff))
+    throw InputError("cutoff must be a wavelength larger than zero");
   if (!(rolloff >= cutoff) || !std::isfinite(rolloff))
-    throw InputError("rolloff (" + format_quantity(rolloff, Dimension::length) + ") must be a wavelength not shorter than cutoff (" +
+    throw InputError("rolloff (" + format_quantity(rolloff, Dimension::length) +
+                     ") must be a wavelength not shorter than cutoff (" +
                      format_quantity(cutoff, Dimension::length) + ")");
 }
 

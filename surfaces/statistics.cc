@@ -52,7 +52,8 @@ void add_slope_and_curvature(const Topography& map, HeightStatistics& statistics
       if (has_right) slope_x.add((right - here) * (right - here) / (dx * dx));
       if (has_above) slope_y.add((above - here) * (above - here) / (dy * dy));
       if (has_right && has_above && pixels.get(ix - 1, iy, left) && pixels.get(ix, iy - 1, below)) {
-        const double mean = 0.5 * ((right - 2 * here + left) / (dx * dx) + (above - 2 * here + below) / (dy * dy));
+        const double mean =
+            0.5 * ((right - 2 * here + left) / (dx * dx) + (above - 2 * here + below) / (dy * dy));
         curvature.add(mean * mean);
       }
     }
@@ -98,8 +99,8 @@ HeightStatistics height_statistics(const Topography& map) {
 }
 
 GaussianTest gaussian_test(const Topography& map) {
-  constexpr double significance = 0.01;       // of the test
-  constexpr double fewest_samples = 20;       // below, moments have not even roughly their limiting distribution
+  constexpr double significance = 0.01;  // of the test
+  constexpr double fewest_samples = 20;  // below, moments have not even roughly their limiting distribution
   const HeightMoments moments = height_moments(map);
   const Autocorrelation correlation = autocorrelation(map);
   GaussianTest test;
@@ -114,14 +115,17 @@ GaussianTest gaussian_test(const Topography& map) {
   char text[256];
   if (!(test.independent_samples >= fewest_samples)) {  // also NaN, of a flat map
     test.verdict = GaussianTest::Verdict::too_few_samples;
-    std::snprintf(text, sizeof text, "cannot be judged: only about %.0f independent heights (a larger scan is needed)",
+    std::snprintf(text, sizeof text,
+                  "cannot be judged: only about %.0f independent heights (a larger scan is needed)",
                   std::isfinite(test.independent_samples) ? test.independent_samples : 0.0);
   } else {
     const bool rejected = test.p_value < significance;
     test.verdict = rejected ? GaussianTest::Verdict::not_gaussian : GaussianTest::Verdict::consistent;
-    std::snprintf(text, sizeof text, "%s: skewness %.2f +- %.2f, kurtosis %.2f +- %.2f (p = %.2g, about %.0f independent heights)",
-                  rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error, moments.Sku,
-                  test.kurtosis_error, test.p_value, test.independent_samples);
+    std::snprintf(
+        text, sizeof text,
+        "%s: skewness %.2f +- %.2f, kurtosis %.2f +- %.2f (p = %.2g, about %.0f independent heights)",
+        rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error, moments.Sku,
+        test.kurtosis_error, test.p_value, test.independent_samples);
   }
   test.sentence = text;
   return test;

@@ -24,22 +24,24 @@ struct HeightStatistics : HeightMoments {
   double rms_slope = 0;
   /// root mean square of the mean curvature (d2z/dx2 + d2z/dy2)/2, from second differences [1/m]
   double rms_curvature = 0;
-  /// distance at which the radially averaged autocorrelation falls to 1/e [m]; NaN if it does not within half the map
+  /// distance at which the radially averaged autocorrelation falls to 1/e [m]; NaN if it does not within half
+  /// the map
   double correlation_length = 0;
 };
 
 HeightStatistics height_statistics(const Topography& map);
 
-/// Jarque and Bera's test (1987) with the variances that skewness and kurtosis have for a *correlated* Gaussian field:
-/// var(Ssk) = 6 <rho^3>, var(Sku) = 24 <rho^4>, means of powers of the autocorrelation over all pairs of points (leading
-/// order, from the orthogonality of Hermite polynomials of correlated normal variables; Lomnicki 1961, Metrika 4, 37).
+/// Jarque and Bera's test (1987) with the variances that skewness and kurtosis have for a *correlated*
+/// Gaussian field: var(Ssk) = 6 <rho^3>, var(Sku) = 24 <rho^4>, means of powers of the autocorrelation over
+/// all pairs of points (leading order, from the orthogonality of Hermite polynomials of correlated normal
+/// variables; Lomnicki 1961, Metrika 4, 37).
 struct GaussianTest {
   double skewness_error = 0;       ///< standard error of Ssk if heights are Gaussian
   double kurtosis_error = 0;       ///< standard error of Sku if heights are Gaussian
   double independent_samples = 0;  ///< 1/<rho^2>: as many independent heights would determine Sq^2 as well
-  double p_value = 0;              ///< chance that a Gaussian surface departs as far (chi squared, 2 degrees of freedom)
+  double p_value = 0;  ///< chance that a Gaussian surface departs as far (chi squared, 2 degrees of freedom)
   enum class Verdict { consistent, not_gaussian, too_few_samples } verdict = Verdict::consistent;
-  std::string sentence;            ///< the verdict in words
+  std::string sentence;  ///< the verdict in words
 };
 
 GaussianTest gaussian_test(const Topography& map);

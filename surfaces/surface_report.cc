@@ -29,9 +29,12 @@ nlohmann::ordered_json to_json(const SpectrumFit& fit) {
 
 const char* verdict_name(GaussianTest::Verdict verdict) {
   switch (verdict) {
-    case GaussianTest::Verdict::consistent: return "consistent";
-    case GaussianTest::Verdict::not_gaussian: return "not Gaussian";
-    case GaussianTest::Verdict::too_few_samples: return "too few samples";
+    case GaussianTest::Verdict::consistent:
+      return "consistent";
+    case GaussianTest::Verdict::not_gaussian:
+      return "not Gaussian";
+    case GaussianTest::Verdict::too_few_samples:
+      return "too few samples";
   }
   return "";
 }
@@ -99,9 +102,11 @@ std::string to_text(const SurfaceMeasurement& measurement) {
       {"Ssk (skewness)", number(s.Ssk)},
       {"Sku (kurtosis)", number(s.Sku)},
       {"RMS slope", number(s.rms_slope)},
-      {"RMS curvature", std::isfinite(s.rms_curvature) ? "1/(" + length(1 / s.rms_curvature) + ")" : "not measurable"},
-      {"correlation length", std::isfinite(s.correlation_length) ? length(s.correlation_length) + " (autocorrelation 1/e)"
-                                                                 : "none within half the map"},
+      {"RMS curvature",
+       std::isfinite(s.rms_curvature) ? "1/(" + length(1 / s.rms_curvature) + ")" : "not measurable"},
+      {"correlation length", std::isfinite(s.correlation_length)
+                                 ? length(s.correlation_length) + " (autocorrelation 1/e)"
+                                 : "none within half the map"},
       {"heights are", measurement.gaussian.sentence},
       {"spectrum", measurement.fit ? measurement.fit->sentence() : "too few or too flat points for a fit"}};
   std::string text;
@@ -124,8 +129,9 @@ TabulatedSpectrum read_spectrum_csv(const std::string& file) {
   for (std::size_t i = 0; i < q.size(); ++i) {
     if (C[i] == 0) continue;
     if (!(q[i] > 0) || !(C[i] > 0) || (!table.q.empty() && q[i] <= table.q.back()))
-      throw InputError("in " + file + " row " + std::to_string(i + 1) +
-                       ": wave numbers must be positive and rise from row to row, and the psd must not be negative");
+      throw InputError(
+          "in " + file + " row " + std::to_string(i + 1) +
+          ": wave numbers must be positive and rise from row to row, and the psd must not be negative");
     table.q.push_back(q[i]), table.C.push_back(C[i]);
   }
   if (table.q.size() < 2) throw InputError(file + " holds fewer than two rows with a psd above zero");

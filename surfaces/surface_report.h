@@ -25,8 +25,9 @@ struct SurfaceMeasurement {
 /// Levels the map and measures it.
 SurfaceMeasurement measure_surface(const Topography& map, Level level);
 
-/// One object: pixels, size_m, Sq_m, Sa_m, Sz_m, Ssk, Sku, rms_slope, rms_curvature_per_m, correlation_length_m, missing,
-/// channel, source, level, gaussian {...}, spectrum {...}. What could not be measured is null.
+/// One object: pixels, size_m, Sq_m, Sa_m, Sz_m, Ssk, Sku, rms_slope, rms_curvature_per_m,
+/// correlation_length_m, missing, channel, source, level, gaussian {...}, spectrum {...}. What could not be
+/// measured is null.
 nlohmann::ordered_json to_json(const SurfaceMeasurement& measurement);
 std::string to_text(const SurfaceMeasurement& measurement);
 

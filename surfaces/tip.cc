@@ -23,7 +23,8 @@ std::vector<Offset> tip_pixels(const Tip& tip, double dx, double dy, double rang
     for (int x = -nx; x <= nx; ++x) {
       const double u2 = x * dx * x * dx + y * dy * y * dy;
       if (u2 > reach * reach) continue;
-      pixels.push_back({x, y, spherical ? tip.radius - std::sqrt(tip.radius * tip.radius - u2) : u2 / (2 * tip.radius)});
+      pixels.push_back(
+          {x, y, spherical ? tip.radius - std::sqrt(tip.radius * tip.radius - u2) : u2 / (2 * tip.radius)});
     }
   return pixels;
 }

@@ -24,7 +24,8 @@ std::string trimmed(const std::string& text) {
 }
 
 std::uint64_t parse_seed(const std::string& value) {
-  if (value.empty() || value.size() > 18 || !std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isdigit(c); }))
+  if (value.empty() || value.size() > 18 ||
+      !std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isdigit(c); }))
     throw InputError("'" + value + "' is not a whole number from 0 on");
   return std::stoull(value);
 }
@@ -36,22 +37,30 @@ Amplitudes parse_amplitudes(const std::string& value) {
 }
 
 void set_entry(GeneratorParameters& parameters, const std::string& key, const std::string& value) {
-  if (key == "rms") parameters.spectrum.rms = parse_quantity(value, Dimension::length);
-  else if (key == "hurst") parameters.spectrum.hurst = parse_quantity(value, Dimension::none);
-  else if (key == "rolloff") parameters.spectrum.rolloff = parse_quantity(value, Dimension::length);
-  else if (key == "cutoff") parameters.spectrum.cutoff = parse_quantity(value, Dimension::length);
-  else if (key == "seed") parameters.seed = parse_seed(value);
-  else if (key == "amplitudes") parameters.amplitudes = parse_amplitudes(value);
-  else throw InputError("there is no such entry; those known are " + known_keys);
+  if (key == "rms")
+    parameters.spectrum.rms = parse_quantity(value, Dimension::length);
+  else if (key == "hurst")
+    parameters.spectrum.hurst = parse_quantity(value, Dimension::none);
+  else if (key == "rolloff")
+    parameters.spectrum.rolloff = parse_quantity(value, Dimension::length);
+  else if (key == "cutoff")
+    parameters.spectrum.cutoff = parse_quantity(value, Dimension::length);
+  else if (key == "seed")
+    parameters.seed = parse_seed(value);
+  else if (key == "amplitudes")
+    parameters.amplitudes = parse_amplitudes(value);
+  else
+    throw InputError("there is no such entry; those known are " + known_keys);
 }
 
 }  // namespace
 
 std::string GeneratorParameters::text() const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length, 6); };
-  return call + "(rms=" + length(spectrum.rms) + ", hurst=" + format_quantity(spectrum.hurst, Dimension::none) + ", rolloff=" +
-         length(spectrum.rolloff) + ", cutoff=" + length(spectrum.cutoff) + ", seed=" + std::to_string(seed) +
-         (amplitudes == Amplitudes::fixed ? ", amplitudes=fixed)" : ")");
+  return call + "(rms=" + length(spectrum.rms) +
+         ", hurst=" + format_quantity(spectrum.hurst, Dimension::none) +
+         ", rolloff=" + length(spectrum.rolloff) + ", cutoff=" + length(spectrum.cutoff) +
+         ", seed=" + std::to_string(seed) + (amplitudes == Amplitudes::fixed ? ", amplitudes=fixed)" : ")");
 }
 
 bool is_generator_call(const std::string& spec) {
@@ -63,7 +72,8 @@ bool is_generator_call(const std::string& spec) {
 
 GeneratorParameters parse_generator(const std::string& spec) {
   const std::string text = trimmed(spec);
-  const std::string example = "; write for example generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)";
+  const std::string example =
+      "; write for example generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)";
   const auto open = text.find('(');
   if (!is_generator_call(text) || open == std::string::npos || text.back() != ')')
     throw InputError("'" + spec + "' is not a call of the generator" + example);
@@ -76,7 +86,8 @@ GeneratorParameters parse_generator(const std::string& spec) {
     const std::string entry = trimmed(arguments.substr(begin, end - begin));
     begin = end + 1;
     const auto equals = entry.find('=');
-    if (equals == std::string::npos) throw InputError("in '" + spec + "' the entry '" + entry + "' lacks '=' and a value" + example);
+    if (equals == std::string::npos)
+      throw InputError("in '" + spec + "' the entry '" + entry + "' lacks '=' and a value" + example);
     const std::string key = trimmed(entry.substr(0, equals)), value = trimmed(entry.substr(equals + 1));
     if (!seen.insert(key).second) throw InputError("in '" + spec + "' the entry '" + key + "' stands twice");
     try {
@@ -101,8 +112,9 @@ GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size)
   while (grid.period < size) grid.period *= 2;
   const double pixels = pixels_per_cutoff * grid.period / parameters.spectrum.cutoff;
   if (pixels > largest)
-    throw InputError("'" + parameters.text() + "' over " + format_quantity(std::max(size, grid.period), Dimension::length) +
-                     " needs more than " + std::to_string(largest) +
+    throw InputError("'" + parameters.text() + "' over " +
+                     format_quantity(std::max(size, grid.period), Dimension::length) + " needs more than " +
+                     std::to_string(largest) +
                      " pixels a side; take a longer cutoff, a shorter rolloff or a smaller region");
   grid.pixels = fast_fft_length(pixels);
   return grid;
@@ -135,8 +147,9 @@ Topography topography_for(const std::string& spec, double size, double /*spacing
   Topography map = levelled(read_topography(text), Level::plane);
   map.source += ", mean plane removed";
   if (map.lx < size || map.ly < size)
-    throw InputError("the topography '" + text + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +
-                     format_quantity(map.ly, Dimension::length) + " but a region of " + format_quantity(size, Dimension::length) +
+    throw InputError("the topography '" + text + "' covers " + format_quantity(map.lx, Dimension::length) +
+                     " x " + format_quantity(map.ly, Dimension::length) + " but a region of " +
+                     format_quantity(size, Dimension::length) +
                      " is needed; take a larger map or a smaller contact region");
   return map;
 }

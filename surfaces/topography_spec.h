@@ -22,14 +22,15 @@ struct GeneratorParameters {
 /// True if the entry calls the generator.
 bool is_generator_call(const std::string& spec);
 
-/// Reads "generated(key=value, ...)". Keys: rms (needed), hurst, rolloff, cutoff, seed, amplitudes (random or fixed).
-/// Throws InputError naming the key that is unknown, missing, twice there, or has a value out of range.
+/// Reads "generated(key=value, ...)". Keys: rms (needed), hurst, rolloff, cutoff, seed, amplitudes (random or
+/// fixed). Throws InputError naming the key that is unknown, missing, twice there, or has a value out of
+/// range.
 GeneratorParameters parse_generator(const std::string& spec);
 
-/// The grid on which a generated surface lives. It depends on the spectrum and, for large regions, on the size of the
-/// region, never on a mesh: period = 8 roll-off wavelengths, doubled until it is at least `size`; square pixels of at
-/// most a quarter of the cut-off. The same seed thus is the same surface for every region of up to 8 roll-offs, and
-/// the surface repeats beyond its period.
+/// The grid on which a generated surface lives. It depends on the spectrum and, for large regions, on the
+/// size of the region, never on a mesh: period = 8 roll-off wavelengths, doubled until it is at least `size`;
+/// square pixels of at most a quarter of the cut-off. The same seed thus is the same surface for every region
+/// of up to 8 roll-offs, and the surface repeats beyond its period.
 struct GeneratorGrid {
   double period = 0;
   int pixels = 0;
@@ -37,9 +38,10 @@ struct GeneratorGrid {
 GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size);
 
 /// The topography of a square region of side `size` [m] around the contact.
-/// smooth: one pixel of height zero. A file: read (surfaces/read_topography.h), its mean plane removed; throws
-/// InputError if it is smaller than `size`. generated(...): the whole period, expected Sq = rms over the period.
-/// `spacing` [m] is the mesh's; the surface does not depend on it (a mesh coarser than the pixels samples the surface).
+/// smooth: one pixel of height zero. A file: read (surfaces/read_topography.h), its mean plane removed;
+/// throws InputError if it is smaller than `size`. generated(...): the whole period, expected Sq = rms over
+/// the period. `spacing` [m] is the mesh's; the surface does not depend on it (a mesh coarser than the pixels
+/// samples the surface).
 Topography topography_for(const std::string& spec, double size, double spacing);
 
 }  // namespace asperity

@@ -15,8 +15,8 @@
 namespace asperity {
 namespace {
 
-/// Share of a wave exp(i q x) along one direction of a window that {1} and {x} take away: squared moduli of its mean and of
-/// its projection onto x (normalised on the pixels).
+/// Share of a wave exp(i q x) along one direction of a window that {1} and {x} take away: squared moduli of
+/// its mean and of its projection onto x (normalised on the pixels).
 struct Projection {
   double constant = 0, linear = 0;
 };
@@ -37,7 +37,8 @@ Projection project(double q, double spacing, int pixels) {
 std::vector<Projection> projections(int n, double period, double spacing, int pixels) {
   std::vector<Projection> table(n);
 #pragma omp parallel for schedule(static)
-  for (int i = 0; i < n; ++i) table[i] = project(2 * M_PI * signed_wave_number(i, n) / period, spacing, pixels);
+  for (int i = 0; i < n; ++i)
+    table[i] = project(2 * M_PI * signed_wave_number(i, n) / period, spacing, pixels);
   return table;
 }
 
@@ -45,8 +46,8 @@ std::vector<Projection> projections(int n, double period, double spacing, int pi
 
 AfmGrid afm_grid(const SelfAffineSpectrum& spectrum, const AfmSettings& afm) {
   constexpr double scans = 4, rolloffs = 4;
-  constexpr double pixels_per_cutoff = 2;   // the least that carries the shortest wave
-  constexpr double pixels_per_radius = 4;   // of a tip
+  constexpr double pixels_per_cutoff = 2;  // the least that carries the shortest wave
+  constexpr double pixels_per_radius = 4;  // of a tip
   constexpr int largest = 16384;
   const double spacing = afm.size / afm.pixels;
   double finest = spectrum.cutoff / pixels_per_cutoff;
@@ -83,14 +84,16 @@ std::vector<Topography> cut_and_level(const Topography& surface, const AfmSettin
   std::vector<Topography> windows(corners.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < corners.size(); ++i)
-    windows[i] = levelled(cut_window(image, corners[i][0], corners[i][1], afm.pixels, afm.pixels, stride), Level::plane);
+    windows[i] = levelled(cut_window(image, corners[i][0], corners[i][1], afm.pixels, afm.pixels, stride),
+                          Level::plane);
   return windows;
 }
 
 }  // namespace
 
 std::vector<Topography> afm_windows(const Topography& surface, const AfmSettings& afm) {
-  // corners (i, 2 i) / n of the period: for five windows none are closer than 1/5 of the period in one of the directions
+  // corners (i, 2 i) / n of the period: for five windows none are closer than 1/5 of the period in one of the
+  // directions
   std::vector<std::array<int, 2>> corners;
   for (int i = 0; i < afm.windows; ++i)
     corners.push_back({surface.nx * i / afm.windows, surface.ny * (2 * i % afm.windows) / afm.windows});
@@ -134,7 +137,8 @@ ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSet
   const double spacing = afm.size / afm.pixels;
   const auto lost = projections(n, grid.period, spacing, afm.pixels);
 
-  HalfSpectrum power(static_cast<std::size_t>(columns) * n);  // mean square of each wave that the levelling leaves
+  HalfSpectrum power(static_cast<std::size_t>(columns) *
+                     n);  // mean square of each wave that the levelling leaves
   std::vector<double> all(n, 0.0), left(n, 0.0);
 #pragma omp parallel for schedule(static)
   for (int iy = 0; iy < n; ++iy) {
@@ -153,7 +157,8 @@ ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSet
   }
   double sum_all = 0, sum_left = 0;
   for (int iy = 0; iy < n; ++iy) sum_all += all[iy], sum_left += left[iy];
-  if (!(sum_all > 0)) throw InputError("no wave of the spectrum fits between the period and two pixels of the virtual scan");
+  if (!(sum_all > 0))
+    throw InputError("no wave of the spectrum fits between the period and two pixels of the virtual scan");
   const double scale = spectrum.rms * spectrum.rms / sum_all;
 
   const std::vector<double> covariance = inverse_fft(std::move(power), n, n);
@@ -162,22 +167,28 @@ ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSet
   for (int jy = 0; jy < afm.pixels; ++jy)
     for (int jx = 0; jx < afm.pixels; ++jx) {
       const double R = covariance[static_cast<std::size_t>(jy) * grid.stride * n + jx * grid.stride];
-      const double mirrored = jx == 0 ? 0.0 : covariance[static_cast<std::size_t>(jy) * grid.stride * n + n - jx * grid.stride];
-      const double pairs = (1 - jx / static_cast<double>(afm.pixels)) * (1 - jy / static_cast<double>(afm.pixels));
+      const double mirrored =
+          jx == 0 ? 0.0 : covariance[static_cast<std::size_t>(jy) * grid.stride * n + n - jx * grid.stride];
+      const double pairs =
+          (1 - jx / static_cast<double>(afm.pixels)) * (1 - jy / static_cast<double>(afm.pixels));
       squares[jy] += pairs * (R * R + mirrored * mirrored) * (jy == 0 ? 1 : 2);
     }
   double variance = 0;
-  for (const double square : squares) variance += 2 * scale * scale * square / (static_cast<double>(afm.pixels) * afm.pixels);
+  for (const double square : squares)
+    variance += 2 * scale * scale * square / (static_cast<double>(afm.pixels) * afm.pixels);
 
   ExpectedSq expected;
   expected.mean_square = scale * sum_left;
-  const double shape = expected.mean_square * expected.mean_square / variance;  // of the gamma distribution of Sq^2
-  expected.mean = std::sqrt(expected.mean_square / shape) * std::exp(std::lgamma(shape + 0.5) - std::lgamma(shape));
+  const double shape =
+      expected.mean_square * expected.mean_square / variance;  // of the gamma distribution of Sq^2
+  expected.mean =
+      std::sqrt(expected.mean_square / shape) * std::exp(std::lgamma(shape + 0.5) - std::lgamma(shape));
   expected.sd = std::sqrt(std::max(0.0, expected.mean_square - expected.mean * expected.mean));
   return expected;
 }
 
-SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const AfmSettings& afm, int realisations) {
+SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const AfmSettings& afm,
+                              int realisations) {
   if (!(target > 0)) throw InputError("the measured rms to calibrate to must be larger than zero");
   AfmSettings sharp = afm;
   sharp.tip.radius = 0;
@@ -185,7 +196,8 @@ SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const 
   spectrum.rms = target / expected_measured_Sq(spectrum, sharp).mean;
   if (!(afm.tip.radius > 0)) return spectrum;
 
-  // ratio of the measured Sq with the tip to that without, on the same surfaces, so that their scatter cancels
+  // ratio of the measured Sq with the tip to that without, on the same surfaces, so that their scatter
+  // cancels
   constexpr int most_iterations = 20;
   constexpr double tolerance = 1e-3;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -199,8 +211,9 @@ SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const 
     if (std::abs(expected / target - 1) < tolerance) return spectrum;
     spectrum.rms *= target / expected;
   }
-  throw WorkError("no amplitude gives a measured rms of " + format_quantity(target, Dimension::length) + " under a tip of " +
-                  format_quantity(afm.tip.radius, Dimension::length) + "; take a sharper tip or a longer cutoff");
+  throw WorkError("no amplitude gives a measured rms of " + format_quantity(target, Dimension::length) +
+                  " under a tip of " + format_quantity(afm.tip.radius, Dimension::length) +
+                  "; take a sharper tip or a longer cutoff");
 }
 
 double correlation_length(const SelfAffineSpectrum& spectrum) {

@@ -1,6 +1,6 @@
-// The roughness of a model surface as a microscope would report it: windows of the scan's size and pixels out of a larger
-// surface, linear tilt removed from each, mean over the windows. The tilt takes the long waves with it, so that the
-// reported Sq lies below that of the surface.
+// The roughness of a model surface as a microscope would report it: windows of the scan's size and pixels out
+// of a larger surface, linear tilt removed from each, mean over the windows. The tilt takes the long waves
+// with it, so that the reported Sq lies below that of the surface.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace asperity {
 
-/// How roughness was measured. The default is that of the paper's silicon surfaces: five scans of 2.5 um and 512 x 512
-/// pixels, "simple linear tilt correction".
+/// How roughness was measured. The default is that of the paper's silicon surfaces: five scans of 2.5 um and
+/// 512 x 512 pixels, "simple linear tilt correction".
 struct AfmSettings {
   double size = 2.5e-6;  ///< side of a scan [m]
   int pixels = 512;      ///< along a side
@@ -33,8 +33,8 @@ struct AfmMeasurement {
   WindowMean profile_Sz;  ///< peak to valley of single rows of the levelled windows, mean over rows [m]
 };
 
-/// The periodic grid the windows are cut from. Period: at least four scans and four roll-offs; pixels: the scan's, or
-/// that divided by `stride` where the cut-off or the tip needs finer ones.
+/// The periodic grid the windows are cut from. Period: at least four scans and four roll-offs; pixels: the
+/// scan's, or that divided by `stride` where the cut-off or the tip needs finer ones.
 struct AfmGrid {
   int pixels = 0, stride = 1;
   double period = 0;
@@ -52,9 +52,9 @@ std::vector<Topography> all_afm_windows(const Topography& surface, const AfmSett
 /// Statistics over such windows.
 AfmMeasurement measure(const std::vector<Topography>& windows);
 
-/// Expectation of the measured Sq of one window without tip, from the spectrum alone: a wave of the surface contributes its
-/// mean square less the share that its projection onto the plane {1, x, y} of the window has; Sq itself lies below
-/// the root of the mean square by its scatter, which is that of a gamma variable with
+/// Expectation of the measured Sq of one window without tip, from the spectrum alone: a wave of the surface
+/// contributes its mean square less the share that its projection onto the plane {1, x, y} of the window has;
+/// Sq itself lies below the root of the mean square by its scatter, which is that of a gamma variable with
 /// var(Sq^2) = 2 <R^2> over all pairs of points of the window, R the autocovariance.
 struct ExpectedSq {
   double mean = 0;         ///< <Sq> [m]
@@ -63,11 +63,13 @@ struct ExpectedSq {
 };
 ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSettings& afm);
 
-/// The spectrum scaled so that the expected measured Sq is `target` [m]. With a tip, by iteration on `realisations`
-/// surfaces (dilation is not linear in height).
-SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const AfmSettings& afm, int realisations = 4);
+/// The spectrum scaled so that the expected measured Sq is `target` [m]. With a tip, by iteration on
+/// `realisations` surfaces (dilation is not linear in height).
+SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const AfmSettings& afm,
+                              int realisations = 4);
 
-/// Distance at which the autocorrelation of the unbounded surface falls to 1/e [m] (Wiener-Khinchin, Hankel transform).
+/// Distance at which the autocorrelation of the unbounded surface falls to 1/e [m] (Wiener-Khinchin, Hankel
+/// transform).
 double correlation_length(const SelfAffineSpectrum& spectrum);
 
 }  // namespace asperity

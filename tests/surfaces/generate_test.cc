@@ -34,7 +34,8 @@ GenerateOptions options(int pixels, double size, std::uint64_t seed = 3) {
 TEST(Philox_other_code, gives_the_known_answers_of_its_authors) {  // Random123, kat_vectors
   using Bits = std::array<std::uint32_t, 4>;
   EXPECT_EQ(philox4x32({0, 0, 0, 0}, 0), (Bits{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
-  EXPECT_EQ(philox4x32({~0u, ~0u, ~0u, ~0u}, ~std::uint64_t{0}), (Bits{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox4x32({~0u, ~0u, ~0u, ~0u}, ~std::uint64_t{0}),
+            (Bits{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
 }
 
 TEST(SelfAffineSpectrum_analytic, integrates_to_the_mean_square_height) {
@@ -74,7 +75,8 @@ TEST(Generate_analytic, random_amplitudes_have_the_expected_mean_square) {
   for (int seed = 0; seed < realisations; ++seed) {
     GenerateOptions random = options(160, 1.6e-6, seed);
     random.rms = 1;
-    const double value = mean_square(generate_periodic({SelfAffineSpectrum{1, 0.8, 200e-9, 40e-9}}, random).heights);
+    const double value =
+        mean_square(generate_periodic({SelfAffineSpectrum{1, 0.8, 200e-9, 40e-9}}, random).heights);
     sum += value, sum_of_squares += value * value;
   }
   const double mean = sum / realisations;
@@ -130,7 +132,8 @@ TEST(HeightSampler_analytic, keeps_a_sine_of_four_pixels_within_a_fifth_of_a_per
   const HeightSampler sampler(sine);
   for (int iy = 0; iy < 8; ++iy)
     for (int ix = 0; ix < 64; ++ix)
-      EXPECT_NEAR(sampler.height(ix + 0.5 - 32, iy + 0.5 - 4), sine.at(ix, iy), 1e-13);  // passes through each pixel
+      EXPECT_NEAR(sampler.height(ix + 0.5 - 32, iy + 0.5 - 4), sine.at(ix, iy),
+                  1e-13);  // passes through each pixel
   double sum = 0;
   const int points = 4096;
   for (int i = 0; i < points; ++i) sum += std::pow(sampler.height(64.0 * (i + 0.5) / points - 32, 0.37), 2);
@@ -138,13 +141,15 @@ TEST(HeightSampler_analytic, keeps_a_sine_of_four_pixels_within_a_fifth_of_a_per
 }
 
 TEST(HeightSampler_analytic, sampled_Sq_is_that_of_the_map_at_a_cutoff_of_four_pixels) {
-  const Topography map = topography_for("generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=5)", 1e-6, 5e-9);
+  const Topography map =
+      topography_for("generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=5)", 1e-6, 5e-9);
   const HeightSampler sampler(map);
   double sum = 0;
   const int points = 700;  // not a multiple of the pixels
   for (int iy = 0; iy < points; ++iy)
     for (int ix = 0; ix < points; ++ix)
-      sum += std::pow(sampler.height(((ix + 0.31) / points - 0.5) * map.lx, ((iy + 0.77) / points - 0.5) * map.ly), 2);
+      sum += std::pow(
+          sampler.height(((ix + 0.31) / points - 0.5) * map.lx, ((iy + 0.77) / points - 0.5) * map.ly), 2);
   EXPECT_NEAR(std::sqrt(sum) / points, std::sqrt(mean_square(map.heights)), 1e-3 * 1.5e-9);
 }
 
@@ -177,7 +182,8 @@ TEST(HeightSampler_analytic, fills_missing_points_of_a_plane_with_the_plane) {
 }
 
 TEST(TopographySpec, reads_the_generators_arguments) {
-  const auto parameters = parse_generator(" generated( rms=1.5 nm, hurst = 0.7,rolloff=250 nm, cutoff=25 nm, seed=42) ");
+  const auto parameters =
+      parse_generator(" generated( rms=1.5 nm, hurst = 0.7,rolloff=250 nm, cutoff=25 nm, seed=42) ");
   EXPECT_DOUBLE_EQ(parameters.spectrum.rms, 1.5e-9);
   EXPECT_DOUBLE_EQ(parameters.spectrum.hurst, 0.7);
   EXPECT_DOUBLE_EQ(parameters.spectrum.rolloff, 250e-9);

@@ -21,7 +21,9 @@ GenerateOptions options(int pixels, double size, std::uint64_t seed) {
   return options;
 }
 
-Topography scan(std::uint64_t seed) { return generate_window(model, model.rolloff, options(512, 2.5e-6, seed)); }
+Topography scan(std::uint64_t seed) {
+  return generate_window(model, model.rolloff, options(512, 2.5e-6, seed));
+}
 
 }  // namespace
 
@@ -33,7 +35,8 @@ TEST(RadialSpectrum_analytic, of_a_periodic_map_is_the_one_it_was_made_of) {
   int compared = 0;
   for (std::size_t i = 0; i < spectrum.q.size(); ++i) {
     const double q = spectrum.q[i];
-    if (std::abs(q - 2 * M_PI / model.rolloff) < 2 * ring || std::abs(q - 2 * M_PI / model.cutoff) < 2 * ring) continue;
+    if (std::abs(q - 2 * M_PI / model.rolloff) < 2 * ring || std::abs(q - 2 * M_PI / model.cutoff) < 2 * ring)
+      continue;
     if (q > 2 * M_PI / model.cutoff) {
       EXPECT_LT(spectrum.C[i], 1e-20 * spectrum.C[0]);
     } else if (q < 2 * M_PI / model.rolloff) {
@@ -58,7 +61,8 @@ TEST(RadialSpectrum_analytic, of_windows_is_that_of_the_surface_within_sampling_
   double chi_squared = 0;
   int compared = 0;
   const std::size_t band = 6;  // rings: neighbours share what the window smears
-  for (std::size_t first = 3; spectrum.q[first + band] < 0.95 * 2 * M_PI / model.cutoff; first += band, ++compared) {
+  for (std::size_t first = 3; spectrum.q[first + band] < 0.95 * 2 * M_PI / model.cutoff;
+       first += band, ++compared) {
     double ratio = 0, modes = 0;
     for (std::size_t i = first; i < first + band; ++i) {
       ratio += spectrum.modes[i] * mean[i] / model(spectrum.q[i]);
@@ -91,7 +95,8 @@ TEST(SpectrumFit_analytic, finds_hurst_rolloff_and_cutoff_within_its_errors) {
     EXPECT_LT(fit.hurst.error, 0.05);
     EXPECT_LT(fit.misfit, 1.6);
   }
-  // mean squared deviations in units of the stated errors: chi squared of 12 degrees of freedom, 99.9 % below 2.7
+  // mean squared deviations in units of the stated errors: chi squared of 12 degrees of freedom, 99.9 %
+  // below 2.7
   EXPECT_LT(hurst, 2.7);
   EXPECT_LT(rolloff, 2.7);
   EXPECT_GT(hurst + rolloff, 0.4);

@@ -50,10 +50,12 @@ Topography gaussian(double rolloff, std::uint64_t seed, int pixels = 256) {
 TEST(Levelling_analytic, removes_the_polynomial_it_is_named_after) {
   const auto constant = map_of(40, 30, [](double, double) { return 3.0; });
   const auto plane = map_of(40, 30, [](double x, double y) { return 1e3 + 2 * x - 5 * y; });
-  const auto quadratic = map_of(40, 30, [](double x, double y) { return 7 + x - y + x * x + 3 * x * y - 2 * y * y; });
+  const auto quadratic =
+      map_of(40, 30, [](double x, double y) { return 7 + x - y + x * x + 3 * x * y - 2 * y * y; });
   const auto offsets = map_of(40, 30, [](double, double y) { return std::sin(9 * y); });
   const auto tilts = map_of(40, 30, [](double x, double y) { return std::sin(9 * y) + x * std::cos(5 * y); });
-  const auto bows = map_of(40, 30, [](double x, double y) { return std::sin(9 * y) + x * x * std::cos(5 * y); });
+  const auto bows =
+      map_of(40, 30, [](double x, double y) { return std::sin(9 * y) + x * x * std::cos(5 * y); });
   EXPECT_LT(largest_known(levelled(constant, Level::mean)), 1e-12);
   EXPECT_LT(largest_known(levelled(plane, Level::plane)), 1e-9);
   EXPECT_LT(largest_known(levelled(quadratic, Level::quadratic)), 1e-8);
@@ -85,16 +87,19 @@ TEST(Levelling, knows_its_names) {
 
 TEST(Statistics_analytic, of_a_sine) {
   const double amplitude = 2, wavelength = 64;
-  auto map = map_of(512, 64, [&](double x, double) { return 5 + amplitude * std::sin(2 * M_PI * x / wavelength); });
+  auto map =
+      map_of(512, 64, [&](double x, double) { return 5 + amplitude * std::sin(2 * M_PI * x / wavelength); });
   map.periodic = true;
   const auto statistics = height_statistics(map);
   const double q = 2 * M_PI / wavelength;
   EXPECT_NEAR(statistics.Sq, amplitude / std::sqrt(2), 1e-12);
   EXPECT_NEAR(statistics.Sa, 2 / M_PI * amplitude, 1e-3);
-  EXPECT_NEAR(statistics.Sz, 2 * amplitude * std::cos(q / 2), 1e-12);  // the nearest pixels are half a pixel off
+  EXPECT_NEAR(statistics.Sz, 2 * amplitude * std::cos(q / 2),
+              1e-12);  // the nearest pixels are half a pixel off
   EXPECT_NEAR(statistics.Ssk, 0, 1e-12);
   EXPECT_NEAR(statistics.Sku, 1.5, 1e-12);
-  // differences over one pixel see the slope times sinc(q/2), second differences the curvature times sinc(q/2)^2
+  // differences over one pixel see the slope times sinc(q/2), second differences the curvature times
+  // sinc(q/2)^2
   const double sinc = std::sin(q / 2) / (q / 2);
   EXPECT_NEAR(statistics.rms_slope, q * sinc * amplitude / std::sqrt(2), 1e-12);
   EXPECT_NEAR(statistics.rms_curvature, 0.5 * q * q * sinc * sinc * amplitude / std::sqrt(2), 1e-12);
@@ -118,7 +123,8 @@ TEST(Autocorrelation_analytic, length_of_an_exponential_correlation) {
   options.amplitudes = Amplitudes::fixed;
   options.rms = 1;
   const auto map = generate_periodic([&](double q) { return std::pow(1 + a * a * q * q, -1.5); }, options);
-  EXPECT_NEAR(autocorrelation(map).length(), a, 0.04 * a);  // short waves beyond the Nyquist wave number are lacking
+  EXPECT_NEAR(autocorrelation(map).length(), a,
+              0.04 * a);  // short waves beyond the Nyquist wave number are lacking
 }
 
 TEST(Autocorrelation_analytic, of_white_noise_counts_every_pixel_as_independent) {
@@ -145,7 +151,8 @@ TEST(Gaussianity_analytic, skewness_and_kurtosis_scatter_by_their_stated_errors)
   }
   EXPECT_NEAR(std::sqrt(skewness / skewness_error), 1, 0.2);
   EXPECT_NEAR(std::sqrt(kurtosis / kurtosis_error), 1, 0.25);
-  EXPECT_LE(rejected, 8);  // 1 % of 150 expected; the kurtosis has a heavier tail than its limiting distribution
+  EXPECT_LE(rejected,
+            8);  // 1 % of 150 expected; the kurtosis has a heavier tail than its limiting distribution
 }
 
 TEST(Gaussianity, is_denied_to_a_surface_of_one_sided_pits) {
@@ -157,7 +164,8 @@ TEST(Gaussianity, is_denied_to_a_surface_of_one_sided_pits) {
 }
 
 TEST(Gaussianity, is_not_judged_from_a_handful_of_asperities) {
-  EXPECT_EQ(gaussian_test(levelled(gaussian(250, 3), Level::plane)).verdict, GaussianTest::Verdict::too_few_samples);
+  EXPECT_EQ(gaussian_test(levelled(gaussian(250, 3), Level::plane)).verdict,
+            GaussianTest::Verdict::too_few_samples);
 }
 
 }  // namespace asperity

@@ -32,8 +32,8 @@ std::filesystem::path scratch(const std::string& name) {
 
 TEST(SurfaceReport, has_the_keys_that_other_programs_rely_on) {
   const auto json = to_json(measure_surface(scan(), Level::plane));
-  for (const char* key : {"pixels", "size_m", "Sq_m", "Sa_m", "Sz_m", "Ssk", "Sku", "rms_slope", "correlation_length_m", "missing",
-                          "channel", "level"})
+  for (const char* key : {"pixels", "size_m", "Sq_m", "Sa_m", "Sz_m", "Ssk", "Sku", "rms_slope",
+                          "correlation_length_m", "missing", "channel", "level"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["pixels"], nlohmann::ordered_json({128, 128}));
   EXPECT_EQ(json["level"], "plane");
@@ -82,7 +82,9 @@ TEST(TopographySpec, of_a_file_is_levelled_and_must_be_large_enough) {
 
 namespace {
 
-double Sq(const std::filesystem::path& file, Level level) { return height_moments(levelled(read_topography(file), level)).Sq; }
+double Sq(const std::filesystem::path& file, Level level) {
+  return height_moments(levelled(read_topography(file), level)).Sq;
+}
 
 }  // namespace
 
