@@ -1,0 +1,73 @@
+// asperity surface, as a person and a script call it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+struct Outcome {
+  int status;
+  std::string output;  ///< and errors
+};
+
+Outcome surface(const std::string& arguments) {
+  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " surface " + arguments + " 2>&1").c_str(), "r");
+  Outcome outcome{-1, ""};
+  if (!pipe) return outcome;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+  return outcome;
+}
+
+std::string generate(const std::string& file, const std::string& seed) {
+  return "generate --rms \"1.5 nm\" --size \"1 um\" --pixels 256 --seed " + seed + " --output " + file;
+}
+
+}  // namespace
+
+TEST(SurfaceCommand, generates_what_it_then_measures) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path / "surface.gsf").string();
+  ASSERT_EQ(surface(generate(file, "3")).status, 0);
+  const Outcome measured = surface("measure " + file + " --json");
+  ASSERT_EQ(measured.status, 0) << measured.output;
+  const auto json = nlohmann::json::parse(measured.output);
+  EXPECT_NEAR(json["Sq_m"].get<double>(), 1.5e-9, 0.15e-9);
+  EXPECT_EQ(json["pixels"], nlohmann::json({256, 256}));
+  EXPECT_NEAR(json["size_m"][0].get<double>(), 1e-6, 1e-12);
+  EXPECT_EQ(json["level"], "plane");
+  const Outcome spoken = surface("measure " + file);
+  EXPECT_EQ(spoken.status, 0);
+  EXPECT_NE(spoken.output.find("Sq (RMS height)"), std::string::npos);
+}
+
+TEST(SurfaceCommand, refuses_with_status_2) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path / "surface.gsf").string();
+  EXPECT_EQ(surface("measure " + file).status, 2);  // not there
+  EXPECT_EQ(surface(generate(file, "-3")).status, 2);
+  EXPECT_EQ(surface(generate(file, "3") + " --cutoff \"1 nm\"").status, 2);  // below two pixels
+  ASSERT_EQ(surface(generate(file, "3")).status, 0);
+  EXPECT_EQ(surface("measure " + file + " --level plain").status, 2);
+  EXPECT_EQ(surface("afm --rms \"1.5 nm\"").status, 2);  // neither peak to valley nor roll-off
+}
+
+TEST(SurfaceCommand, scales_a_spectrum_so_that_scans_show_the_rms) {
+  const Outcome outcome = surface("afm --rms \"1.5 nm\" --rolloff \"1 um\" --hurst 0.8 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_NEAR(json[0]["measured_rms_m"].get<double>(), 1.5e-9, 1e-15);
+  EXPECT_GT(json[0]["rms_m"].get<double>(), 1.01 * 1.5e-9);  // levelling takes 1 to 20 %
+  EXPECT_LT(json[0]["rms_m"].get<double>(), 1.20 * 1.5e-9);
+}
+
+}  // namespace asperity
