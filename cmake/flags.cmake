@@ -1,7 +1,7 @@
 # Flags every target of asperity gets, as one interface target.
 add_library(asperity_flags INTERFACE)
 target_include_directories(asperity_flags INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(asperity_flags INTERFACE -Wall -Wextra -Wno-psabi)
+target_compile_options(asperity_flags INTERFACE -Wall -Wextra -Wno-psabi -Wno-maybe-uninitialized)
 if(ASPERITY_NATIVE)
   target_compile_options(asperity_flags INTERFACE -march=native)
 endif()

@@ -1,0 +1,254 @@
+#include "fem/contact/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.h"
+
+namespace asperity::fem {
+namespace {
+
+bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
+
+}  // namespace
+
+ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& options) : system_(system), options_(options) {
+  penalty_ = options.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
+  const auto& gaps = system.initial_gaps();
+  touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
+}
+
+ContactState ContactSolver::first_touch() const {
+  ContactState state;
+  system_.level().initialise(state.displacement);
+  state.displacement.update_ghost_values();
+  state.multiplier.assign(system_.rows().size(), 0.0);
+  return state;
+}
+
+void ContactSolver::push_rigidly(ContactState& state, double approach) const {
+  const auto& level = system_.level();
+  std::vector<char> seen(state.displacement.locally_owned_size() / 3, 0);
+  for (const auto& batch : level.batches())
+    for (int l = 0; l < batch.count; ++l) {
+      if (batch.body[l] != 0) continue;
+      for (int v = 0; v < vertices_per_hex; ++v) {
+        const int node = batch.node[v][l];
+        if (node >= static_cast<int>(seen.size()) || seen[node]) continue;
+        seen[node] = 1;
+        state.displacement.local_element(3 * node + 2) -= approach;
+      }
+    }
+  state.displacement.update_ghost_values();
+  level.distribute(state.displacement.begin());
+  state.approach += approach;
+  if (system_.options().control == Control::displacement) set_driven(state, state.approach);
+}
+
+void ContactSolver::set_driven(ContactState& state, double approach) const {
+  for (const int dof : system_.level().driven_z()) state.displacement.local_element(dof) = -approach;
+  state.displacement.update_ghost_values();
+  state.approach = approach;
+}
+
+void ContactSolver::read_approach(ContactState& state) const {
+  const auto& level = system_.level();
+  const double own = level.owns_driven_dof() ? -state.displacement.local_element(level.local_driven_dof()) : 0.0;
+  state.approach = dealii::Utilities::MPI::sum(own, level.communicator());
+}
+
+std::vector<double> ContactSolver::gaps(const ContactState& state) const {
+  std::vector<double> gaps = system_.interface().gaps(state.displacement.begin());
+  for (std::size_t r = 0; r < gaps.size(); ++r) gaps[r] += system_.initial_gaps()[r] - touch_offset_;
+  return gaps;
+}
+
+std::vector<double> ContactSolver::pressures(const ContactState& state, const std::vector<double>& gaps) const {
+  std::vector<double> p(gaps.size());
+  for (std::size_t r = 0; r < p.size(); ++r) p[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
+  return p;
+}
+
+double ContactSolver::evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent,
+                               std::vector<double>& p) {
+  const auto& level = system_.level();
+  p = pressures(state, gaps(state));
+  residual = 0.0;
+  if (parallel(system_)) residual.zero_out_ghost_values();
+  system_.bodies().internal_force(state.displacement, residual, tangent);
+  residual *= -1.0;
+  std::vector<double> forces(p.size());
+  double total = 0;
+  for (std::size_t r = 0; r < p.size(); ++r) total += forces[r] = p[r] * system_.areas()[r];
+  system_.interface().add_forces(forces, residual.begin());
+  const bool force_control = system_.options().control == Control::force;
+  if (force_control && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
+  level.condense(residual.begin());
+  residual.compress(dealii::VectorOperation::add);
+  const double scale = std::max(total, force_control ? std::abs(target) : 0.0);
+  return scale > 0 ? residual.l1_norm() / scale : residual.l1_norm();
+}
+
+SolveReport ContactSolver::solve(ContactState& state, double target) {
+  SolveReport report;
+  const auto& level = system_.level();
+  if (system_.options().control == Control::displacement) set_driven(state, target);
+  if (parallel(system_)) state.displacement.update_ghost_values();
+  level.distribute(state.displacement.begin());
+  if (system_.options().control == Control::displacement) {
+    // distribute() writes the homogeneous part; put the prescribed values back on the driven plane.
+    set_driven(state, target);
+  }
+  Vector<double> residual, direction, trial;
+  for (auto* v : {&residual, &direction}) level.initialise(*v);
+  std::vector<double> p;
+  TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
+  double error = evaluate(state, target, residual, tangent, p);
+  system_.matrix().set_tangent(tangent);
+
+  for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
+    // Early updates need no tight equilibrium: the multipliers still move.
+    for (;;) {
+      const double goal = report.updates == 0 || report.penetration > 10 * options_.penetration_tolerance
+                              ? std::max(options_.residual_tolerance, 1e-3)
+                              : options_.residual_tolerance;
+      if (error <= goal || report.newton >= options_.largest_newton) break;
+      std::vector<double> stiffness(p.size());
+      for (std::size_t r = 0; r < p.size(); ++r) stiffness[r] = p[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
+      system_.interface().set_stiffness(stiffness);
+      system_.multigrid().update(stiffness, tangent, 0.0);
+      const double accuracy = std::clamp(0.3 * goal / error, 1e-4, 3e-2);
+      report.linear += system_.solve_linear(direction, residual, accuracy);
+      ++report.newton;
+
+      // The slope along the direction changes sign where the convex energy is lowest.
+      const double slope = residual * direction;
+      const Vector<double> start = state.displacement;
+      double step = 1, low = 0, low_slope = slope;
+      for (int trials = 0; trials < 6; ++trials) {
+        state.displacement = start;
+        state.displacement.zero_out_ghost_values();
+        direction.zero_out_ghost_values();
+        state.displacement.add(step, direction);
+        state.displacement.update_ghost_values();
+        direction.update_ghost_values();
+        error = evaluate(state, target, residual, tangent, p);
+        const double here = residual * direction;
+        if (here > -0.5 * slope) {
+          break;
+        }
+        step = low + (step - low) * low_slope / (low_slope - here);
+      }
+      if (log)
+        log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
+            " cg " + std::to_string(report.linear) + " active " + std::to_string(std::count_if(p.begin(), p.end(), [](double v) { return v > 0; })));
+    }
+    double change = 0, total = 0;
+    for (std::size_t r = 0; r < p.size(); ++r) {
+      change += system_.areas()[r] * std::abs(p[r] - state.multiplier[r]);
+      total += system_.areas()[r] * p[r];
+    }
+    report.penetration = total > 0 ? change / total : 0.0;
+    report.residual = error;
+    if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(report.penetration));
+    const bool closed = report.penetration <= options_.penetration_tolerance;
+    if (closed && error <= options_.residual_tolerance) {
+      report.converged = true;
+      break;
+    }
+    if (report.newton >= options_.largest_newton) break;
+    if (!closed) {
+      state.multiplier = p;
+      error = evaluate(state, target, residual, tangent, p);
+    }
+  }
+  state.multiplier = p;
+  if (system_.options().control == Control::force) read_approach(state);
+  return report;
+}
+
+ContactResultants ContactSolver::resultants(const ContactState& state) const {
+  const auto& level = system_.level();
+  ContactResultants result;
+  double moment_x = 0, moment_y = 0;
+  for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
+    const double p = state.multiplier[r];
+    if (p <= 0) continue;
+    const double force = p * system_.areas()[r];
+    result.force += force;
+    result.area += system_.areas()[r];
+    result.largest_pressure = std::max(result.largest_pressure, p);
+    ++result.active;
+    result.reaches_rim = result.reaches_rim || system_.on_rim()[r];
+    system_.interface().for_row(static_cast<int>(r), [&](int node, double weight) {
+      moment_x += force * weight * system_.interface_points()[node][1];
+      moment_y += force * weight * system_.interface_points()[node][0];
+    });
+  }
+  if (result.force > 0)
+    result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
+  Vector<double> force;
+  level.initialise(force);
+  system_.bodies().internal_force(state.displacement, force, nullptr);
+  force.compress(dealii::VectorOperation::add);
+  double driven = 0, fixed = 0;
+  for (const int dof : level.driven_z()) driven -= force.local_element(dof);
+  for (const int dof : level.fixed_z()) fixed += force.local_element(dof);
+  result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator());
+  result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
+  return result;
+}
+
+double ContactSolver::elastic_stiffness(const ContactState& state) {
+  const auto& level = system_.level();
+  std::vector<double> stiffness(state.multiplier.size());
+  // Closed nodes move together: a spring far stiffer than the bodies' own spacing-scale stiffness.
+  for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? 50 * penalty_ * system_.areas()[r] : 0.0;
+  system_.interface().set_stiffness(stiffness);
+  system_.multigrid().update(stiffness, nullptr, 0.0);
+  system_.matrix().set_tangent(nullptr);
+  Vector<double> unit, response;
+  level.initialise(unit);
+  level.initialise(response);
+  if (level.owns_driven_dof()) unit.local_element(level.local_driven_dof()) = -1.0;
+  system_.solve_linear(response, unit, 1e-6);
+  const double own = level.owns_driven_dof() ? -response.local_element(level.local_driven_dof()) : 0.0;
+  const double compliance = dealii::Utilities::MPI::sum(own, level.communicator());
+  return 1 / compliance;
+}
+
+double ContactSolver::far_field_compliance(double radius) {
+  const auto& level = system_.level();
+  const auto& areas = system_.areas();
+  std::vector<double> forces(areas.size(), 0.0), none(areas.size(), 0.0);
+  double total = 0;
+  for (std::size_t r = 0; r < areas.size(); ++r) {
+    const auto& p = system_.interface_points()[system_.rows()[r].node];
+    const double s = 1 - (p[0] * p[0] + p[1] * p[1]) / (radius * radius);
+    if (s > 0) total += forces[r] = areas[r] * std::sqrt(s);
+  }
+  for (auto& f : forces) f /= total;
+  Vector<double> load, response;
+  level.initialise(load);
+  level.initialise(response);
+  system_.interface().add_forces(forces, load.begin());
+  if (level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0;
+  level.condense(load.begin());
+  load.compress(dealii::VectorOperation::add);
+  const double spring = system_.reduced_modulus() * radius;  // carries nothing: the loads balance
+  system_.interface().set_stiffness(none);
+  system_.matrix().set_tangent(nullptr);
+  system_.matrix().set_driven_spring(spring);
+  system_.multigrid().update(none, nullptr, spring);
+  system_.solve_linear(response, load, 1e-7);
+  system_.matrix().set_driven_spring(0);
+  const std::vector<double> opening = system_.interface().gaps(response.begin());
+  double mean = 0;
+  for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * opening[r];
+  // Half-spaces under Hertz' pressure and unit force: delta = 3 / (4 E* a); the pressure-weighted mean of the surfaces'
+  // displacement is 0.8 delta, because the mean of r^2 under that pressure is 2 a^2 / 5.
+  return mean - 0.8 * 3 / (4 * system_.reduced_modulus() * radius);
+}
+
+}  // namespace asperity::fem

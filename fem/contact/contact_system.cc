@@ -1,0 +1,86 @@
+#include "fem/contact/contact_system.h"
+
+#include <deal.II/lac/solver_cg.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace asperity::fem {
+
+ContactSystem::ContactSystem(MPI_Comm communicator, const ContactSystemOptions& options)
+    : options_(options), geometry_(options.mesh), forest_(meshing::make_forest(communicator, options.mesh)) {
+  level_ = std::make_unique<MeshLevel>(*forest_, options.control);
+  positions_ = level_->node_positions(geometry_);
+  matrix_ = std::make_unique<HexOperator<double>>(*level_, positions_, options.materials);
+  bodies_ = std::make_unique<PlasticBodies>(*level_, positions_, options.materials);
+  multigrid_ = std::make_unique<Multigrid>(options.mesh, *level_, options.control, geometry_, options.materials);
+  couple();
+}
+
+void ContactSystem::couple() {
+  const InterfaceNodes nodes(*level_);
+  interface_points_.resize(nodes.count());
+  for (int c = 0; c < 3; ++c) {
+    const auto values = nodes.gather(positions_.begin(), c);
+    for (int k = 0; k < nodes.count(); ++k) interface_points_[k][c] = values[k];
+  }
+  const auto& sizes = options_.mesh.sizes;
+  const double region = sizes.region_particle;
+  std::array<std::vector<PlaneFace>, 2> faces;
+  for (const auto& f : level_->interface_faces()) {
+    PlaneFace face;
+    for (int v = 0; v < 4; ++v) face.node[v] = nodes.index(f.node[v]);
+    const auto& low = interface_points_[face.node[0]];
+    const auto& high = interface_points_[face.node[3]];
+    face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
+    const double reach = std::max({std::abs(face.x0), std::abs(face.x1), std::abs(face.y0), std::abs(face.y1)});
+    if (f.body == 0 && reach > region * (1 + 1e-9)) continue;
+    if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)
+      throw WorkError("the particle's contact region is not uniformly meshed; this is an error of the program");
+    faces[f.body].push_back(face);
+  }
+  if (faces[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
+  rows_ = couple_interfaces(faces[0], faces[1]);
+  interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, nodes);
+  multigrid_->set_interface_rows(rows_, nodes);
+  gaps_ = interface_->gaps(positions_.begin());
+  double largest = 0;
+  for (const auto& row : rows_) {
+    areas_.push_back(row.area);
+    const auto& p = interface_points_[row.node];
+    largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+  }
+  for (const auto& row : rows_) {
+    const auto& p = interface_points_[row.node];
+    on_rim_.push_back(std::max(std::abs(p[0]), std::abs(p[1])) > largest - 0.5 * sizes.spacing_particle);
+  }
+  matrix_->set_interface(interface_.get());
+}
+
+double ContactSystem::reduced_modulus() const {
+  double compliance = 0;
+  for (const auto& m : options_.materials) {
+    const double nu = (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
+    compliance += (1 - nu) / (2 * m.shear_modulus);  // (1 - nu^2) / E
+  }
+  return 1 / compliance;
+}
+
+int ContactSystem::solve_linear(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
+  x = 0.0;
+  if (rhs.l2_norm() == 0) return 0;
+  dealii::ReductionControl control(400, 0.0, relative_tolerance, false, false);
+  dealii::SolverCG<Vector<double>> solver(control);
+  try {
+    solver.solve(*matrix_, x, rhs, *multigrid_);
+  } catch (const dealii::SolverControl::NoConvergence&) {
+    // An inexact direction is still one of descent; the Newton iteration judges it by its residual.
+  }
+  if (dealii::Utilities::MPI::n_mpi_processes(level_->communicator()) > 1) x.update_ghost_values();
+  level_->distribute(x.begin());
+  return static_cast<int>(control.last_step());
+}
+
+}  // namespace asperity::fem

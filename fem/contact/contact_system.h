@@ -1,0 +1,67 @@
+// Both bodies, their meshes, the coupling of their interfaces and the solver's levels: all that stays fixed while loads change.
+#pragma once
+
+#include <memory>
+
+#include "fem/contact/interface_operator.h"
+#include "fem/solver/multigrid.h"
+#include "fem/solver/plastic_bodies.h"
+#include "meshing/contact_mesh.h"
+
+namespace asperity::fem {
+
+struct ContactSystemOptions {
+  meshing::ContactMeshOptions mesh;
+  std::array<J2Material, 2> materials;  ///< particle, substrate
+  Control control = Control::force;
+};
+
+class ContactSystem {
+ public:
+  ContactSystem(MPI_Comm communicator, const ContactSystemOptions& options);
+
+  const MeshLevel& level() const { return *level_; }
+  const ContactSystemOptions& options() const { return options_; }
+  const meshing::RoughGeometry& geometry() const { return geometry_; }
+  const meshing::Triangulation& forest() const { return *forest_; }
+  const Vector<double>& positions() const { return positions_; }
+  const std::vector<GapRow>& rows() const { return rows_; }
+  const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
+  const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row before any motion [m]
+  const InterfaceOperator& interface() const { return *interface_; }
+  InterfaceOperator& interface() { return *interface_; }
+  /// In-plane position and height of each interface node [m].
+  const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
+  HexOperator<double>& matrix() { return *matrix_; }
+  Multigrid& multigrid() { return *multigrid_; }
+  PlasticBodies& bodies() { return *bodies_; }
+  const PlasticBodies& bodies() const { return *bodies_; }
+
+  /// Reduced modulus E* of the pair [Pa].
+  double reduced_modulus() const;
+  /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too small.
+  const std::vector<char>& on_rim() const { return on_rim_; }
+
+  /// Solves the condensed linear system with the current interface stiffness, tangent and driven spring by
+  /// preconditioned conjugate gradients; x starts from zero. Returns the number of iterations.
+  int solve_linear(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const;
+
+ private:
+  void couple();
+
+  ContactSystemOptions options_;
+  meshing::RoughGeometry geometry_;
+  std::unique_ptr<meshing::Triangulation> forest_;
+  std::unique_ptr<MeshLevel> level_;
+  Vector<double> positions_;
+  std::unique_ptr<HexOperator<double>> matrix_;
+  std::unique_ptr<PlasticBodies> bodies_;
+  std::unique_ptr<InterfaceOperator> interface_;
+  std::unique_ptr<Multigrid> multigrid_;
+  std::vector<GapRow> rows_;
+  std::vector<double> areas_, gaps_;
+  std::vector<std::array<double, 3>> interface_points_;
+  std::vector<char> on_rim_;
+};
+
+}  // namespace asperity::fem

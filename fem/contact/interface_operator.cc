@@ -1,0 +1,164 @@
+#include "fem/contact/interface_operator.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "core/error.h"
+
+namespace asperity::fem {
+namespace {
+
+/// Finds the face of a level that holds a lattice site.
+class FaceFinder {
+ public:
+  explicit FaceFinder(const std::vector<InterfaceFace>& faces) : faces_(faces) {
+    std::set<int> sizes;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      sizes.insert(faces[f].size);
+      by_corner_[key(faces[f].body, faces[f].i, faces[f].j, faces[f].size)] = static_cast<int>(f);
+    }
+    sizes_.assign(sizes.begin(), sizes.end());
+  }
+  const InterfaceFace& at(const InterfaceNodes::Site& site) const {
+    constexpr int end = 1 << lattice_bits;
+    const int i = std::min(site.i, end - 1), j = std::min(site.j, end - 1);
+    for (const int size : sizes_) {
+      const auto face = by_corner_.find(key(site.body, i & ~(size - 1), j & ~(size - 1), size));
+      if (face != by_corner_.end()) return faces_[face->second];
+    }
+    throw WorkError("an interface node lies on no face of a coarser mesh; this is an error of the program");
+  }
+
+ private:
+  static std::uint64_t key(int body, int i, int j, int size) {
+    int log = 0;
+    while ((1 << log) < size) ++log;
+    return (((static_cast<std::uint64_t>(body) << 5 | log) << 24 | i) << 24) | j;
+  }
+  const std::vector<InterfaceFace>& faces_;
+  std::unordered_map<std::uint64_t, int> by_corner_;
+  std::vector<int> sizes_;
+};
+
+}  // namespace
+
+InterfaceNodes::InterfaceNodes(const MeshLevel& level)
+    : communicator_(level.communicator()), parallel_(dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1) {
+  std::map<long, Site> found;
+  for (const auto& face : level.interface_faces())
+    for (int v = 0; v < 4; ++v)
+      found[face.node[v]] = {face.body, face.i + (v & 1) * face.size, face.j + (v >> 1) * face.size};
+  const auto& partitioner = *level.partitioner();
+  for (const auto& [node, site] : found) {
+    if (partitioner.in_local_range(3 * static_cast<dealii::types::global_dof_index>(node)))
+      owned_.emplace_back(static_cast<int>(global_.size()), static_cast<int>(partitioner.global_to_local(3 * node) / 3));
+    global_.push_back(node);
+    sites_.push_back(site);
+  }
+}
+
+int InterfaceNodes::index(long global_node) const {
+  return static_cast<int>(std::lower_bound(global_.begin(), global_.end(), global_node) - global_.begin());
+}
+
+template <typename Number>
+std::vector<Number> InterfaceNodes::gather(const Number* local, int component) const {
+  std::vector<Number> values(global_.size(), Number(0));
+  for (const auto& [index, node] : owned_) values[index] = local[3 * node + component];
+  if (parallel_) dealii::Utilities::MPI::sum(values, communicator_, values);
+  return values;
+}
+
+template <typename Number>
+void InterfaceNodes::scatter_add(std::vector<Number>& values, int component, Number* local) const {
+  if (parallel_) dealii::Utilities::MPI::sum(values, communicator_, values);
+  for (const auto& [index, node] : owned_) local[3 * node + component] += values[index];
+}
+
+InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes)
+    : level_(level), nodes_(level) {
+  const FaceFinder finder(level.interface_faces());
+  start_.push_back(0);
+  std::vector<std::pair<int, double>> merged;
+  for (const auto& row : rows) {
+    merged.clear();
+    for (const auto& [fine_node, weight] : row.entries) {
+      const auto& site = fine_nodes.site(fine_node);
+      const InterfaceFace& face = finder.at(site);
+      const double s = static_cast<double>(site.i - face.i) / face.size, t = static_cast<double>(site.j - face.j) / face.size;
+      const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
+      for (int v = 0; v < 4; ++v) {
+        if (shape[v] == 0) continue;
+        const int column = nodes_.index(face.node[v]);
+        const auto known = std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
+        if (known == merged.end()) merged.emplace_back(column, weight * shape[v]);
+        else known->second += weight * shape[v];
+      }
+    }
+    for (const auto& [column, weight] : merged) {
+      column_.push_back(column);
+      weight_.push_back(weight);
+    }
+    start_.push_back(static_cast<int>(column_.size()));
+  }
+  const long count = static_cast<long>(rows.size());
+  const long ranks = dealii::Utilities::MPI::n_mpi_processes(level.communicator());
+  const long rank = dealii::Utilities::MPI::this_mpi_process(level.communicator());
+  first_row_ = static_cast<int>(count * rank / ranks);
+  last_row_ = static_cast<int>(count * (rank + 1) / ranks);
+  stiffness_.assign(rows.size(), 0.0f);
+}
+
+void InterfaceOperator::set_stiffness(const std::vector<double>& stiffness) {
+  active_.clear();
+  for (int r = 0; r < rows(); ++r) {
+    stiffness_[r] = static_cast<float>(stiffness[r]);
+    if (stiffness[r] != 0 && r >= first_row_ && r < last_row_) active_.push_back(r);
+  }
+}
+
+template <typename Number>
+void InterfaceOperator::apply(const Number* x, Number* y) const {
+  const std::vector<Number> values = nodes_.gather(x, 2);
+  std::vector<Number> result(values.size(), Number(0));
+  for (const int row : active_) {
+    Number gap = 0;
+    for (int e = start_[row]; e < start_[row + 1]; ++e) gap += static_cast<Number>(weight_[e]) * values[column_[e]];
+    gap *= static_cast<Number>(stiffness_[row]);
+    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += static_cast<Number>(weight_[e]) * gap;
+  }
+  nodes_.scatter_add(result, 2, y);
+}
+
+void InterfaceOperator::add_diagonal(double* diagonal) const {
+  std::vector<double> result(nodes_.count(), 0.0);
+  for (const int row : active_)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += stiffness_[row] * weight_[e] * weight_[e];
+  nodes_.scatter_add(result, 2, diagonal);
+}
+
+std::vector<double> InterfaceOperator::gaps(const double* x) const {
+  const std::vector<double> values = nodes_.gather(x, 2);
+  std::vector<double> gaps(rows(), 0.0);
+  for (int row = 0; row < rows(); ++row)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) gaps[row] += weight_[e] * values[column_[e]];
+  return gaps;
+}
+
+void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y) const {
+  std::vector<double> result(nodes_.count(), 0.0);
+  for (int row = first_row_; row < last_row_; ++row)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += weight_[e] * row_forces[row];
+  nodes_.scatter_add(result, 2, y);
+}
+
+template void InterfaceOperator::apply<double>(const double*, double*) const;
+template void InterfaceOperator::apply<float>(const float*, float*) const;
+template std::vector<double> InterfaceNodes::gather<double>(const double*, int) const;
+template std::vector<float> InterfaceNodes::gather<float>(const float*, int) const;
+template void InterfaceNodes::scatter_add<double>(std::vector<double>&, int, double*) const;
+template void InterfaceNodes::scatter_add<float>(std::vector<float>&, int, float*) const;
+
+}  // namespace asperity::fem

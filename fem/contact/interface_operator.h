@@ -1,0 +1,78 @@
+// The gap operator G of the finest mesh seen from one mesh level, and its stiffness G^T E G.
+//
+// The rows are the contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
+// G_coarse = G P exactly and spares triple products when the active set changes. Interface values are gathered on all
+// ranks; each rank works on its share of the rows.
+#pragma once
+
+#include <vector>
+
+#include "fem/contact/mortar.h"
+#include "fem/solver/mesh_level.h"
+
+namespace asperity::fem {
+
+/// The interface nodes of one level, the same list on every rank, and where this rank keeps its own.
+class InterfaceNodes {
+ public:
+  explicit InterfaceNodes(const MeshLevel& level);
+  int count() const { return static_cast<int>(global_.size()); }
+  /// Index of a global node.
+  int index(long global_node) const;
+  /// Lattice position of a node: body and coordinates in units of 2^-lattice_bits.
+  struct Site {
+    int body, i, j;
+  };
+  const Site& site(int node) const { return sites_[node]; }
+  /// Values of one component at all interface nodes, from all ranks.
+  template <typename Number>
+  std::vector<Number> gather(const Number* local, int component) const;
+  /// Sums contributions of all ranks and adds each to the local vector of the node's owner.
+  template <typename Number>
+  void scatter_add(std::vector<Number>& values, int component, Number* local) const;
+
+ private:
+  MPI_Comm communicator_;
+  bool parallel_;
+  std::vector<long> global_;
+  std::vector<Site> sites_;
+  std::vector<std::pair<int, int>> owned_;  ///< index in the list, local node
+};
+
+class InterfaceOperator {
+ public:
+  /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
+  InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+
+  int rows() const { return static_cast<int>(start_.size()) - 1; }
+  const InterfaceNodes& nodes() const { return nodes_; }
+  /// Stiffness of each row [N/m]; rows with 0 are open.
+  void set_stiffness(const std::vector<double>& stiffness);
+
+  /// y += G^T E G x on the z components.
+  template <typename Number>
+  void apply(const Number* x, Number* y) const;
+  void add_diagonal(double* diagonal) const;
+
+  /// G x: one value per row, on every rank.
+  std::vector<double> gaps(const double* x) const;
+  /// y += G^T f.
+  void add_forces(const std::vector<double>& row_forces, double* y) const;
+  /// Visits the entries (interface node, weight) of a row.
+  template <typename Visit>
+  void for_row(int row, const Visit& visit) const {
+    for (int e = start_[row]; e < start_[row + 1]; ++e) visit(column_[e], weight_[e]);
+  }
+  const std::vector<float>& stiffness() const { return stiffness_; }
+  const std::vector<int>& active() const { return active_; }
+
+ private:
+  const MeshLevel& level_;
+  InterfaceNodes nodes_;
+  std::vector<int> start_, column_, active_;
+  std::vector<float> stiffness_;
+  std::vector<double> weight_;
+  int first_row_ = 0, last_row_ = 0;  ///< this rank's share
+};
+
+}  // namespace asperity::fem

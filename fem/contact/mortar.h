@@ -1,0 +1,30 @@
+// Dual mortar coupling of two non-matching interfaces: the weighted gap at each node of the particle's surface.
+//
+// The interfaces are compared along the approach direction z (small slopes; the error is of order slope^2). With the
+// dual basis psi (Wohlmuth 2000: integral of psi_a N_b = delta_ab D_a) the gap at node a of the particle's side is
+//   g_a = z_a - sum_b (M_ab / D_a) z_b,   M_ab = integral of psi_a N_b over the overlap,
+// and a pressure p_a there loads both sides with p_a D_a G_a. Forces and moments balance exactly because the weights
+// reproduce linear functions; a uniform pressure passes the patch test on any pair of meshes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace asperity::fem {
+
+/// A rectangle of an interface mesh in the plane of the contact; nodes lexicographic.
+struct PlaneFace {
+  double x0, x1, y0, y1;  ///< [m]
+  std::array<int, 4> node;
+};
+
+struct GapRow {
+  int node = -1;   ///< interface node of the particle's side
+  double area = 0; ///< D_a [m^2]
+  std::vector<std::pair<int, double>> entries;  ///< interface node, weight; the node itself has weight 1
+};
+
+/// Rows for all nodes of `particle` faces. Throws WorkError where the substrate's faces do not cover the particle's.
+std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, const std::vector<PlaneFace>& substrate);
+
+}  // namespace asperity::fem

@@ -1,0 +1,123 @@
+// Von Mises (J2) plasticity at small strain, associated flow, radial return; isotropic hardening (linear, Voce) and
+// linear kinematic hardening (Prager), perfectly plastic included.
+//
+// Yield: f = sqrt(3/2) |s - beta| - sigma_y(alpha) <= 0, sigma_y = Y + H alpha + Q (1 - exp(-b alpha)),
+// back stress beta = (2/3) H_kin e_p, alpha = equivalent plastic strain. Source: Simo & Hughes (1998), Computational
+// Inelasticity, boxes 3.1 and 3.2 (return map and consistent tangent). Stresses in Pa.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "fem/solver/hex_kernel.h"
+
+namespace asperity::fem {
+
+/// Constants of one body.
+struct J2Material {
+  double shear_modulus = 0, bulk_modulus = 0;
+  double yield_stress = std::numeric_limits<double>::infinity();
+  double isotropic_modulus = 0;  ///< H [Pa]
+  double kinematic_modulus = 0;  ///< H_kin [Pa]
+  double voce_saturation = 0;    ///< Q [Pa]
+  double voce_rate = 0;          ///< b [-]
+
+  static J2Material elastic(double youngs_modulus, double poisson_ratio) {
+    J2Material material;
+    material.shear_modulus = youngs_modulus / (2 * (1 + poisson_ratio));
+    material.bulk_modulus = youngs_modulus / (3 * (1 - 2 * poisson_ratio));
+    return material;
+  }
+  bool can_yield() const { return std::isfinite(yield_stress); }
+  double flow_stress(double alpha) const {
+    return yield_stress + isotropic_modulus * alpha + voce_saturation * (1 - std::exp(-voce_rate * alpha));
+  }
+  /// d(sigma_y)/d(alpha).
+  double isotropic_slope(double alpha) const {
+    return isotropic_modulus + voce_saturation * voce_rate * std::exp(-voce_rate * alpha);
+  }
+  /// Energy stored by hardening per volume: integral of (sigma_y - Y) d(alpha) + H_kin alpha-equivalent of back stress.
+  double isotropic_energy(double alpha) const {
+    const double voce = voce_rate > 0 ? voce_saturation * (alpha + (std::exp(-voce_rate * alpha) - 1) / voce_rate) : 0;
+    return 0.5 * isotropic_modulus * alpha * alpha + voce;
+  }
+};
+
+/// Plastic history of one point in each of eight cells.
+template <typename V>
+struct PlasticState {
+  SymmetricTensor<V> strain{};  ///< plastic strain e_p (deviatoric)
+  V alpha{};                    ///< equivalent plastic strain
+};
+
+/// Consistent tangent of the deviatoric stress: ds = 2G (theta de - theta_bar n (n : de)).
+template <typename V>
+struct J2Tangent {
+  V theta, theta_bar;
+  SymmetricTensor<V> normal;
+};
+
+template <typename V>
+inline V double_contraction(const SymmetricTensor<V>& a, const SymmetricTensor<V>& b) {
+  using Number = std::decay_t<decltype(a[0][0])>;
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + Number(2) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+/// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the surface.
+inline double return_to_yield_surface(const J2Material& m, double q, double alpha) {
+  const double stiff = 3 * m.shear_modulus + m.kinematic_modulus;
+  double increment = (q - m.flow_stress(alpha)) / (stiff + m.isotropic_slope(alpha));
+  if (m.voce_rate == 0) return increment;
+  for (int i = 0; i < 50; ++i) {  // Newton: the flow stress is concave, so it converges monotonically from here
+    const double error = q - stiff * increment - m.flow_stress(alpha + increment);
+    increment += error / (stiff + m.isotropic_slope(alpha + increment));
+    if (std::abs(error) < 1e-12 * m.yield_stress) break;
+  }
+  return increment;
+}
+
+/// Returns the deviatoric stress for a deviatoric strain; updates `state` and fills `tangent` where a lane yields.
+/// materials[l] belongs to lane l. The result says whether any lane yields in this step.
+inline bool return_map(const J2Material* const* materials, const Simd<double>& shear_modulus,
+                       const SymmetricTensor<Simd<double>>& strain_deviator, PlasticState<Simd<double>>& state,
+                       SymmetricTensor<Simd<double>>& stress, J2Tangent<Simd<double>>& tangent) {
+  using V = Simd<double>;
+  SymmetricTensor<V> relative;
+  V kinematic;
+  for (int l = 0; l < lanes; ++l) kinematic[l] = materials[l]->kinematic_modulus;
+  for (int c = 0; c < 6; ++c) {
+    stress[c] = 2.0 * shear_modulus * (strain_deviator[c] - state.strain[c]);
+    relative[c] = stress[c] - kinematic * (2.0 / 3.0) * state.strain[c];
+  }
+  tangent.theta = V{} + 1.0;
+  tangent.theta_bar = V{};
+  const V norm = square_root(double_contraction(relative, relative));
+  bool yields = false;
+  V increment = V{};
+  for (int l = 0; l < lanes; ++l) {
+    const J2Material& m = *materials[l];
+    const double q = std::sqrt(1.5) * norm[l];
+    if (!(q > m.flow_stress(state.alpha[l]))) continue;
+    yields = true;
+    increment[l] = return_to_yield_surface(m, q, state.alpha[l]);
+    const double slope = m.isotropic_slope(state.alpha[l] + increment[l]) + m.kinematic_modulus;
+    tangent.theta[l] = 1 - 3 * m.shear_modulus * increment[l] / q;
+    tangent.theta_bar[l] = 1 / (1 + slope / (3 * m.shear_modulus)) - (1 - tangent.theta[l]);
+  }
+  if (!yields) {
+    tangent.normal = {};
+    return false;
+  }
+  for (int c = 0; c < 6; ++c) {
+    V direction = relative[c];
+    for (int l = 0; l < lanes; ++l) direction[l] = norm[l] > 0 ? direction[l] / norm[l] : 0.0;
+    tangent.normal[c] = direction;
+    const V flow = increment * std::sqrt(1.5) * direction;
+    state.strain[c] += flow;
+    stress[c] -= 2.0 * shear_modulus * flow;
+  }
+  state.alpha += increment;
+  return true;
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,92 @@
+#include "fem/solver/chebyshev.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace asperity::fem {
+namespace {
+
+/// Repeatable start vector with all frequencies, independent of the number of ranks only in character.
+void fill_rough(Vector<float>& v) {
+  const auto first = v.get_partitioner()->local_range().first;
+  for (unsigned i = 0; i < v.locally_owned_size(); ++i) {
+    std::uint64_t x = (first + i + 1) * 0x9E3779B97F4A7C15ull;
+    x ^= x >> 31;
+    x *= 0xBF58476D1CE4E5B9ull;
+    v.local_element(i) = static_cast<float>(static_cast<double>(x >> 40) / (1 << 23) - 1.0);
+  }
+}
+
+}  // namespace
+
+void Chebyshev::initialise(const HexOperator<float>& matrix, int steps) {
+  inverse_diagonal_ = matrix.diagonal();
+  for (unsigned i = 0; i < inverse_diagonal_.locally_owned_size(); ++i)
+    inverse_diagonal_.local_element(i) = 1.0f / inverse_diagonal_.local_element(i);
+  matrix.initialize_dof_vector(residual_);
+  matrix.initialize_dof_vector(direction_);
+
+  Vector<float> r, z, p, q;
+  for (auto* v : {&r, &z, &p, &q}) matrix.initialize_dof_vector(*v);
+  fill_rough(p);
+  matrix.vmult(r, p);  // in the range of the operator: constrained entries are zero
+  z = r;
+  z.scale(inverse_diagonal_);
+  p = z;
+  double rz = static_cast<double>(r * z), alpha_before = 1, beta_before = 0;
+  Eigen::MatrixXd lanczos = Eigen::MatrixXd::Zero(steps, steps);
+  int made = 0;
+  for (; made < steps && rz > 0; ++made) {
+    matrix.vmult(q, p);
+    const double pq = static_cast<double>(p * q);
+    if (!(pq > 0)) break;
+    const double alpha = rz / pq;
+    lanczos(made, made) = 1 / alpha + (made ? beta_before / alpha_before : 0.0);
+    r.add(static_cast<float>(-alpha), q);
+    z = r;
+    z.scale(inverse_diagonal_);
+    const double next = static_cast<double>(r * z), beta = next / rz;
+    if (made + 1 < steps) lanczos(made, made + 1) = lanczos(made + 1, made) = std::sqrt(std::max(beta, 0.0)) / alpha;
+    p.sadd(static_cast<float>(beta), z);
+    alpha_before = alpha;
+    beta_before = beta;
+    rz = next;
+  }
+  const Eigen::MatrixXd used = lanczos.topLeftCorner(made, made);
+  largest_ = made ? 1.1 * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff() : 1.0;
+}
+
+void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const {
+  const double upper = largest_, lower = largest_ / range;
+  const double centre = 0.5 * (upper + lower), half = 0.5 * (upper - lower), sigma = centre / half;
+  double rho = 1 / sigma;
+  const unsigned n = x.locally_owned_size();
+  const float* diagonal = inverse_diagonal_.begin();
+  const float* rhs = b.begin();
+  float* direction = direction_.begin();
+  float* values = x.begin();
+  const float first = static_cast<float>(1 / centre);
+  if (zero_guess) {
+    for (unsigned i = 0; i < n; ++i) values[i] = direction[i] = first * diagonal[i] * rhs[i];
+  } else {
+    matrix.vmult(residual_, x);
+    const float* product = residual_.begin();
+    for (unsigned i = 0; i < n; ++i) {
+      direction[i] = first * diagonal[i] * (rhs[i] - product[i]);
+      values[i] += direction[i];
+    }
+  }
+  for (int k = 1; k < degree; ++k) {
+    const double next = 1 / (2 * sigma - rho);
+    const float keep = static_cast<float>(next * rho), step = static_cast<float>(2 * next / half);
+    rho = next;
+    matrix.vmult(residual_, x);
+    const float* product = residual_.begin();
+    for (unsigned i = 0; i < n; ++i) {
+      direction[i] = keep * direction[i] + step * diagonal[i] * (rhs[i] - product[i]);
+      values[i] += direction[i];
+    }
+  }
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,29 @@
+// Chebyshev polynomial smoother with point-Jacobi scaling (Adams, Brezina, Hu & Tuminaro 2003).
+#pragma once
+
+#include "fem/solver/hex_operator.h"
+
+namespace asperity::fem {
+
+class Chebyshev {
+ public:
+  static constexpr int degree = 4;
+  /// The smoother damps eigenvalues in [largest / range, largest] of the scaled operator.
+  static constexpr double range = 20.0;
+
+  /// Takes the diagonal of `matrix` and estimates the largest eigenvalue of the scaled operator by `steps` of Lanczos
+  /// (conjugate gradients), with 10 % added for safety.
+  void initialise(const HexOperator<float>& matrix, int steps = 12);
+
+  /// x = p(A) b; x is taken as zero, or as a first guess.
+  void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const;
+
+  double largest_eigenvalue() const { return largest_; }
+
+ private:
+  Vector<float> inverse_diagonal_;
+  mutable Vector<float> residual_, direction_;
+  double largest_ = 0;
+};
+
+}  // namespace asperity::fem

@@ -1,0 +1,125 @@
+#include "fem/solver/hex_operator.h"
+
+namespace asperity::fem {
+
+template <typename Number>
+HexOperator<Number>::HexOperator(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
+    : level_(level) {
+  const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
+  positions_.assign(positions.begin(), positions.begin() + local);
+  for (int b = 0; b < 2; ++b) {
+    shear_[b] = static_cast<Number>(materials[b].shear_modulus);
+    bulk_[b] = static_cast<Number>(materials[b].bulk_modulus);
+  }
+}
+
+template <typename Number>
+void HexOperator<Number>::apply_batch(int index, const Number* x, Number* y) const {
+  using V = Simd<Number>;
+  const CellBatch& batch = level_.batches()[index];
+  V nodes[3][8];
+  HexStrain<V> strain;
+  load_nodes(batch, positions_.data(), nodes);
+  evaluate_geometry<Number>(nodes, strain);
+  load_nodes(batch, x, nodes);
+  evaluate_strain<Number>(nodes, strain);
+
+  V two_shear, bulk;
+  for (int l = 0; l < lanes; ++l) {
+    two_shear[l] = 2 * shear_[batch.body[l]];
+    bulk[l] = bulk_[batch.body[l]];
+  }
+  const auto* yielding = tangent_ && !tangent_->batch.empty() ? tangent_->batch[index].get() : nullptr;
+  std::array<SymmetricTensor<V>, points_per_hex> stress;
+  for (int q = 0; q < points_per_hex; ++q) {
+    if (!yielding) {
+      for (int c = 0; c < 6; ++c) stress[q][c] = two_shear * strain.deviator[q][c];
+      continue;
+    }
+    const auto& tangent = (*yielding)[q];
+    V theta, theta_bar;
+    SymmetricTensor<V> normal;
+    for (int l = 0; l < lanes; ++l) {
+      theta[l] = tangent.theta[l];
+      theta_bar[l] = tangent.theta_bar[l];
+      for (int c = 0; c < 6; ++c) normal[c][l] = tangent.normal[c][l];
+    }
+    const V along = theta_bar * double_contraction(normal, strain.deviator[q]);
+    for (int c = 0; c < 6; ++c) stress[q][c] = two_shear * (theta * strain.deviator[q][c] - along * normal[c]);
+  }
+  integrate_stress<Number>(strain, stress, bulk * strain.dilatation, nodes);
+  add_nodes(batch, nodes, y);
+}
+
+template <typename Number>
+void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) const {
+  const bool parallel = level_.partitioner()->n_mpi_processes() > 1;
+  if (parallel) src.update_ghost_values();
+  // Constrained entries of a vector carry no information of their own: they are slaves of the free ones.
+  Number* x = const_cast<Number*>(src.begin());
+  level_.distribute(x);
+  dst = Number(0);
+  if (parallel) dst.zero_out_ghost_values();
+  Number* y = dst.begin();
+  level_.for_each_batch([&](int batch) { apply_batch(batch, x, y); });
+  if (interface_) interface_->apply(x, y);
+  if (driven_spring_ != 0 && level_.owns_driven_dof()) y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
+  level_.condense(y);
+  if (parallel) {
+    dst.compress(dealii::VectorOperation::add);
+    src.zero_out_ghost_values();
+  }
+}
+
+template <typename Number>
+Vector<Number> HexOperator<Number>::diagonal() const {
+  using V = Simd<Number>;
+  Vector<double> diagonal(level_.partitioner());
+  double* d = diagonal.begin();
+  level_.for_each_batch([&](int index) {
+    const CellBatch& batch = level_.batches()[index];
+    V nodes[3][8];
+    HexStrain<V> strain;
+    load_nodes(batch, positions_.data(), nodes);
+    evaluate_geometry<Number>(nodes, strain);
+    for (int v = 0; v < 8; ++v) {
+      V mean[3] = {}, entry[3] = {};
+      for (int q = 0; q < points_per_hex; ++q) {
+        // Shape function gradient of vertex v at point q on the unit cube.
+        Number n[3], dn[3];
+        for (int c = 0; c < 3; ++c) {
+          const bool same = ((v >> c) & 1) == ((q >> c) & 1);
+          n[c] = static_cast<Number>(same ? gauss_near : gauss_far);
+          dn[c] = ((v >> c) & 1) ? Number(1) : Number(-1);
+        }
+        const Number r[3] = {dn[0] * n[1] * n[2], n[0] * dn[1] * n[2], n[0] * n[1] * dn[2]};
+        const auto& inv = strain.inverse_jacobian[q];
+        V g[3];
+        for (int k = 0; k < 3; ++k) g[k] = r[0] * inv[k] + r[1] * inv[3 + k] + r[2] * inv[6 + k];
+        const V square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+        for (int c = 0; c < 3; ++c) {
+          entry[c] += strain.volume[q] * (square + g[c] * g[c] * Number(1.0 / 3.0));
+          mean[c] += strain.volume[q] * g[c];
+        }
+      }
+      for (int l = 0; l < batch.count; ++l)
+        for (int c = 0; c < 3; ++c)
+          d[3 * batch.node[v][l] + c] += static_cast<double>(shear_[batch.body[l]]) * entry[c][l] +
+                                         static_cast<double>(bulk_[batch.body[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
+    }
+  });
+  if (interface_) interface_->add_diagonal(d);
+  if (driven_spring_ != 0 && level_.owns_driven_dof()) d[level_.local_driven_dof()] += driven_spring_;
+  level_.condense_diagonal(d);
+  diagonal.compress(dealii::VectorOperation::add);
+  Vector<Number> result(level_.partitioner());
+  for (std::size_t i = 0; i < result.locally_owned_size(); ++i) result.local_element(i) = static_cast<Number>(diagonal.local_element(i));
+  for (const int c : level_.constrained())
+    if (c < static_cast<int>(result.locally_owned_size())) result.local_element(c) = Number(1);
+  return result;
+}
+
+template class HexOperator<double>;
+template class HexOperator<float>;
+
+}  // namespace asperity::fem

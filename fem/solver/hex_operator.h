@@ -1,0 +1,76 @@
+// Matrix-free stiffness of both bodies plus the interface's stiffness on one mesh level: y = C^T (K + G^T E G) C x.
+#pragma once
+
+#include <vector>
+
+#include "fem/contact/interface_operator.h"
+#include "fem/materials/j2_plasticity.h"
+#include "fem/solver/mesh_level.h"
+
+namespace asperity::fem {
+
+/// Consistent tangents of the cell batches that yield, single precision; null: the batch is elastic.
+struct TangentField {
+  using Batch = std::array<J2Tangent<Simd<float>>, points_per_hex>;
+  std::vector<std::unique_ptr<Batch>> batch;
+};
+
+template <typename Number>
+class HexOperator {
+ public:
+  /// positions: of the nodes, ghosts up to date; elastic constants by body.
+  HexOperator(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
+
+  /// Interface stiffness and tangents that vmult adds; null: none. Not owned.
+  void set_interface(const InterfaceOperator* interface) { interface_ = interface; }
+  void set_tangent(const TangentField* tangent) { tangent_ = tangent; }
+  /// A spring [N/m] from the driven plane to the ground (force control): grounds a body that no contact holds yet.
+  void set_driven_spring(double stiffness) { driven_spring_ = static_cast<Number>(stiffness); }
+
+  void vmult(Vector<Number>& dst, const Vector<Number>& src) const;
+  void Tvmult(Vector<Number>& dst, const Vector<Number>& src) const { vmult(dst, src); }
+  /// Diagonal of the condensed operator, 1 at constrained unknowns.
+  Vector<Number> diagonal() const;
+
+  dealii::types::global_dof_index m() const { return level_.size(); }
+  dealii::types::global_dof_index n() const { return level_.size(); }
+  Number el(dealii::types::global_dof_index, dealii::types::global_dof_index) const { return Number(0); }
+  void initialize_dof_vector(Vector<Number>& vector) const { level_.initialise(vector); }
+  const MeshLevel& level() const { return level_; }
+  const std::vector<Number>& positions() const { return positions_; }
+
+ private:
+  void apply_batch(int batch, const Number* x, Number* y) const;
+
+  const MeshLevel& level_;
+  std::vector<Number> positions_;  ///< local, owned then ghosts [m]
+  std::array<Number, 2> shear_, bulk_;
+  const InterfaceOperator* interface_ = nullptr;
+  const TangentField* tangent_ = nullptr;
+  Number driven_spring_ = 0;
+};
+
+/// Gathers three components at the eight vertices of eight cells.
+template <typename Number>
+inline void load_nodes(const CellBatch& batch, const Number* field, Simd<Number> (&values)[3][8]) {
+  for (int v = 0; v < 8; ++v)
+    for (int l = 0; l < lanes; ++l) {
+      const Number* node = field + 3 * batch.node[v][l];
+      values[0][v][l] = node[0];
+      values[1][v][l] = node[1];
+      values[2][v][l] = node[2];
+    }
+}
+
+template <typename Number>
+inline void add_nodes(const CellBatch& batch, const Simd<Number> (&values)[3][8], Number* field) {
+  for (int l = 0; l < batch.count; ++l)
+    for (int v = 0; v < 8; ++v) {
+      Number* node = field + 3 * batch.node[v][l];
+      node[0] += values[0][v][l];
+      node[1] += values[1][v][l];
+      node[2] += values[2][v][l];
+    }
+}
+
+}  // namespace asperity::fem

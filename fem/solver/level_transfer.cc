@@ -1,0 +1,213 @@
+#include "fem/solver/level_transfer.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/tria_accessor.h>
+
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "core/error.h"
+
+namespace asperity::fem {
+namespace {
+
+using dealii::types::global_dof_index;
+
+/// A cell by tree and integer lattice box; the edge is 2^edge_bits.
+struct CellKey {
+  int tree, x, y, z, edge_bits;
+  std::uint64_t packed() const {
+    return ((((static_cast<std::uint64_t>(tree) * 32 + edge_bits) << 17 | (x >> 3)) << 17 | (y >> 3)) << 17) | (z >> 3);
+  }
+  CellKey parent() const {
+    const int mask = ~((1 << (edge_bits + 1)) - 1);
+    return {tree, x & mask, y & mask, z & mask, edge_bits + 1};
+  }
+};
+
+CellKey key_of(const meshing::LogicalBox& box) {
+  const double unit = std::pow(2.0, lattice_bits);
+  return {box.tree, static_cast<int>(std::lround(box.corner[0] * unit)), static_cast<int>(std::lround(box.corner[1] * unit)),
+          static_cast<int>(std::lround(box.corner[2] * unit)), static_cast<int>(std::lround(std::log2(box.size))) + lattice_bits};
+}
+
+using CellNodes = std::array<long, 8>;
+
+template <typename Visit>
+void for_owned_cells(const MeshLevel& level, const Visit& visit) {
+  std::vector<global_dof_index> indices(24);
+  for (const auto& cell : level.dofs().active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_indices(indices);
+    CellNodes nodes;
+    for (int v = 0; v < 8; ++v) nodes[v] = static_cast<long>(indices[3 * v] / 3);
+    visit(key_of(meshing::logical_box(cell)), nodes);
+  }
+}
+
+/// Nodes of the coarse cells that the own fine cells lie in, fetched from whichever rank owns them.
+class CoarseCells {
+ public:
+  CoarseCells(const MeshLevel& fine, const MeshLevel& coarse) {
+    using dealii::Utilities::MPI::some_to_some;
+    const MPI_Comm comm = coarse.communicator();
+    const unsigned ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
+    if (ranks == 1) {
+      for_owned_cells(coarse, [&](const CellKey& key, const CellNodes& nodes) { found_[key.packed()] = nodes; });
+      return;
+    }
+    const auto directory = [&](std::uint64_t key) { return static_cast<unsigned>((key * 0x9E3779B97F4A7C15ull >> 32) % ranks); };
+    std::map<unsigned, std::vector<long>> announced, asked;
+    for_owned_cells(coarse, [&](const CellKey& key, const CellNodes& nodes) {
+      auto& message = announced[directory(key.packed())];
+      message.push_back(static_cast<long>(key.packed()));
+      message.insert(message.end(), nodes.begin(), nodes.end());
+    });
+    for_owned_cells(fine, [&](const CellKey& key, const CellNodes&) {
+      for (const auto k : {key.packed(), key.parent().packed()}) asked[directory(k)].push_back(static_cast<long>(k));
+    });
+    std::unordered_map<std::uint64_t, CellNodes> entries;
+    const auto unpack = [](const std::vector<long>& message, auto& map) {
+      for (std::size_t at = 0; at + 9 <= message.size(); at += 9) {
+        CellNodes nodes;
+        std::copy(message.begin() + at + 1, message.begin() + at + 9, nodes.begin());
+        map[static_cast<std::uint64_t>(message[at])] = nodes;
+      }
+    };
+    for (const auto& [rank, message] : some_to_some(comm, announced)) unpack(message, entries);
+    std::map<unsigned, std::vector<long>> answers;
+    for (const auto& [rank, keys] : some_to_some(comm, asked))
+      for (const long key : keys) {
+        const auto entry = entries.find(static_cast<std::uint64_t>(key));
+        if (entry == entries.end()) continue;
+        answers[rank].push_back(key);
+        answers[rank].insert(answers[rank].end(), entry->second.begin(), entry->second.end());
+      }
+    for (const auto& [rank, message] : some_to_some(comm, answers)) unpack(message, found_);
+  }
+  const CellNodes* find(std::uint64_t key) const {
+    const auto cell = found_.find(key);
+    return cell == found_.end() ? nullptr : &cell->second;
+  }
+
+ private:
+  std::unordered_map<std::uint64_t, CellNodes> found_;
+};
+
+}  // namespace
+
+LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
+    : coarse_(coarse), parallel_(dealii::Utilities::MPI::n_mpi_processes(fine.communicator()) > 1) {
+  const CoarseCells cells(fine, coarse);
+  const auto& layout = *fine.partitioner();
+  std::vector<char> done(layout.locally_owned_size() / 3, 0);
+  for (const int dof : fine.constrained())  // hanging nodes follow from the others
+    if (dof % 3 == 0 && dof / 3 < static_cast<int>(done.size())) {
+      done[dof / 3] = 1;
+    }
+  // Nodes of the driven plane have their lateral components constrained but may move along z.
+  for (const int dof : fine.driven_z()) done[dof / 3] = 0;
+
+  std::vector<long> columns;
+  for_owned_cells(fine, [&](const CellKey& key, const CellNodes& nodes) {
+    const CellKey parent = key.parent();
+    const CellNodes* same = cells.find(key.packed());
+    const CellNodes* above = same ? nullptr : cells.find(parent.packed());
+    if (!same && !above) throw WorkError("a cell has no counterpart on the next coarser mesh; this is an error of the program");
+    for (int v = 0; v < 8; ++v) {
+      const auto dof = static_cast<global_dof_index>(3 * nodes[v]);
+      if (!layout.in_local_range(dof)) continue;
+      const int local = static_cast<int>(layout.global_to_local(dof) / 3);
+      if (done[local]) continue;
+      done[local] = 1;
+      fine_node_.push_back(local);
+      if (same) {
+        columns.push_back((*same)[v]);
+        rows_.weight.push_back(1.0f);
+      } else {
+        const int edge = 1 << key.edge_bits;
+        const int offset[3] = {(key.x - parent.x) / edge + (v & 1), (key.y - parent.y) / edge + ((v >> 1) & 1),
+                               (key.z - parent.z) / edge + (v >> 2)};  // 0, 1 or 2 half edges of the parent
+        for (int w = 0; w < 8; ++w) {
+          double weight = 1;
+          for (int d = 0; d < 3; ++d) weight *= (w >> d) & 1 ? 0.5 * offset[d] : 1 - 0.5 * offset[d];
+          if (weight == 0) continue;
+          columns.push_back((*above)[w]);
+          rows_.weight.push_back(static_cast<float>(weight));
+        }
+      }
+      rows_.start.push_back(static_cast<int>(columns.size()));
+    }
+  });
+
+  dealii::IndexSet needed(coarse.size());
+  for (const long node : columns) needed.add_range(3 * node, 3 * node + 3);
+  needed.compress();
+  columns_ = parallel_ ? std::make_shared<dealii::Utilities::MPI::Partitioner>(coarse.partitioner()->locally_owned_range(), needed,
+                                                                              coarse.communicator())
+                       : coarse.partitioner();
+  buffer_.reinit(columns_);
+  for (const long node : columns) rows_.column.push_back(static_cast<int>(columns_->global_to_local(3 * node) / 3));
+
+  const int coarse_nodes = static_cast<int>((columns_->locally_owned_size() + columns_->n_ghost_indices()) / 3);
+  std::vector<int> fill(coarse_nodes + 1, 0);
+  for (const int c : rows_.column) ++fill[c + 1];
+  for (int c = 0; c < coarse_nodes; ++c) fill[c + 1] += fill[c];
+  transposed_.start = fill;
+  transposed_.column.resize(rows_.column.size());
+  transposed_.weight.resize(rows_.column.size());
+  for (std::size_t r = 0; r < fine_node_.size(); ++r)
+    for (int e = rows_.start[r]; e < rows_.start[r + 1]; ++e) {
+      const int at = fill[rows_.column[e]]++;
+      transposed_.column[at] = fine_node_[r];
+      transposed_.weight[at] = rows_.weight[e];
+    }
+}
+
+void LevelTransfer::prolongate_and_add(Vector<float>& fine, const Vector<float>& coarse) const {
+  if (parallel_) coarse.update_ghost_values();
+  coarse_.distribute(const_cast<float*>(coarse.begin()));
+  const float* values = coarse.begin();
+  if (parallel_) {
+    coarse.zero_out_ghost_values();
+    for (unsigned i = 0; i < buffer_.locally_owned_size(); ++i) buffer_.local_element(i) = coarse.local_element(i);
+    buffer_.update_ghost_values();
+    values = buffer_.begin();
+  }
+  float* x = fine.begin();
+  const int count = static_cast<int>(fine_node_.size());
+#pragma omp parallel for schedule(static) if (count > 10000)
+  for (int r = 0; r < count; ++r) {
+    float sum[3] = {0, 0, 0};
+    for (int e = rows_.start[r]; e < rows_.start[r + 1]; ++e)
+      for (int c = 0; c < 3; ++c) sum[c] += rows_.weight[e] * values[3 * rows_.column[e] + c];
+    for (int c = 0; c < 3; ++c) x[3 * fine_node_[r] + c] += sum[c];
+  }
+  if (parallel_) buffer_.zero_out_ghost_values();
+}
+
+void LevelTransfer::restrict_to(Vector<float>& coarse, const Vector<float>& fine) const {
+  Vector<float>& target = parallel_ ? buffer_ : coarse;
+  const float* r = fine.begin();
+  float* y = target.begin();
+  const int nodes = static_cast<int>(transposed_.start.size()) - 1;
+#pragma omp parallel for schedule(static) if (nodes > 10000)
+  for (int n = 0; n < nodes; ++n) {
+    float sum[3] = {0, 0, 0};
+    for (int e = transposed_.start[n]; e < transposed_.start[n + 1]; ++e)
+      for (int c = 0; c < 3; ++c) sum[c] += transposed_.weight[e] * r[3 * transposed_.column[e] + c];
+    for (int c = 0; c < 3; ++c) y[3 * n + c] = sum[c];
+  }
+  if (parallel_) {
+    buffer_.compress(dealii::VectorOperation::add);
+    coarse = 0.0f;
+    for (unsigned i = 0; i < coarse.locally_owned_size(); ++i) coarse.local_element(i) = buffer_.local_element(i);
+    // Only the owner of a hanging node passes on what it received.
+    coarse.zero_out_ghost_values();
+  }
+  coarse_.condense(coarse.begin());
+  if (parallel_) coarse.compress(dealii::VectorOperation::add);
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,121 @@
+// Unknowns, constraints and cells of one mesh level, in the arrays that the kernels read.
+#pragma once
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "fem/materials/j2_plasticity.h"
+#include "fem/simd.h"
+#include "meshing/contact_mesh.h"
+
+namespace asperity::fem {
+
+template <typename Number>
+using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
+
+/// Whether the driven plane's common displacement along z is an unknown (force) or given (displacement).
+enum class Control { force, displacement };
+
+/// Eight cells: local node numbers [vertex][lane]; lanes beyond `count` repeat lane 0 and are not written.
+struct CellBatch {
+  std::array<std::array<int, lanes>, vertices_per_hex> node;
+  std::array<unsigned char, lanes> body;
+  int count = 0;
+};
+
+/// A square face of an interface in the logical lattice of its tree, with global node numbers.
+struct InterfaceFace {
+  int body;             ///< 0 particle, 1 substrate
+  int i, j, size;       ///< lower corner and width in units of 2^-lattice_bits of the tree
+  std::array<long, 4> node;  ///< global nodes, lexicographic
+};
+constexpr int lattice_bits = 20;
+
+class MeshLevel {
+ public:
+  MeshLevel(const dealii::Triangulation<3>& triangulation, Control control);
+
+  const dealii::DoFHandler<3>& dofs() const { return *dofs_; }
+  const dealii::AffineConstraints<double>& constraints() const { return constraints_; }
+  const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>& partitioner() const { return partitioner_; }
+  MPI_Comm communicator() const { return communicator_; }
+  const std::vector<CellBatch>& batches() const { return batches_; }
+  /// Faces of both interfaces of all ranks, sorted; the same on every rank.
+  const std::vector<InterfaceFace>& interface_faces() const { return interface_faces_; }
+  dealii::types::global_dof_index size() const { return dofs_->n_dofs(); }
+  /// Global dof of the driven plane's displacement along z (force control).
+  dealii::types::global_dof_index driven_dof() const { return driven_dof_; }
+  bool owns_driven_dof() const { return partitioner_->in_local_range(driven_dof_); }
+  int local_driven_dof() const { return static_cast<int>(partitioner_->global_to_local(driven_dof_)); }
+  /// Local z dofs, owned here, of the nodes of the driven or the fixed plane that are not hanging.
+  const std::vector<int>& driven_z() const { return driven_z_; }
+  const std::vector<int>& fixed_z() const { return fixed_z_; }
+
+  /// Positions of all nodes in the layout of a displacement vector.
+  Vector<double> node_positions(const meshing::RoughGeometry& geometry) const;
+
+  template <typename Number>
+  void initialise(Vector<Number>& vector) const {
+    vector.reinit(partitioner_);
+  }
+
+  /// Sets constrained entries from the free ones (homogeneous part). Ghosts must be up to date.
+  template <typename Number>
+  void distribute(Number* x) const {
+    for (std::size_t c = 0; c < constrained_.size(); ++c) {
+      Number sum = 0;
+      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
+      x[constrained_[c]] = sum;
+    }
+  }
+  /// Transpose: moves what constrained rows received to the free ones and zeroes them.
+  template <typename Number>
+  void condense(Number* y) const {
+    for (std::size_t c = 0; c < constrained_.size(); ++c) {
+      const Number value = y[constrained_[c]];
+      y[constrained_[c]] = 0;
+      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
+    }
+  }
+  const std::vector<int>& constrained() const { return constrained_; }
+  void condense_diagonal(double* y) const;
+
+  /// Batches in runs that threads may write without meeting, then the rest.
+  template <typename Work>
+  void for_each_batch(const Work& work) const {
+    const int runs = static_cast<int>(run_start_.size()) - 1;
+#pragma omp parallel for schedule(static, 1)
+    for (int run = 0; run < runs; ++run)
+      for (int b = run_start_[run]; b < run_start_[run + 1]; ++b) work(run_batches_[b]);
+    for (const int b : meeting_batches_) work(b);
+  }
+
+ private:
+  void make_constraints(Control control);
+  void make_batches();
+  void make_thread_runs();
+  void collect_interfaces();
+
+  MPI_Comm communicator_;
+  dealii::FESystem<3> element_;
+  std::unique_ptr<dealii::DoFHandler<3>> dofs_;
+  dealii::AffineConstraints<double> constraints_;
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
+  dealii::types::global_dof_index first_owned_ = 0, driven_dof_ = dealii::numbers::invalid_dof_index;
+  std::vector<int> driven_z_, fixed_z_;
+  std::vector<CellBatch> batches_;
+  std::vector<int> run_start_, run_batches_, meeting_batches_;
+  std::vector<int> constrained_, entry_start_, entry_dof_;
+  std::vector<double> entry_weight_;
+  std::vector<InterfaceFace> interface_faces_;
+};
+
+}  // namespace asperity::fem

@@ -1,0 +1,56 @@
+// Geometric multigrid V-cycle in single precision for the bulk of both bodies and the interface between them.
+//
+// Levels are forests refined by the same rule up to a rising depth: nested meshes of their own, with hanging nodes. Chebyshev-Jacobi smoothing; a dense Cholesky factor on the coarsest level. The bulk is
+// rediscretised elastically, the interface enters through G_level (exact on every level).
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <memory>
+#include <vector>
+
+#include "fem/solver/chebyshev.h"
+#include "fem/solver/hex_operator.h"
+#include "fem/solver/level_transfer.h"
+
+namespace asperity::fem {
+
+class Multigrid {
+ public:
+  /// finest: level of the full mesh of `options`; coarser levels are made here.
+  Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
+            const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials);
+
+  /// Builds the interface on every level from the rows of the finest mesh.
+  void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+
+  /// Adapts to a new active set (stiffness per row [N/m]), tangent of the finest level and driven spring.
+  void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring);
+
+  /// dst = approximate inverse times src.
+  void vmult(Vector<double>& dst, const Vector<double>& src) const;
+
+  int levels() const { return static_cast<int>(level_.size()); }
+  std::vector<long> level_sizes() const;
+
+ private:
+  struct Level {
+    const MeshLevel* mesh;
+    std::unique_ptr<MeshLevel> owned_mesh;
+    std::unique_ptr<HexOperator<float>> matrix;
+    std::unique_ptr<InterfaceOperator> interface;
+    Chebyshev smoother;
+    std::unique_ptr<LevelTransfer> transfer;  ///< from the next coarser level
+    mutable Vector<float> solution, defect, scratch;
+  };
+  void cycle(int level) const;
+  void factor_coarsest();
+  void solve_coarsest() const;
+
+  std::vector<std::unique_ptr<meshing::Triangulation>> forests_;
+  std::vector<Level> level_;  ///< coarsest first
+  Eigen::MatrixXd coarse_elastic_;
+  std::vector<dealii::types::global_dof_index> coarse_free_;
+  Eigen::LLT<Eigen::MatrixXd> coarse_factor_;
+};
+
+}  // namespace asperity::fem

@@ -1,0 +1,205 @@
+#include "fem/solver/plastic_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace asperity::fem {
+namespace {
+
+using V = Simd<double>;
+
+struct BatchMaterials {
+  const J2Material* lane[lanes];
+  V shear, bulk;
+  bool can_yield = false;
+
+  BatchMaterials(const CellBatch& batch, const std::array<J2Material, 2>& materials) {
+    for (int l = 0; l < lanes; ++l) {
+      lane[l] = &materials[batch.body[l]];
+      shear[l] = lane[l]->shear_modulus;
+      bulk[l] = lane[l]->bulk_modulus;
+      can_yield = can_yield || lane[l]->can_yield();
+    }
+  }
+};
+
+double von_mises(const SymmetricTensor<double>& s) {
+  const double mean = (s[0] + s[1] + s[2]) / 3;
+  const double a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
+  return std::sqrt(1.5 * (a * a + b * b + c * c + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])));
+}
+
+}  // namespace
+
+PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
+    : level_(level), materials_(materials), history_(level.batches().size()) {
+  const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
+  positions_.assign(positions.begin(), positions.begin() + local);
+}
+
+void PlasticBodies::evaluate(int index, const double* u, HexStrain<V>& strain) const {
+  const CellBatch& batch = level_.batches()[index];
+  V nodes[3][8];
+  load_nodes(batch, positions_.data(), nodes);
+  evaluate_geometry<double>(nodes, strain);
+  load_nodes(batch, u, nodes);
+  evaluate_strain<double>(nodes, strain);
+}
+
+void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const {
+  if (tangent) tangent->batch.resize(level_.batches().size());
+  const double* x = u.begin();
+  double* y = f.begin();
+  level_.for_each_batch([&](int index) {
+    const CellBatch& batch = level_.batches()[index];
+    const BatchMaterials material(batch, materials_);
+    HexStrain<V> strain;
+    evaluate(index, x, strain);
+    std::array<SymmetricTensor<V>, points_per_hex> stress;
+    TangentField::Batch tangents;
+    bool yields = false;
+    for (int q = 0; q < points_per_hex; ++q) {
+      if (!material.can_yield) {
+        for (int c = 0; c < 6; ++c) stress[q][c] = 2.0 * material.shear * strain.deviator[q][c];
+        continue;
+      }
+      PlasticState<V> state = history_[index] ? (*history_[index])[q] : PlasticState<V>{};
+      J2Tangent<V> point;
+      yields = return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point) || yields;
+      for (int l = 0; l < lanes; ++l) {
+        tangents[q].theta[l] = static_cast<float>(point.theta[l]);
+        tangents[q].theta_bar[l] = static_cast<float>(point.theta_bar[l]);
+        for (int c = 0; c < 6; ++c) tangents[q].normal[c][l] = static_cast<float>(point.normal[c][l]);
+      }
+    }
+    if (tangent) {
+      auto& stored = tangent->batch[index];
+      if (!yields) stored.reset();
+      else if (stored) *stored = tangents;
+      else stored = std::make_unique<TangentField::Batch>(tangents);
+    }
+    V forces[3][8];
+    integrate_stress<double>(strain, stress, material.bulk * strain.dilatation, forces);
+    add_nodes(batch, forces, y);
+  });
+}
+
+BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<double>& u) {
+  BodyEnergies sum;
+  const int count = static_cast<int>(level_.batches().size());
+  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_strain = 0, largest_stress = 0, largest_ratio = 0;
+#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume) \
+    reduction(max : largest_strain, largest_stress, largest_ratio)
+  for (int index = 0; index < count; ++index) {
+    const CellBatch& batch = level_.batches()[index];
+    const BatchMaterials material(batch, materials_);
+    HexStrain<V> strain, before;
+    evaluate(index, u.begin(), strain);
+    evaluate(index, u_before.begin(), before);
+    bool yields = false;
+    History updated = history_[index] ? *history_[index] : History{};
+    for (int q = 0; q < points_per_hex; ++q) {
+      SymmetricTensor<V> stress, stress_before;
+      J2Tangent<V> tangent;
+      const PlasticState<V> old = updated[q];
+      for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
+      yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent) || yields;
+      SymmetricTensor<V> increment, mean_stress, elastic_strain;
+      for (int c = 0; c < 6; ++c) {
+        increment[c] = updated[q].strain[c] - old.strain[c];
+        mean_stress[c] = 0.5 * (stress[c] + stress_before[c]);
+        elastic_strain[c] = strain.deviator[q][c] - updated[q].strain[c];
+      }
+      const V work = double_contraction(mean_stress, increment) * strain.volume[q];
+      const V stored = 0.5 * (double_contraction(stress, elastic_strain) + material.bulk * strain.dilatation * strain.dilatation) * strain.volume[q];
+      const V mises = square_root(V(1.5 * double_contraction(stress, stress)));
+      for (int l = 0; l < batch.count; ++l) {
+        const J2Material& m = *material.lane[l];
+        const double alpha = updated[q].alpha[l];
+        elastic += stored[l];
+        plastic_work += work[l];
+        if (alpha > 0) {
+          double square = 0;
+          for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
+          hardening += (m.isotropic_energy(alpha) + m.kinematic_modulus * square / 3) * strain.volume[q][l];
+          plastic_volume += strain.volume[q][l];
+        }
+        largest_strain = std::max(largest_strain, alpha);
+        largest_stress = std::max(largest_stress, mises[l]);
+        largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
+      }
+    }
+    if (yields) {
+      if (history_[index]) *history_[index] = updated;
+      else history_[index] = std::make_unique<History>(updated);
+    }
+  }
+  const MPI_Comm comm = level_.communicator();
+  sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
+  sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
+  sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
+  sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
+  sum.largest_plastic_strain = dealii::Utilities::MPI::max(largest_strain, comm);
+  sum.largest_von_mises = dealii::Utilities::MPI::max(largest_stress, comm);
+  sum.largest_yield_ratio = dealii::Utilities::MPI::max(largest_ratio, comm);
+  return sum;
+}
+
+std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const {
+  std::vector<CellState> states;
+  for (int index = 0; index < static_cast<int>(level_.batches().size()); ++index) {
+    const CellBatch& batch = level_.batches()[index];
+    const BatchMaterials material(batch, materials_);
+    HexStrain<V> strain;
+    evaluate(index, u.begin(), strain);
+    for (int l = 0; l < batch.count; ++l) {
+      CellState cell{};
+      for (int q = 0; q < points_per_hex; ++q) {
+        for (int c = 0; c < 6; ++c) {
+          const double plastic = history_[index] ? (*history_[index])[q].strain[c][l] : 0.0;
+          cell.stress[c] += 2 * material.shear[l] * (strain.deviator[q][c][l] - plastic) / points_per_hex;
+        }
+        if (history_[index]) cell.plastic_strain += (*history_[index])[q].alpha[l] / points_per_hex;
+      }
+      for (int c = 0; c < 3; ++c) cell.stress[c] += material.bulk[l] * strain.dilatation[l];
+      cell.von_mises = von_mises(cell.stress);
+      states.push_back(cell);
+    }
+  }
+  return states;
+}
+
+std::vector<double> PlasticBodies::save_history() const {
+  std::vector<double> saved{static_cast<double>(history_.size())};
+  for (std::size_t index = 0; index < history_.size(); ++index) {
+    if (!history_[index]) continue;
+    saved.push_back(static_cast<double>(index));
+    for (const auto& point : *history_[index]) {
+      for (const auto& component : point.strain)
+        for (int l = 0; l < lanes; ++l) saved.push_back(component[l]);
+      for (int l = 0; l < lanes; ++l) saved.push_back(point.alpha[l]);
+    }
+  }
+  return saved;
+}
+
+void PlasticBodies::restore_history(const std::vector<double>& saved) {
+  constexpr std::size_t record = 1 + points_per_hex * 7 * lanes;
+  if (saved.empty() || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 1) % record != 0)
+    throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again without --resume");
+  for (auto& history : history_) history.reset();
+  for (std::size_t at = 1; at < saved.size(); at += record) {
+    auto history = std::make_unique<History>();
+    std::size_t k = at + 1;
+    for (auto& point : *history) {
+      for (auto& component : point.strain)
+        for (int l = 0; l < lanes; ++l) component[l] = saved[k++];
+      for (int l = 0; l < lanes; ++l) point.alpha[l] = saved[k++];
+    }
+    history_[static_cast<std::size_t>(saved[at])] = std::move(history);
+  }
+}
+
+}  // namespace asperity::fem

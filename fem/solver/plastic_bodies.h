@@ -1,0 +1,61 @@
+// Internal forces of both bodies from displacement and plastic history, and the history itself.
+//
+// History is kept only for batches of cells that have yielded, and changes only in accept().
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fem/solver/hex_operator.h"
+
+namespace asperity::fem {
+
+/// Energies [J] and extremes of the bodies at an accepted state.
+struct BodyEnergies {
+  double elastic = 0;          ///< stored elastically
+  double plastic_work = 0;     ///< increment of the work of stress on plastic strain since the last accepted state
+  double hardening = 0;        ///< stored by hardening (not dissipated)
+  double plastic_volume = 0;   ///< volume of points with plastic strain [m^3]
+  double largest_plastic_strain = 0;
+  double largest_von_mises = 0;   ///< [Pa]
+  double largest_yield_ratio = 0; ///< von Mises over initial yield stress
+};
+
+/// Stress and history of a cell, averages over its points (for output).
+struct CellState {
+  SymmetricTensor<double> stress;  ///< xx yy zz xy yz xz [Pa]
+  double von_mises, plastic_strain;
+};
+
+class PlasticBodies {
+ public:
+  using History = std::array<PlasticState<Simd<double>>, points_per_hex>;
+
+  PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
+
+  /// f = internal nodal forces for displacement u (ghosts up to date), not condensed, ghosts not compressed.
+  /// Fills the tangents of yielding batches where `tangent` is given.
+  void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
+
+  /// Makes `u` the new accepted state; `u_before` is the last accepted one.
+  BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u);
+
+  /// Averages per owned cell in the order of the active cells.
+  std::vector<CellState> cell_states(const Vector<double>& u) const;
+
+  /// History as plain numbers, for checkpoints; restore throws WorkError if it does not fit this mesh.
+  std::vector<double> save_history() const;
+  void restore_history(const std::vector<double>& saved);
+
+  bool can_yield() const { return materials_[0].can_yield() || materials_[1].can_yield(); }
+
+ private:
+  void evaluate(int batch, const double* u, HexStrain<Simd<double>>& strain) const;
+
+  const MeshLevel& level_;
+  std::vector<double> positions_;
+  std::array<J2Material, 2> materials_;
+  std::vector<std::unique_ptr<History>> history_;
+};
+
+}  // namespace asperity::fem

@@ -1,0 +1,60 @@
+// The smooth shapes of the two bodies as logical boxes ("trees" of the octree forest) with analytic maps.
+//
+// Particle: a hemisphere, apex at the origin, its equator plane at z = R. Six trees: the cap below (projected, a square
+// |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides up to the equator, a core.
+// Substrate: a cube [-L, L]^2 x [-2L, 0], one tree. The cap and the substrate's tree carry the interface.
+#pragma once
+
+#include <array>
+
+#include "meshing/stretch.h"
+
+namespace asperity::meshing {
+
+using Point3 = std::array<double, 3>;
+
+enum class Body { particle = 0, substrate = 1 };
+
+/// Trees in the order of the coarse mesh.
+enum Tree { cap = 0, side_first = 1, core = 5, block = 6, tree_count = 7 };
+
+/// Geometry that fixes both smooth bodies; lengths in m.
+struct BodySizes {
+  double radius = 0;          ///< of the particle
+  double block_half_width = 0;  ///< L of the substrate's cube
+  double spacing_particle = 0;  ///< node spacing at the interface
+  double spacing_substrate = 0;
+  double region_particle = 0;   ///< half width of the uniformly spaced square around the axis
+  double region_substrate = 0;
+  double offset_substrate_x = 0, offset_substrate_y = 0;  ///< shift of the substrate's lattice (non-matching meshes)
+};
+
+class BodyMap {
+ public:
+  explicit BodyMap(const BodySizes& sizes);
+
+  /// Position of a point of a tree, logical coordinates in [0, 1]^3.
+  Point3 position(int tree, const Point3& logical) const;
+  /// Depth below the contact surface [m] along the grading, 0 at the surface; only for the trees cap and block.
+  double depth(int tree, const Point3& logical) const;
+  /// Refinement level at which the spacing at the interface is the requested one.
+  int finest_level(Body body) const { return body == Body::particle ? level_particle_ : level_substrate_; }
+  const BodySizes& sizes() const { return sizes_; }
+
+  static Body body_of(int tree) { return tree == block ? Body::substrate : Body::particle; }
+  /// Logical z of a tree's contact surface: 0 for the cap, 1 for the block.
+  static double surface_coordinate(int tree) { return tree == block ? 1.0 : 0.0; }
+
+  /// Half width of the cap's square, of the core's, and the core's height, as fractions of R.
+  static constexpr double cap_fraction = 0.45, core_fraction = 0.25, core_height_fraction = 0.25;
+
+ private:
+  Point3 cap_surface(double x, double y) const;
+  Point3 in_side_tree(int quarter, const Point3& logical) const;
+
+  BodySizes sizes_;
+  int level_particle_ = 0, level_substrate_ = 0;
+  Stretch cap_lateral_, cap_depth_, block_lateral_, block_depth_;
+};
+
+}  // namespace asperity::meshing
