@@ -16,6 +16,8 @@ if(ASPERITY_COMPONENTS STREQUAL "all")
   find_package(spdlog REQUIRED)
   find_package(deal.II 9.4 REQUIRED)
   find_package(CGAL REQUIRED)
+  find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransforms FiltersCore IOImage IOXML RenderingCore
+                                         RenderingOpenGL2)
 endif()
 
 if(ASPERITY_TESTS)

@@ -1,0 +1,146 @@
+#include "report/case_report.h"
+
+#include <cmath>
+#include <cctype>
+#include <ctime>
+
+#include "dem_compare/comparison.h"
+#include "report/axis.h"
+#include "report/curves.h"
+#include "report/page.h"
+#include "report/result_tables.h"
+#include "report/words.h"
+
+namespace asperity::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Departure of the stiffness or force that a report calls one.
+constexpr double tolerance = 0.05;
+
+std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
+  const Hertz& hertz = numbers.hertz;
+  const double force = numbers.force;
+  const auto against = [](double value, double reference) { return departure_text(value / reference) + " against Hertz"; };
+  constexpr double kN_per_m = 1e3, um = 1e-6;
+  std::vector<Tile> tiles{
+      {in_units(force, Dimension::force), "largest normal force", "approach " + in_units(numbers.approach.mean, Dimension::length) +
+          ", " + against(numbers.approach.mean, hertz.approach(force))},
+      {in_units(numbers.loading_stiffness, kN_per_m, "kN/m"), "normal stiffness, loading",
+       against(numbers.loading_stiffness.mean, hertz.normal_stiffness(force))}};
+  if (std::isfinite(numbers.unloading_stiffness.mean))
+    tiles.push_back({in_units(numbers.unloading_stiffness, kN_per_m, "kN/m"), "normal stiffness, start of unloading",
+                     against(numbers.unloading_stiffness.mean, hertz.normal_stiffness(force))});
+  tiles.push_back({in_units(numbers.contact_area.mean, Dimension::area), "real contact area",
+                   against(numbers.contact_area.mean, hertz.contact_area(force))});
+  tiles.push_back({in_units(numbers.largest_pressure.mean, Dimension::pressure), "largest contact pressure",
+                   against(numbers.largest_pressure.mean, hertz.peak_pressure(force))});
+  if (std::isfinite(numbers.residual_imprint.mean))
+    tiles.push_back({in_units(numbers.residual_imprint.mean, Dimension::length, 2), "imprint left after unloading",
+                     "approach that does not come back"});
+  if (std::isfinite(numbers.fitted_radius.mean))
+    tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
+                     "the sphere has " + in_units(hertz.radius, Dimension::length)});
+  return tiles;
+}
+
+std::string state_warning(const SolvedCase& solved) {
+  if (solved.finished()) return "";
+  const auto& force = solved.history.normal_force;
+  return "<div class='warning'><b>This case is not finished.</b> Shown is what was accepted so far: " +
+         std::to_string(force.size()) + " steps, the last at " +
+         (force.empty() ? "no load" : in_units(force.back(), Dimension::force)) +
+         ". <code>asperity solve … --resume</code> goes on with it.</div>\n";
+}
+
+std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupComparison& group) {
+  std::vector<std::string> sentences;
+  const double yield = solved.first_yield_force();
+  if (!solved.is_rough() && group.numbers.force < yield)
+    sentences.push_back("Smooth bodies below their first yield (" +
+                        (std::isinf(yield) ? std::string("these cannot yield") : in_units(yield, Dimension::force)) +
+                        ") must follow Hertz: what departs here is the error of the computation.");
+  else if (std::isfinite(yield))
+    sentences.push_back("Without roughness these bodies would first yield at " + in_units(yield, Dimension::force) +
+                        ", below the surface.");
+  sentences.push_back(
+      "Error of the mesh: not known from this case alone" +
+      (std::isfinite(group.interface_spacing)
+           ? " (spacing " + in_units(group.interface_spacing, Dimension::length) + " at the interface); "
+           : std::string("; ")) +
+      "the same case on another spacing, compared by <code>asperity compare</code>, gives it. Scatter over realisations: none, "
+      "this is one surface; a study with several seeds gives it.");
+  if (group.numbers.differencing_error > 0)
+    sentences.push_back("The finite load steps change the stiffness by at most " +
+                        percent_text(group.numbers.differencing_error) + ".");
+  const std::string balance = balance_sentence(solved);
+  if (!balance.empty()) sentences.push_back(balance);
+  return sentences;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string curves_section(const SolvedCase& solved, const NormalNumbers& numbers) {
+  return section_html(
+      "Load against approach",
+      figure_html("", to_svg(load_approach_chart(solved)),
+                  "How far the bodies come together under a growing force, and on the way back. The dashed line is Hertz's law for "
+                  "the same bodies, smooth and elastic. A rough contact starts softer: at first only the highest asperities "
+                  "carry, so the curve runs to the right of Hertz's. If unloading does not return on the loading curve, material "
+                  "has yielded; where it meets the axis is the imprint that stays.") +
+          side_by_side(
+              {figure_html("Stiffness", to_svg(stiffness_chart(solved, numbers)),
+                           "The slope of the curve above: how much force one more nanometre takes. Bars bound the error that the "
+                           "finite load steps make. This is what a discrete element simulation needs as k<sub>n</sub>."),
+               figure_html("Real contact area", to_svg(contact_area_chart(solved)),
+                           "The area that truly touches. Between rough surfaces it is smaller than Hertz's circle; on unloading it "
+                           "stays larger where asperities were flattened.")}));
+}
+
+}  // namespace
+
+std::string subtitle_of(const fs::path& folder, const nlohmann::ordered_json& result) {
+  const std::time_t now = std::time(nullptr);
+  char date[32];
+  std::strftime(date, sizeof date, "%Y-%m-%d %H:%M", std::localtime(&now));
+  std::string text = "asperity report of " + escaped(fs::absolute(folder).lexically_normal().filename().string()) + ", written " + date;
+  if (result.is_object() && result.contains("versions") && result["versions"].is_object() && result["versions"].contains("asperity") &&
+      result["versions"]["asperity"].is_string())
+    text += ", computed by asperity " + escaped(result["versions"]["asperity"].get<std::string>());
+  return text;
+}
+
+std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
+  const CaseCollection collection = collect_cases({folder});
+  const Comparison comparison = compare_with_hertz(collection, tolerance);
+  const SolvedCase& solved = collection.groups.front().first();
+  const NormalNumbers& numbers = collection.groups.front().numbers.front();
+  const GroupComparison& group = comparison.groups.front();
+
+  std::string body = paragraph(what_was_asked(solved));
+  body += state_warning(solved);
+  body += verdict_html(capitalised(escaped(group.verdict)), trust_sentences(solved, group));
+  body += tiles_html(tiles_of(group.numbers));
+  if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
+  body += curves_section(solved, numbers);
+  body += section_html("Pressure in the contact",
+                       side_by_side({pressure_map_figure(solved, "Seen from above"), pressure_profile_figure(solved)}));
+  body += section_html("Inside the bodies", section_figures(solved, painter, ""));
+  body += section_html("Against Hertz, load by load",
+                       ratio_table(group) +
+                           note("Each number is the computed value over Hertz's for the same smooth, elastic bodies: 1 is Hertz. "
+                                "The force ratio at equal approach depends on where approach is counted from (here: first touch); "
+                                "the stiffness ratio at equal load does not."));
+  body += section_html("What a fit would report", fit_table(numbers, solved.hertz().radius));
+  const std::string effective = effective_table(solved);
+  if (!effective.empty()) body += section_html("Effective quantities in result.json", effective);
+  body += section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
+  body += section_html("What went in", details_html("All entries of the case", inputs_table(solved)));
+  return page_html(solved.title(), subtitle_of(folder, solved.result), body);
+}
+
+}  // namespace asperity::report

@@ -1,0 +1,196 @@
+#include "report/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "report/colour_scale.h"
+
+namespace asperity::report {
+namespace {
+
+constexpr double nm = 1e-9, kN_per_m = 1e3, um2 = 1e-12;
+const std::string hertz_colour = "#555555";
+const std::string loading_colour = "#0072b2", unloading_colour = "#d55e00", reloading_colour = "#009e73";
+
+std::vector<double> divided(std::vector<double> values, double unit) {
+  for (double& value : values) value /= unit;
+  return values;
+}
+
+Series hertz_curve(const Hertz& hertz, double largest_approach, const ForceUnit& unit) {
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  constexpr int points = 100;
+  for (int i = 0; i <= points; ++i) {
+    const double approach = largest_approach * i / points;
+    series.x.push_back(approach / nm);
+    series.y.push_back(hertz.force(approach) / unit.si);
+  }
+  return series;
+}
+
+/// Something of Hertz's as a function of load.
+template <class Value>
+Series hertz_over_load(double largest_force, const ForceUnit& unit, const Value& value) {
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  constexpr int points = 200;
+  for (int i = 1; i <= points; ++i) {
+    const double force = largest_force * i / points;
+    series.x.push_back(force / unit.si);
+    series.y.push_back(value(force));
+  }
+  return series;
+}
+
+std::string branch_name(HistoryBranch::Kind kind, int loadings, int unloadings) {
+  if (kind == HistoryBranch::Kind::loading) return loadings == 1 ? "loading" : loadings == 2 ? "reloading" : "";
+  return unloadings == 1 ? "unloading" : unloadings == 2 ? "second unloading" : "";
+}
+
+/// Branches of a history, each as a series of one of its columns.
+std::vector<Series> branch_series(const ContactHistory& history, const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<Series> list;
+  int loadings = 0, unloadings = 0;
+  for (const auto& branch : history_branches(history)) {
+    if (branch.kind == HistoryBranch::Kind::hold) continue;
+    const bool is_loading = branch.kind == HistoryBranch::Kind::loading;
+    ++(is_loading ? loadings : unloadings);
+    const bool is_first = (is_loading ? loadings : unloadings) == 1;
+    Series series{branch_name(branch.kind, loadings, unloadings),
+                  is_loading ? (is_first ? loading_colour : reloading_colour) : unloading_colour,
+                  is_first ? Series::Style::line_with_points : Series::Style::dashed,
+                  {}, {}, {}};
+    for (std::size_t i = branch.first; i <= branch.last; ++i) {
+      series.x.push_back(x[i]);
+      series.y.push_back(y[i]);
+    }
+    list.push_back(std::move(series));
+  }
+  return list;
+}
+
+Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit, const std::string& label,
+                      const std::string& colour) {
+  Series series{label, colour, Series::Style::line_with_points, {}, {}, {}};
+  for (const auto& tangent : tangents) {
+    series.x.push_back(tangent.force / unit.si);
+    series.y.push_back(tangent.stiffness / kN_per_m);
+    series.error.push_back(tangent.error / kN_per_m);
+  }
+  return series;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+ForceUnit force_unit(double largest_force) {
+  constexpr double largest_in_micronewton = 5e-3;
+  return largest_force > largest_in_micronewton ? ForceUnit{1e-3, "mN"} : ForceUnit{};
+}
+
+Chart load_approach_chart(const SolvedCase& solved) {
+  const ContactHistory& history = solved.history;
+  const ForceUnit unit = force_unit(largest(history.normal_force));
+  Chart chart;
+  chart.x_label = "approach δ of the bodies [nm]";
+  chart.y_label = "normal force F [" + unit.name + "]";
+  chart.series = branch_series(history, divided(history.normal_displacement, nm), divided(history.normal_force, unit.si));
+  chart.series.push_back(hertz_curve(solved.hertz(), largest(history.normal_displacement), unit));
+  return chart;
+}
+
+Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
+  const ForceUnit unit = force_unit(numbers.largest_force);
+  const Hertz hertz = solved.hertz();
+  Chart chart;
+  chart.x_label = "normal force F [" + unit.name + "]";
+  chart.y_label = "normal stiffness dF/dδ [kN/m]";
+  chart.series = {tangent_series(numbers.loading, unit, "loading", loading_colour),
+                  tangent_series(numbers.unloading, unit, "unloading", unloading_colour)};
+  if (!numbers.reloading.empty())
+    chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour));
+  chart.series.push_back(hertz_over_load(numbers.largest_force, unit,
+                                         [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
+  chart.width = 520;
+  return chart;
+}
+
+Chart contact_area_chart(const SolvedCase& solved) {
+  const ContactHistory& history = solved.history;
+  const ForceUnit unit = force_unit(largest(history.normal_force));
+  const Hertz hertz = solved.hertz();
+  Chart chart;
+  chart.x_label = "normal force F [" + unit.name + "]";
+  chart.y_label = "real contact area [µm²]";
+  chart.series = branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
+  chart.series.push_back(hertz_over_load(largest(history.normal_force), unit,
+                                         [&](double force) { return hertz.contact_area(force) / um2; }));
+  chart.width = 520;
+  return chart;
+}
+
+Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
+  double force = 0, approach = 0;
+  for (const auto& curve : curves) {
+    force = std::max(force, curve.last().numbers.force);
+    approach = std::max(approach, largest(curve.largest->first().history.normal_displacement));
+  }
+  const ForceUnit unit = force_unit(force);
+  Chart chart;
+  chart.x_label = "approach δ of the bodies [nm]";
+  chart.y_label = "normal force F [" + unit.name + "]";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    bool named = false;
+    for (const auto& solved : curves[i].largest->cases) {
+      const ContactHistory& history = solved.history;
+      const auto branches = history_branches(history);
+      if (branches.empty()) continue;
+      // Loading and first unloading; further cycles would hide the difference between the surfaces.
+      std::size_t last = branches.front().last;
+      for (const auto& branch : branches) {
+        last = branch.last;
+        if (branch.kind == HistoryBranch::Kind::unloading) break;
+      }
+      Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line, {}, {}, {}};
+      for (std::size_t row = 0; row <= last; ++row) {
+        series.x.push_back(history.normal_displacement[row] / nm);
+        series.y.push_back(history.normal_force[row] / unit.si);
+      }
+      named = true;
+      chart.series.push_back(std::move(series));
+    }
+  }
+  if (!curves.empty()) chart.series.push_back(hertz_curve(curves.front().last().numbers.hertz, approach, unit));
+  return chart;
+}
+
+Chart ratio_chart(const std::vector<StudyCurve>& curves, Scatter LoadComparison::*ratio, const std::string& label,
+                  double tolerance) {
+  double force = 0;
+  for (const auto& curve : curves) force = std::max(force, curve.last().numbers.force);
+  const ForceUnit unit = force_unit(force);
+  Chart chart;
+  chart.x_label = "normal force F [" + unit.name + "]";
+  chart.y_label = label;
+  chart.band_low = 1 - tolerance;
+  chart.band_high = 1 + tolerance;
+  char band[48];
+  std::snprintf(band, sizeof band, "Hertz ± %.3g %%", 100 * tolerance);
+  chart.band_label = band;
+  chart.y_from_zero = false;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
+    for (const auto& load : curves[i].last().loads) {
+      series.x.push_back(load.force / unit.si);
+      series.y.push_back((load.*ratio).mean);
+      series.error.push_back((load.*ratio).sd);
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+}  // namespace asperity::report

@@ -1,0 +1,36 @@
+// The fields a solve wrote: fields.pvd (bodies, VTU) and interface.pvd (contact surface, VTP), read with VTK.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/map_figure.h"
+
+namespace asperity::report {
+
+struct FieldFile {
+  int step = 0;  ///< from its name, step_NNNN
+  std::filesystem::path path;
+};
+
+/// Files a .pvd lists, in its order; empty if it is not there. Files that are missing are left out.
+std::vector<FieldFile> field_files(const std::filesystem::path& pvd);
+
+/// A point data array of the contact surface on a regular grid over the square |x|, |y| <= half_width [m].
+/// Throws InputError if the file cannot be read or lacks the array.
+Map interface_map(const std::filesystem::path& file, const std::string& array, double half_width, int pixels);
+
+/// Largest |x| or |y| of the contact surface, and of the part of it that is closed [m].
+struct InterfaceExtent {
+  double surface = 0, contact = 0;
+};
+InterfaceExtent interface_extent(const std::filesystem::path& file);
+
+/// The bodies, displaced, cut by the plane y = `y`: polygons with their cell data.
+vtkSmartPointer<vtkPolyData> vertical_section(const std::filesystem::path& file, double y);
+
+}  // namespace asperity::report

@@ -1,0 +1,27 @@
+// Tables of a solved case: what was computed, how far to trust it, what it cost, what went in.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/comparison.h"
+#include "dem_compare/solved_case.h"
+
+namespace asperity::report {
+
+/// "effective" of result.json with standard deviations.
+std::string effective_table(const SolvedCase& solved);
+/// Forces, moments, energy: relative errors and what they mean.
+std::string balance_table(const SolvedCase& solved);
+/// Mesh, cost, versions and whatever else result.json says, as name and value.
+std::string remaining_tables(const SolvedCase& solved);
+std::string inputs_table(const SolvedCase& solved);
+/// Ratios to Hertz at each load.
+std::string ratio_table(const GroupComparison& group);
+std::string fit_table(const NormalNumbers& numbers, double true_radius);
+
+/// Largest relative balance error in the words of a verdict, or that none was given.
+std::string balance_sentence(const SolvedCase& solved);
+/// Number of a JSON value that is one, or an object {value, unit}; NaN else.
+double number_of(const nlohmann::ordered_json& value);
+
+}  // namespace asperity::report

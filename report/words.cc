@@ -1,0 +1,102 @@
+#include "report/words.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "report/axis.h"
+#include "surfaces/topography_spec.h"
+
+namespace asperity::report {
+namespace {
+
+std::string printed(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string material_in_words(const SolvedCase& solved, const std::string& section) {
+  const CaseEntries& entries = solved.entries;
+  std::string words = "E = " + in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
+                      ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
+  const double yield = entries.quantity(section + "/Yield stress", Dimension::pressure, INFINITY);
+  if (std::isinf(yield)) return words + ", elastic";
+  words += ", yields at " + in_units(yield, Dimension::pressure);
+  const double hardening = entries.quantity(section + "/Hardening modulus", Dimension::pressure, 0);
+  if (hardening > 0)
+    words += " with " + escaped(entries.text(section + "/Hardening", "isotropic")) + " hardening " +
+             in_units(hardening, Dimension::pressure);
+  const double voce = entries.quantity(section + "/Voce saturation", Dimension::pressure, 0);
+  if (voce > 0) words += ", Voce hardening up to " + in_units(voce, Dimension::pressure) + " more";
+  return words;
+}
+
+}  // namespace
+
+std::string topography_in_words(const std::string& spec) {
+  if (spec == "smooth" || spec.empty()) return "smooth";
+  if (!is_generator_call(spec)) return "measured: " + escaped(std::filesystem::path(spec).filename().string());
+  const GeneratorParameters generator = parse_generator(spec);
+  return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) + " (Hurst exponent " +
+         printed("%.3g", generator.spectrum.hurst) + ", roll-off " + in_units(generator.spectrum.rolloff, Dimension::length) +
+         ", cut-off " + in_units(generator.spectrum.cutoff, Dimension::length) + ")";
+}
+
+std::string what_was_asked(const SolvedCase& solved) {
+  const CaseEntries& entries = solved.entries;
+  std::string words = "A sphere of radius " + in_units(entries.quantity("Particle/Radius", Dimension::length), Dimension::length) +
+                      " (" + material_in_words(solved, "Particle") + "; surface: " +
+                      topography_in_words(entries.text("Particle/Topography", "smooth")) + ") is pressed on a plane (" +
+                      material_in_words(solved, "Substrate") + "; surface: " +
+                      topography_in_words(entries.text("Substrate/Topography", "smooth")) + ")";
+  if (entries.text("Experiment/Control", "force") == "force")
+    words += " with a force that grows to " + in_units(entries.quantity("Experiment/Normal load", Dimension::force, NAN), Dimension::force);
+  else
+    words += " until they have approached each other by " +
+             in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
+  if (entries.text("Experiment/Unload", "true") == "true") {
+    const std::string cycles = entries.text("Experiment/Cycles", "1");
+    words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
+  }
+  return words + ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), and what stays "
+                 "behind when the load has gone?";
+}
+
+std::string in_units(double si_value, Dimension dimension, int digits) {
+  if (!std::isfinite(si_value)) return "–";
+  std::string text = format_quantity(si_value, dimension, digits);
+  const auto micro = text.find(" u");
+  if (micro != std::string::npos) text.replace(micro, 2, " µ");
+  return text;
+}
+
+std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits) {
+  const std::string number = plus_minus(scatter, unit, digits);
+  return std::isfinite(scatter.mean) && !name.empty() ? number + " " + name : number;
+}
+
+std::string ratio_text(const Scatter& scatter) { return plus_minus(scatter, 1, 3); }
+
+std::string departure_text(double ratio) {
+  if (!std::isfinite(ratio)) return "–";
+  const double percent = 100 * (ratio - 1);
+  return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f %%" : "%.0f %%", std::abs(percent));
+}
+
+std::string percent_text(double share, int digits) {
+  if (!std::isfinite(share)) return "–";
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
+  return buffer;
+}
+
+std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "–";
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return printed("%.3g s", seconds);
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
+}  // namespace asperity::report

@@ -1,0 +1,27 @@
+// What a case asked for, in sentences.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/comparison.h"
+#include "dem_compare/solved_case.h"
+
+namespace asperity::report {
+
+/// "A sphere of radius 8.5 um (E = 71 GPa, ...) was pressed on a plane ... to 1 mN and released." (HTML-safe)
+std::string what_was_asked(const SolvedCase& solved);
+/// "smooth", "generated roughness, RMS 1.5 nm", "measured: scan.gsf"
+std::string topography_in_words(const std::string& spec);
+/// "1.5 nm" with the micro sign; "–" if it is not known.
+std::string in_units(double si_value, Dimension dimension, int digits = 3);
+/// "24.3 ± 0.5 kN/m" of a scatter, in `unit` (SI) with its name.
+std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits = 3);
+/// "0.93" or "0.93 ± 0.02": a ratio.
+std::string ratio_text(const Scatter& scatter);
+/// "-7 %"
+std::string departure_text(double ratio);
+std::string percent_text(double share, int digits = 2);
+/// "23 min 4 s"
+std::string duration_text(double seconds);
+
+}  // namespace asperity::report

@@ -1,0 +1,178 @@
+#include "report/report.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "report/virtual_display.h"
+#include "tests/report/synthetic_case.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* kept = std::getenv("ASPERITY_KEEP_REPORTS");  // a folder, to look at the pages
+    root = kept ? fs::path(kept) / testing::UnitTest::GetInstance()->current_test_info()->name()
+                : fs::temp_directory_path() / ("asperity-report-" + std::to_string(::getpid()));
+    fs::create_directories(root);
+  }
+  void TearDown() override {
+    if (!std::getenv("ASPERITY_KEEP_REPORTS")) fs::remove_all(root);
+  }
+  std::string report() const {
+    write_report(root);
+    return read_file(root / "report.html");
+  }
+  static std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  }
+  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+  /// Nothing is fetched from anywhere.
+  static void expect_self_contained(const std::string& html) {
+    EXPECT_FALSE(has(html, "http://"));
+    EXPECT_FALSE(has(html, "https://"));
+    EXPECT_FALSE(has(html, "<script"));
+    EXPECT_FALSE(has(html, "<link"));
+    EXPECT_FALSE(has(html, "@import"));
+    EXPECT_FALSE(has(html, "url("));
+    EXPECT_EQ(count(html, "href='"), count(html, "href='data:image/png;base64,"));
+  }
+
+  static std::string study_json(const std::string& cases) {
+    return R"({"format": "asperity-study/1", "title": "Three surfaces", "realisations": 2,
+      "axes": [{"name": "Normal load", "values": ["500 uN", "1 mN"]}, {"name": "Surface", "values": ["smooth", "rough"]}],
+      "cases": [)" + cases + "]}";
+  }
+  static std::string entry(const std::string& name, const std::string& load, const std::string& surface, int realisation,
+                           const std::string& state) {
+    return R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Normal load": ")" + load +
+           R"(", "Surface": ")" + surface + R"("}, "realisation": )" + std::to_string(realisation) + R"(, "state": ")" + state + R"("})";
+  }
+  fs::path root;
+};
+
+TEST_F(ReportFolder, a_solved_case_has_verdict_surfaces_curves_pressure_section_and_tables_in_one_file) {
+  test::SyntheticCase made;
+  made.softness = 0.7;
+  made.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=40 nm, seed=1)";
+  test::write_synthetic_case(made, root);
+  const std::string html = report();
+  expect_self_contained(html);
+  EXPECT_TRUE(has(html, "softer than Hertz by 11 % still at 1 mN"));  // 0.7^(1/3) = 0.888
+  for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Seen from above", "5.95 µm", "8.5 µm",
+                           "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
+    EXPECT_TRUE(has(html, part)) << part;
+}
+
+TEST_F(ReportFolder, sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
+  test::write_synthetic_case({}, root);
+  const bool can_draw = report::VirtualDisplay().available();
+  const std::string html = report();
+  EXPECT_EQ(has(html, "equivalent plastic strain [%]"), can_draw);
+  EXPECT_EQ(has(html, "could not be drawn"), !can_draw);
+}
+
+TEST_F(ReportFolder, without_a_display_server_the_report_says_so_and_is_written_all_the_same) {
+  test::write_synthetic_case({}, root);
+  const std::string path = std::getenv("PATH");
+  const char* display = std::getenv("DISPLAY");
+  const std::string kept_display = display ? display : "";
+  setenv("PATH", root.c_str(), 1);
+  unsetenv("DISPLAY");
+  const std::string html = report();
+  setenv("PATH", path.c_str(), 1);
+  if (display) setenv("DISPLAY", kept_display.c_str(), 1);
+  EXPECT_TRUE(has(html, "install the package xvfb"));
+  EXPECT_TRUE(has(html, "Seen from above"));
+}
+
+TEST_F(ReportFolder, a_display_that_does_not_answer_does_not_take_the_report_with_it) {
+  test::write_synthetic_case({}, root);
+  const std::string path = std::getenv("PATH");
+  const char* display = std::getenv("DISPLAY");
+  const std::string kept_display = display ? display : "";
+  setenv("PATH", root.c_str(), 1);
+  setenv("DISPLAY", ":4711", 1);
+  const std::string html = report();
+  setenv("PATH", path.c_str(), 1);
+  display ? setenv("DISPLAY", kept_display.c_str(), 1) : unsetenv("DISPLAY");
+  EXPECT_TRUE(has(html, "VTK could not draw on display :4711"));
+}
+
+TEST_F(ReportFolder, a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
+  test::SyntheticCase made;
+  made.yield_stress = "inf";
+  made.imprint = 0;
+  test::write_synthetic_case(made, root);
+  const std::string html = report();
+  EXPECT_TRUE(has(html, "must follow Hertz"));
+  EXPECT_TRUE(has(html, "as stiff as Hertz within 5 %"));
+  EXPECT_TRUE(has(html, "No material has yielded"));
+}
+
+TEST_F(ReportFolder, an_unfinished_case_is_shown_as_far_as_it_came) {
+  test::SyntheticCase made;
+  made.finished = false;
+  made.fields = false;
+  test::write_synthetic_case(made, root);
+  const std::string html = report();
+  EXPECT_TRUE(has(html, "This case is not finished"));
+  EXPECT_TRUE(has(html, "There are no fields"));
+  EXPECT_TRUE(has(html, "Load against approach"));
+}
+
+TEST_F(ReportFolder, a_study_shows_scatter_over_realisations_and_names_what_is_missing) {
+  test::SyntheticCase made;
+  made.imprint = 0;
+  made.title = "smooth";
+  made.yield_stress = "inf";
+  test::write_synthetic_case(made, root / "s1");
+  made.load = 5e-4;
+  made.fields = false;
+  test::write_synthetic_case(made, root / "s05");
+  made.load = 1e-3;
+  made.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=40 nm, seed=1)";
+  made.softness = 0.85;
+  test::write_synthetic_case(made, root / "r1");
+  made.softness = 0.75;
+  made.fields = true;
+  test::write_synthetic_case(made, root / "r2");
+  write_file_atomically(root / "study.json",
+                        study_json(entry("s05", "500 uN", "smooth", 1, "done") + "," + entry("s1", "1 mN", "smooth", 1, "done") + "," +
+                                   entry("r1", "1 mN", "rough", 1, "done") + "," + entry("r2", "1 mN", "rough", 2, "done") + "," +
+                                   entry("r05", "500 uN", "rough", 1, "waiting")));
+  const std::string html = report();
+  expect_self_contained(html);
+  EXPECT_TRUE(has(html, "1 of 5 cases are not in this report"));
+  EXPECT_TRUE(has(html, "r05: waiting"));
+  // 52.2 kN/m times 0.85^(1/3) and 0.75^(1/3): mean 48.46, sd 1.44
+  EXPECT_TRUE(has(html, "48.5 ± 1.4"));
+  EXPECT_TRUE(has(html, "Error of the computation, where the truth is known"));
+  EXPECT_TRUE(has(html, "mesh error"));
+}
+
+TEST_F(ReportFolder, a_study_without_any_result_yet_lists_its_cases) {
+  write_file_atomically(root / "study.json", study_json(entry("a", "1 mN", "smooth", 1, "running")));
+  EXPECT_TRUE(has(report(), "a: running"));
+}
+
+TEST_F(ReportFolder, a_title_cannot_break_the_page) {
+  test::SyntheticCase made;
+  made.title = "<b>\"1\" & 'x'";
+  made.fields = false;
+  test::write_synthetic_case(made, root);
+  EXPECT_TRUE(has(report(), "&lt;b&gt;&quot;1&quot; &amp;"));
+}
+
+TEST_F(ReportFolder, a_folder_that_is_neither_case_nor_study_is_refused) { EXPECT_THROW(write_report(root), InputError); }
+
+}  // namespace
+}  // namespace asperity
