@@ -1,4 +1,5 @@
 // A comparison as markdown for people and as JSON for programs.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -73,16 +74,19 @@ Json group_json(const GroupComparison& group) {
 
 std::string plus_minus(const Scatter& scatter, double unit, int digits) {
   if (!std::isfinite(scatter.mean)) return "–";
+  // Beyond these decimals of the chosen unit a number is zero to whoever reads the table.
+  constexpr int most_decimals = 4;
+  const double mean = scatter.mean / unit, sd = scatter.sd / unit;
+  const auto place = [](double x) { return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -most_decimals; };
   char buffer[80];
-  if (!std::isfinite(scatter.sd)) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, scatter.mean / unit);
+  if (!std::isfinite(sd)) {
+    const int decimals = std::clamp(digits - 1 - place(std::abs(mean)), 0, most_decimals);
+    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, mean);
     return buffer;
   }
   // As many decimals as show two digits of the scatter, but not more digits of the mean than asked for plus one.
-  const double mean = std::abs(scatter.mean / unit), sd = scatter.sd / unit;
-  const auto place = [](double x) { return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -99; };
-  const int decimals = std::max(0, std::min(1 - place(sd), digits - place(mean)));
-  std::snprintf(buffer, sizeof buffer, "%.*f ± %.*f", decimals, scatter.mean / unit, decimals, sd);
+  const int decimals = std::clamp(std::min(1 - place(sd), digits - place(std::abs(mean))), 0, most_decimals);
+  std::snprintf(buffer, sizeof buffer, "%.*f ± %.*f", decimals, mean, decimals, sd);
   return buffer;
 }
 

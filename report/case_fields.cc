@@ -86,8 +86,8 @@ std::string roughness_statistics(const Map& heights) {
   for (const double height : heights.values) map.missing.push_back(std::isnan(height));
   if (map.missing_count() == 0) map.missing.clear();
   const HeightMoments moments = height_moments(map);
-  return "In this window: RMS height " + in_units(moments.Sq, Dimension::length, 2) + ", peak to valley " +
-         in_units(moments.Sz, Dimension::length, 2) + ".";
+  return "In this window: RMS height " + in_units(moments.Sq, Dimension::length) + ", peak to valley " +
+         in_units(moments.Sz, Dimension::length) + ".";
 }
 
 std::string roughness_figure(const SolvedCase& solved, const std::string& section) {
@@ -194,7 +194,9 @@ std::optional<fs::path> file_at_largest_load(const SolvedCase& solved, const std
 }
 
 std::string roughness_figures(const SolvedCase& solved) {
-  return side_by_side({roughness_figure(solved, "Particle"), roughness_figure(solved, "Substrate")});
+  const std::string sphere = roughness_figure(solved, "Particle"), plane = roughness_figure(solved, "Substrate");
+  const bool both = sphere.rfind("<figure", 0) == 0 && plane.rfind("<figure", 0) == 0;
+  return both ? side_by_side({sphere, plane}) : sphere + plane;
 }
 
 std::string pressure_map_figure(const SolvedCase& solved, const std::string& title) {

@@ -32,7 +32,7 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   if (std::isfinite(numbers.unloading_stiffness.mean))
     tiles.push_back({in_units(numbers.unloading_stiffness, kN_per_m, "kN/m"), "normal stiffness, start of unloading",
                      against(numbers.unloading_stiffness.mean, hertz.normal_stiffness(force))});
-  tiles.push_back({in_units(numbers.contact_area.mean, Dimension::area), "real contact area",
+  tiles.push_back({area_text(numbers.contact_area.mean), "real contact area",
                    against(numbers.contact_area.mean, hertz.contact_area(force))});
   tiles.push_back({in_units(numbers.largest_pressure.mean, Dimension::pressure), "largest contact pressure",
                    against(numbers.largest_pressure.mean, hertz.peak_pressure(force))});
@@ -123,7 +123,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
 
   std::string body = paragraph(what_was_asked(solved));
   body += state_warning(solved);
-  body += verdict_html(capitalised(escaped(group.verdict)), trust_sentences(solved, group));
+  body += verdict_html(capitalised(readable(group.verdict)), trust_sentences(solved, group));
   body += tiles_html(tiles_of(group.numbers));
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);

@@ -151,6 +151,10 @@ std::string to_svg(const Chart& chart) {
   const bool has_band = chart.band_high > chart.band_low;
   if (has_band) y_range.add(chart.band_low), y_range.add(chart.band_high);
   if (!std::isfinite(x_range.low) || !std::isfinite(y_range.low)) return "<p class='note'>There is nothing to draw yet.</p>";
+  constexpr double room = 0.03;  // curves and bars keep off the frame
+  const double margin = room * (y_range.high - y_range.low);
+  if (!chart.y_from_zero) y_range.low -= margin;
+  y_range.high += margin;
   const Axis x = make_axis(x_range.low, x_range.high, left_margin, chart.width - right_margin, true, 7);
   const Axis y = make_axis(y_range.low, y_range.high, chart.height - bottom_margin, top_margin, true, 6);
   std::string svg = "<svg class='chart' viewBox='0 0 " + std::to_string(chart.width) + " " + std::to_string(chart.height) +

@@ -29,6 +29,37 @@ Series hertz_curve(const Hertz& hertz, double largest_approach, const ForceUnit&
   return series;
 }
 
+/// Adds the way from one step to the next as a contact goes it: approach linear in F^(2/3), a straight line for Hertz.
+void add_between(Series& series, double approach0, double force0, double approach1, double force1) {
+  constexpr int pieces = 12;
+  const double g0 = std::pow(std::max(0.0, force0), 2.0 / 3.0), g1 = std::pow(std::max(0.0, force1), 2.0 / 3.0);
+  for (int i = 0; i <= pieces; ++i) {
+    const double share = static_cast<double>(i) / pieces;
+    series.x.push_back(approach0 + share * (approach1 - approach0));
+    series.y.push_back(std::pow(g0 + share * (g1 - g0), 1.5));
+  }
+}
+
+/// Replaces the straight lines between the steps of load-approach curves; the steps themselves stay as points.
+std::vector<Series> smoothed(const std::vector<Series>& branches) {
+  std::vector<Series> list;
+  for (const auto& branch : branches) {
+    Series line = branch;
+    line.x.clear();
+    line.y.clear();
+    for (std::size_t i = 0; i + 1 < branch.x.size(); ++i) add_between(line, branch.x[i], branch.y[i], branch.x[i + 1], branch.y[i + 1]);
+    if (branch.style == Series::Style::line_with_points) {
+      line.style = Series::Style::line;
+      Series points = branch;
+      points.label.clear();
+      points.style = Series::Style::points;
+      list.push_back(std::move(points));
+    }
+    list.push_back(std::move(line));
+  }
+  return list;
+}
+
 /// Something of Hertz's as a function of load.
 template <class Value>
 Series hertz_over_load(double largest_force, const ForceUnit& unit, const Value& value) {
@@ -97,7 +128,7 @@ Chart load_approach_chart(const SolvedCase& solved) {
   Chart chart;
   chart.x_label = "approach δ of the bodies [nm]";
   chart.y_label = "normal force F [" + unit.name + "]";
-  chart.series = branch_series(history, divided(history.normal_displacement, nm), divided(history.normal_force, unit.si));
+  chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm), divided(history.normal_force, unit.si)));
   chart.series.push_back(hertz_curve(solved.hertz(), largest(history.normal_displacement), unit));
   return chart;
 }
@@ -155,10 +186,9 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
         if (branch.kind == HistoryBranch::Kind::unloading) break;
       }
       Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line, {}, {}, {}};
-      for (std::size_t row = 0; row <= last; ++row) {
-        series.x.push_back(history.normal_displacement[row] / nm);
-        series.y.push_back(history.normal_force[row] / unit.si);
-      }
+      for (std::size_t row = 0; row < last; ++row)
+        add_between(series, history.normal_displacement[row] / nm, history.normal_force[row] / unit.si,
+                    history.normal_displacement[row + 1] / nm, history.normal_force[row + 1] / unit.si);
       named = true;
       chart.series.push_back(std::move(series));
     }
@@ -181,6 +211,7 @@ Chart ratio_chart(const std::vector<StudyCurve>& curves, Scatter LoadComparison:
   std::snprintf(band, sizeof band, "Hertz ± %.3g %%", 100 * tolerance);
   chart.band_label = band;
   chart.y_from_zero = false;
+  chart.width = 520;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
     for (const auto& load : curves[i].last().loads) {

@@ -8,8 +8,8 @@ namespace {
 const char* const style = R"css(
 :root { --ink: #1c2430; --soft: #5b6675; --line: #d9dee5; --accent: #0b5c8a; --paper: #ffffff; --tint: #f4f7fa; }
 * { box-sizing: border-box; }
-body { margin: 0; background: var(--tint); color: var(--ink); font: 16px/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "Liberation Sans", sans-serif; }
-main { max-width: 1080px; margin: 0 auto; background: var(--paper); padding: 40px 52px 64px; box-shadow: 0 0 18px rgba(20,40,60,.08); }
+body { margin: 0; background: var(--tint); color: var(--ink); font: 16px/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "Liberation Sans", "DejaVu Sans", sans-serif; }
+main { max-width: 1160px; margin: 0 auto; background: var(--paper); padding: 40px 52px 64px; box-shadow: 0 0 18px rgba(20,40,60,.08); }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 4px; letter-spacing: -.01em; }
 .subtitle { color: var(--soft); margin: 0 0 26px; }
 h2 { font-size: 1.32rem; margin: 44px 0 12px; padding-top: 14px; border-top: 2px solid var(--ink); }
@@ -40,8 +40,10 @@ svg .legend { fill: rgba(255,255,255,.92); stroke: var(--line); }
 svg .band { fill: #dcebd9; fill-opacity: .75; }
 .scroll { overflow-x: auto; margin: 12px 0 20px; }
 table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; min-width: 50%; }
-th { text-align: right; font-weight: 600; border-bottom: 2px solid var(--ink); padding: 6px 12px; vertical-align: bottom; }
-td { text-align: right; border-bottom: 1px solid var(--line); padding: 5px 12px; vertical-align: top; }
+td { white-space: nowrap; }
+td.text { white-space: normal; }
+th { text-align: right; font-weight: 600; border-bottom: 2px solid var(--ink); padding: 6px 10px; vertical-align: bottom; }
+td { text-align: right; border-bottom: 1px solid var(--line); padding: 5px 10px; vertical-align: top; }
 th.text, td.text { text-align: left; }
 tr:hover td { background: var(--tint); }
 details { border: 1px solid var(--line); border-radius: 6px; padding: 10px 16px; margin: 10px 0; }

@@ -83,7 +83,7 @@ std::string headline(const std::vector<StudyCurve>& curves) {
   std::string text = (hertzian == curves.size() ? std::string("All ") + std::to_string(curves.size())
                                                 : std::to_string(hertzian) + " of " + std::to_string(curves.size())) +
                      " contacts are as stiff as Hertz within " + percent_text(tolerance) + " at every load";
-  return text + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) + " (" + escaped(worst->label) +
+  return text + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) + " (" + readable(worst->label) +
          ", at " + in_units(worst_load->force, Dimension::force) + ").";
 }
 
@@ -93,7 +93,7 @@ std::string numerical_error_sentence(const std::vector<StudyCurve>& curves) {
     const GroupComparison& group = curve.last();
     if (solved.is_rough() || group.numbers.force >= solved.first_yield_force() || group.loads.empty()) continue;
     const auto& top = group.loads.back();
-    return "Error of the computation, where the truth is known: the smooth contact (" + escaped(curve.label) +
+    return "Error of the computation, where the truth is known: the smooth contact (" + readable(curve.label) +
            ") must follow Hertz and departs by " + departure_text(top.stiffness_ratio.mean) + " in stiffness, " +
            departure_text(top.force_ratio.mean) + " in force and " + departure_text(top.area_ratio.mean) +
            " in contact area at " + in_units(top.force, Dimension::force) + ".";
@@ -126,7 +126,7 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
 std::string verdict(const CaseCollection& collection, const Comparison& comparison, const std::vector<StudyCurve>& curves) {
   std::vector<std::string> sentences;
   for (const auto& curve : curves)
-    sentences.push_back("<b>" + escaped(curve.label) + "</b>: " + escaped(curve.last().verdict));
+    sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(curve.last().verdict));
   for (const auto& sentence : {numerical_error_sentence(curves), mesh_sentence(comparison), worst_balance_sentence(collection)})
     if (!sentence.empty()) sentences.push_back(sentence);
   return verdict_html(headline(curves), sentences);
@@ -143,7 +143,7 @@ std::string stiffness_table(const std::vector<StudyCurve>& curves) {
     for (const auto* group : curve.groups) {
       const GroupNumbers& n = group->numbers;
       const double hertz = n.hertz.normal_stiffness(n.force);
-      table.rows.push_back({escaped(curve.label), in_units(n.force, Dimension::force), std::to_string(group->realisations),
+      table.rows.push_back({readable(curve.label), in_units(n.force, Dimension::force), std::to_string(group->realisations),
                             plus_minus(n.loading_stiffness, kN_per_m), departure_text(n.loading_stiffness.mean / hertz),
                             plus_minus(n.unloading_stiffness, kN_per_m), departure_text(n.unloading_stiffness.mean / hertz),
                             percent_text(n.loading_stiffness.standard_error / n.loading_stiffness.mean), mesh_error_cell(*group)});
@@ -160,7 +160,7 @@ std::string contact_table(const std::vector<StudyCurve>& curves) {
   for (const auto& curve : curves)
     for (const auto* group : curve.groups) {
       const GroupNumbers& n = group->numbers;
-      table.rows.push_back({escaped(curve.label), in_units(n.force, Dimension::force), plus_minus(n.approach, nm),
+      table.rows.push_back({readable(curve.label), in_units(n.force, Dimension::force), plus_minus(n.approach, nm),
                             departure_text(n.contact_area.mean / n.hertz.contact_area(n.force)), plus_minus(n.largest_pressure, GPa),
                             departure_text(n.largest_pressure.mean / n.hertz.peak_pressure(n.force)),
                             plus_minus(n.residual_imprint, nm), plus_minus(n.fitted_radius, um), plus_minus(n.exponent)});
@@ -219,6 +219,7 @@ std::string rms_figure(const CaseCollection& collection, const Comparison& compa
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
   chart.band_label = "Hertz ± " + percent_text(tolerance);
+  chart.width = 520;
   for (const auto& load : order) chart.series.push_back(by_load[load]);
   return figure_html("Stiffness against roughness", to_svg(chart),
                      "Each line is one load. Bars are the standard deviation over realisations. RMS is √(RMS² of the sphere + RMS² of "
@@ -241,7 +242,7 @@ std::string curves_section(const std::vector<StudyCurve>& curves, const CaseColl
       "Force over Hertz's", to_svg(ratio_chart(curves, &LoadComparison::force_ratio, "force / Hertz (same approach)", tolerance)),
       "At the same approach, counted from the first touch: an experimenter who sets the zero at a small force sees less of this.");
   const std::string roughness = rms_figure(collection, comparison);
-  body += roughness.empty() ? force : side_by_side({force, roughness});
+  body += side_by_side({force, roughness});
   return section_html("Against Hertz", body);
 }
 
@@ -249,7 +250,7 @@ std::string gallery(const std::vector<StudyCurve>& curves, SectionPainter& paint
   std::string body = note("Of each contact the first realisation at its largest load.");
   for (const auto& curve : curves) {
     const SolvedCase& solved = curve.largest->first();
-    body += "<h3>" + escaped(curve.label) + ", " + in_units(curve.last().numbers.force, Dimension::force) + "</h3>\n";
+    body += "<h3>" + readable(curve.label) + ", " + in_units(curve.last().numbers.force, Dimension::force) + "</h3>\n";
     if (solved.is_rough()) body += roughness_figures(solved);
     body += side_by_side({pressure_map_figure(solved, "Pressure, seen from above"), pressure_profile_figure(solved)});
     body += section_figures(solved, painter, "");
@@ -289,7 +290,7 @@ std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
     std::string varied;
     for (const auto& axis : collection.axes) {
       varied += (varied.empty() ? "" : "; ") + escaped(axis.name) + ": ";
-      for (std::size_t i = 0; i < axis.labels.size(); ++i) varied += (i ? ", " : "") + escaped(axis.labels[i]);
+      for (std::size_t i = 0; i < axis.labels.size(); ++i) varied += (i ? ", " : "") + readable(axis.labels[i]);
     }
     if (!varied.empty())
       body += paragraph("That is the first of " + std::to_string(collection.planned) + " cases, in which these are varied: " + varied + ".");
@@ -302,7 +303,7 @@ std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
   body += curves_section(curves, collection, comparison);
   body += gallery(curves, painter);
   std::string tables;
-  for (const auto& group : comparison.groups) tables += details_html(group.label, paragraph(escaped(group.verdict)) + ratio_table(group));
+  for (const auto& group : comparison.groups) tables += details_html(group.label, paragraph(readable(group.verdict)) + ratio_table(group));
   body += section_html("Load by load", tables);
   body += section_html("How far to trust it, and what it cost", case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(collection.groups.front().first())));

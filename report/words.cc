@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <regex>
 
 #include "report/axis.h"
 #include "surfaces/topography_spec.h"
@@ -65,10 +66,17 @@ std::string what_was_asked(const SolvedCase& solved) {
 
 std::string in_units(double si_value, Dimension dimension, int digits) {
   if (!std::isfinite(si_value)) return "–";
-  std::string text = format_quantity(si_value, dimension, digits);
-  const auto micro = text.find(" u");
-  if (micro != std::string::npos) text.replace(micro, 2, " µ");
-  return text;
+  return readable(format_quantity(si_value, dimension, digits));
+}
+
+std::string readable(const std::string& text) {
+  static const std::regex micro(R"((\d ?)u(N|m)\b)");
+  return std::regex_replace(escaped(text), micro, "$1µ$2");
+}
+
+std::string area_text(double area) {
+  constexpr double um2 = 1e-12;
+  return std::isfinite(area) ? printed("%.3g µm²", area / um2) : "–";
 }
 
 std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits) {
@@ -81,11 +89,15 @@ std::string ratio_text(const Scatter& scatter) { return plus_minus(scatter, 1, 3
 std::string departure_text(double ratio) {
   if (!std::isfinite(ratio)) return "–";
   const double percent = 100 * (ratio - 1);
+  constexpr double shown_as_zero = 0.05;
+  if (std::abs(percent) < shown_as_zero) return "0.0 %";
   return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f %%" : "%.0f %%", std::abs(percent));
 }
 
 std::string percent_text(double share, int digits) {
   if (!std::isfinite(share)) return "–";
+  constexpr double smallest_shown = 1e-5;
+  if (share != 0 && std::abs(share) < smallest_shown) return "less than 0.001 %";
   char buffer[48];
   std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
   return buffer;

@@ -21,6 +21,10 @@ std::string ratio_text(const Scatter& scatter);
 /// "-7 %"
 std::string departure_text(double ratio);
 std::string percent_text(double share, int digits = 2);
+/// Escaped for HTML, with the micro sign in place of the u of "uN" and "um".
+std::string readable(const std::string& text);
+/// "0.484 µm²"
+std::string area_text(double area);
 /// "23 min 4 s"
 std::string duration_text(double seconds);
 
