@@ -12,9 +12,7 @@
 #include "app/mesh_command.h"
 #endif
 #include "app/nearest_name.h"
-#if __has_include("report/report.h")
 #include "app/report_command.h"
-#endif
 #if __has_include("fem/solve_case.h")
 #include "app/solve_command.h"
 #endif
@@ -65,9 +63,7 @@ int main(int argc, char** argv) {
 #endif
   asperity::add_study_command(app);
   asperity::add_compare_command(app);
-#if __has_include("report/report.h")
   asperity::add_report_command(app);
-#endif
   asperity::add_case_commands(app);
 
   try {
