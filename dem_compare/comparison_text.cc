@@ -76,7 +76,8 @@ std::string plus_minus(const Scatter& scatter, double unit, int digits) {
   if (!std::isfinite(scatter.mean)) return "–";
   // Beyond these decimals of the chosen unit a number is zero to whoever reads the table.
   constexpr int most_decimals = 4;
-  const double mean = scatter.mean / unit, sd = scatter.sd / unit;
+  const double sd = scatter.sd / unit;
+  const double mean = std::abs(scatter.mean / unit) < 0.5 * std::pow(10, -most_decimals) ? 0.0 : scatter.mean / unit;
   const auto place = [](double x) { return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -most_decimals; };
   char buffer[80];
   if (!std::isfinite(sd)) {

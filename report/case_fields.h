@@ -28,6 +28,6 @@ std::optional<std::filesystem::path> file_at_largest_load(const SolvedCase& solv
 std::string roughness_figures(const SolvedCase& solved);
 std::string pressure_map_figure(const SolvedCase& solved, const std::string& title);
 std::string pressure_profile_figure(const SolvedCase& solved);
-std::string section_figures(const SolvedCase& solved, SectionPainter& painter, const std::string& title);
+std::string section_figures(const SolvedCase& solved, SectionPainter& painter);
 
 }  // namespace asperity::report

@@ -73,7 +73,7 @@ std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupCo
       "this is one surface; a study with several seeds gives it.");
   if (group.numbers.differencing_error > 0)
     sentences.push_back("The finite load steps change the stiffness by at most " +
-                        percent_text(group.numbers.differencing_error) + ".");
+                        percent_bound(group.numbers.differencing_error) + ".");
   const std::string balance = balance_sentence(solved);
   if (!balance.empty()) sentences.push_back(balance);
   return sentences;
@@ -89,8 +89,8 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
       "Load against approach",
       figure_html("", to_svg(load_approach_chart(solved)),
                   "How far the bodies come together under a growing force, and on the way back. The dashed line is Hertz's law for "
-                  "the same bodies, smooth and elastic. A rough contact starts softer: at first only the highest asperities "
-                  "carry, so the curve runs to the right of Hertz's. If unloading does not return on the loading curve, material "
+                  "the same bodies, smooth and elastic. A rough contact starts softer, because at first only the highest "
+                  "asperities carry; later it runs nearly parallel to Hertz's curve. If unloading does not return on the loading curve, material "
                   "has yielded; where it meets the axis is the imprint that stays.") +
           side_by_side(
               {figure_html("Stiffness", to_svg(stiffness_chart(solved, numbers)),
@@ -129,11 +129,11 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += curves_section(solved, numbers);
   body += section_html("Pressure in the contact",
                        side_by_side({pressure_map_figure(solved, "Seen from above"), pressure_profile_figure(solved)}));
-  body += section_html("Inside the bodies", section_figures(solved, painter, ""));
+  body += section_html("Inside the bodies", section_figures(solved, painter));
   body += section_html("Against Hertz, load by load",
                        ratio_table(group) +
                            note("Each number is the computed value over Hertz's for the same smooth, elastic bodies: 1 is Hertz. "
-                                "The force ratio at equal approach depends on where approach is counted from (here: first touch); "
+                                "The force ratio at equal approach depends on where approach is counted from; "
                                 "the stiffness ratio at equal load does not."));
   body += section_html("What a fit would report", fit_table(numbers, solved.hertz().radius));
   const std::string effective = effective_table(solved);

@@ -20,12 +20,12 @@ p { margin: 0 0 12px; max-width: 52em; }
 .verdict .headline { font-size: 1.22rem; font-weight: 600; line-height: 1.4; margin: 0 0 8px; max-width: none; }
 .verdict ul { margin: 0; padding-left: 20px; }
 .verdict li { margin: 4px 0; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); gap: 12px; margin: 20px 0; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(225px, 1fr)); gap: 12px; margin: 20px 0; }
 .tile { border: 1px solid var(--line); border-radius: 6px; padding: 12px 16px; }
 .tile .value { font-size: 1.42rem; font-weight: 600; font-variant-numeric: tabular-nums; line-height: 1.25; }
 .tile .label { font-size: .92rem; }
 .tile .small { font-size: .85rem; color: var(--soft); }
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(410px, 1fr)); gap: 20px 28px; align-items: start; }
+.pair { display: grid; grid-template-columns: repeat(auto-fill, minmax(410px, 1fr)); gap: 20px 28px; align-items: start; }
 figure { margin: 10px 0 22px; break-inside: avoid; }
 figure svg { width: 100%; height: auto; display: block; }
 figure svg.chart { max-width: 760px; }
@@ -114,7 +114,7 @@ std::string verdict_html(const std::string& headline, const std::vector<std::str
 }
 
 std::string details_html(const std::string& summary, const std::string& body) {
-  return "<details><summary>" + escaped(summary) + "</summary>" + body + "</details>\n";
+  return "<details><summary>" + summary + "</summary>" + body + "</details>\n";
 }
 
 std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }

@@ -96,7 +96,7 @@ std::string balance_sentence(const SolvedCase& solved) {
   std::string parts;
   for (const auto& [name, value] : solved.result["balance"].items()) {
     const double error = std::abs(number_of(value));
-    if (std::isfinite(error)) parts += (parts.empty() ? "" : ", ") + spaced(name) + " within " + percent_text(error);
+    if (std::isfinite(error)) parts += (parts.empty() ? "" : ", ") + spaced(name) + " within " + percent_bound(error);
   }
   return parts.empty() ? "" : "The computation balances: " + parts + ".";
 }

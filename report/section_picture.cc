@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "core/error.h"
 
@@ -57,7 +58,8 @@ Image draw(vtkPolyData& section, const SectionView& view) {
   actor->GetProperty()->SetLineWidth(0.5F);
 
   vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1, 1, 1);
+  const Colour outside = view.scale->at(std::numeric_limits<double>::quiet_NaN());
+  renderer->SetBackground(outside[0] / 255.0, outside[1] / 255.0, outside[2] / 255.0);
   renderer->AddActor(actor);
   vtkCamera* camera = renderer->GetActiveCamera();
   const double x = (view.x_low + view.x_high) / 2 / unit, z = (view.z_low + view.z_high) / 2 / unit;

@@ -119,7 +119,7 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
         for (const auto& [name, value] : solved.result["balance"].items())
           if (std::isfinite(number_of(value))) worst[name] = std::max(worst[name], std::abs(number_of(value)));
   std::string text;
-  for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_text(error);
+  for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
   return text.empty() ? "" : "Largest relative errors of the balances over all cases: " + text + ".";
 }
 
@@ -230,7 +230,7 @@ std::string curves_section(const std::vector<StudyCurve>& curves, const CaseColl
   std::string body = figure_html(
       "Load against approach", to_svg(load_approach_chart(curves)),
       "Loading and first unloading at the largest load; each thin line is one realisation of the surface, the dashed line is Hertz's "
-      "law for the same bodies, smooth and elastic. The further to the right, the more the asperities give way before the bulk carries.");
+      "law for the same bodies, smooth and elastic. A rough contact starts softer, because at first only the highest asperities carry; later it runs nearly parallel to Hertz's curve.");
   const std::string stiffness = figure_html(
       "Stiffness over Hertz's", to_svg(ratio_chart(curves, &LoadComparison::stiffness_ratio, "stiffness / Hertz (same load)", tolerance)),
       "1 is Hertz; the green band is where departures are smaller than the tolerance. Bars are the standard deviation over realisations.");
@@ -240,20 +240,26 @@ std::string curves_section(const std::vector<StudyCurve>& curves, const CaseColl
   body += side_by_side({stiffness, area});
   const std::string force = figure_html(
       "Force over Hertz's", to_svg(ratio_chart(curves, &LoadComparison::force_ratio, "force / Hertz (same approach)", tolerance)),
-      "At the same approach, counted from the first touch: an experimenter who sets the zero at a small force sees less of this.");
+      "At the same approach. This depends on where the approach is counted from: an experimenter who sets the zero at a small force sees less of it.");
   const std::string roughness = rms_figure(collection, comparison);
   body += side_by_side({force, roughness});
   return section_html("Against Hertz", body);
 }
 
+const SolvedCase& case_with_fields(const CaseGroup& group) {
+  for (const auto& solved : group.cases)
+    if (file_at_largest_load(solved, "interface.pvd")) return solved;
+  return group.first();
+}
+
 std::string gallery(const std::vector<StudyCurve>& curves, SectionPainter& painter) {
-  std::string body = note("Of each contact the first realisation at its largest load.");
+  std::string body = note("Of each contact one realisation (the first with fields) at its largest load.");
   for (const auto& curve : curves) {
-    const SolvedCase& solved = curve.largest->first();
+    const SolvedCase& solved = case_with_fields(*curve.largest);
     body += "<h3>" + readable(curve.label) + ", " + in_units(curve.last().numbers.force, Dimension::force) + "</h3>\n";
     if (solved.is_rough()) body += roughness_figures(solved);
     body += side_by_side({pressure_map_figure(solved, "Pressure, seen from above"), pressure_profile_figure(solved)});
-    body += section_figures(solved, painter, "");
+    body += section_figures(solved, painter);
   }
   return section_html("The contacts in pictures", body);
 }
@@ -303,7 +309,7 @@ std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
   body += curves_section(curves, collection, comparison);
   body += gallery(curves, painter);
   std::string tables;
-  for (const auto& group : comparison.groups) tables += details_html(group.label, paragraph(readable(group.verdict)) + ratio_table(group));
+  for (const auto& group : comparison.groups) tables += details_html(readable(group.label), paragraph(readable(group.verdict)) + ratio_table(group));
   body += section_html("Load by load", tables);
   body += section_html("How far to trust it, and what it cost", case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(collection.groups.front().first())));

@@ -1,5 +1,6 @@
 #include "report/words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,9 @@
 
 namespace asperity::report {
 namespace {
+
+/// Balances of a converged solve lie below it; nobody reads further digits.
+constexpr double smallest_share = 1e-5;
 
 std::string printed(const char* format, double value) {
   char buffer[64];
@@ -96,12 +100,13 @@ std::string departure_text(double ratio) {
 
 std::string percent_text(double share, int digits) {
   if (!std::isfinite(share)) return "–";
-  constexpr double smallest_shown = 1e-5;
-  if (share != 0 && std::abs(share) < smallest_shown) return "less than 0.001 %";
+  if (share != 0 && std::abs(share) < smallest_share) return "&lt; 0.001 %";
   char buffer[48];
   std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
   return buffer;
 }
+
+std::string percent_bound(double share) { return percent_text(std::max(std::abs(share), smallest_share)); }
 
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "–";

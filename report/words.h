@@ -21,6 +21,8 @@ std::string ratio_text(const Scatter& scatter);
 /// "-7 %"
 std::string departure_text(double ratio);
 std::string percent_text(double share, int digits = 2);
+/// "0.42 %" for "within ..." and "at most ...": what is smaller counts as 0.001 %.
+std::string percent_bound(double share);
 /// Escaped for HTML, with the micro sign in place of the u of "uN" and "um".
 std::string readable(const std::string& text);
 /// "0.484 µm²"
