@@ -7,10 +7,12 @@
 namespace asperity::report {
 namespace {
 
+constexpr double rounding = 1e-9;
+
 double round_step(double range, int about_ticks) {
   const double raw = range / about_ticks, power = std::pow(10, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0})
-    if (raw <= factor * power) return factor * power;
+    if (raw <= factor * power * (1 + rounding)) return factor * power;
   return 10 * power;
 }
 
@@ -23,7 +25,6 @@ Axis make_axis(double low, double high, double pixel_low, double pixel_high, boo
     high += half;
   }
   const double step = round_step(high - low, about_ticks);
-  constexpr double rounding = 1e-9;
   if (widen) {
     low = std::floor(low / step + rounding) * step;
     high = std::ceil(high / step - rounding) * step;

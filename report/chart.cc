@@ -139,8 +139,6 @@ std::string legend(const Chart& chart, const Axis& x, const Axis& y) {
 
 std::string to_svg(const Chart& chart) {
   Range x_range, y_range;
-  if (chart.x_from_zero) x_range.add(0);
-  if (chart.y_from_zero) y_range.add(0);
   for (const auto& series : chart.series)
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!std::isfinite(series.y[i])) continue;
@@ -148,9 +146,11 @@ std::string to_svg(const Chart& chart) {
       y_range.add(series.y[i] - error_of(series, i));
       y_range.add(series.y[i] + error_of(series, i));
     }
+  if (!std::isfinite(x_range.low) || !std::isfinite(y_range.low)) return "<p class='note'>There is nothing to draw yet.</p>";
+  if (chart.x_from_zero) x_range.add(0);
+  if (chart.y_from_zero) y_range.add(0);
   const bool has_band = chart.band_high > chart.band_low;
   if (has_band) y_range.add(chart.band_low), y_range.add(chart.band_high);
-  if (!std::isfinite(x_range.low) || !std::isfinite(y_range.low)) return "<p class='note'>There is nothing to draw yet.</p>";
   constexpr double room = 0.03;  // curves and bars keep off the frame
   const double margin = room * (y_range.high - y_range.low);
   if (!chart.y_from_zero) y_range.low -= margin;

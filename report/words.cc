@@ -68,9 +68,9 @@ std::string what_was_asked(const SolvedCase& solved) {
                  "behind when the load has gone?";
 }
 
-std::string in_units(double si_value, Dimension dimension, int digits) {
-  if (!std::isfinite(si_value)) return "–";
-  return readable(format_quantity(si_value, dimension, digits));
+std::string in_units(double value, Dimension dimension, int digits) {
+  if (!std::isfinite(value)) return "–";
+  return readable(format_quantity(value, dimension, digits));
 }
 
 std::string readable(const std::string& text) {

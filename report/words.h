@@ -13,7 +13,7 @@ std::string what_was_asked(const SolvedCase& solved);
 /// "smooth", "generated roughness, RMS 1.5 nm", "measured: scan.gsf"
 std::string topography_in_words(const std::string& spec);
 /// "1.5 nm" with the micro sign; "–" if it is not known.
-std::string in_units(double si_value, Dimension dimension, int digits = 3);
+std::string in_units(double value, Dimension dimension, int digits = 3);
 /// "24.3 ± 0.5 kN/m" of a scatter, in `unit` (SI) with its name.
 std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits = 3);
 /// "0.93" or "0.93 ± 0.02": a ratio.
