@@ -72,8 +72,8 @@ bool too_coarse(const BodyMap& map, const LogicalBox& box, double layers) {
   const double width = box.size * spacing * std::pow(2.0, map.finest_level(body));
   if (width < 1.5 * spacing) return false;
   const double distance = distance_to_region(map, box, region);
-  // The near field, where stresses peak below a smooth contact, keeps at least ten cells over the region's width.
-  const double allowed = distance < region ? std::min(0.5 * distance * 4 / layers, 0.2 * region) : 0.5 * distance * 4 / layers;
+  // The near field, where stresses peak below a smooth contact, keeps at least six cells over the region's width.
+  const double allowed = distance < region ? std::min(0.5 * distance * 4 / layers, 0.35 * region) : 0.5 * distance * 4 / layers;
   return width > std::max(spacing, allowed) * (1 + 1e-9);
 }
 
@@ -114,20 +114,23 @@ Point3 RoughGeometry::position(int tree, const Point3& logical) const {
   return p;
 }
 
-std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int level_cap) {
+std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int coarsenings) {
   auto forest = std::make_unique<Triangulation>(communicator);
   make_coarse_mesh(*forest);
   const BodyMap map(options.sizes);
-  const int everywhere = std::min(2, level_cap);  // so that the hemisphere's sides are round
-  const int deepest = std::min(level_cap, std::max(map.finest_level(Body::particle), map.finest_level(Body::substrate)));
+  const auto level_cap = [&](int tree) { return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings); };
+  const int deepest = std::max(level_cap(cap), level_cap(block));
+  const int everywhere = std::min({2, level_cap(cap), level_cap(block)});  // so that the hemisphere's sides are round
   forest->refine_global(everywhere);
   for (int level = everywhere; level < deepest; ++level) {
     bool any = false;
-    for (const auto& cell : forest->active_cell_iterators())
-      if (cell->is_locally_owned() && cell->level() < level_cap && too_coarse(map, logical_box(cell), options.layers)) {
-        cell->set_refine_flag();
-        any = true;
-      }
+    for (const auto& cell : forest->active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      const LogicalBox box = logical_box(cell);
+      if (cell->level() >= level_cap(box.tree) || !too_coarse(map, box, options.layers)) continue;
+      cell->set_refine_flag();
+      any = true;
+    }
     if (!dealii::Utilities::MPI::max(any ? 1 : 0, communicator)) break;
     forest->execute_coarsening_and_refinement();
   }

@@ -42,9 +42,9 @@ class RoughGeometry {
 using Triangulation = dealii::parallel::distributed::Triangulation<3>;
 
 /// Forest in logical space (each tree a box; positions come from RoughGeometry), refined for `options`.
-/// material_id of a cell is its Body. No cell is refined beyond `level_cap`: forests of rising caps are nested, which
-/// makes them the levels of a multigrid method.
-std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int level_cap = 1000);
+/// material_id of a cell is its Body. Cells of each body stop `coarsenings` levels
+/// above its finest: such forests are nested, which makes them the levels of a multigrid method.
+std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int coarsenings = 0);
 
 /// The logical box of a cell within its tree: lower corner and edge length.
 struct LogicalBox {

@@ -108,7 +108,7 @@ void MeshLevel::make_batches() {
 
 void MeshLevel::make_thread_runs() {
   const int count = static_cast<int>(batches_.size());
-  const int runs = count < 64 ? 1 : omp_get_max_threads();
+  const int runs = count < 200 ? 1 : omp_get_max_threads();
   std::vector<int> run_of_node(partitioner_->locally_owned_size() / 3 + partitioner_->n_ghost_indices() / 3, -1);
   constexpr int shared = -2;
   const auto run_of_batch = [&](int b) { return static_cast<int>(static_cast<long>(b) * runs / count); };

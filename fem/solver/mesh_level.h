@@ -92,7 +92,7 @@ class MeshLevel {
   template <typename Work>
   void for_each_batch(const Work& work) const {
     const int runs = static_cast<int>(run_start_.size()) - 1;
-#pragma omp parallel for schedule(static, 1)
+#pragma omp parallel for schedule(static, 1) if (runs > 1)
     for (int run = 0; run < runs; ++run)
       for (int b = run_start_[run]; b < run_start_[run + 1]; ++b) work(run_batches_[b]);
     for (const int b : meeting_batches_) work(b);

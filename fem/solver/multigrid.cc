@@ -7,10 +7,10 @@
 namespace asperity::fem {
 Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
                      const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials) {
-  const int depth = static_cast<int>(finest.dofs().get_triangulation().n_global_levels()) - 1;
+  const int finest_level = std::max(geometry.map().finest_level(meshing::Body::particle), geometry.map().finest_level(meshing::Body::substrate));
   std::vector<std::unique_ptr<MeshLevel>> meshes;
-  for (int cap = 1; cap < depth; ++cap) {
-    forests_.push_back(meshing::make_forest(finest.communicator(), options, cap));
+  for (int coarsenings = finest_level - 1; coarsenings > 0; --coarsenings) {
+    forests_.push_back(meshing::make_forest(finest.communicator(), options, coarsenings));
     meshes.push_back(std::make_unique<MeshLevel>(*forests_.back(), control));
   }
   level_.resize(meshes.size() + 1);

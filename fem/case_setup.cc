@@ -1,0 +1,126 @@
+#include "fem/case_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "surfaces/sampler.h"
+#include "surfaces/topography_spec.h"
+
+namespace asperity::fem {
+namespace {
+
+/// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured correction.
+constexpr double block_half_width_in_radii = 0.7;
+
+struct Roughness {
+  meshing::HeightFunction height;
+  double rms = 0, largest = 0;
+};
+
+Roughness roughness_of(const std::string& spec, double half_width, double spacing) {
+  Roughness roughness;
+  if (spec == "smooth") return roughness;
+  const double reach = 1.35 * half_width;  // the mesh lets roughness fade out beyond the region
+  const auto sampler = std::make_shared<HeightSampler>(topography_for(spec, 2 * reach, spacing));
+  roughness.height = [sampler](double x, double y) { return sampler->height(x, y); };
+  const int n = std::max(8, static_cast<int>(half_width / spacing));
+  double sum = 0, square = 0;
+  for (int j = -n; j <= n; ++j)
+    for (int i = -n; i <= n; ++i) {
+      const double h = sampler->height(i * half_width / n, j * half_width / n);
+      sum += h;
+      square += h * h;
+      roughness.largest = std::max(roughness.largest, std::abs(h));
+    }
+  const double count = (2.0 * n + 1) * (2.0 * n + 1);
+  roughness.rms = std::sqrt(std::max(0.0, square / count - sum * sum / count / count));
+  return roughness;
+}
+
+/// Expected RMS before the region is known: what a generator was asked for; a scan's own is measured later.
+double expected_rms(const std::string& spec) { return is_generator_call(spec) ? parse_generator(spec).spectrum.rms : 0; }
+double shortest_wave(const std::string& spec) {
+  return is_generator_call(spec) ? parse_generator(spec).spectrum.cutoff : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+J2Material material_of(const BodyInput& body) {
+  J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
+  material.yield_stress = body.yield_stress;
+  (body.hardening == BodyInput::Hardening::kinematic ? material.kinematic_modulus : material.isotropic_modulus) = body.hardening_modulus;
+  material.voce_saturation = body.voce_saturation;
+  material.voce_rate = body.voce_rate;
+  return material;
+}
+
+double hertz_separation(double r, double a, double R) {
+  const double s = r / a;
+  return a * a / (M_PI * R) * ((s * s - 2) * std::acos(1 / s) + std::sqrt(s * s - 1));
+}
+
+CaseSetup set_up(const CaseInput& input) {
+  CaseSetup setup;
+  const double R = input.radius;
+  const auto compliance = [](const BodyInput& b) { return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus; };
+  setup.reduced_modulus = 1 / (compliance(input.particle) + compliance(input.substrate));
+  const bool force = input.experiment.control == ExperimentInput::Control::force;
+  if (force) {
+    setup.largest_load = input.experiment.normal_load;
+    setup.hertz_radius = std::cbrt(3 * setup.largest_load * R / (4 * setup.reduced_modulus));
+    setup.hertz_approach = setup.hertz_radius * setup.hertz_radius / R;
+  } else {
+    setup.hertz_approach = input.experiment.normal_approach;
+    setup.hertz_radius = std::sqrt(R * setup.hertz_approach);
+    setup.largest_load = 4.0 / 3 * setup.reduced_modulus * std::sqrt(R) * std::pow(setup.hertz_approach, 1.5);
+  }
+  const double a = setup.hertz_radius;
+  const std::string& upper = input.particle.topography;
+  const std::string& lower = input.substrate.topography;
+
+  double spacing = input.mesh.interface_spacing;
+  // Twelve cells over the contact radius keep Hertz within 1 %; four over the shortest wave keep the roughness.
+  if (spacing == 0) spacing = std::min({a / 12, shortest_wave(upper) / 4, shortest_wave(lower) / 4});
+
+  double region = input.mesh.contact_region;
+  if (region == 0) {
+    // Asperities three RMS heights high still touch where smooth surfaces would be that far apart.
+    const double reach = 3 * std::hypot(expected_rms(upper), expected_rms(lower));
+    double r = 1.15 * a;
+    while (hertz_separation(r, a, R) < reach) r *= 1.02;
+    region = r + 2 * spacing;
+  }
+  if (region > 0.5 * meshing::BodyMap::cap_fraction * R)
+    throw InputError(input.file + ": the contact region of " + format_quantity(region, Dimension::length) + " is more than " +
+                     format_quantity(0.5 * meshing::BodyMap::cap_fraction * R, Dimension::length) +
+                     ", where small strain and slopes end; lower Experiment/Normal load or set a smaller Mesh/Contact region");
+  if (region < 4 * spacing)
+    throw InputError(input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
+                     " leaves fewer than eight cells across the contact region of " + format_quantity(2 * region, Dimension::length) +
+                     "; set it to " + format_quantity(region / 16, Dimension::length) + " or less");
+
+  auto& options = setup.system;
+  options.materials = {material_of(input.particle), material_of(input.substrate)};
+  options.control = force ? Control::force : Control::displacement;
+  auto& sizes = options.mesh.sizes;
+  sizes.radius = R;
+  sizes.block_half_width = block_half_width_in_radii * R;
+  sizes.spacing_particle = sizes.spacing_substrate = spacing;
+  sizes.region_particle = region;
+  sizes.region_substrate = region + 3 * spacing;
+  options.mesh.layers = input.mesh.layers;
+  const Roughness particle = roughness_of(upper, sizes.region_particle, spacing);
+  const Roughness substrate = roughness_of(lower, sizes.region_substrate, spacing);
+  options.mesh.particle_height = particle.height;
+  options.mesh.substrate_height = substrate.height;
+  options.mesh.largest_height_particle = particle.largest;
+  options.mesh.largest_height_substrate = substrate.largest;
+  setup.rms_particle = particle.rms;
+  setup.rms_substrate = substrate.rms;
+  return setup;
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,253 @@
+#include "fem/experiments/normal_experiment.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/quantity.h"
+#include "fem/output/checkpoint.h"
+#include "fem/output/contact_fields.h"
+#include "fem/output/result_file.h"
+
+namespace asperity::fem {
+namespace {
+
+constexpr double smallest_fraction = 1e-3;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Integral of F d(delta) between two states whose F^(2/3) is a straight line in delta (exact on a Hertzian path).
+double work_between(double delta0, double force0, double delta1, double force1) {
+  const double s0 = std::pow(force0, 2.0 / 3), s1 = std::pow(force1, 2.0 / 3);
+  if (std::abs(s1 - s0) < 1e-9 * std::max(s0, s1)) return 0.5 * (force0 + force1) * (delta1 - delta0);
+  return (delta1 - delta0) / (s1 - s0) * 0.4 * (std::pow(s1, 2.5) - std::pow(s0, 2.5));
+}
+
+std::string duration(double s) {
+  char text[32];
+  if (s < 90) std::snprintf(text, sizeof text, "%.0f s", s);
+  else std::snprintf(text, sizeof text, "%.0f min", s / 60);
+  return text;
+}
+
+}  // namespace
+
+std::vector<double> load_program(const ExperimentInput& e) {
+  std::vector<double> program;
+  const double power = e.control == ExperimentInput::Control::force ? 1.5 : 1.0;
+  for (int cycle = 0; cycle < e.cycles; ++cycle) {
+    for (int i = 1; i <= e.load_steps; ++i) program.push_back(std::pow(static_cast<double>(i) / e.load_steps, power));
+    for (int i = 0; i < e.hold_steps; ++i) program.push_back(1.0);
+    if (!e.unload) continue;
+    for (int i = e.unload_steps - 1; i >= 0; --i)
+      program.push_back(std::max(smallest_fraction, std::pow(static_cast<double>(i) / e.unload_steps, power)));
+  }
+  return program;
+}
+
+NormalExperiment::NormalExperiment(const CaseInput& input, const SolveOptions& options)
+    : input_(input), options_(options), setup_(set_up(input)), program_(load_program(input.experiment)) {
+  rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+}
+
+void NormalExperiment::say(const std::string& line) const {
+  if (speaks() && options_.progress) options_.progress(line);
+}
+
+void NormalExperiment::start() {
+  const auto& sizes = setup_.system.mesh.sizes;
+  say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over +-" +
+      format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
+      format_quantity(setup_.hertz_radius, Dimension::length));
+  system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
+  ContactSolverOptions solver_options;
+  solver_options.residual_tolerance = input_.solver.tolerance;
+  solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
+  state_ = solver_->first_touch();
+  say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
+      std::to_string(system_->multigrid().levels()) + " multigrid levels (" + duration(seconds() - started_) + ")");
+}
+
+bool NormalExperiment::resume() {
+  const auto checkpoint = read_checkpoint(options_.output / "checkpoint", MPI_COMM_WORLD);
+  if (!checkpoint) return false;
+  if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() || checkpoint->multiplier.size() != state_.multiplier.size())
+    throw WorkError("the checkpoint in '" + options_.output.string() + "' belongs to another mesh; solve again without --resume");
+  std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
+  state_.displacement.update_ghost_values();
+  state_.multiplier = checkpoint->multiplier;
+  state_.approach = checkpoint->approach;
+  system_->bodies().restore_history(checkpoint->history);
+  records_ = checkpoint->records;
+  load_ = checkpoint->load;
+  far_field_ = checkpoint->far_field;
+  stiffness_at_peak_ = checkpoint->stiffness_at_peak;
+  time_before_ = checkpoint->wall_time;
+  say("resuming after step " + std::to_string(checkpoint->steps));
+  return true;
+}
+
+void NormalExperiment::run() {
+  started_ = seconds();
+  if (speaks()) std::filesystem::create_directories(options_.output);
+  MPI_Barrier(MPI_COMM_WORLD);
+  start();
+  if (!options_.resume || !resume()) {
+    // A radius well inside of the region and several spacings wide; the far field does not depend on it at first order.
+    const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
+                                   6 * setup_.system.mesh.sizes.spacing_particle);
+    if (setup_.system.control == Control::force) far_field_ = solver_->far_field_compliance(radius);
+  }
+  const auto steps = program_.size();
+  for (std::size_t k = records_.size(); k < steps; ++k) {
+    const double began = seconds();
+    step_to(program_[k], static_cast<int>(k) + 1);
+    const auto& r = records_.back();
+    const double left = (seconds() - started_) / (k + 1 - 0.0) * static_cast<double>(steps - k - 1);
+    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + "  load " + format_quantity(r.normal_force, Dimension::force) +
+        "  approach " + format_quantity(r.normal_displacement, Dimension::length) + "  area " +
+        std::to_string(r.contact_area * 1e12).substr(0, 7) + " um^2  p_max " + format_quantity(r.max_pressure, Dimension::pressure) +
+        "  newton " + std::to_string(static_cast<int>(r.newton_iterations)) + "  cg " +
+        std::to_string(static_cast<int>(r.linear_iterations)) + "  " + duration(seconds() - began) + "  left ~" + duration(left));
+  }
+  write_result();
+}
+
+void NormalExperiment::solve_with_retries(double target) {
+  // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
+  std::vector<double> pending{target};
+  int failures = 0;
+  while (!pending.empty()) {
+    ContactState trial = state_;
+    if (state_.approach == 0 && setup_.system.control == Control::force)
+      solver_->push_rigidly(trial, 0.6 * setup_.hertz_approach * std::pow(pending.back() / setup_.largest_load, 2.0 / 3));
+    const SolveReport report = solver_->solve(trial, pending.back());
+    last_report_.newton += report.newton;
+    last_report_.linear += report.linear;
+    last_report_.penetration = report.penetration;
+    last_report_.residual = report.residual;
+    if (!report.converged) {
+      if (++failures > 6)
+        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
+                        std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
+      pending.push_back(0.5 * (load_ + pending.back()));
+      continue;
+    }
+    const bool last = pending.size() == 1;
+    load_ = pending.back();
+    pending.pop_back();
+    if (last) {
+      state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
+      state_.multiplier = trial.multiplier;
+      state_.approach = trial.approach;
+      const auto energies = system_->bodies().accept(trial.displacement, state_.displacement);
+      StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
+      const double before_plastic = records_.empty() ? 0 : records_.back().plastic_work;
+      r.elastic_energy = energies.elastic;
+      r.hardening_energy = energies.hardening;
+      r.plastic_work = before_plastic + energies.plastic_work;
+      r.dissipated_energy = r.plastic_work - r.hardening_energy;
+      r.plastic_volume = energies.plastic_volume;
+      r.largest_plastic_strain = energies.largest_plastic_strain;
+      r.largest_von_mises = energies.largest_von_mises;
+      const double force0 = records_.empty() ? 0 : records_.back().normal_force;
+      const double delta0 = records_.empty() ? 0 : records_.back().driven_displacement;
+      r.work = (records_.empty() ? 0 : records_.back().work) + work_between(delta0, force0, r.driven_displacement, r.normal_force);
+      double largest_work = r.work;
+      for (const auto& earlier : records_) largest_work = std::max(largest_work, earlier.work);
+      r.energy_error = (r.work - r.elastic_energy - r.plastic_work) / largest_work;
+      records_.push_back(r);
+    } else {
+      system_->bodies().accept(state_.displacement, trial.displacement);
+      state_.displacement.swap(trial.displacement);
+      state_.multiplier = trial.multiplier;
+      state_.approach = trial.approach;
+    }
+  }
+}
+
+StepRecord NormalExperiment::record(int step, const SolveReport& report) {
+  const ContactResultants c = solver_->resultants(state_);
+  StepRecord r;
+  r.step = r.time = step;
+  r.normal_force = c.force;
+  r.driven_displacement = state_.approach;
+  r.normal_displacement = state_.approach - far_field_ * c.force;
+  r.contact_area = c.area;
+  r.max_pressure = c.largest_pressure;
+  r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
+  r.force_error = c.force > 0 ? std::max(std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1)) : 0;
+  r.moment_error = c.moment_error;
+  r.reaches_rim = c.reaches_rim;
+  // Radius of the Hertzian pressure with the same second moment: the mean of r^2 under it is 2 a^2 / 5.
+  double force = 0, x = 0, y = 0, square = 0;
+  for (std::size_t k = 0; k < state_.multiplier.size(); ++k) {
+    const double f = state_.multiplier[k] * system_->areas()[k];
+    const auto& p = system_->interface_points()[system_->rows()[k].node];
+    force += f, x += f * p[0], y += f * p[1], square += f * (p[0] * p[0] + p[1] * p[1]);
+  }
+  if (force > 0) r.contact_radius = std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force));
+  r.newton_iterations = report.newton;
+  r.linear_iterations = report.linear;
+  r.penetration = report.penetration;
+  r.wall_time = time_before_ + seconds() - started_;
+  return r;
+}
+
+void NormalExperiment::step_to(double fraction, int index) {
+  last_report_ = {};
+  const double target = fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach);
+  solve_with_retries(target);
+  if (fraction == 1.0 && stiffness_at_peak_ == 0 && setup_.system.control == Control::force) {
+    const double with_far_field = solver_->elastic_stiffness(state_);
+    stiffness_at_peak_ = 1 / (1 / with_far_field - far_field_);
+  }
+  const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2] < 1.0);
+  const bool last = index == static_cast<int>(program_.size());
+  const int every = input_.output.fields_every;
+  if (input_.output.fields && (peak || last || (every > 0 && index % every == 0)))
+    write_contact_fields(options_.output, index, *system_, *solver_, state_);
+  write_step(index);
+}
+
+void NormalExperiment::write_step(int index) {
+  Checkpoint c;
+  c.steps = index;
+  c.load = load_;
+  c.far_field = far_field_;
+  c.stiffness_at_peak = stiffness_at_peak_;
+  c.wall_time = time_before_ + seconds() - started_;
+  c.records = records_;
+  c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
+  c.multiplier = state_.multiplier;
+  c.approach = state_.approach;
+  c.history = system_->bodies().save_history();
+  write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
+  if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));
+}
+
+void NormalExperiment::write_result() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  ResultSummary summary;
+  summary.peak_memory = dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
+  summary.wall_time = time_before_ + seconds() - started_;
+  summary.ranks = ranks_;
+  summary.threads = dealii::MultithreadInfo::n_threads();
+  summary.cells = static_cast<long>(system_->forest().n_global_active_cells());
+  summary.unknowns = static_cast<long>(system_->level().size());
+  summary.contact_nodes = static_cast<long>(system_->rows().size());
+  summary.far_field = far_field_;
+  summary.stiffness_at_peak = stiffness_at_peak_;
+  if (speaks()) write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
+  say("wrote " + (options_.output / "result.json").string());
+}
+
+}  // namespace asperity::fem

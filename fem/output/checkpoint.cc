@@ -1,0 +1,88 @@
+#include "fem/output/checkpoint.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(std::string& bytes, const std::vector<double>& values) {
+  const std::uint64_t count = values.size();
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(double));
+}
+
+std::vector<double> take(const std::string& bytes, std::size_t& at) {
+  std::uint64_t count = 0;
+  if (at + sizeof count > bytes.size()) throw WorkError("the checkpoint is cut off; solve again without --resume");
+  std::memcpy(&count, bytes.data() + at, sizeof count);
+  at += sizeof count;
+  if (at + count * sizeof(double) > bytes.size()) throw WorkError("the checkpoint is cut off; solve again without --resume");
+  std::vector<double> values(count);
+  std::memcpy(values.data(), bytes.data() + at, count * sizeof(double));
+  at += count * sizeof(double);
+  return values;
+}
+
+fs::path part(const fs::path& folder, int step, int rank) {
+  return folder / ("step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin");
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm communicator) {
+  const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+  const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  if (rank == 0) fs::create_directories(folder);
+  MPI_Barrier(communicator);
+  std::string bytes;
+  std::vector<double> rows;
+  for (const auto& record : c.records)
+    for (const auto& [name, member] : StepRecord::columns()) rows.push_back(member ? record.*member : 0.0);
+  put(bytes, {static_cast<double>(c.steps), c.load, c.far_field, c.stiffness_at_peak, c.wall_time, c.approach});
+  using Part = const std::vector<double>*;
+  for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.history)}) put(bytes, *values);
+  write_file_atomically(part(folder, c.steps, rank), bytes);
+  MPI_Barrier(communicator);
+  if (rank != 0) return;
+  const nlohmann::json manifest{{"format", "asperity-checkpoint/1"}, {"steps", c.steps}, {"ranks", ranks}};
+  write_file_atomically(folder / "latest.json", manifest.dump(1));
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps) + "_", 0) != 0) fs::remove(entry.path());
+  }
+}
+
+std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm communicator) {
+  if (!fs::exists(folder / "latest.json")) return std::nullopt;
+  const auto manifest = nlohmann::json::parse(read_file(folder / "latest.json"));
+  const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  if (manifest.at("ranks") != ranks)
+    throw WorkError("the checkpoint was written by " + std::to_string(manifest.at("ranks").get<int>()) +
+                    " processes; resume with mpirun -np " + std::to_string(manifest.at("ranks").get<int>()));
+  const std::string bytes = read_file(part(folder, manifest.at("steps"), dealii::Utilities::MPI::this_mpi_process(communicator)));
+  std::size_t at = 0;
+  Checkpoint c;
+  const auto head = take(bytes, at);
+  if (head.size() != 6) throw WorkError("the checkpoint has another format; solve again without --resume");
+  c.steps = static_cast<int>(head[0]);
+  c.load = head[1], c.far_field = head[2], c.stiffness_at_peak = head[3], c.wall_time = head[4], c.approach = head[5];
+  const auto rows = take(bytes, at);
+  const auto& columns = StepRecord::columns();
+  for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
+    c.records.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i].second) c.records.back().*(columns[i].second) = rows[k + i];
+  }
+  c.displacement = take(bytes, at);
+  c.multiplier = take(bytes, at);
+  c.history = take(bytes, at);
+  return c;
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,29 @@
+// The last accepted state on disk, one file per rank and a manifest that is written last.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "fem/contact/contact_solver.h"
+#include "fem/output/step_record.h"
+
+namespace asperity::fem {
+
+struct Checkpoint {
+  int steps = 0;                       ///< accepted so far
+  double load = 0, far_field = 0, stiffness_at_peak = 0, wall_time = 0;
+  std::vector<StepRecord> records;
+  std::vector<double> displacement;    ///< locally owned
+  std::vector<double> multiplier;
+  double approach = 0;
+  std::vector<double> history;         ///< PlasticBodies::save_history
+};
+
+/// Collective. The checkpoint before stays valid until this one is complete.
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint, MPI_Comm communicator);
+
+/// The latest complete checkpoint; empty if there is none. Throws WorkError if it was made by another number of ranks.
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, MPI_Comm communicator);
+
+}  // namespace asperity::fem

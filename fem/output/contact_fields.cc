@@ -1,0 +1,115 @@
+#include "fem/output/contact_fields.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <unordered_map>
+
+#include "fem/output/vtk_writer.h"
+
+namespace asperity::fem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Lexicographic vertex of each VTK vertex.
+constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+
+VtkMesh bodies(const ContactSystem& system, const ContactState& state) {
+  const MeshLevel& level = system.level();
+  VtkMesh mesh;
+  const std::size_t nodes = (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
+  Vector<double> shown = state.displacement;  // with the driven plane's common displacement on all its nodes
+  shown.update_ghost_values();
+  mesh.points.assign(system.positions().begin(), system.positions().begin() + 3 * nodes);
+  VtkArray displacement{"displacement", 3, {}};
+  displacement.values.assign(shown.begin(), shown.begin() + 3 * nodes);
+  const auto states = system.bodies().cell_states(state.displacement);
+  VtkArray stress{"stress", 6, {}}, mises{"von_mises", 1, {}}, plastic{"equivalent_plastic_strain", 1, {}}, body{"body", 1, {}};
+  std::size_t cell = 0;
+  for (const auto& batch : level.batches())
+    for (int l = 0; l < batch.count; ++l, ++cell) {
+      for (const int v : vtk_order) mesh.connectivity.push_back(batch.node[v][l]);
+      for (const double s : states[cell].stress) stress.values.push_back(static_cast<float>(s));
+      mises.values.push_back(static_cast<float>(states[cell].von_mises));
+      plastic.values.push_back(static_cast<float>(states[cell].plastic_strain));
+      body.values.push_back(batch.body[l]);
+    }
+  mesh.point_data = {displacement};
+  mesh.cell_data = {stress, mises, plastic, body};
+  return mesh;
+}
+
+VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver, const ContactState& state) {
+  VtkMesh mesh;
+  mesh.points_per_cell = 4;
+  std::unordered_map<int, int> row_of_node;
+  const auto& rows = system.rows();
+  for (std::size_t r = 0; r < rows.size(); ++r) row_of_node[rows[r].node] = static_cast<int>(r);
+  const InterfaceNodes nodes(system.level());
+  for (const auto& face : system.level().interface_faces()) {
+    if (face.body != 0) continue;
+    int row[4];
+    bool all = true;
+    for (int v = 0; v < 4; ++v) {
+      const auto found = row_of_node.find(nodes.index(face.node[v]));
+      if ((all = all && found != row_of_node.end())) row[v] = found->second;
+    }
+    if (all) mesh.connectivity.insert(mesh.connectivity.end(), {row[0], row[1], row[3], row[2]});
+  }
+  const auto gaps = solver.gaps(state);
+  const auto& options = system.options().mesh;
+  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}}, upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}};
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto& p = system.interface_points()[rows[r].node];
+    mesh.points.insert(mesh.points.end(), p.begin(), p.end());
+    const bool closed = state.multiplier[r] > 0;
+    gap.values.push_back(closed ? 0.0f : static_cast<float>(gaps[r]));
+    pressure.values.push_back(static_cast<float>(state.multiplier[r]));
+    status.values.push_back(closed ? 1.0f : 0.0f);
+    upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1])) : 0.0f);
+    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(p[0], p[1])) : 0.0f);
+  }
+  mesh.point_data = {gap, pressure, status, upper, lower};
+  return mesh;
+}
+
+/// Lists what is in a sub-folder: name_NNNN[_rank].ext by step.
+void write_series(const fs::path& folder, const std::string& sub) {
+  std::map<int, std::vector<std::string>> by_step;
+  for (const auto& entry : fs::directory_iterator(folder / sub)) {
+    int step = 0;
+    const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
+    if ((extension == ".vtu" || extension == ".vtp") && std::sscanf(name.c_str(), "step_%d", &step) == 1) by_step[step].push_back(sub + "/" + name);
+  }
+  std::vector<std::pair<double, std::vector<std::string>>> files;
+  for (auto& [step, names] : by_step) {
+    std::sort(names.begin(), names.end());
+    files.emplace_back(step, names);
+  }
+  write_pvd(folder / (sub + ".pvd"), files);
+}
+
+}  // namespace
+
+void write_contact_fields(const fs::path& folder, int step, const ContactSystem& system, const ContactSolver& solver, const ContactState& state) {
+  const MPI_Comm communicator = system.level().communicator();
+  const int rank = dealii::Utilities::MPI::this_mpi_process(communicator), ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  char name[32];
+  std::snprintf(name, sizeof name, "step_%04d", step);
+  const std::string part = ranks == 1 ? "" : "_rank_" + std::to_string(rank);
+  if (rank == 0) {
+    fs::create_directories(folder / "fields");
+    fs::create_directories(folder / "interface");
+  }
+  MPI_Barrier(communicator);
+  write_vtk(folder / "fields" / (name + part + ".vtu"), bodies(system, state));
+  const VtkMesh surface = contact_surface(system, solver, state);  // collective
+  if (rank == 0) write_vtk(folder / "interface" / (std::string(name) + ".vtp"), surface);
+  MPI_Barrier(communicator);
+  if (rank != 0) return;
+  write_series(folder, "fields");
+  write_series(folder, "interface");
+}
+
+}  // namespace asperity::fem

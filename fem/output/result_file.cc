@@ -1,0 +1,85 @@
+#include "fem/output/result_file.h"
+
+#include <deal.II/base/config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace asperity::fem {
+namespace {
+
+using nlohmann::json;
+
+json number(double value, const char* unit, double sd) {
+  return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
+}
+
+json body_inputs(const BodyInput& body) {
+  return {{"youngs_modulus", body.youngs_modulus},
+          {"poissons_ratio", body.poisson_ratio},
+          {"yield_stress", std::isfinite(body.yield_stress) ? json(body.yield_stress) : json("inf")},
+          {"hardening_modulus", body.hardening_modulus},
+          {"hardening", body.hardening == BodyInput::Hardening::kinematic ? "kinematic" : "isotropic"},
+          {"voce_saturation", body.voce_saturation},
+          {"voce_rate", body.voce_rate},
+          {"topography", body.topography}};
+}
+
+}  // namespace
+
+std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& s) {
+  const auto peak = std::max_element(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
+  const StepRecord& last = records.back();
+  const double spacing = setup.system.mesh.sizes.spacing_particle;
+  // Half a spacing of doubt in the contact radius, evenly distributed: relative standard deviation h / (2 sqrt(3) a).
+  const double radius_sd = spacing / (2 * std::sqrt(3.0)), relative = peak->contact_radius > 0 ? radius_sd / peak->contact_radius : 0;
+  double force = 0, moment = 0, energy = 0;
+  for (const auto& r : records) {
+    force = std::max(force, std::abs(r.force_error));
+    moment = std::max(moment, std::abs(r.moment_error));
+    energy = std::max(energy, std::abs(r.energy_error));
+  }
+  json effective;
+  if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);
+  effective["contact_radius"] = number(peak->contact_radius, "m", radius_sd);
+  effective["contact_area"] = number(peak->contact_area, "m^2", 2 * relative * peak->contact_area);
+  effective["max_pressure"] = number(peak->max_pressure, "Pa", NAN);
+  effective["mean_pressure"] = number(peak->mean_pressure, "Pa", 2 * relative * peak->mean_pressure);
+  effective["approach"] = number(peak->normal_displacement, "m", NAN);
+  effective["plastic_volume"] = number(last.plastic_volume, "m^3", NAN);
+  effective["dissipated_energy"] = number(last.dissipated_energy, "J", NAN);
+  const json result{
+      {"format", "asperity-result/1"},
+      {"title", input.title},
+      {"experiment", "normal"},
+      {"inputs",
+       {{"case", input.file},
+        {"particle", body_inputs(input.particle)},
+        {"radius", input.radius},
+        {"substrate", body_inputs(input.substrate)},
+        {"largest_load", setup.largest_load},
+        {"control", setup.system.control == Control::force ? "force" : "displacement"},
+        {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
+        {"far_field_compliance", s.far_field},
+        {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
+                                "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
+        {"contact_radius", "of the Hertzian pressure with the same second moment"},
+        {"sd", "from half an interface spacing in the contact radius; scatter over realisations is the study's"}}},
+      {"hertz", {{"contact_radius", setup.hertz_radius}, {"approach", setup.hertz_approach}, {"reduced_modulus", setup.reduced_modulus}}},
+      {"mesh",
+       {{"cells", s.cells},
+        {"dofs", s.unknowns},
+        {"interface_spacing", spacing},
+        {"contact_region", setup.system.mesh.sizes.region_particle},
+        {"contact_nodes", s.contact_nodes},
+        {"contact_reaches_rim", std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
+      {"effective", effective},
+      {"balance", {{"force", force}, {"moment", moment}, {"energy", energy}}},
+      {"cost",
+       {{"wall_time", s.wall_time}, {"peak_memory", s.peak_memory}, {"ranks", s.ranks}, {"threads", s.threads}, {"steps", records.size()}}},
+      {"versions", {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
+  return result.dump(1) + "\n";
+}
+
+}  // namespace asperity::fem

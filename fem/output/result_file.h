@@ -1,0 +1,23 @@
+// result.json of a solved case ("asperity-result/1").
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fem/case_setup.h"
+#include "fem/output/step_record.h"
+
+namespace asperity::fem {
+
+struct ResultSummary {
+  double wall_time = 0, peak_memory = 0;  ///< [s], [byte]
+  int ranks = 1;
+  unsigned threads = 1;
+  long cells = 0, unknowns = 0, contact_nodes = 0;
+  double far_field = 0;          ///< compliance of the finite bodies taken out of the approach [m/N]
+  double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
+};
+
+std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& summary);
+
+}  // namespace asperity::fem

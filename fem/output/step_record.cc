@@ -1,0 +1,54 @@
+#include "fem/output/step_record.h"
+
+#include "core/csv.h"
+
+namespace asperity::fem {
+
+const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::columns() {
+  static const std::vector<std::pair<const char*, double StepRecord::*>> columns{
+      {"step", &StepRecord::step},
+      {"time [s]", &StepRecord::time},
+      {"normal_displacement [m]", &StepRecord::normal_displacement},
+      {"normal_force [N]", &StepRecord::normal_force},
+      {"lateral_displacement [m]", nullptr},
+      {"lateral_force [N]", nullptr},
+      {"rolling_angle [rad]", nullptr},
+      {"rolling_moment [N m]", nullptr},
+      {"torsion_angle [rad]", nullptr},
+      {"torsion_moment [N m]", nullptr},
+      {"contact_radius [m]", &StepRecord::contact_radius},
+      {"contact_area [m^2]", &StepRecord::contact_area},
+      {"max_pressure [Pa]", &StepRecord::max_pressure},
+      {"plastic_volume [m^3]", &StepRecord::plastic_volume},
+      {"dissipated_energy [J]", &StepRecord::dissipated_energy},
+      {"driven_displacement [m]", &StepRecord::driven_displacement},
+      {"elastic_energy [J]", &StepRecord::elastic_energy},
+      {"hardening_energy [J]", &StepRecord::hardening_energy},
+      {"plastic_work [J]", &StepRecord::plastic_work},
+      {"work [J]", &StepRecord::work},
+      {"mean_pressure [Pa]", &StepRecord::mean_pressure},
+      {"largest_plastic_strain", &StepRecord::largest_plastic_strain},
+      {"largest_von_mises [Pa]", &StepRecord::largest_von_mises},
+      {"force_error", &StepRecord::force_error},
+      {"moment_error", &StepRecord::moment_error},
+      {"energy_error", &StepRecord::energy_error},
+      {"newton_iterations", &StepRecord::newton_iterations},
+      {"linear_iterations", &StepRecord::linear_iterations},
+      {"penetration", &StepRecord::penetration},
+      {"wall_time [s]", &StepRecord::wall_time},
+      {"reaches_rim", &StepRecord::reaches_rim}};
+  return columns;
+}
+
+std::string history_csv(const std::vector<StepRecord>& records) {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  for (const auto& [name, member] : StepRecord::columns()) {
+    names.emplace_back(name);
+    values.emplace_back();
+    for (const auto& record : records) values.back().push_back(member ? record.*member : 0.0);
+  }
+  return format_csv(names, values);
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,28 @@
+// What is kept of one accepted step; the rows of history.csv.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace asperity::fem {
+
+struct StepRecord {
+  double step = 0, time = 0;
+  double normal_displacement = 0, normal_force = 0;
+  double contact_radius = 0, contact_area = 0, max_pressure = 0;
+  double plastic_volume = 0, dissipated_energy = 0;
+  // beyond the fixed columns
+  double driven_displacement = 0;  ///< of the driven plane, finite bodies included [m]
+  double elastic_energy = 0, hardening_energy = 0, plastic_work = 0, work = 0;  ///< [J]
+  double mean_pressure = 0, largest_plastic_strain = 0, largest_von_mises = 0;
+  double force_error = 0, moment_error = 0, energy_error = 0;
+  double newton_iterations = 0, linear_iterations = 0, penetration = 0, wall_time = 0;
+  double reaches_rim = 0;
+
+  static const std::vector<std::pair<const char*, double StepRecord::*>>& columns();
+};
+
+/// history.csv: the columns fixed by the program's interface, then the ones above. Columns of other experiments are 0.
+std::string history_csv(const std::vector<StepRecord>& records);
+
+}  // namespace asperity::fem
