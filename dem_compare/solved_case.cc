@@ -41,14 +41,28 @@ Entries read_case_prm(const fs::path& file) {
   return entries;
 }
 
-/// {"Particle": {"Radius": "8.5 um"}} as "Particle/Radius" -> "8.5 um"; a number is in SI units.
-void flatten(const Json& object, const std::string& prefix, Entries& entries) {
-  for (const auto& [name, value] : object.items()) {
-    if (value.is_object())
-      flatten(value, prefix + name + "/", entries);
-    else if (!value.is_null())
-      entries[prefix + name] = value.is_string() ? value.get<std::string>() : value.dump();
-  }
+/// Names that `inputs` of result.json has for entries of a case file.
+const std::vector<std::pair<const char*, const char*>>& result_names() {
+  static const std::vector<std::pair<const char*, const char*>> names{
+      {"youngs_modulus", "Young modulus"},   {"poissons_ratio", "Poisson ratio"},
+      {"yield_stress", "Yield stress"},      {"hardening_modulus", "Hardening modulus"},
+      {"hardening", "Hardening"},            {"voce_saturation", "Voce saturation"},
+      {"voce_rate", "Voce rate"},            {"topography", "Topography"}};
+  return names;
+}
+
+std::string entry_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Inputs of a result as entries; a number is in SI units.
+void add_result_inputs(const Json& result, Entries& entries) {
+  const Json inputs = result.value("inputs", Json::object());
+  for (const auto& [body, section] : {std::pair{"particle", "Particle/"}, std::pair{"substrate", "Substrate/"}})
+    for (const auto& [name, entry] : result_names())
+      if (inputs.contains(body) && inputs[body].contains(name)) entries[std::string(section) + entry] = entry_text(inputs[body][name]);
+  if (inputs.contains("radius")) entries["Particle/Radius"] = entry_text(inputs["radius"]);
+  if (inputs.contains("largest_load")) entries["Experiment/Normal load"] = entry_text(inputs["largest_load"]);
+  if (inputs.contains("control")) entries["Experiment/Control"] = entry_text(inputs["control"]);
+  if (!result.value("title", "").empty()) entries["Title"] = result["title"].get<std::string>();
 }
 
 Json read_result(const fs::path& file) {
@@ -130,9 +144,10 @@ SolvedCase read_solved_case(const fs::path& folder) {
   solved.history = read_history(folder / "history.csv");
   solved.result = read_result(folder / "result.json");
   Entries entries;
-  if (fs::exists(folder / "case.prm")) entries = read_case_prm(folder / "case.prm");
-  if (solved.finished() && solved.result.contains("inputs") && solved.result["inputs"].contains("Particle"))
-    flatten(solved.result["inputs"], "", entries);
+  if (solved.finished()) add_result_inputs(solved.result, entries);
+  // What people wrote reads better than SI numbers, and says more.
+  if (fs::exists(folder / "case.prm"))
+    for (const auto& [path, text] : read_case_prm(folder / "case.prm")) entries[path] = text;
   solved.entries = CaseEntries(std::move(entries));
   try {
     solved.hertz();

@@ -57,8 +57,8 @@ struct SolvedCase {
 /// True if the folder holds a history.csv.
 bool is_case_folder(const std::filesystem::path& folder);
 
-/// Inputs come from `inputs` of result.json (sections as in a case file) or else from case.prm. A case that is not
-/// finished has a history as far as it came. Throws InputError naming the file that is missing or wrong.
+/// Inputs come from case.prm and, where it lacks them, from `inputs` of result.json. A case that is not finished has a
+/// history as far as it came. Throws InputError naming the file that is missing or wrong.
 SolvedCase read_solved_case(const std::filesystem::path& folder);
 
 }  // namespace asperity

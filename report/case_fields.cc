@@ -66,9 +66,10 @@ struct Roughness {
 
 /// As the solver saw it if it wrote that, else what the case file asks for.
 Roughness roughness_of(const SolvedCase& solved, const std::string& section) {
-  if (const auto file = file_at_largest_load(solved, "interface.pvd"))
-    return {interface_map(*file, section == "Particle" ? "height_particle" : "height_substrate",
-                          map_half_width(solved, *file), map_pixels),
+  const auto files = files_at_largest_load(solved, "interface.pvd");
+  if (!files.empty())
+    return {interface_map(files[0], section == "Particle" ? "height_particle" : "height_substrate",
+                          map_half_width(solved, files[0]), map_pixels),
             true};
   constexpr double contacts_across = 4;
   const double size = contacts_across * hertz_radius(solved);
@@ -189,19 +190,20 @@ std::vector<Image> SectionPainter::draw(vtkPolyData& section, const std::vector<
   return draw_sections(section, views, display_->name());
 }
 
-std::optional<fs::path> file_at_largest_load(const SolvedCase& solved, const std::string& pvd) {
-  const auto files = field_files(solved.folder / pvd);
-  if (files.empty()) return std::nullopt;
-  const FieldFile* best = &files.back();
+StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd) {
+  const auto steps = field_files(solved.folder / pvd);
+  if (steps.empty()) return {};
+  const StepFiles* best = &steps.rbegin()->second;
   double best_force = -1;
+  constexpr double same_load = 1 + 1e-6;  // of a hold or a second cycle: the first is shown
   const auto& history = solved.history;
-  for (const auto& file : files)
-    for (std::size_t i = 0; i < history.size(); ++i)
-      if (static_cast<int>(history.step[i]) == file.step && history.normal_force[i] > best_force * (1 + 1e-6)) {
-        best_force = history.normal_force[i];
-        best = &file;
-      }
-  return best->path;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const auto found = steps.find(static_cast<int>(std::lround(history.step[i])));
+    if (found == steps.end() || history.normal_force[i] <= best_force * same_load) continue;
+    best_force = history.normal_force[i];
+    best = &found->second;
+  }
+  return *best;
 }
 
 std::string roughness_figures(const SolvedCase& solved) {
@@ -211,9 +213,9 @@ std::string roughness_figures(const SolvedCase& solved) {
 }
 
 std::string pressure_map_figure(const SolvedCase& solved, const std::string& title) {
-  const auto file = file_at_largest_load(solved, "interface.pvd");
-  if (!file) return no_fields(solved);
-  const Map map = scaled(interface_map(*file, "pressure", map_half_width(solved, *file), map_pixels), GPa);
+  const auto files = files_at_largest_load(solved, "interface.pvd");
+  if (files.empty()) return no_fields(solved);
+  const Map map = scaled(interface_map(files[0], "pressure", map_half_width(solved, files[0]), map_pixels), GPa);
   MapFigure figure = lengths_in_nm(map);
   figure.colour_label = "contact pressure [GPa]";
   figure.scale = &ColourScale::white_to_red();
@@ -227,10 +229,10 @@ std::string pressure_map_figure(const SolvedCase& solved, const std::string& tit
 }
 
 std::string pressure_profile_figure(const SolvedCase& solved) {
-  const auto file = file_at_largest_load(solved, "interface.pvd");
-  if (!file) return "";
+  const auto files = files_at_largest_load(solved, "interface.pvd");
+  if (files.empty()) return "";
   constexpr int rings = 40;
-  Map map = interface_map(*file, "pressure", map_half_width(solved, *file), map_pixels);
+  Map map = interface_map(files[0], "pressure", map_half_width(solved, files[0]), map_pixels);
   const Rings means = ring_means(map, rings);
   const double a = hertz_radius(solved), p0 = solved.hertz().peak_pressure(largest_force(solved));
   Series computed{"mean over rings", "#0072b2", Series::Style::line_with_points, {}, {}, {}};
@@ -256,13 +258,13 @@ std::string pressure_profile_figure(const SolvedCase& solved) {
 }
 
 std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
-  const auto file = file_at_largest_load(solved, "fields.pvd");
-  if (!file) return no_fields(solved);
+  const auto files = files_at_largest_load(solved, "fields.pvd");
+  if (files.empty()) return no_fields(solved);
   const double a = hertz_radius(solved);
   // Off the symmetry plane by a part of a cell: a cut along cell faces belongs to neither neighbour.
   constexpr double off_faces = 0.3;
   const double spacing = std::isfinite(solved.interface_spacing()) ? solved.interface_spacing() : a / 50;
-  const auto section = vertical_section(*file, off_faces * spacing);
+  const auto section = vertical_section(files, off_faces * spacing);
   const double approach = *std::max_element(solved.history.normal_displacement.begin(), solved.history.normal_displacement.end());
 
   // The whole contact, and a close-up of the interface; half widths and heights in contact radii.

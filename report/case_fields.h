@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "dem_compare/solved_case.h"
@@ -21,8 +20,8 @@ class SectionPainter {
   std::unique_ptr<VirtualDisplay> display_;
 };
 
-/// The field file at the largest load of the history (else the last); nothing if none was written.
-std::optional<std::filesystem::path> file_at_largest_load(const SolvedCase& solved, const std::string& pvd);
+/// The field files at the largest load of the history (else the last); empty if none were written.
+StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd);
 
 /// Figures as HTML, or a note that says why there are none.
 std::string roughness_figures(const SolvedCase& solved);

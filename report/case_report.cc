@@ -139,7 +139,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   const std::string effective = effective_table(solved);
   if (!effective.empty()) body += section_html("Effective quantities in result.json", effective);
   body += section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
-  body += section_html("What went in", details_html("All entries of the case", inputs_table(solved)));
+  body += section_html("What went in", inputs_table(solved));
   return page_html(solved.title(), subtitle_of(folder, solved.result), body);
 }
 

@@ -1,6 +1,6 @@
 #include "report/field_files.h"
 
-#include <vtkCellData.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCutter.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -44,8 +44,8 @@ vtkDataArray* point_array(vtkDataSet& data, const std::string& name, const fs::p
 
 }  // namespace
 
-std::vector<FieldFile> field_files(const fs::path& pvd) {
-  std::vector<FieldFile> files;
+std::map<int, StepFiles> field_files(const fs::path& pvd) {
+  std::map<int, StepFiles> files;
   if (!fs::exists(pvd)) return files;
   const std::string text = read_file(pvd);
   static const std::regex entry("file\\s*=\\s*\"([^\"]+)\""), step_name("step_(\\d+)");
@@ -53,7 +53,7 @@ std::vector<FieldFile> field_files(const fs::path& pvd) {
     const std::string name = (*at)[1];
     std::smatch step;
     const fs::path path = pvd.parent_path() / name;
-    if (std::regex_search(name, step, step_name) && fs::exists(path)) files.push_back({std::stoi(step[1]), path});
+    if (std::regex_search(name, step, step_name) && fs::exists(path)) files[std::stoi(step[1])].push_back(path);
   }
   return files;
 }
@@ -103,7 +103,9 @@ InterfaceExtent interface_extent(const fs::path& file) {
   return extent;
 }
 
-vtkSmartPointer<vtkPolyData> vertical_section(const fs::path& file, double y) {
+namespace {
+
+vtkSmartPointer<vtkPolyData> section_of_part(const fs::path& file, double y) {
   const auto bodies = read_data<vtkUnstructuredGrid>(file);
   vtkDataArray* displacement = point_array(*bodies, "displacement", file);
   vtkNew<vtkPoints> displaced;
@@ -125,6 +127,15 @@ vtkSmartPointer<vtkPolyData> vertical_section(const fs::path& file, double y) {
   cutter->GenerateTrianglesOff();
   cutter->Update();
   return cutter->GetOutput();
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> vertical_section(const StepFiles& files, double y) {
+  vtkNew<vtkAppendPolyData> all;
+  for (const auto& file : files) all->AddInputData(section_of_part(file, y));
+  all->Update();
+  return all->GetOutput();
 }
 
 }  // namespace asperity::report

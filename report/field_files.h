@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,11 @@
 
 namespace asperity::report {
 
-struct FieldFile {
-  int step = 0;  ///< from its name, step_NNNN
-  std::filesystem::path path;
-};
+/// The files of one step, one of each rank.
+using StepFiles = std::vector<std::filesystem::path>;
 
-/// Files a .pvd lists, in its order; empty if it is not there. Files that are missing are left out.
-std::vector<FieldFile> field_files(const std::filesystem::path& pvd);
+/// What a .pvd lists, by the number in the names, step_NNNN. Files that are missing are left out; empty without a .pvd.
+std::map<int, StepFiles> field_files(const std::filesystem::path& pvd);
 
 /// A point data array of the contact surface on a regular grid over the square |x|, |y| <= half_width [m].
 /// Throws InputError if the file cannot be read or lacks the array.
@@ -31,6 +30,6 @@ struct InterfaceExtent {
 InterfaceExtent interface_extent(const std::filesystem::path& file);
 
 /// The bodies, displaced, cut by the plane y = `y`: polygons with their cell data.
-vtkSmartPointer<vtkPolyData> vertical_section(const std::filesystem::path& file, double y);
+vtkSmartPointer<vtkPolyData> vertical_section(const StepFiles& files, double y);
 
 }  // namespace asperity::report

@@ -41,7 +41,8 @@ svg .band { fill: #dcebd9; fill-opacity: .75; }
 .scroll { overflow-x: auto; margin: 12px 0 20px; }
 table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; min-width: 50%; }
 td { white-space: nowrap; }
-td.text { white-space: normal; }
+td.text { white-space: normal; min-width: 9em; }
+details td { white-space: normal; overflow-wrap: anywhere; }
 th { text-align: right; font-weight: 600; border-bottom: 2px solid var(--ink); padding: 6px 10px; vertical-align: bottom; }
 td { text-align: right; border-bottom: 1px solid var(--line); padding: 5px 10px; vertical-align: top; }
 th.text, td.text { text-align: left; }

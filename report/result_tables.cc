@@ -123,7 +123,11 @@ std::string remaining_tables(const SolvedCase& solved) {
 std::string inputs_table(const SolvedCase& solved) {
   Table table{{"entry of the case file", "value"}, {}, true};
   for (const auto& [path, text] : solved.entries.all()) table.rows.push_back({escaped(path), escaped(text)});
-  return table_html(table);
+  const std::string entries = details_html("All entries of the case", table_html(table));
+  if (!solved.finished() || !solved.result.contains("inputs")) return entries;
+  Table taken;
+  add_rows(taken, "", solved.result["inputs"]);
+  return entries + details_html("What the solver made of them (SI units), and what its results mean", table_html(taken));
 }
 
 std::string ratio_table(const GroupComparison& group) {

@@ -14,6 +14,7 @@ std::string effective_table(const SolvedCase& solved);
 std::string balance_table(const SolvedCase& solved);
 /// Mesh, cost, versions and whatever else result.json says, as name and value.
 std::string remaining_tables(const SolvedCase& solved);
+/// Entries of the case file, and `inputs` of result.json.
 std::string inputs_table(const SolvedCase& solved);
 /// Ratios to Hertz at each load.
 std::string ratio_table(const GroupComparison& group);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "dem_compare/comparison.h"
@@ -11,7 +12,6 @@
 #include "report/page.h"
 #include "report/result_tables.h"
 #include "report/words.h"
-#include "surfaces/statistics.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity::report {
@@ -171,7 +171,14 @@ std::string contact_table(const std::vector<StudyCurve>& curves) {
               "true one is " + in_units(radius, Dimension::length) + ", Hertz's exponent 1.5).");
 }
 
-/// Root mean square height of both surfaces together [m]; NaN where a surface cannot be read.
+/// What result.json says of a surface within the contact region [m]; NaN if it does not.
+double as_meshed_rms(const SolvedCase& solved, const std::string& body) {
+  const nlohmann::ordered_json inputs = solved.result.value("inputs", nlohmann::ordered_json::object());
+  const nlohmann::ordered_json rms = inputs.value("rms_in_region", nlohmann::ordered_json::object());
+  return rms.contains(body) ? number_of(rms[body]) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Root mean square height of both surfaces together [m]; NaN where it is not known.
 double composite_rms(const SolvedCase& solved) {
   double squares = 0;
   for (const std::string section : {"Particle", "Substrate"}) {
@@ -181,10 +188,7 @@ double composite_rms(const SolvedCase& solved) {
     if (is_generator_call(spec)) {
       rms = parse_generator(spec).spectrum.rms;
     } else {
-      try {
-        rms = height_moments(topography_for(spec, 0, 0)).Sq;
-      } catch (const std::exception&) {
-      }
+      rms = as_meshed_rms(solved, section == "Particle" ? "particle" : "substrate");
     }
     squares += rms * rms;
   }
@@ -248,7 +252,7 @@ std::string curves_section(const std::vector<StudyCurve>& curves, const CaseColl
 
 const SolvedCase& case_with_fields(const CaseGroup& group) {
   for (const auto& solved : group.cases)
-    if (file_at_largest_load(solved, "interface.pvd")) return solved;
+    if (!files_at_largest_load(solved, "interface.pvd").empty()) return solved;
   return group.first();
 }
 
@@ -313,7 +317,7 @@ std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
   body += section_html("Load by load", tables);
   body += section_html("How far to trust it, and what it cost", case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(collection.groups.front().first())));
-  body += section_html("What went in", details_html("All entries of the first case", inputs_table(collection.groups.front().first())));
+  body += section_html("What went in", note("Of the first case:") + inputs_table(collection.groups.front().first()));
   return page_html(title, subtitle_of(folder, collection.groups.front().first().result), body);
 }
 

@@ -58,15 +58,21 @@ TEST_F(SolvedCaseFolder, an_unfinished_case_is_known_from_its_case_file) {
   EXPECT_TRUE(std::isfinite(solved.first_yield_force()));
 }
 
-TEST_F(SolvedCaseFolder, inputs_of_the_result_go_before_those_of_the_case_file) {
-  write_prm();
+TEST_F(SolvedCaseFolder, without_its_case_file_a_result_knows_its_inputs) {
   write_file_atomically(folder / "result.json",
-                        R"({"format": "asperity-result/1", "inputs": {"Particle": {"Radius": 9e-6}},
-                            "mesh": {"interface_spacing": 5e-9}})");
+                        R"json({"format": "asperity-result/1", "title": "From the result", "inputs": {
+                            "particle": {"youngs_modulus": 71e9, "poissons_ratio": 0.17, "yield_stress": "inf",
+                                         "topography": "generated(rms=1.5 nm)"},
+                            "radius": 9e-6, "substrate": {"youngs_modulus": 179e9, "poissons_ratio": 0.25}},
+                            "mesh": {"interface_spacing": 5e-9}})json");
   const SolvedCase solved = read_solved_case(folder);
   EXPECT_TRUE(solved.finished());
+  EXPECT_EQ(solved.title(), "From the result");
   EXPECT_EQ(solved.hertz().radius, 9e-6);
+  EXPECT_NEAR(solved.hertz().reduced_modulus, 52.86838771e9, 1e2);
   EXPECT_EQ(solved.interface_spacing(), 5e-9);
+  EXPECT_TRUE(solved.is_rough());
+  EXPECT_FALSE(solved.can_yield());
 }
 
 TEST_F(SolvedCaseFolder, a_folder_without_inputs_or_with_a_broken_result_is_refused) {
