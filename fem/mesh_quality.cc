@@ -1,0 +1,141 @@
+#include "fem/mesh_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "fem/contact/interface_operator.h"
+#include "meshing/triangles/quality.h"
+
+namespace asperity::fem {
+namespace {
+
+/// Lexicographic vertex of each VTK vertex.
+constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+/// Places per cell width at which the topography is compared with the facets.
+constexpr int samples_per_cell = 4;
+
+/// Mean and mean square of weighted heights.
+struct Moments {
+  double weight = 0, sum = 0, square = 0;
+  void add(double height, double area) {
+    weight += area;
+    sum += area * height;
+    square += area * height * height;
+  }
+  double rms() const { return weight > 0 ? std::sqrt(square / weight) : 0; }
+  /// About the mean.
+  double sq() const { return weight > 0 ? std::sqrt(std::max(0.0, square / weight - sum * sum / weight / weight)) : 0; }
+};
+
+RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options,
+                           int body) {
+  RoughnessFidelity result;
+  const auto& topography = body == 0 ? options.particle_height : options.substrate_height;
+  if (!topography) return result;
+  const double region = body == 0 ? options.sizes.region_particle : options.sizes.region_substrate;
+  const int tree = body == 0 ? meshing::cap : meshing::block;
+  const double out_of_material = body == 0 ? -1 : 1;  // sign of z
+  const meshing::BodyMap smooth(options.sizes);
+  const InterfaceNodes nodes(level);
+  const auto z = nodes.gather(positions.begin(), 2);
+  const double unit = std::pow(2.0, -lattice_bits), offset_x = body == 0 ? 0 : options.sizes.offset_substrate_x,
+               offset_y = body == 0 ? 0 : options.sizes.offset_substrate_y;
+
+  Moments nodal, deviation, sampled, between;
+  for (const auto& face : level.interface_faces()) {
+    if (face.body != body) continue;
+    std::array<meshing::Point3, 4> corner;
+    std::array<double, 4> height;
+    double reach = 0;
+    for (int v = 0; v < 4; ++v) {
+      corner[v] = smooth.position(tree, {(face.i + (v & 1) * face.size) * unit, (face.j + (v >> 1) * face.size) * unit,
+                                         meshing::BodyMap::surface_coordinate(tree)});
+      height[v] = out_of_material * (z[nodes.index(face.node[v])] - corner[v][2]);
+      reach = std::max({reach, std::abs(corner[v][0] - offset_x), std::abs(corner[v][1] - offset_y)});
+    }
+    if (reach > region * (1 + 1e-9)) continue;
+    const double width_x = corner[3][0] - corner[0][0], width_y = corner[3][1] - corner[0][1], area = width_x * width_y;
+    for (int v = 0; v < 4; ++v) {
+      nodal.add(height[v], area / 4);
+      deviation.add(height[v] - topography(corner[v][0], corner[v][1]), area / 4);
+    }
+    for (int b = 0; b < samples_per_cell; ++b)
+      for (int a = 0; a < samples_per_cell; ++a) {
+        const double s = (a + 0.5) / samples_per_cell, t = (b + 0.5) / samples_per_cell;
+        const double h = topography(corner[0][0] + s * width_x, corner[0][1] + t * width_y);
+        const double facet = (1 - t) * ((1 - s) * height[0] + s * height[1]) + t * ((1 - s) * height[2] + s * height[3]);
+        sampled.add(h, area);
+        between.add(facet - h, area);
+      }
+  }
+  result.sq_topography = sampled.sq();
+  result.sq_nodes = nodal.sq();
+  result.sq_deviation = deviation.rms();
+  result.sq_between = between.rms();
+  return result;
+}
+
+std::string text(const char* pattern, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, pattern, value);
+  return buffer;
+}
+
+}  // namespace
+
+std::vector<double> scaled_jacobians(const MeshLevel& level, const Vector<double>& positions) {
+  std::vector<double> result;
+  result.reserve(level.batches().size() * lanes);
+  const double* x = positions.begin();
+  for (const auto& batch : level.batches())
+    for (int l = 0; l < batch.count; ++l) {
+      std::array<meshing::Point, 8> corners;
+      for (int v = 0; v < 8; ++v)
+        for (int c = 0; c < 3; ++c) corners[v][c] = x[3 * batch.node[vtk_order[v]][l] + c];
+      result.push_back(meshing::scaled_jacobian(corners));
+    }
+  return result;
+}
+
+HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options) {
+  HexMeshQuality quality;
+  const auto jacobians = scaled_jacobians(level, positions);
+  std::size_t cell = 0;
+  for (const auto& batch : level.batches())
+    for (int l = 0; l < batch.count; ++l, ++cell) {
+      double& smallest = quality.smallest_scaled_jacobian[batch.body[l]];
+      smallest = std::min(smallest, jacobians[cell]);
+    }
+  for (int body = 0; body < 2; ++body) {
+    quality.smallest_scaled_jacobian[body] = dealii::Utilities::MPI::min(quality.smallest_scaled_jacobian[body], level.communicator());
+    quality.roughness[body] = fidelity(level, positions, options, body);
+  }
+  return quality;
+}
+
+void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options, const std::string& file) {
+  for (int body = 0; body < 2; ++body) {
+    const std::string name = body == 0 ? "Particle" : "Substrate";
+    const double spacing = body == 0 ? options.sizes.spacing_particle : options.sizes.spacing_substrate;
+    const double jacobian = quality.smallest_scaled_jacobian[body];
+    const RoughnessFidelity& roughness = quality.roughness[body];
+    if (!roughness.smooth()) {
+      const double ratio_error = std::abs(roughness.sq_ratio() - 1), node_error = roughness.sq_deviation / roughness.sq_topography;
+      if (std::max(ratio_error, node_error) > allowed_roughness_error)
+        throw InputError(file + ": " + name + "/Topography: the mesh with nodes every " + format_quantity(spacing, Dimension::length) +
+                         " has an Sq of " + format_quantity(roughness.sq_nodes, Dimension::length, 4) + " where the topography has " +
+                         format_quantity(roughness.sq_topography, Dimension::length, 4) + " (at most " +
+                         text("%g %%", 100 * allowed_roughness_error) +
+                         " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less");
+    }
+    if (jacobian <= smallest_allowed_scaled_jacobian)
+      throw InputError(file + ": " + name + "/Topography: the roughness distorts the hexahedra to a scaled Jacobian of " +
+                       text("%.3f", jacobian) + " (more than " + text("%g", smallest_allowed_scaled_jacobian) +
+                       " is needed); its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");
+  }
+}
+
+}  // namespace asperity::fem
