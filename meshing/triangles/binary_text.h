@@ -12,7 +12,7 @@ void append_bytes(std::string& content, Number number) {
   content.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// Shortest of the texts that give the same double back is not sought: 17 digits always do.
+/// 17 digits always give the same double back.
 inline void append_number(std::string& content, double number) {
   char text[32];
   content.append(text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.17g", number)));

@@ -1,6 +1,5 @@
 // CGAL's types for meshing/triangles (internal: include from .cc files only). CGAL works in nm here: with
-// metres, squared and cubed lengths come near the range where its floating-point filters and absolute guards
-// misjudge.
+// metres, squared and cubed lengths come near where its filters and absolute guards misjudge.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

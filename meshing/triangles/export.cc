@@ -65,8 +65,8 @@ std::string summary(const std::string& name, const TriangleSurface& surface, con
 std::string summary(const std::string& name, const TetrahedralMesh& mesh, const TetrahedraQuality& quality,
                     double surface_volume) {
   return name + " tetrahedra: " + std::to_string(mesh.tetrahedra.size()) + " with " +
-         std::to_string(mesh.points.size()) + " points, volume " +
-         format("%+.2f %%", 100 * (quality.volume / surface_volume - 1)) + " of the surface's\n" + name +
+         std::to_string(mesh.points.size()) + " points, their volume " +
+         format("%+.2f %%", 100 * (quality.volume / surface_volume - 1)) + " from the surface's\n" + name +
          " tetrahedra: smallest dihedral angle " +
          format("%.1f deg", quality.smallest_dihedral_angle * 180 / M_PI) + ", radius ratio " +
          format("%.2f", quality.smallest_radius_ratio) + " (mean " +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "meshing/triangles/vectors.h"
 
@@ -16,14 +17,14 @@ std::uint64_t edge_key(std::uint32_t from, std::uint32_t to) { return std::uint6
 class OpenEdges {
  public:
   explicit OpenEdges(const std::vector<QuadIndices>& quads) {
-    std::unordered_map<std::uint64_t, int> count;
-    count.reserve(4 * quads.size());
+    std::unordered_set<std::uint64_t> all;
+    all.reserve(4 * quads.size());
     for (const auto& quad : quads)
-      for (int side = 0; side < 4; ++side) ++count[edge_key(quad[side], quad[(side + 1) % 4])];
-    for (const auto& [key, times] : count) {
+      for (int side = 0; side < 4; ++side) all.insert(edge_key(quad[side], quad[(side + 1) % 4]));
+    for (const auto key : all) {
       const auto from = static_cast<std::uint32_t>(key >> 32), to = static_cast<std::uint32_t>(key);
-      if (count.count(edge_key(to, from)) == 0) {
-        keys_[key] = times;
+      if (all.count(edge_key(to, from)) == 0) {
+        keys_.insert(key);
         ends_[from].push_back(to);
       }
     }
@@ -38,7 +39,7 @@ class OpenEdges {
   }
 
  private:
-  std::unordered_map<std::uint64_t, int> keys_;
+  std::unordered_set<std::uint64_t> keys_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> ends_;
 };
 

@@ -1,6 +1,5 @@
 // Triangle surfaces for other programs: binary STL, binary PLY, OFF. Coordinates are written in `unit`, which
-// the file names in its header: STL's 80 bytes, PLY's "comment", OFF's "#". Files are written whole or not at
-// all.
+// the file names in its header: STL's 80 bytes, PLY's "comment", OFF's "#". Files are whole or absent.
 #pragma once
 
 #include <filesystem>

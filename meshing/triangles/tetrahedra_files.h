@@ -1,6 +1,5 @@
 // Tetrahedral meshes for other programs: VTU (VTK XML, unstructured grid) and Gmsh's MSH 2.2 text.
-// Coordinates are written in `unit`, which a comment in the file names. Files are written whole or not at
-// all.
+// Coordinates are written in `unit`, which a comment in the file names. Files are whole or absent.
 #pragma once
 
 #include <filesystem>

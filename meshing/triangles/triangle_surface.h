@@ -20,12 +20,11 @@ struct TriangleSurface {
 
 /// Boundary of a hexahedral body. `quads` point outward (counter-clockwise from outside) and index `points`;
 /// points no quad uses are left out. Each quad is split along the diagonal with the better triangles. Hanging
-/// nodes of a locally refined mesh are inserted into the coarse quad's edge, so that a closed body stays
-/// closed.
+/// nodes (one per edge, as in a 2:1 balanced octree) are inserted into the coarse quad's edge, so that a
+/// closed body stays closed.
 TriangleSurface triangles_of_quads(const std::vector<Point>& points, const std::vector<QuadIndices>& quads);
 
-/// Heights on a regular grid of nodes: heights[iy * nx + ix] at (origin_x + ix dx, origin_y + iy dy), all in
-/// m.
+/// Heights on a regular grid of nodes: heights[iy * nx + ix] at (origin_x + ix dx, origin_y + iy dy) [m].
 struct HeightField {
   int nx = 0, ny = 0;
   double dx = 0, dy = 0;
@@ -44,8 +43,7 @@ TriangleSurface translated(const TriangleSurface& surface, const Point& shift);
 /// Sum of the triangles' areas [m^2].
 double area(const TriangleSurface& surface);
 
-/// Volume by the divergence theorem [m^3]; positive if a closed surface faces outward, meaningless if it is
-/// open.
+/// Volume by the divergence theorem [m^3]; positive if it faces outward; needs a closed surface.
 double volume(const TriangleSurface& surface);
 
 struct BoundingBox {
