@@ -73,22 +73,27 @@ FittedNumber parameter(const LeastSquaresFit& fit, Eigen::Index i, double unit) 
   return {fit.parameters[i] * unit, std::sqrt(fit.covariance(i, i)) * unit};
 }
 
-/// Approach at which the unloading branch reaches zero load.
-double imprint_of(const ContactHistory& history, const HistoryBranch& unloading, bool& extrapolated) {
-  // A last step is unloaded if no more than this share of the largest load is left.
-  constexpr double unloaded_share = 1e-4;
-  extrapolated = history.normal_force[unloading.last] > unloaded_share * history.normal_force[unloading.first];
-  if (!extrapolated) {
-    std::size_t i = unloading.last;
-    // Under control by displacement the bodies may be drawn apart further: the imprint is where the load vanished.
-    while (i > unloading.first + 1 && history.normal_force[i - 1] <= unloaded_share * history.normal_force[unloading.first])
-      --i;
-    return history.normal_displacement[i];
-  }
-  const double f1 = std::pow(history.normal_force[unloading.last], 2.0 / 3.0);
-  const double f0 = std::pow(history.normal_force[unloading.last - 1], 2.0 / 3.0);
-  const double d1 = history.normal_displacement[unloading.last], d0 = history.normal_displacement[unloading.last - 1];
-  return d1 - f1 * (d1 - d0) / (f1 - f0);
+/// Approach of the first loading at a force: between its steps linear in F^(2/3), below the first a power law through
+/// first touch (approach and force zero) and the first two steps; NaN above.
+double loading_approach(const Branch& loading, double force) {
+  if (force <= 0) return 0;
+  const Values &d = loading.approach, &f = loading.force;
+  if (f.size() < 2 || f[0] <= 0 || d[0] <= 0 || d[1] <= d[0] || f[1] <= f[0]) return unknown;
+  if (force < f[0]) return d[0] * std::pow(force / f[0], std::log(d[1] / d[0]) / std::log(f[1] / f[0]));
+  // The turning points of loading and unloading may differ by the solver's tolerance.
+  const double reached = std::min(force, f.back());
+  std::size_t i = 0;
+  while (i + 2 < f.size() && f[i + 1] < reached) ++i;
+  const double g0 = std::pow(f[i], 2.0 / 3.0), g1 = std::pow(f[i + 1], 2.0 / 3.0);
+  return d[i] + (std::pow(reached, 2.0 / 3.0) - g0) / (g1 - g0) * (d[i + 1] - d[i]);
+}
+
+/// First step of an unloading branch that bears nothing any more; its last step if all bear something. Under control by
+/// displacement the bodies may be drawn apart further: the imprint is where the load vanished.
+std::size_t end_of_unloading(const ContactHistory& history, const HistoryBranch& unloading) {
+  std::size_t i = unloading.last;
+  while (i > unloading.first + 1 && history.normal_force[i - 1] <= 0) --i;
+  return i;
 }
 
 std::vector<HertzRatios> ratios_of(const ContactHistory& history, const HistoryBranch& loading, const Hertz& hertz,
@@ -172,10 +177,12 @@ NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) 
   numbers.dissipated_energy = history.dissipated_energy.back();
 
   bool loaded = false, unloaded = false, reloaded = false;
+  Branch first_loading;
   for (const auto& range : history_branches(history)) {
     const Branch branch = branch_of(history, range);
     if (range.kind == HistoryBranch::Kind::loading && !loaded) {
       loaded = true;
+      first_loading = branch;
       numbers.loading = tangent_stiffness(branch.approach, branch.force);
       numbers.ratios = ratios_of(history, range, hertz, numbers.loading);
       // Four numbers at most are fitted; fewer steps would leave nothing to judge the misfit by.
@@ -194,7 +201,9 @@ NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) 
     } else if (range.kind == HistoryBranch::Kind::unloading && !unloaded) {
       unloaded = true;
       numbers.unloading = tangent_stiffness(branch.approach, branch.force);
-      numbers.residual_imprint = imprint_of(history, range, numbers.imprint_is_extrapolated);
+      const std::size_t end = end_of_unloading(history, range);
+      numbers.imprint_force = std::max(0.0, history.normal_force[end]);
+      numbers.residual_imprint = history.normal_displacement[end] - loading_approach(first_loading, numbers.imprint_force);
     } else if (range.kind == HistoryBranch::Kind::loading && unloaded && !reloaded) {
       reloaded = true;
       numbers.reloading = tangent_stiffness(branch.approach, branch.force);

@@ -58,8 +58,10 @@ struct NormalNumbers {
   double largest_force = 0;       ///< [N]
   double approach_there = 0;      ///< [m]
   std::vector<TangentStiffness> loading, unloading, reloading;  ///< first of each; those not there are empty
-  double residual_imprint = 0;    ///< approach left when the load has gone, after the first unloading [m]; NaN without
-  bool imprint_is_extrapolated = false;
+  /// Approach that has not come back at the end of the first unloading: beyond that of the first loading at the same,
+  /// last force [m]; NaN without unloading.
+  double residual_imprint = 0;
+  double imprint_force = 0;       ///< that force [N]
   double plastic_volume = 0;      ///< at the end [m^3]
   double dissipated_energy = 0;   ///< at the end [J]
   bool has_fits = false;

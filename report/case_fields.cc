@@ -156,10 +156,10 @@ ColourRange range_in_window(vtkPolyData& section, const SectionView& view) {
   return {0, *at > 0 ? *at : *std::max_element(values.begin(), values.end())};
 }
 
-/// A window of the given half width and height [m] around (0, z), its colours from zero to the largest value in it.
-SectionView section_view(vtkPolyData& section, const std::string& array, const ColourScale& scale, double half_width,
-                         double half_height, double z, double spacing) {
-  SectionView view{array, -half_width, half_width, z - half_height, z + half_height, &scale, {}};
+/// A window of the given half width and height [m] around (x, 0), its colours from zero to the largest value in it.
+SectionView section_view(vtkPolyData& section, const std::string& array, const ColourScale& scale, double x,
+                         double half_width, double half_height, double spacing) {
+  SectionView view{array, x - half_width, x + half_width, -half_height, half_height, &scale, {}};
   view.range = range_in_window(section, view);
   // Lines of the mesh closer than this would hide what they divide.
   constexpr double fewest_pixels_per_cell = 7;
@@ -264,17 +264,19 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
   // Off the symmetry plane by a part of a cell: a cut along cell faces belongs to neither neighbour.
   constexpr double off_faces = 0.3;
   const double spacing = std::isfinite(solved.interface_spacing()) ? solved.interface_spacing() : a / 50;
-  const auto section = vertical_section(files, off_faces * spacing);
-  const double approach = *std::max_element(solved.history.normal_displacement.begin(), solved.history.normal_displacement.end());
+  const auto surface = files_at_largest_load(solved, "interface.pvd");
+  const InterfaceExtent contact = surface.empty() ? InterfaceExtent{} : interface_extent(surface[0]);
+  const double y = contact.peak_y + off_faces * spacing;
+  const auto section = vertical_section(files, y);
 
   // The whole contact, and a close-up of the interface; half widths and heights in contact radii.
-  const SectionView stress = section_view(*section, "von_mises", ColourScale::viridis(), 1.7 * a, 1.15 * a, 0, spacing);
+  const SectionView stress = section_view(*section, "von_mises", ColourScale::viridis(), 0, 1.7 * a, 1.15 * a, spacing);
   const SectionView close_stress =
-      section_view(*section, "von_mises", ColourScale::viridis(), 0.4 * a, 0.27 * a, -approach / 2, spacing);
+      section_view(*section, "von_mises", ColourScale::viridis(), contact.peak_x, 0.4 * a, 0.27 * a, spacing);
   const SectionView strain =
-      section_view(*section, "equivalent_plastic_strain", ColourScale::white_to_red(), 1.7 * a, 1.15 * a, 0, spacing);
+      section_view(*section, "equivalent_plastic_strain", ColourScale::white_to_red(), 0, 1.7 * a, 1.15 * a, spacing);
   const SectionView close_strain =
-      section_view(*section, "equivalent_plastic_strain", ColourScale::white_to_red(), 0.4 * a, 0.27 * a, -approach / 2, spacing);
+      section_view(*section, "equivalent_plastic_strain", ColourScale::white_to_red(), contact.peak_x, 0.4 * a, 0.27 * a, spacing);
   const bool has_yielded = strain.range.high > 0;
   std::vector<SectionView> views{stress, close_stress};
   if (has_yielded) views.insert(views.end(), {strain, close_strain});
@@ -284,18 +286,19 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
     constexpr double percent = 0.01;
     std::string html = side_by_side(
         {figure_html("Von Mises stress", section_svg(stress, images[0], stress_label, GPa),
-                     "A vertical cut through sphere (above) and plane (below) at the largest load. This stress decides where "
+                     "A vertical cut through sphere (above) and plane (below) at the largest load, through the place of the largest "
+                     "pressure (y = " + in_units(y, Dimension::length) + "). This stress decides where "
                      "material yields. Between smooth bodies it is largest about half a contact radius below the surface; "
                      "roughness adds peaks under each asperity that touches."),
          figure_html("Von Mises stress, close to the interface", section_svg(close_stress, images[1], stress_label, GPa),
-                     "The middle of the same cut, magnified. Lines are the mesh; grey between the bodies is an open gap.")});
+                     "The same cut around the largest pressure, magnified. Lines are the mesh; grey between the bodies is an open gap.")});
     if (!has_yielded) return html + note("No material has yielded anywhere in this section: there is no plastic strain to show.");
     return html + side_by_side(
         {figure_html("Plastic strain", section_svg(strain, images[2], strain_label, percent),
                      "Where material has yielded for good: white is still elastic, grey is outside of the bodies. Spots right at the surface are flattened "
                      "asperities; a zone deeper down would be yielding of the bulk."),
          figure_html("Plastic strain, close to the interface", section_svg(close_strain, images[3], strain_label, percent),
-                     "The middle of the same cut, magnified, with the mesh.")});
+                     "The same cut around the largest pressure, magnified, with the mesh.")});
   } catch (const WorkError& error) {
     return note("The vertical section could not be drawn: " + escaped(error.what()) + ".");
   }

@@ -22,7 +22,9 @@ constexpr double tolerance = 0.05;
 std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   const Hertz& hertz = numbers.hertz;
   const double force = numbers.force;
-  const auto against = [](double value, double reference) { return departure_text(value / reference) + " against Hertz"; };
+  const auto against = [](double value, double reference) {
+    return value > 2 * reference ? departure_text(value / reference) + " Hertz's" : departure_text(value / reference) + " against Hertz";
+  };
   constexpr double kN_per_m = 1e3, um = 1e-6;
   std::vector<Tile> tiles{
       {in_units(force, Dimension::force), "largest normal force", "approach " + in_units(numbers.approach.mean, Dimension::length) +
@@ -37,8 +39,8 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   tiles.push_back({in_units(numbers.largest_pressure.mean, Dimension::pressure), "largest contact pressure",
                    against(numbers.largest_pressure.mean, hertz.peak_pressure(force))});
   if (std::isfinite(numbers.residual_imprint.mean))
-    tiles.push_back({in_units(numbers.residual_imprint.mean, Dimension::length, 2), "imprint left after unloading",
-                     "approach that does not come back"});
+    tiles.push_back({imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
+                     "approach that has not come back"});
   if (std::isfinite(numbers.fitted_radius.mean))
     tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
                      "the sphere has " + in_units(hertz.radius, Dimension::length)});
@@ -74,6 +76,9 @@ std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupCo
   if (group.numbers.differencing_error > 0)
     sentences.push_back("The finite load steps change the stiffness by at most " +
                         percent_bound(group.numbers.differencing_error) + ".");
+  if (solved.finished() && solved.result.contains("mesh") && solved.result["mesh"].value("contact_reaches_rim", false))
+    sentences.push_back("<b>The contact reached the rim of the finely meshed region:</b> what lies beyond it is missing; solve again "
+                        "with a larger Mesh/Contact region.");
   const std::string balance = balance_sentence(solved);
   if (!balance.empty()) sentences.push_back(balance);
   return sentences;
@@ -95,7 +100,8 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
           side_by_side(
               {figure_html("Stiffness", to_svg(stiffness_chart(solved, numbers)),
                            "The slope of the curve above: how much force one more nanometre takes. Bars bound the error that the "
-                           "finite load steps make. This is what a discrete element simulation needs as k<sub>n</sub>."),
+                           "finite load steps make. The black point, where there is one, is the elastic stiffness that the solver itself finds there. This is what a discrete "
+                           "element simulation needs as k<sub>n</sub>."),
                figure_html("Real contact area", to_svg(contact_area_chart(solved)),
                            "The area that truly touches. Between rough surfaces it is smaller than Hertz's circle; on unloading it "
                            "stays larger where asperities were flattened.")}));

@@ -55,7 +55,7 @@ std::string frame(const Chart& chart, const Axis& x, const Axis& y) {
 
 std::string stroke(const Series& series) {
   return "fill='none' stroke='" + series.colour + "' stroke-width='2' stroke-linejoin='round'" +
-         (series.style == Series::Style::dashed ? " stroke-dasharray='7 5'" : "");
+         (series.is_dashed() ? " stroke-dasharray='7 5'" : "");
 }
 
 std::string dot(double x, double y, const std::string& colour) {
@@ -73,7 +73,6 @@ std::string curve(const Series& series, const Axis& x, const Axis& y) {
     pen_down = known;
   }
   if (series.style != Series::Style::points) svg += "<path d='" + path + "' " + stroke(series) + "/>";
-  const bool has_points = series.style == Series::Style::points || series.style == Series::Style::line_with_points;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
     const double px = x.pixel(series.x[i]), error = error_of(series, i);
@@ -82,7 +81,7 @@ std::string curve(const Series& series, const Axis& x, const Axis& y) {
       const std::string bar = "stroke='" + series.colour + "' stroke-width='1.4'";
       svg += line(px, up, px, down, bar) + line(px - 4, up, px + 4, up, bar) + line(px - 4, down, px + 4, down, bar);
     }
-    if (has_points) svg += dot(px, y.pixel(series.y[i]), series.colour);
+    if (series.has_points()) svg += dot(px, y.pixel(series.y[i]), series.colour);
   }
   return svg;
 }
@@ -122,7 +121,7 @@ std::string legend(const Chart& chart, const Axis& x, const Axis& y) {
   for (const Series* series : shown) {
     if (series->style != Series::Style::points)
       svg += "<path d='M" + coordinate(mark) + " " + coordinate(middle) + "h" + coordinate(legend_mark) + "' " + stroke(*series) + "/>";
-    if (series->style == Series::Style::points || series->style == Series::Style::line_with_points)
+    if (series->has_points())
       svg += dot(mark + legend_mark / 2, middle, series->colour);
     svg += text(mark + legend_mark + padding, middle + 4.5, series->label, "class='tick'");
     middle += legend_line;

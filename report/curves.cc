@@ -48,8 +48,8 @@ std::vector<Series> smoothed(const std::vector<Series>& branches) {
     line.x.clear();
     line.y.clear();
     for (std::size_t i = 0; i + 1 < branch.x.size(); ++i) add_between(line, branch.x[i], branch.y[i], branch.x[i + 1], branch.y[i + 1]);
-    if (branch.style == Series::Style::line_with_points) {
-      line.style = Series::Style::line;
+    if (branch.has_points()) {
+      line.style = branch.is_dashed() ? Series::Style::dashed : Series::Style::line;
       Series points = branch;
       points.label.clear();
       points.style = Series::Style::points;
@@ -89,7 +89,7 @@ std::vector<Series> branch_series(const ContactHistory& history, const std::vect
     const bool is_first = (is_loading ? loadings : unloadings) == 1;
     Series series{branch_name(branch.kind, loadings, unloadings),
                   is_loading ? (is_first ? loading_colour : reloading_colour) : unloading_colour,
-                  is_first ? Series::Style::line_with_points : Series::Style::dashed,
+                  !is_first ? Series::Style::dashed : is_loading ? Series::Style::line_with_points : Series::Style::dashed_with_points,
                   {}, {}, {}};
     for (std::size_t i = branch.first; i <= branch.last; ++i) {
       series.x.push_back(x[i]);
@@ -101,8 +101,8 @@ std::vector<Series> branch_series(const ContactHistory& history, const std::vect
 }
 
 Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit, const std::string& label,
-                      const std::string& colour) {
-  Series series{label, colour, Series::Style::line_with_points, {}, {}, {}};
+                      const std::string& colour, Series::Style style) {
+  Series series{label, colour, style, {}, {}, {}};
   for (const auto& tangent : tangents) {
     series.x.push_back(tangent.force / unit.si);
     series.y.push_back(tangent.stiffness / kN_per_m);
@@ -139,12 +139,17 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = "normal stiffness dF/dδ [kN/m]";
-  chart.series = {tangent_series(numbers.loading, unit, "loading", loading_colour),
-                  tangent_series(numbers.unloading, unit, "unloading", unloading_colour)};
+  chart.series = {tangent_series(numbers.loading, unit, "loading", loading_colour, Series::Style::line_with_points),
+                  tangent_series(numbers.unloading, unit, "unloading", unloading_colour, Series::Style::dashed_with_points)};
   if (!numbers.reloading.empty())
-    chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour));
+    chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour, Series::Style::dashed));
   chart.series.push_back(hertz_over_load(numbers.largest_force, unit,
                                          [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
+  const nlohmann::ordered_json effective = solved.result.is_object() ? solved.result.value("effective", nlohmann::ordered_json::object())
+                                                                     : nlohmann::ordered_json::object();
+  if (effective.contains("normal_stiffness") && effective["normal_stiffness"].value("unit", "") == "N/m")
+    chart.series.push_back({"elastic, at the largest load", "#111111", Series::Style::points, {numbers.largest_force / unit.si},
+                            {effective["normal_stiffness"].value("value", 0.0) / kN_per_m}, {}});
   chart.width = 520;
   return chart;
 }

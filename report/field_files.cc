@@ -93,12 +93,19 @@ InterfaceExtent interface_extent(const fs::path& file) {
   const auto surface = read_data<vtkPolyData>(file);
   vtkDataArray* pressure = point_array(*surface, "pressure", file);
   InterfaceExtent extent;
+  double largest = 0;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     double x[3];
     surface->GetPoint(i, x);
     const double reach = std::max(std::abs(x[0]), std::abs(x[1]));
     extent.surface = std::max(extent.surface, reach);
-    if (pressure->GetComponent(i, 0) > 0) extent.contact = std::max(extent.contact, reach);
+    const double p = pressure->GetComponent(i, 0);
+    if (p > 0) extent.contact = std::max(extent.contact, reach);
+    if (p > largest) {
+      largest = p;
+      extent.peak_x = x[0];
+      extent.peak_y = x[1];
+    }
   }
   return extent;
 }

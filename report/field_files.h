@@ -23,9 +23,10 @@ std::map<int, StepFiles> field_files(const std::filesystem::path& pvd);
 /// Throws InputError if the file cannot be read or lacks the array.
 Map interface_map(const std::filesystem::path& file, const std::string& array, double half_width, int pixels);
 
-/// Largest |x| or |y| of the contact surface, and of the part of it that is closed [m].
+/// Where the contact surface is and presses [m].
 struct InterfaceExtent {
-  double surface = 0, contact = 0;
+  double surface = 0, contact = 0;  ///< largest |x| or |y| of the surface, and of the part of it that presses
+  double peak_x = 0, peak_y = 0;    ///< place of the largest pressure
 };
 InterfaceExtent interface_extent(const std::filesystem::path& file);
 

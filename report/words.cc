@@ -70,7 +70,19 @@ std::string what_was_asked(const SolvedCase& solved) {
 
 std::string in_units(double value, Dimension dimension, int digits) {
   if (!std::isfinite(value)) return "–";
+  // Heights and imprints are thought of in nanometres also where they are less than one.
+  constexpr double nm = 1e-9, tenth = 0.1 * nm;
+  if (dimension == Dimension::length && std::abs(value) < nm && std::abs(value) >= tenth) {
+    char buffer[48];
+    std::snprintf(buffer, sizeof buffer, "%.*g nm", digits, value / nm);
+    return buffer;
+  }
   return readable(format_quantity(value, dimension, digits));
+}
+
+std::string imprint_text(double imprint) {
+  constexpr double nm = 1e-9, shown_as_zero = 0.005;
+  return std::isfinite(imprint) ? printed("%.2f nm", std::abs(imprint / nm) < shown_as_zero ? 0.0 : imprint / nm) : "–";
 }
 
 std::string readable(const std::string& text) {
@@ -92,6 +104,7 @@ std::string ratio_text(const Scatter& scatter) { return plus_minus(scatter, 1, 3
 
 std::string departure_text(double ratio) {
   if (!std::isfinite(ratio)) return "–";
+  if (ratio >= 2) return printed("%.2g times", ratio);
   const double percent = 100 * (ratio - 1);
   constexpr double shown_as_zero = 0.05;
   if (std::abs(percent) < shown_as_zero) return "0.0 %";

@@ -18,7 +18,9 @@ std::string in_units(double value, Dimension dimension, int digits = 3);
 std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits = 3);
 /// "0.93" or "0.93 ± 0.02": a ratio.
 std::string ratio_text(const Scatter& scatter);
-/// "-7 %"
+/// "0.85 nm", to a hundredth of a nanometre: less is not known of an imprint.
+std::string imprint_text(double imprint);
+/// "-7 %", or "4.6 times" from twice on
 std::string departure_text(double ratio);
 std::string percent_text(double share, int digits = 2);
 /// "0.42 %" for "within ..." and "at most ...": what is smaller counts as 0.001 %.

@@ -58,15 +58,27 @@ TEST(NormalNumbers_analytic, unloading_starts_with_the_stiffness_of_a_contact_of
   // F = F_max ((delta - imprint)/(delta_max - imprint))^(3/2)
   EXPECT_NEAR(numbers.unloading_stiffness() / (1.5e-3 / (hertz.approach(1e-3) - imprint)), 1, 1e-9);
   EXPECT_NEAR(numbers.residual_imprint, imprint, 1e-16);
-  EXPECT_FALSE(numbers.imprint_is_extrapolated);
+  EXPECT_EQ(numbers.imprint_force, 0);
 }
 
-TEST(NormalNumbers_analytic, an_unloading_that_stops_short_of_zero_load_is_extrapolated_to_its_imprint) {
-  ContactHistory history = loading_and_unloading(0, 4e-9);
-  for (const auto& column : history_columns()) (history.*column.values).pop_back();
-  const auto numbers = normal_numbers(history, hertz);
-  EXPECT_TRUE(numbers.imprint_is_extrapolated);
-  EXPECT_NEAR(numbers.residual_imprint, 4e-9, 1e-15);
+TEST(NormalNumbers_analytic, an_unloading_that_stops_short_of_zero_load_is_compared_with_loading_at_the_same_force) {
+  const double imprint = 4e-9, largest = 1e-3, top = hertz.approach(largest);
+  // In the middle of two loading steps, on a step, and below the first step.
+  for (const double share : {0.3, 0.25, 0.001}) {
+    ContactHistory history = loading_and_unloading(0, imprint);
+    for (const auto& column : history_columns()) (history.*column.values).resize(9);
+    add_step(history, imprint + (top - imprint) * std::pow(share, 2.0 / 3.0), largest * share);
+    const auto numbers = normal_numbers(history, hertz);
+    EXPECT_EQ(numbers.imprint_force, largest * share);
+    EXPECT_NEAR(numbers.residual_imprint, imprint * (1 - std::pow(share, 2.0 / 3.0)), 1e-15);
+  }
+}
+
+TEST(NormalNumbers_analytic, an_elastic_contact_of_any_power_law_leaves_no_imprint) {
+  ContactHistory history;
+  const auto force = [](double approach) { return 1e-3 * std::pow(approach / 20e-9, 2.2); };
+  for (const double approach : {4e-9, 8e-9, 14e-9, 20e-9, 14e-9, 8e-9, 4e-9, 1e-9}) add_step(history, approach, force(approach));
+  EXPECT_NEAR(normal_numbers(history, hertz).residual_imprint, 0, 1e-15);
 }
 
 TEST(NormalNumbers_analytic, a_sphere_of_9_um_is_reported_as_9_um_with_the_exponent_three_halves) {

@@ -88,6 +88,9 @@ TEST(Words, numbers_read_as_people_write_them) {
   EXPECT_EQ(departure_text(0.888), "−11 %");
   EXPECT_EQ(departure_text(1.0001), "0.0 %");
   EXPECT_EQ(departure_text(1.023), "+2.3 %");
+  EXPECT_EQ(departure_text(4.57), "4.6 times");
+  EXPECT_EQ(in_units(7e-10, Dimension::length), "0.7 nm");
+  EXPECT_EQ(imprint_text(-6e-15), "0.00 nm");
   EXPECT_EQ(percent_bound(1e-9), "0.001 %");
   EXPECT_EQ(duration_text(83.2), "1 min 23 s");
   EXPECT_EQ(duration_text(7260), "2 h 1 min");
