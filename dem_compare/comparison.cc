@@ -88,7 +88,8 @@ std::string percent(double ratio) {
 std::string force_text(double force) { return format_quantity(force, Dimension::force, 3); }
 
 std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
-  if (group.loads.size() < 2) return "too few load steps to judge.";
+  if (group.loads.empty() || std::isnan(group.loads.back().stiffness_ratio.mean))
+    return "too few load steps to judge (three are needed).";
   const auto& low = group.loads.front();
   const auto& high = group.loads.back();
   const auto softer = [](double ratio) { return ratio < 1 ? std::string("softer") : std::string("stiffer"); };

@@ -18,11 +18,6 @@ std::vector<double> known_values(const Map& map) {
 
 }  // namespace
 
-double Map::smallest() const {
-  const auto known = known_values(*this);
-  return known.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::min_element(known.begin(), known.end());
-}
-
 double Map::largest() const {
   const auto known = known_values(*this);
   return known.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(known.begin(), known.end());

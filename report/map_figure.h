@@ -15,7 +15,6 @@ struct Map {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  ///< outer edges
   std::vector<double> values;                           ///< [iy * nx + ix]
 
-  double smallest() const;
   double largest() const;
 };
 

@@ -76,6 +76,16 @@ TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_ro
       << comparison.groups[0].verdict;
 }
 
+TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said_to_be) {
+  const fs::path folder = write_case("short", 1);
+  ContactHistory history = read_history(folder / "history.csv");
+  for (const auto& column : history_columns()) (history.*column.values).resize(2);
+  write_file_atomically(folder / "history.csv", format_history(history));
+  const Comparison comparison = compare_with_hertz(collect_cases({folder}), 0.05);
+  EXPECT_NE(comparison.groups[0].verdict.find("too few load steps"), std::string::npos);
+  EXPECT_EQ(to_markdown(comparison).find("nan"), std::string::npos);
+}
+
 TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_contact) {
   const Comparison comparison =
       compare_with_hertz(collect_cases({write_case("a", 0.9, 0, "1"), write_case("b", 1.1, 0, "2")}), 0.05);
