@@ -1,0 +1,109 @@
+// Hertz' contact of the sphere on a plane: force, approach, radius, pressure and the stress below the surface.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/csv.h"
+#include "tests/fem/support/smooth_contact.h"
+#include "tests/support/shared_files.h"
+
+namespace {
+
+using namespace asperity::test;
+using asperity::fem::J2Material;
+
+const J2Material borosilicate = J2Material::elastic(71e9, 0.17), silicon = J2Material::elastic(179e9, 0.25),
+                 quartz = J2Material::elastic(71e9, 0.17), diamond = J2Material::elastic(1140e9, 0.07);
+
+/// The sphere on `substrate`, meshed with `cells` spacings per contact radius of the largest force.
+SmoothContact contact(const J2Material& substrate, double largest_force, double cells, double layers = 4) {
+  SmoothContactOptions o;
+  o.particle = borosilicate;
+  o.substrate = substrate;
+  const auto compliance = [](const J2Material& m) {
+    const double nu = (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
+    return (1 - nu) / (2 * m.shear_modulus);
+  };
+  const Hertz hertz{o.radius, 1 / (compliance(borosilicate) + compliance(substrate)), largest_force};
+  o.largest_radius = hertz.contact_radius();
+  o.spacing = o.largest_radius / cells;
+  o.layers = layers;
+  return SmoothContact(o);
+}
+
+struct HertzErrors {
+  double force, radius_in_spacings, pressure;
+};
+
+HertzErrors errors(const ContactStep& step, const Hertz& hertz, double spacing) {
+  // At given approach the force follows delta^(3/2): a relative error of approach counts 3/2 times as one of force.
+  return {std::pow(step.approach / hertz.approach(), -1.5) - 1, (step.contact_radius - hertz.contact_radius()) / spacing,
+          step.peak_pressure / hertz.peak_pressure() - 1};
+}
+
+void expect_hertz(const char* pair, const J2Material& substrate, double force, double cells) {
+  auto c = contact(substrate, force, cells);
+  const Hertz hertz = c.hertz(force);
+  const ContactStep step = c.load(force);
+  ASSERT_TRUE(step.converged);
+  ASSERT_FALSE(step.reaches_rim);
+  const auto e = errors(step, hertz, hertz.contact_radius() / cells);
+  std::printf("%-8s %6.0f uN  a/h %4.0f  unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%  newton %d cg %d\n", pair,
+              force * 1e6, cells, c.unknowns(), 100 * e.force, e.radius_in_spacings, 100 * e.pressure, step.newton, step.linear);
+  EXPECT_LT(std::abs(e.force), 0.01);
+  EXPECT_LT(std::abs(e.radius_in_spacings), 0.5);
+  EXPECT_LT(std::abs(e.pressure), 0.02);
+}
+
+TEST(Hertz_analytic, silicon_at_100_uN) { expect_hertz("silicon", silicon, 100e-6, 12); }
+TEST(Hertz_analytic, quartz_at_1000_uN) { expect_hertz("quartz", quartz, 1000e-6, 12); }
+TEST(Hertz_analytic, diamond_at_10_uN) { expect_hertz("diamond", diamond, 10e-6, 12); }
+
+TEST(HertzNightly_analytic, all_pairs_from_10_to_3000_uN) {
+  for (const double force : {10e-6, 30e-6, 100e-6, 300e-6, 1000e-6, 3000e-6}) {
+    expect_hertz("silicon", silicon, force, 16);
+    expect_hertz("quartz", quartz, force, 16);
+    expect_hertz("diamond", diamond, force, 16);
+  }
+}
+
+TEST(HertzNightly_analytic, force_and_pressure_converge_under_refinement) {
+  double force_before = 0, pressure_before = 0;
+  for (const double cells : {6.0, 12.0, 24.0}) {
+    auto c = contact(silicon, 100e-6, cells, 4 * std::max(1.0, cells / 12));
+    const Hertz hertz = c.hertz(100e-6);
+    const auto e = errors(c.load(100e-6), hertz, hertz.contact_radius() / cells);
+    std::printf("a/h %4.0f unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%\n", cells, c.unknowns(), 100 * e.force,
+                e.radius_in_spacings, 100 * e.pressure);
+    if (force_before > 0) {
+      EXPECT_LT(std::abs(e.force), 0.7 * force_before);
+      EXPECT_LT(std::abs(e.pressure), std::max(0.7 * pressure_before, 0.002));
+    }
+    force_before = std::abs(e.force), pressure_before = std::abs(e.pressure);
+  }
+}
+
+TEST(Hertz_analytic, force_follows_the_three_halves_law_of_approach) {
+  auto c = contact(silicon, 400e-6, 12);
+  const auto low = c.load(200e-6), high = c.load(400e-6);
+  EXPECT_NEAR(std::log(2.0) / std::log(high.approach / low.approach), 1.5, 0.015);
+}
+
+TEST(Hertz_analytic, tractions_and_reactions_agree) {
+  auto c = contact(silicon, 100e-6, 6);
+  const auto step = c.load(100e-6);
+  EXPECT_NEAR(step.reaction_driven, step.force, 1e-6 * step.force);
+  EXPECT_NEAR(step.reaction_fixed, step.force, 1e-6 * step.force);
+  EXPECT_NEAR(step.force, 100e-6, 1e-6 * 100e-6);
+}
+
+TEST(Hertz_analytic, elastic_energy_is_the_work_of_the_force) {
+  // Work of a force that grows as delta^(3/2) is 2/5 P delta; bodies that are linear add 1/2 P times theirs.
+  auto c = contact(silicon, 100e-6, 12);
+  const auto step = c.load(100e-6);
+  const double work = 0.4 * step.force * step.approach + 0.5 * step.force * (step.raw_approach - step.approach);
+  std::printf("elastic energy / work %.5f\n", step.elastic_energy / work);
+  EXPECT_NEAR(step.elastic_energy, work, 0.01 * work);
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+#include "fem/mesh_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "fem/boundary_surface.h"
+#include "fem/case_setup.h"
+#include "fem/contact/contact_system.h"
+#include "meshing/triangles/gap_query.h"
+#include "meshing/triangles/surface_check.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+
+namespace asperity::fem {
+namespace {
+
+using test::generated;
+using test::sphere_on_silicon;
+
+struct Meshed {
+  explicit Meshed(const CaseInput& input)
+      : options(set_up(input).system.mesh),
+        geometry(options),
+        forest(meshing::make_forest(MPI_COMM_WORLD, options)),
+        level(*forest, Control::force),
+        positions(level.node_positions(geometry)) {}
+  HexMeshQuality quality() const { return hex_mesh_quality(level, positions, options); }
+  meshing::TriangleSurface surface(meshing::Body body) const { return boundary_surface(level, positions, body); }
+
+  meshing::ContactMeshOptions options;
+  meshing::RoughGeometry geometry;
+  std::unique_ptr<meshing::Triangulation> forest;
+  MeshLevel level;
+  Vector<double> positions;
+};
+
+void expect_good(const HexMeshQuality& quality) {
+  for (int body = 0; body < 2; ++body) {
+    EXPECT_GT(quality.smallest_scaled_jacobian[body], smallest_allowed_scaled_jacobian) << "body " << body;
+    EXPECT_NEAR(quality.roughness[body].sq_ratio(), 1, allowed_roughness_error) << "body " << body;
+  }
+}
+
+TEST(MeshQuality, smooth_bodies_have_well_shaped_hexahedra) {
+  const Meshed mesh(sphere_on_silicon("smooth", "smooth", 20e-9, 400e-9));
+  const auto quality = mesh.quality();
+  expect_good(quality);
+  EXPECT_TRUE(quality.roughness[0].smooth());
+}
+
+class RoughMesh : public testing::TestWithParam<double> {};
+
+TEST_P(RoughMesh, of_4p8_nm_rms_keeps_its_shape_and_follows_the_topography) {
+  const Meshed mesh(sphere_on_silicon(generated(4.8, GetParam(), 1), generated(4.8, GetParam(), 2), 5e-9, 250e-9));
+  const auto quality = mesh.quality();
+  expect_good(quality);
+  for (const auto& roughness : quality.roughness) {
+    EXPECT_GT(roughness.sq_topography, 4.8e-9);  // these seeds are rougher here than on average
+    EXPECT_LT(roughness.sq_deviation, 1e-6 * roughness.sq_topography);  // nodes lie on it
+  }
+  for (const auto body : {meshing::Body::particle, meshing::Body::substrate})
+    EXPECT_EQ(meshing::check_surface(mesh.surface(body)).defects(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(shortest_wave_in_nm, RoughMesh, testing::Values(40.0, 20.0));
+
+TEST(MeshQuality, waves_that_fall_between_the_nodes_are_refused) {
+  Meshed mesh(sphere_on_silicon("smooth", "smooth", 20e-9, 200e-9));
+  const double spacing = mesh.options.sizes.spacing_substrate;
+  mesh.options.substrate_height = [spacing](double x, double) { return 1e-9 * std::cos(2 * M_PI * x / spacing); };
+  const meshing::RoughGeometry geometry(mesh.options);
+  const auto quality = hex_mesh_quality(mesh.level, mesh.level.node_positions(geometry), mesh.options);
+  EXPECT_NEAR(quality.roughness[1].sq_topography, 1e-9 / std::sqrt(2), 1e-12);
+  EXPECT_LT(quality.roughness[1].sq_nodes, 1e-12);
+  EXPECT_THROW(require_quality(quality, mesh.options, "test.prm"), InputError);
+}
+
+TEST(MeshQuality, slopes_too_steep_for_a_mesh_are_refused) {
+  HexMeshQuality quality;
+  quality.smallest_scaled_jacobian = {0.9, 0.2};
+  EXPECT_THROW(require_quality(quality, meshing::ContactMeshOptions{}, "test.prm"), InputError);
+  quality.smallest_scaled_jacobian = {0.9, 0.21};
+  EXPECT_NO_THROW(require_quality(quality, meshing::ContactMeshOptions{}, "test.prm"));
+}
+
+TEST(BodyVolume_analytic, of_hemisphere_and_cube_is_approached_with_the_square_of_the_cell_width) {
+  Meshed mesh(sphere_on_silicon("smooth", "smooth", 80e-9, 400e-9));
+  const auto& sizes = mesh.options.sizes;
+  const double hemisphere = 2.0 / 3 * M_PI * std::pow(sizes.radius, 3), cube = std::pow(2 * sizes.block_half_width, 3);
+  std::vector<double> errors;
+  for (int refinement = 0; refinement < 3; ++refinement) {
+    if (refinement > 0) mesh.forest->refine_global(1);
+    const MeshLevel level(*mesh.forest, Control::force);
+    const auto positions = level.node_positions(mesh.geometry);
+    const auto particle = boundary_surface(level, positions, meshing::Body::particle);
+    const auto block = boundary_surface(level, positions, meshing::Body::substrate);
+    if (refinement == 0) {
+      EXPECT_EQ(meshing::check_surface(particle).defects(), "");
+      EXPECT_EQ(meshing::check_surface(block).defects(), "");
+    }
+    EXPECT_NEAR(meshing::volume(block) / cube, 1, 1e-12);
+    errors.push_back(1 - meshing::volume(particle) / hemisphere);
+  }
+  for (int refinement = 1; refinement < 3; ++refinement) EXPECT_NEAR(errors[refinement] / errors[refinement - 1], 0.25, 0.05);
+  EXPECT_LT(errors.back(), 0.01);
+}
+
+/// Heights between two facets of a mesh of this spacing and the surface they stand for, at most, for h(x, y).
+double largest_sagitta(const meshing::HeightFunction& h, double spacing, double region) {
+  double largest = 0;
+  const int n = static_cast<int>(region / spacing);
+  for (int j = -n; j <= n; ++j)
+    for (int i = -n; i <= n; ++i) {
+      const double x = i * spacing, y = j * spacing, s = spacing;
+      const double bend_x = h(x + s, y) - 2 * h(x, y) + h(x - s, y), bend_y = h(x, y + s) - 2 * h(x, y) + h(x, y - s);
+      const double twist = h(x + s, y + s) - h(x + s, y) - h(x, y + s) + h(x, y);
+      largest = std::max(largest, (std::abs(bend_x) + std::abs(bend_y)) / 8 + std::abs(twist) / 4);
+    }
+  return largest;
+}
+
+double largest_difference_from_vertical_gaps(const ContactSystem& system) {
+  const meshing::SurfaceQuery lower(boundary_surface(system.level(), system.positions(), meshing::Body::substrate)),
+      upper(boundary_surface(system.level(), system.positions(), meshing::Body::particle));
+  std::vector<std::array<double, 2>> places;
+  for (const auto& row : system.rows()) {
+    const auto& p = system.interface_points()[row.node];
+    places.push_back({p[0], p[1]});
+  }
+  const auto gaps = meshing::vertical_gaps(lower, upper, places);
+  double largest = 0;
+  for (std::size_t r = 0; r < gaps.size(); ++r) {
+    EXPECT_TRUE(std::isfinite(gaps[r])) << "row " << r;
+    largest = std::max(largest, std::abs(gaps[r] - system.initial_gaps()[r]));
+  }
+  return largest;
+}
+
+TEST(InitialGaps_other_code, of_matching_meshes_equal_CGALs_vertical_gaps) {
+  const auto setup = set_up(sphere_on_silicon(generated(1.5, 80, 1), generated(0.7, 80, 2), 10e-9, 300e-9));
+  EXPECT_LT(largest_difference_from_vertical_gaps(ContactSystem(MPI_COMM_WORLD, setup.system)), 1e-6 * setup.rms_particle);
+}
+
+TEST(InitialGaps_other_code, of_shifted_meshes_agree_with_CGALs_vertical_gaps_within_the_facets_sagitta) {
+  auto setup = set_up(sphere_on_silicon(generated(1.5, 80, 1), generated(0.7, 80, 2), 10e-9, 300e-9));
+  auto& mesh = setup.system.mesh;
+  mesh.sizes.offset_substrate_x = 0.37 * mesh.sizes.spacing_substrate;
+  mesh.sizes.offset_substrate_y = 0.21 * mesh.sizes.spacing_substrate;
+  const double difference = largest_difference_from_vertical_gaps(ContactSystem(MPI_COMM_WORLD, setup.system));
+  const double sagitta = largest_sagitta(mesh.substrate_height, mesh.sizes.spacing_substrate, mesh.sizes.region_substrate);
+  EXPECT_GT(difference, 0);
+  EXPECT_LT(difference, sagitta);
+}
+
+}  // namespace
+}  // namespace asperity::fem

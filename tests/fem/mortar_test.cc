@@ -1,0 +1,122 @@
+// The coupling of two non-matching interfaces: what it must reproduce for forces, moments and a uniform pressure.
+#include "fem/contact/mortar.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace {
+
+using namespace asperity::fem;
+
+/// A lattice of rectangles with nodes numbered from `first`; `grading` makes spacings uneven.
+struct Lattice {
+  std::vector<PlaneFace> faces;
+  std::vector<std::array<double, 2>> points;
+  int first;
+
+  Lattice(int nx, int ny, double x0, double x1, double y0, double y1, double grading, int first_node) : first(first_node) {
+    const auto at = [&](int i, int n, double low, double high) {
+      const double t = static_cast<double>(i) / n;
+      return low + (high - low) * (t + grading * std::sin(2 * M_PI * t) / (2 * M_PI));
+    };
+    for (int j = 0; j <= ny; ++j)
+      for (int i = 0; i <= nx; ++i) points.push_back({at(i, nx, x0, x1), at(j, ny, y0, y1)});
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const int a = j * (nx + 1) + i, d = a + nx + 2;
+        faces.push_back({points[a][0], points[d][0], points[a][1], points[d][1], {first + a, first + a + 1, first + d - 1, first + d}});
+      }
+  }
+};
+
+struct Pair {
+  Lattice particle{9, 7, -0.5e-6, 0.5e-6, -0.4e-6, 0.4e-6, 0.0, 0};
+  Lattice substrate{13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000};
+  std::vector<GapRow> rows = couple_interfaces(particle.faces, substrate.faces);
+
+  std::array<double, 2> at(int node) const { return node < 1000 ? particle.points[node] : substrate.points[node - 1000]; }
+  template <typename Height>
+  double gap(const GapRow& row, const Height& height) const {
+    double sum = 0;
+    for (const auto& [node, weight] : row.entries) sum += weight * height(at(node)[0], at(node)[1]);
+    return sum;
+  }
+};
+
+TEST(Mortar_analytic, areas_of_nodes_add_up_to_the_contact_region) {
+  const Pair pair;
+  double area = 0;
+  for (const auto& row : pair.rows) area += row.area;
+  EXPECT_EQ(pair.rows.size(), pair.particle.points.size());
+  EXPECT_NEAR(area, 1e-6 * 0.8e-6, 1e-12 * 0.8e-12);
+}
+
+TEST(Mortar_analytic, two_equal_planes_at_any_height_and_tilt_have_no_gap) {
+  const Pair pair;
+  for (const auto& row : pair.rows) {
+    EXPECT_NEAR(pair.gap(row, [](double, double) { return 1.0; }), 0, 1e-12);
+    EXPECT_NEAR(pair.gap(row, [](double x, double y) { return 3 * x - 2 * y; }), 0, 1e-12 * 1e-6);
+  }
+}
+
+TEST(Mortar_analytic, forces_and_moments_on_both_sides_cancel_for_any_pressure) {
+  const Pair pair;
+  double force = 0, moment_x = 0, moment_y = 0, size = 0;
+  for (std::size_t r = 0; r < pair.rows.size(); ++r) {
+    const double load = (1 + std::sin(12.9898 * r)) * pair.rows[r].area;
+    size += load;
+    for (const auto& [node, weight] : pair.rows[r].entries) {
+      force += weight * load;
+      moment_x += weight * load * pair.at(node)[1];
+      moment_y += weight * load * pair.at(node)[0];
+    }
+  }
+  EXPECT_NEAR(force, 0, 1e-12 * size);
+  EXPECT_NEAR(moment_x, 0, 1e-12 * size * 1e-6);
+  EXPECT_NEAR(moment_y, 0, 1e-12 * size * 1e-6);
+}
+
+TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_nodal_forces) {
+  // Lattices of one outline and different spacings, as in the patch test of two blocks.
+  const Lattice top(9, 7, 0, 1e-6, 0, 1e-6, 0.0, 0), bottom(5, 6, 0, 1e-6, 0, 1e-6, 0.3, 1000);
+  const auto rows = couple_interfaces(top.faces, bottom.faces);
+  std::vector<double> load(2000, 0.0), expected(2000, 0.0);
+  for (const auto& row : rows)
+    for (const auto& [node, weight] : row.entries) load[node] += weight * row.area;
+  for (const auto* side : {&top, &bottom})
+    for (const auto& f : side->faces)
+      for (const int node : f.node) expected[node] += (node < 1000 ? 0.25 : -0.25) * (f.x1 - f.x0) * (f.y1 - f.y0);
+  for (int node = 0; node < 2000; ++node) EXPECT_NEAR(load[node], expected[node], 1e-12 * 1e-12);
+}
+
+TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spacing) {
+  double before = 0;
+  for (const int n : {8, 16, 32}) {
+    const Lattice fine(n, n, -1e-6, 1e-6, -1e-6, 1e-6, 0.0, 0), flat(n / 8 * 11, n / 8 * 11, -1.3e-6, 1.3e-6, -1.3e-6, 1.3e-6, 0.0, 100000);
+    double largest = 0;
+    for (const auto& row : couple_interfaces(fine.faces, flat.faces)) {
+      double opposite = 0;
+      for (const auto& [node, weight] : row.entries)
+        if (node >= 100000) {
+          const auto& p = flat.points[node - 100000];
+          opposite -= weight * (p[0] * p[0] + p[1] * p[1]);
+        }
+      const auto& p = fine.points[row.node];
+      largest = std::max(largest, std::abs(opposite - (p[0] * p[0] + p[1] * p[1])));
+    }
+    if (before > 0) {
+      EXPECT_LT(largest, 0.35 * before);
+    }
+    before = largest;
+  }
+}
+
+TEST(Mortar, substrate_that_does_not_cover_the_contact_region_is_refused) {
+  const Lattice particle(4, 4, 0, 1, 0, 1, 0, 0), small(4, 4, 0, 0.9, 0, 1, 0, 100);
+  EXPECT_THROW(couple_interfaces(particle.faces, small.faces), asperity::WorkError);
+}
+
+}  // namespace

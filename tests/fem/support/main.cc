@@ -1,0 +1,13 @@
+// p4est needs MPI to be up before any forest is made, so these tests bring their own main().
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <algorithm>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  omp_set_num_threads(std::min(2, omp_get_num_procs()));
+  return RUN_ALL_TESTS();
+}

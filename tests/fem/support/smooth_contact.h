@@ -1,0 +1,72 @@
+// A smooth sphere of 8.5 um on a smooth block, driven through loads, and what Hertz predicts for it: the driver of the
+// verification tests. Plain numbers only, so that the tests need not know deal.II.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fem/materials/j2_plasticity.h"
+
+namespace asperity::test {
+
+struct SmoothContactOptions {
+  fem::J2Material particle, substrate;
+  double radius = 8.5e-6;
+  double block_half_width = 6e-6;
+  double spacing = 0;         ///< of the particle's interface nodes [m]
+  double largest_radius = 0;  ///< of contact that the mesh must hold [m]
+  double layers = 4;          ///< of cells per distance to the contact, see ContactMeshOptions
+};
+
+/// Hertz (1882), Johnson (1985) ch. 4.
+struct Hertz {
+  double radius, modulus, force;
+  double contact_radius() const;
+  double approach() const { return contact_radius() * contact_radius() / radius; }
+  double peak_pressure() const;
+};
+
+/// What one load step gives. Approach is corrected for the finite bodies.
+struct ContactStep {
+  double force = 0, approach = 0, raw_approach = 0;
+  double contact_radius = 0;  ///< of the circle of equal area [m]
+  double peak_pressure = 0;
+  double reaction_driven = 0, reaction_fixed = 0;
+  double elastic_energy = 0, plastic_work = 0;
+  double von_mises = 0, von_mises_depth = 0;    ///< largest in the substrate, and its depth [m]
+  double particle_von_mises = 0, particle_von_mises_depth = 0;
+  double plastic_strain = 0;
+  double yield_ratio = 0;
+  int newton = 0, linear = 0, updates = 0;
+  bool converged = false, reaches_rim = false;
+};
+
+class SmoothContact {
+ public:
+  explicit SmoothContact(const SmoothContactOptions& options);
+  ~SmoothContact();
+
+  /// Equilibrium at a force [N], made the new accepted state. With `guess` the bodies are first pushed together by
+  /// Hertz' approach of that force.
+  ContactStep load(double force);
+
+  Hertz hertz(double force) const;
+  double reduced_modulus() const;
+  long unknowns() const;
+  /// Largest permanent depth of the substrate's surface near the axis after unloading: the gap at the axis at no load [m].
+  double residual_depth() const;
+  /// dF/d(approach) of the bodies without further yielding at the present state [N/m], finite bodies included.
+  double elastic_stiffness();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> it_;
+};
+
+/// Conjugate gradient iterations of one solve at a Hertzian contact of the given spacing.
+struct SolverCost {
+  long unknowns;
+  double iterations_per_newton;
+};
+
+}  // namespace asperity::test
