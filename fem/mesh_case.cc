@@ -19,8 +19,10 @@ using namespace fem;
 namespace fs = std::filesystem;
 using Say = std::function<void(const std::string&)>;
 
-/// Peak memory of `asperity solve` per unknown [byte]; see there.
-constexpr double bytes_per_unknown = 600;
+/// Peak memory of `asperity solve` on one process with two threads: program and libraries, then each unknown [byte].
+/// Line through two peaks (maximum resident set of /usr/bin/time) on runs/quick/case.prm: 320 MB for 155595 unknowns
+/// (20 nm at the interface), 486 MB for 387255 (10 nm).
+constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
 
 /// Lexicographic vertex of each VTK vertex.
 constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
@@ -56,7 +58,7 @@ void say_counts(const Say& say, const meshing::ContactMeshOptions& options, cons
         " within +-" + length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
         std::to_string(map.finest_level(static_cast<meshing::Body>(body))) + " levels of refinement");
   say("both: " + std::to_string(level.size()) + " unknowns; to solve them takes about " +
-      text("%.2g GiB", static_cast<double>(level.size()) * bytes_per_unknown / (1 << 30)) + " of memory");
+      text("%.2g GiB", (bytes_of_program + static_cast<double>(level.size()) * bytes_per_unknown) / (1 << 30)) + " of memory");
 }
 
 void say_quality(const Say& say, const HexMeshQuality& quality) {
@@ -118,8 +120,8 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
     const auto surface = boundary_surface(level, positions, static_cast<meshing::Body>(body));
     const auto check = meshing::check_surface(surface);
     say_lines(say, meshing::summary(name, surface, check));
-    say(name + text(": its volume is %+.3f %%", 100 * (check.volume / smooth_volume(options.sizes, body) - 1)) + " from that of the smooth " +
-        (body == 0 ? "hemisphere" : "block"));
+    say(name + text(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) + " of the smooth " +
+        (body == 0 ? "hemisphere's" : "block's"));
     meshing::require_body(check, "the " + name);
     for (const char* extension : {".stl", ".ply", ".off"}) meshing::write_surface(surface, output / (name + extension));
 
