@@ -8,14 +8,10 @@
 
 #include "app/case_command.h"
 #include "app/compare_command.h"
-#if __has_include("fem/mesh_case.h")
 #include "app/mesh_command.h"
-#endif
 #include "app/nearest_name.h"
 #include "app/report_command.h"
-#if __has_include("fem/solve_case.h")
 #include "app/solve_command.h"
-#endif
 #include "app/study_command.h"
 #include "app/surface_command.h"
 #include "core/error.h"
@@ -55,12 +51,8 @@ int main(int argc, char** argv) {
       "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
       "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
   asperity::add_surface_command(app);
-#if __has_include("fem/mesh_case.h")
   asperity::add_mesh_command(app);
-#endif
-#if __has_include("fem/solve_case.h")
   asperity::add_solve_command(app);
-#endif
   asperity::add_study_command(app);
   asperity::add_compare_command(app);
   asperity::add_report_command(app);

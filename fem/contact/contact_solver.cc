@@ -9,12 +9,17 @@
 namespace asperity::fem {
 namespace {
 
+// Line search: steps that overshoot the lowest energy along them are cut. Far too long ones are cut only in part: with more
+// nodes closed than in equilibrium the iteration comes back in few full steps, with fewer it creeps.
+constexpr int largest_trials = 3;
+constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35;
+
 bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
 
 }  // namespace
 
 ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& options) : system_(system), options_(options) {
-  penalty_ = options.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
+  penalty_ = options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
 }
@@ -116,17 +121,21 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       if (error <= goal || report.newton >= options_.largest_newton) break;
       std::vector<double> stiffness(p.size());
       for (std::size_t r = 0; r < p.size(); ++r) stiffness[r] = p[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
+      // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
+      const bool open = std::none_of(p.begin(), p.end(), [](double v) { return v > 0; });
+      const double spring = open ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
       system_.interface().set_stiffness(stiffness);
-      system_.multigrid().update(stiffness, tangent, 0.0);
-      const double accuracy = std::clamp(0.3 * goal / error, 1e-4, 3e-2);
+      system_.matrix().set_driven_spring(spring);
+      system_.multigrid().update(stiffness, tangent, spring);
+      const double accuracy = std::clamp(0.1 * goal / error, 1e-5, 1e-2);
       report.linear += system_.solve_linear(direction, residual, accuracy);
       ++report.newton;
 
       // The slope along the direction changes sign where the convex energy is lowest.
       const double slope = residual * direction;
       const Vector<double> start = state.displacement;
-      double step = 1, low = 0, low_slope = slope;
-      for (int trials = 0; trials < 6; ++trials) {
+      double step = 1;
+      for (int trial = 0; trial < largest_trials; ++trial) {
         state.displacement = start;
         state.displacement.zero_out_ghost_values();
         direction.zero_out_ghost_values();
@@ -135,10 +144,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
         direction.update_ghost_values();
         error = evaluate(state, target, residual, tangent, p);
         const double here = residual * direction;
-        if (here > -0.5 * slope) {
-          break;
-        }
-        step = low + (step - low) * low_slope / (low_slope - here);
+        if (here > -overshoot_allowed * slope) break;
+        step *= std::max(shortest_cut, slope / (slope - here));
       }
       if (log)
         log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
@@ -163,6 +170,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       error = evaluate(state, target, residual, tangent, p);
     }
   }
+  system_.matrix().set_driven_spring(0.0);
   state.multiplier = p;
   if (system_.options().control == Control::force) read_approach(state);
   return report;

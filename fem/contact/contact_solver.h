@@ -16,7 +16,7 @@ namespace asperity::fem {
 struct ContactSolverOptions {
   double residual_tolerance = 1e-6;     ///< sum of unbalanced nodal forces relative to the contact force
   double penetration_tolerance = 1e-3;  ///< change of the pressures by a multiplier update, relative, in the 1-norm
-  double penalty_factor = 2.0;          ///< eps = factor E* / spacing
+  double penalty_factor = 8.0;          ///< eps = factor E* / spacing
   int largest_newton = 60, largest_updates = 40;
 };
 

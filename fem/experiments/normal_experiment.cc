@@ -9,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
 #include "fem/output/result_file.h"
@@ -22,8 +23,13 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Integral of F d(delta) between two states whose F^(2/3) is a straight line in delta (exact on a Hertzian path).
+/// Integral of F d(delta) between two states. While loading, F is taken as a power of the approach between them (of the
+/// exponent 3/2 from first touch, where there is no other); else F^(2/3) is a straight line. Both are exact for Hertz.
 double work_between(double delta0, double force0, double delta1, double force1) {
+  if (force1 > force0 && delta1 > delta0) {
+    const double exponent = force0 > 0 && delta0 > 0 ? std::log(force1 / force0) / std::log(delta1 / delta0) : 1.5;
+    return (force1 * delta1 - force0 * delta0) / (exponent + 1);
+  }
   const double s0 = std::pow(force0, 2.0 / 3), s1 = std::pow(force1, 2.0 / 3);
   if (std::abs(s1 - s0) < 1e-9 * std::max(s0, s1)) return 0.5 * (force0 + force1) * (delta1 - delta0);
   return (delta1 - delta0) / (s1 - s0) * 0.4 * (std::pow(s1, 2.5) - std::pow(s0, 2.5));
@@ -71,6 +77,7 @@ void NormalExperiment::start() {
   solver_options.residual_tolerance = input_.solver.tolerance;
   solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
   state_ = solver_->first_touch();
+  require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
   say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
       std::to_string(system_->multigrid().levels()) + " multigrid levels (" + duration(seconds() - started_) + ")");
 }
@@ -120,14 +127,21 @@ void NormalExperiment::run() {
   write_result();
 }
 
+double NormalExperiment::expected_approach(double target) const {
+  // Under a growing load: what Hertz would add from here, or the first touch of rough surfaces; unloading needs no guess.
+  if (setup_.system.control != Control::force || target <= load_) return 0;
+  const auto hertz = [&](double force) { return setup_.hertz_approach * std::pow(force / setup_.largest_load, 2.0 / 3); };
+  const double touch = load_ == 0 ? 2 * std::hypot(setup_.rms_particle, setup_.rms_substrate) : 0;
+  return 0.8 * (hertz(target) - hertz(load_)) + touch;
+}
+
 void NormalExperiment::solve_with_retries(double target) {
   // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
   std::vector<double> pending{target};
   int failures = 0;
   while (!pending.empty()) {
     ContactState trial = state_;
-    if (state_.approach == 0 && setup_.system.control == Control::force)
-      solver_->push_rigidly(trial, 0.6 * setup_.hertz_approach * std::pow(pending.back() / setup_.largest_load, 2.0 / 3));
+    solver_->push_rigidly(trial, expected_approach(pending.back()));
     const SolveReport report = solver_->solve(trial, pending.back());
     last_report_.newton += report.newton;
     last_report_.linear += report.linear;

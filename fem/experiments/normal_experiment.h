@@ -25,6 +25,7 @@ class NormalExperiment {
   void start();
   bool resume();
   void step_to(double fraction, int index);
+  double expected_approach(double target) const;
   void solve_with_retries(double target);
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);

@@ -34,11 +34,12 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   const double spacing = setup.system.mesh.sizes.spacing_particle;
   // Half a spacing of doubt in the contact radius, evenly distributed: relative standard deviation h / (2 sqrt(3) a).
   const double radius_sd = spacing / (2 * std::sqrt(3.0)), relative = peak->contact_radius > 0 ? radius_sd / peak->contact_radius : 0;
-  double force = 0, moment = 0, energy = 0;
+  double force = 0, moment = 0, energy = 0, largest_work = 0;
+  for (const auto& r : records) largest_work = std::max(largest_work, r.work);
   for (const auto& r : records) {
     force = std::max(force, std::abs(r.force_error));
     moment = std::max(moment, std::abs(r.moment_error));
-    energy = std::max(energy, std::abs(r.energy_error));
+    energy = std::max(energy, std::abs(r.work - r.elastic_energy - r.plastic_work) / largest_work);
   }
   json effective;
   if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);

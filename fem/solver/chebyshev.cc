@@ -19,10 +19,11 @@ void fill_rough(Vector<float>& v) {
 
 }  // namespace
 
-void Chebyshev::initialise(const HexOperator<float>& matrix, int steps) {
+void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
   inverse_diagonal_ = matrix.diagonal();
   for (unsigned i = 0; i < inverse_diagonal_.locally_owned_size(); ++i)
     inverse_diagonal_.local_element(i) = 1.0f / inverse_diagonal_.local_element(i);
+  if (largest_ > 0) return;
   matrix.initialize_dof_vector(residual_);
   matrix.initialize_dof_vector(direction_);
 
@@ -53,7 +54,7 @@ void Chebyshev::initialise(const HexOperator<float>& matrix, int steps) {
     rz = next;
   }
   const Eigen::MatrixXd used = lanczos.topLeftCorner(made, made);
-  largest_ = made ? 1.1 * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff() : 1.0;
+  largest_ = made ? 1.2 * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff() : 1.0;
 }
 
 void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const {

@@ -42,7 +42,7 @@ void Multigrid::update(const std::vector<double>& row_stiffness, const TangentFi
   for (std::size_t l = 0; l < level_.size(); ++l) {
     level_[l].matrix->set_driven_spring(driven_spring);
     if (level_[l].interface) level_[l].interface->set_stiffness(row_stiffness);
-    if (l > 0) level_[l].smoother.initialise(*level_[l].matrix);
+    if (l > 0) level_[l].smoother.update(*level_[l].matrix);
   }
   factor_coarsest();
 }
