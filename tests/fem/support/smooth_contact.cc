@@ -1,6 +1,8 @@
 #include "tests/fem/support/smooth_contact.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "fem/contact/contact_solver.h"
 
@@ -16,9 +18,9 @@ fem::ContactSystemOptions system_options(const SmoothContactOptions& o) {
   auto& s = options.mesh.sizes;
   s.radius = o.radius;
   s.block_half_width = o.block_half_width;
-  // The substrate's lattice is shifted and a little coarser, so that no node meets another.
+  // The substrate's lattice is shifted and of another spacing, so that no node meets another.
   s.spacing_particle = o.spacing;
-  s.spacing_substrate = 1.1 * o.spacing;
+  s.spacing_substrate = o.substrate_spacing * o.spacing;
   s.offset_substrate_x = 0.37 * o.spacing;
   s.offset_substrate_y = 0.21 * o.spacing;
   s.region_particle = 1.2 * o.largest_radius;
@@ -26,6 +28,45 @@ fem::ContactSystemOptions system_options(const SmoothContactOptions& o) {
   options.mesh.layers = o.layers;
   options.materials = {o.particle, o.substrate};
   return options;
+}
+
+struct Peak {
+  double stress = 0, depth = 0;
+};
+
+/// Largest von Mises stress along the axis of a body: of the cells around the axis, averaged at each depth, and the
+/// top of the parabola through the three values around the largest.
+Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::CellState>& cells, int body) {
+  struct Column {
+    double stress = 0, depth = 0;
+    int count = 0;
+  };
+  std::map<long, Column> by_depth;
+  std::size_t k = 0;
+  for (const auto& batch : system.level().batches())
+    for (int l = 0; l < batch.count; ++l, ++k) {
+      if (batch.body[l] != body) continue;
+      std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+      for (int v = 0; v < fem::vertices_per_hex; ++v)
+        for (int c = 0; c < 3; ++c) {
+          const double x = system.positions().local_element(3 * batch.node[v][l] + c);
+          low[c] = std::min(low[c], x), high[c] = std::max(high[c], x);
+        }
+      const double reach = 1e-3 * (high[0] - low[0]) + (body == 1 ? system.options().mesh.sizes.offset_substrate_x : 0.0);
+      if (low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach) continue;
+      const double depth = std::abs(0.5 * (low[2] + high[2]));
+      Column& column = by_depth[std::lround(depth / (0.1 * (high[2] - low[2])))];
+      column.stress += cells[k].von_mises, column.depth += depth, ++column.count;
+    }
+  std::vector<Peak> peaks;
+  for (const auto& [key, c] : by_depth) peaks.push_back({c.stress / c.count, c.depth / c.count});
+  std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.depth < b.depth; });
+  const std::size_t top = std::max_element(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.stress < b.stress; }) - peaks.begin();
+  if (top == 0 || top + 1 >= peaks.size()) return peaks[top];
+  const Peak &a = peaks[top - 1], &b = peaks[top], &c = peaks[top + 1];
+  const double first = (b.stress - a.stress) / (b.depth - a.depth), second = ((c.stress - b.stress) / (c.depth - b.depth) - first) / (c.depth - a.depth);
+  const double depth = 0.5 * (a.depth + b.depth) - 0.5 * first / second;
+  return {a.stress + first * (depth - a.depth) + second * (depth - a.depth) * (depth - b.depth), depth};
 }
 
 }  // namespace
@@ -75,17 +116,9 @@ ContactStep SmoothContact::load(double force) {
   step.converged = report.converged;
   step.reaches_rim = resultants.reaches_rim;
 
-  std::size_t k = 0;
-  for (const auto& batch : it_->system.level().batches())
-    for (int l = 0; l < batch.count; ++l, ++k) {
-      double z = 0;
-      for (int v = 0; v < fem::vertices_per_hex; ++v) z += it_->system.positions().local_element(3 * batch.node[v][l] + 2) / 8;
-      const bool particle = batch.body[l] == 0;
-      double& largest = particle ? step.particle_von_mises : step.von_mises;
-      if (cells[k].von_mises <= largest) continue;
-      largest = cells[k].von_mises;
-      (particle ? step.particle_von_mises_depth : step.von_mises_depth) = std::abs(z);
-    }
+  const auto substrate = largest_on_axis(it_->system, cells, 1), particle = largest_on_axis(it_->system, cells, 0);
+  step.von_mises = substrate.stress, step.von_mises_depth = substrate.depth;
+  step.particle_von_mises = particle.stress, step.particle_von_mises_depth = particle.depth;
   return step;
 }
 

@@ -15,6 +15,9 @@ struct SmoothContactOptions {
   double block_half_width = 6e-6;
   double spacing = 0;         ///< of the particle's interface nodes [m]
   double largest_radius = 0;  ///< of contact that the mesh must hold [m]
+  /// Spacing of the substrate over that of the particle. Pressures live on the particle's nodes: where the particle is
+  /// much the stiffer, the substrate must be the finer mesh, or pressures oscillate that no displacement can see.
+  double substrate_spacing = 1.1;
   double layers = 4;          ///< of cells per distance to the contact, see ContactMeshOptions
 };
 
@@ -33,7 +36,7 @@ struct ContactStep {
   double peak_pressure = 0;
   double reaction_driven = 0, reaction_fixed = 0;
   double elastic_energy = 0, plastic_work = 0;
-  double von_mises = 0, von_mises_depth = 0;    ///< largest in the substrate, and its depth [m]
+  double von_mises = 0, von_mises_depth = 0;  ///< largest below the substrate's contact, on its axis, and its depth [m]
   double particle_von_mises = 0, particle_von_mises_depth = 0;
   double plastic_strain = 0;
   double yield_ratio = 0;
@@ -61,12 +64,6 @@ class SmoothContact {
  private:
   struct Implementation;
   std::unique_ptr<Implementation> it_;
-};
-
-/// Conjugate gradient iterations of one solve at a Hertzian contact of the given spacing.
-struct SolverCost {
-  long unknowns;
-  double iterations_per_newton;
 };
 
 }  // namespace asperity::test

@@ -1,0 +1,206 @@
+// A yielding substrate under a nearly rigid sphere: first yield, the way to full plasticity, imprint, unloading, energy.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/csv.h"
+#include "tests/fem/support/smooth_contact.h"
+#include "tests/support/shared_files.h"
+
+namespace {
+
+using namespace asperity::test;
+using asperity::CsvTable;
+using asperity::fem::J2Material;
+
+constexpr double nu = 0.3, first_yield = 1.6128;  ///< p0 / Y at first yield for nu = 0.3 (Johnson 1985, eq. 6.9)
+
+/// Substrate with nu = 0.3 and the yield stress at which the contact radius is `radius_at_yield` at first yield,
+/// under a sphere a thousand times stiffer that does not yield.
+struct YieldingHalfSpace {
+  static constexpr double sphere_radius = 8.5e-6, youngs = 100e9;
+  double modulus = 1 / ((1 - nu * nu) / youngs * 1.001);
+  double yield, radius_at_yield;
+
+  explicit YieldingHalfSpace(double radius) : radius_at_yield(radius) {
+    // p0 = 2 E* a / (pi R).
+    yield = 2 * modulus * radius / (M_PI * sphere_radius) / first_yield;
+  }
+  double critical_approach() const { return radius_at_yield * radius_at_yield / sphere_radius; }
+  double critical_force() const { return 4.0 / 3 * modulus * std::sqrt(sphere_radius) * std::pow(critical_approach(), 1.5); }
+  SmoothContactOptions options(double largest_radius, double spacing) const {
+    SmoothContactOptions o;
+    o.particle = J2Material::elastic(1000 * youngs, nu);
+    o.substrate = J2Material::elastic(youngs, nu);
+    o.substrate.yield_stress = yield;
+    o.largest_radius = largest_radius;
+    o.spacing = spacing;
+    o.substrate_spacing = 0.7;
+    return o;
+  }
+};
+
+/// Column of a table at the row whose `key` is nearest to `value`, linear in between.
+double interpolate(const CsvTable& table, const std::string& key, const std::string& column, double value) {
+  const auto x = table.numbers(key), y = table.numbers(column);
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (x[i - 1] <= value && value <= x[i])
+      return std::exp(std::log(y[i - 1]) + (std::log(y[i]) - std::log(y[i - 1])) * (std::log(value) - std::log(x[i - 1])) /
+                                               (std::log(x[i]) - std::log(x[i - 1])));
+  ADD_FAILURE() << "the table does not reach " << key << " = " << value;
+  return 0;
+}
+
+struct LoadedStep {
+  double w, f, area, mean_pressure;  ///< approach / w_c, force / F_c, area / A_c, mean pressure / Y
+  ContactStep step;
+};
+
+LoadedStep reach(SmoothContact& contact, const YieldingHalfSpace& body, double f) {
+  const ContactStep step = contact.load(f * body.critical_force());
+  EXPECT_TRUE(step.converged);
+  EXPECT_FALSE(step.reaches_rim);
+  const double a = step.contact_radius;
+  return {step.approach / body.critical_approach(), f, a * a / (body.radius_at_yield * body.radius_at_yield),
+          step.force / (M_PI * a * a * body.yield), step};
+}
+
+void expect_table(const std::vector<double>& forces, double cells_at_largest, double largest_area) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_ownFE.csv");
+  const auto table = asperity::read_csv(path);
+  const YieldingHalfSpace body(0.1e-6);
+  const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
+  SmoothContact contact(body.options(largest_radius, largest_radius / cells_at_largest));
+  std::printf("unknowns %ld\n", contact.unknowns());
+  for (const double f : forces) {
+    const auto s = reach(contact, body, f);
+    const double expected = interpolate(table, "w/wc", "F/Fc_nu0.3", s.w), pressure = interpolate(table, "w/wc", "pm/Y_nu0.3", s.w);
+    std::printf("w/wc %7.3f  F/Fc %8.3f (reference %8.3f, %+.2f %%)  pm/Y %.4f (%.4f, %+.2f %%)  newton %d cg %d\n", s.w, s.f, expected,
+                100 * (s.f / expected - 1), s.mean_pressure, pressure, 100 * (s.mean_pressure / pressure - 1), s.step.newton,
+                s.step.linear);
+    EXPECT_NEAR(s.f, expected, 0.02 * expected);  // the reference's own error is 1 %
+    const double radius = std::sqrt(interpolate(table, "w/wc", "A/Ac_nu0.3", s.w)) * body.radius_at_yield;
+    EXPECT_NEAR(s.step.contact_radius, radius, 0.5 * largest_radius / cells_at_largest + 0.0075 * radius);
+  }
+}
+
+TEST(ElastoPlasticSphere_other_code, force_follows_the_axisymmetric_solution_from_first_yield_on) {
+  expect_table({1.0, 2.0, 4.0, 8.0}, 12, 5.0);
+}
+
+TEST(ElastoPlasticSphereNightly_other_code, force_follows_the_axisymmetric_solution_towards_full_plasticity) {
+  expect_table({1, 2, 4, 7, 12, 18, 25, 35, 48, 62, 80, 104, 130, 160, 195}, 24, 84);
+}
+
+TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load) {
+  const YieldingHalfSpace body(0.1e-6);
+  auto o = body.options(1.1 * body.radius_at_yield, body.radius_at_yield / 8);
+  o.layers = 8;  // cells fine enough at the depth where yield begins
+  SmoothContact contact(o);
+  const auto below = reach(contact, body, 0.95).step, above = reach(contact, body, 1.05).step;
+  std::printf("unknowns %ld  von Mises / Y %.4f at 0.95 F_c; plastic strain %.2e at 1.05 F_c; first yield at %.3f F_c\n",
+              contact.unknowns(), below.yield_ratio, above.plastic_strain, 0.95 / std::pow(below.yield_ratio, 3));
+  EXPECT_EQ(below.plastic_strain, 0);
+  EXPECT_GT(above.plastic_strain, 0);
+}
+
+/// Largest von Mises stress over p0 below Hertz' contact on the axis, and its depth over a, from the stresses on the axis
+/// (Johnson 1985 eq. 3.45).
+std::pair<double, double> largest_von_mises(double poisson) {
+  std::pair<double, double> best{0, 0};
+  for (double z = 0.2; z < 0.8; z += 1e-4) {
+    const double radial = -(1 + poisson) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z), axial = -1 / (1 + z * z);
+    best = std::max(best, {std::abs(radial - axial), z});
+  }
+  return best;
+}
+
+TEST(SubsurfaceStress_analytic, largest_von_mises_stress_has_its_size_and_place_below_the_surface) {
+  SmoothContactOptions o;
+  o.particle = J2Material::elastic(71e9, 0.17);
+  o.substrate = J2Material::elastic(179e9, 0.25);
+  o.largest_radius = Hertz{o.radius, 52.868e9, 100e-6}.contact_radius();
+  o.spacing = o.largest_radius / 12;
+  o.layers = 8;
+  SmoothContact contact(o);
+  const Hertz hertz = contact.hertz(100e-6);
+  const auto step = contact.load(100e-6);
+  const auto substrate = largest_von_mises(0.25), particle = largest_von_mises(0.17);
+  const double p0 = hertz.peak_pressure(), a = hertz.contact_radius();
+  std::printf("unknowns %ld  substrate %.4f (%.4f) at %.3f a (%.3f)  particle %.4f (%.4f) at %.3f a (%.3f)\n", contact.unknowns(),
+              step.von_mises / p0, substrate.first, step.von_mises_depth / a, substrate.second, step.particle_von_mises / p0,
+              particle.first, step.particle_von_mises_depth / a, particle.second);
+  EXPECT_NEAR(step.von_mises / p0, substrate.first, 0.03 * substrate.first);
+  EXPECT_NEAR(step.particle_von_mises / p0, particle.first, 0.03 * particle.first);
+  EXPECT_NEAR(step.von_mises_depth / a, substrate.second, 0.03 * substrate.second);
+  EXPECT_NEAR(step.particle_von_mises_depth / a, particle.second, 0.03 * particle.second);
+}
+
+struct Cycle {
+  double balance;        ///< (elastic + plastic work) / work done at the largest load
+  double dissipated;     ///< plastic work / work not returned by unloading
+  double residual;       ///< depth of the imprint / largest approach
+  double reload_error;   ///< largest departure of reloading from unloading, relative to the largest approach
+  double w;
+};
+
+/// Work of a force along a power law of the approach through both points; elastic contact has exponent 3/2.
+double work_between(double force, double approach, double next_force, double next_approach) {
+  const double exponent = force > 0 ? std::log(next_force / force) / std::log(next_approach / approach) : 1.5;
+  return (next_force * next_approach - force * approach) / (exponent + 1);
+}
+
+Cycle cycle(double largest_f, int steps, double cells, double largest_area) {
+  const YieldingHalfSpace body(0.1e-6);
+  const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
+  SmoothContact contact(body.options(largest_radius, largest_radius / cells));
+  double work = 0, plastic = 0, force = 0, approach = 0, elastic = 0;
+  const auto go = [&](double f) {
+    const auto s = reach(contact, body, f);
+    work += work_between(force, approach, s.step.force, s.step.raw_approach);
+    force = s.step.force, approach = s.step.raw_approach;
+    plastic += s.step.plastic_work;
+    elastic = s.step.elastic_energy;
+    return s;
+  };
+  Cycle result{};
+  LoadedStep top{};
+  for (int i = 1; i <= steps; ++i) top = go(largest_f * std::pow(static_cast<double>(i) / steps, 1.5));
+  result.w = top.w;
+  result.balance = (elastic + plastic) / work;
+  std::vector<double> down_f, down_w;
+  for (int i = steps - 1; i >= 1; --i) {
+    const double f = largest_f * std::pow(static_cast<double>(i) / steps, 1.5);
+    down_f.push_back(f);
+    down_w.push_back(go(f).w);
+  }
+  const double lightest = down_f.back() / 100;
+  const auto bottom = go(lightest);
+  result.dissipated = plastic / work;
+  result.residual = bottom.w / top.w;
+  for (int i = static_cast<int>(down_f.size()) - 1; i >= 0; --i)
+    result.reload_error = std::max(result.reload_error, std::abs(go(down_f[i]).w - down_w[i]) / top.w);
+  std::printf("w/wc %.3f  (stored + plastic) / work %.5f  plastic / work left %.5f  residual / largest %.4f  reload %.2e\n", result.w,
+              result.balance, result.dissipated, result.residual, result.reload_error);
+  return result;
+}
+
+void expect_cycle(int steps, double cells) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_unloading.csv");
+  auto table = asperity::read_csv(path);
+  CsvTable own = table;
+  own.rows.clear();
+  for (const auto& row : table.rows)
+    if (std::stod(row[table.column("nu")]) == nu) own.rows.push_back(row);
+  const Cycle c = cycle(10.1, steps, cells, 6.5);
+  EXPECT_NEAR(c.balance, 1, 0.01);
+  EXPECT_LT(c.reload_error, 0.005);
+  const double expected = interpolate(own, "w_max/wc", "w_res/w_max_ownFE", c.w);
+  std::printf("residual / largest: reference %.4f\n", expected);
+  EXPECT_NEAR(c.residual, expected, 0.05 * expected);
+}
+
+TEST(Unloading_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) { expect_cycle(6, 7); }
+TEST(UnloadingNightly_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) { expect_cycle(16, 14); }
+
+}  // namespace

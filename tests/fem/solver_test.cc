@@ -1,0 +1,153 @@
+// The matrix-free operator of the contact system and its multigrid preconditioner.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "fem/contact/contact_solver.h"
+
+namespace {
+
+using namespace asperity::fem;
+
+ContactSystemOptions options(double cells_per_radius) {
+  ContactSystemOptions o;
+  constexpr double a = 230e-9;  // of silicon at 100 uN
+  auto& s = o.mesh.sizes;
+  s.radius = 8.5e-6, s.block_half_width = 6e-6;
+  s.spacing_particle = s.spacing_substrate = a / cells_per_radius;
+  s.offset_substrate_x = 0.3 * s.spacing_substrate;
+  s.region_particle = 1.2 * a;
+  s.region_substrate = 1.2 * a + 3 * s.spacing_substrate;
+  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
+  return o;
+}
+
+template <typename Number>
+HexOperator<Number> closed_contact(ContactSystem& system, InterfaceOperator& interface) {
+  HexOperator<Number> matrix(system.level(), system.positions(), system.options().materials);
+  std::vector<double> stiffness;
+  for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
+  interface.set_stiffness(stiffness);
+  matrix.set_interface(&interface);
+  return matrix;
+}
+
+template <typename Number>
+Vector<Number> waves(const MeshLevel& level) {
+  Vector<Number> x;
+  level.initialise(x);
+  for (unsigned i = 0; i < x.locally_owned_size(); ++i) x.local_element(i) = static_cast<Number>(std::sin(0.37 * i) + 0.2);
+  for (const int c : level.constrained()) x.local_element(c) = 0;
+  return x;
+}
+
+TEST(HexOperator, diagonal_is_that_of_the_operator) {
+  ContactSystem system(MPI_COMM_WORLD, options(3));
+  auto matrix = closed_contact<double>(system, system.interface());
+  const auto diagonal = matrix.diagonal();
+  std::vector<char> constrained(diagonal.locally_owned_size(), 0);
+  for (const int c : system.level().constrained()) constrained[c] = 1;
+  Vector<double> unit, column;
+  system.level().initialise(unit);
+  system.level().initialise(column);
+  int checked = 0, off = 0;
+  for (unsigned i = 0; i < unit.locally_owned_size(); i += 29) {
+    if (constrained[i]) continue;
+    unit = 0.0;
+    unit.local_element(i) = 1;
+    matrix.vmult(column, unit);
+    // Masters of hanging nodes leave out what couples two slaves of one cell: a few per cent of a smoother's scale.
+    const double ratio = diagonal.local_element(i) / column.local_element(i);
+    ++checked;
+    if (std::abs(ratio - 1) > 1e-9) ++off;
+    EXPECT_GT(ratio, 0.3);
+    EXPECT_LT(ratio, 3.0);
+  }
+  std::printf("%d of %d unknowns near hanging nodes have an approximate diagonal\n", off, checked);
+  EXPECT_GT(checked, 100);
+  EXPECT_LT(off, checked / 2);
+}
+
+TEST(HexOperator, is_symmetric_and_positive) {
+  ContactSystem system(MPI_COMM_WORLD, options(3));
+  auto matrix = closed_contact<double>(system, system.interface());
+  auto x = waves<double>(system.level());
+  Vector<double> y = x, ax, ay;
+  for (unsigned i = 0; i < y.locally_owned_size(); ++i) y.local_element(i) *= std::cos(1.3 * i);
+  system.level().initialise(ax);
+  system.level().initialise(ay);
+  matrix.vmult(ax, x);
+  matrix.vmult(ay, y);
+  for (const int c : system.level().constrained()) x.local_element(c) = y.local_element(c) = 0;
+  EXPECT_NEAR(ax * y, ay * x, 1e-12 * ax.l2_norm() * y.l2_norm());
+  EXPECT_GT(ax * x, 0);
+}
+
+TEST(HexOperator, single_precision_agrees_with_double) {
+  ContactSystem system(MPI_COMM_WORLD, options(3));
+  auto exact = closed_contact<double>(system, system.interface());
+  auto single = closed_contact<float>(system, system.interface());
+  const auto x = waves<double>(system.level());
+  const auto x_single = waves<float>(system.level());
+  Vector<double> y;
+  Vector<float> y_single;
+  system.level().initialise(y);
+  system.level().initialise(y_single);
+  exact.vmult(y, x);
+  single.vmult(y_single, x_single);
+  double difference = 0;
+  for (unsigned i = 0; i < y.locally_owned_size(); ++i) difference = std::max(difference, std::abs(y.local_element(i) - y_single.local_element(i)));
+  EXPECT_LT(difference, 1e-5 * y.linfty_norm());
+}
+
+TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmits_its_whole_force_and_no_moment) {
+  ContactSystem system(MPI_COMM_WORLD, options(4));
+  std::vector<double> forces;
+  double total = 0;
+  for (const double area : system.areas()) forces.push_back(1e9 * area), total += forces.back();
+  Vector<double> f;
+  system.level().initialise(f);
+  system.interface().add_forces(forces, f.begin());
+  double upper = 0, lower = 0, moment = 0;
+  for (unsigned i = 2; i < f.locally_owned_size(); i += 3) {
+    (f.local_element(i) > 0 ? upper : lower) += f.local_element(i);
+    moment += f.local_element(i) * system.positions().local_element(i - 2);
+  }
+  EXPECT_NEAR(upper + lower, 0, 1e-12 * total);
+  EXPECT_NEAR(moment, 0, 1e-12 * total * 230e-9);
+}
+
+/// Conjugate gradient iterations that reduce a residual by 1e-8 with half of the contact closed.
+std::pair<long, int> iterations(double cells_per_radius) {
+  ContactSystem system(MPI_COMM_WORLD, options(cells_per_radius));
+  std::vector<double> stiffness;
+  const double eps = 2 * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
+  for (std::size_t r = 0; r < system.rows().size(); ++r) {
+    const auto& p = system.interface_points()[system.rows()[r].node];
+    stiffness.push_back(std::hypot(p[0], p[1]) < 230e-9 ? eps * system.areas()[r] : 0.0);
+  }
+  system.interface().set_stiffness(stiffness);
+  system.multigrid().update(stiffness, nullptr, 0.0);
+  Vector<double> x, load;
+  system.level().initialise(x);
+  system.level().initialise(load);
+  load.local_element(system.level().local_driven_dof()) = -1;
+  const int count = system.solve_linear(x, load, 1e-8);
+  std::printf("unknowns %ld: %d iterations\n", static_cast<long>(system.level().size()), count);
+  return {static_cast<long>(system.level().size()), count};
+}
+
+TEST(Multigrid, iterations_hardly_grow_with_the_mesh) {
+  const auto coarse = iterations(5), fine = iterations(10);
+  EXPECT_LE(fine.second, 1.5 * coarse.second);
+  EXPECT_LT(fine.second, 40);
+}
+
+TEST(MultigridNightly, iterations_grow_by_less_than_half_from_1e5_to_1e6_unknowns) {
+  const auto coarse = iterations(14), middle = iterations(28), fine = iterations(45);
+  EXPECT_LE(middle.second, 1.5 * coarse.second);
+  EXPECT_LE(fine.second, 1.5 * coarse.second);
+}
+
+}  // namespace
