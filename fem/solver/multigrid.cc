@@ -24,8 +24,9 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
     level.transfer = std::make_unique<LevelTransfer>(*level.mesh, *level_[l - 1].mesh);
   }
   const MeshLevel& coarse = *level_[0].mesh;
-  std::vector<char> free(coarse.size(), 1);
+  std::vector<int> free(coarse.size(), 1);
   for (const auto& line : coarse.constraints().get_lines()) free[line.index] = 0;
+  dealii::Utilities::MPI::min(free, coarse.communicator(), free);  // each rank knows the constraints near its own cells
   for (dealii::types::global_dof_index i = 0; i < coarse.size(); ++i)
     if (free[i]) coarse_free_.push_back(i);
 }
