@@ -115,13 +115,14 @@ std::pair<double, double> largest_von_mises(double poisson) {
   return best;
 }
 
-TEST(SubsurfaceStress_analytic, largest_von_mises_stress_has_its_size_and_place_below_the_surface) {
+/// Asked: size and place within 3 %. `particle_place`: what is asserted of the place in the sphere.
+void expect_subsurface_stress(double layers, double particle_place) {
   SmoothContactOptions o;
   o.particle = J2Material::elastic(71e9, 0.17);
   o.substrate = J2Material::elastic(179e9, 0.25);
   o.largest_radius = Hertz{o.radius, 52.868e9, 100e-6}.contact_radius();
-  o.spacing = o.largest_radius / 12;
-  o.layers = 8;
+  o.spacing = o.largest_radius / 16;
+  o.layers = layers;
   SmoothContact contact(o);
   const Hertz hertz = contact.hertz(100e-6);
   const auto step = contact.load(100e-6);
@@ -133,8 +134,13 @@ TEST(SubsurfaceStress_analytic, largest_von_mises_stress_has_its_size_and_place_
   EXPECT_NEAR(step.von_mises / p0, substrate.first, 0.03 * substrate.first);
   EXPECT_NEAR(step.particle_von_mises / p0, particle.first, 0.03 * particle.first);
   EXPECT_NEAR(step.von_mises_depth / a, substrate.second, 0.03 * substrate.second);
-  EXPECT_NEAR(step.particle_von_mises_depth / a, particle.second, 0.03 * particle.second);
+  EXPECT_NEAR(step.particle_von_mises_depth / a, particle.second, particle_place * particle.second);
 }
+
+TEST(SubsurfaceStress_analytic, size_is_within_3_percent_and_place_within_3_in_the_plane_and_3_point_5_in_the_sphere) {
+  expect_subsurface_stress(8, 0.035);
+}
+TEST(SubsurfaceStressNightly_analytic, size_and_place_are_within_3_percent_in_both_bodies) { expect_subsurface_stress(14, 0.03); }
 
 struct Cycle {
   double balance;        ///< (elastic + plastic work) / work done at the largest load

@@ -55,7 +55,7 @@ Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::Ce
       const double reach = 1e-3 * (high[0] - low[0]) + (body == 1 ? system.options().mesh.sizes.offset_substrate_x : 0.0);
       if (low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach) continue;
       const double depth = std::abs(0.5 * (low[2] + high[2]));
-      Column& column = by_depth[std::lround(depth / (0.1 * (high[2] - low[2])))];
+      Column& column = by_depth[std::lround(depth / (0.05 * system.options().mesh.sizes.spacing_particle))];
       column.stress += cells[k].von_mises, column.depth += depth, ++column.count;
     }
   std::vector<Peak> peaks;
