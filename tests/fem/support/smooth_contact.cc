@@ -89,7 +89,6 @@ SmoothContact::~SmoothContact() = default;
 double SmoothContact::reduced_modulus() const { return it_->system.reduced_modulus(); }
 long SmoothContact::unknowns() const { return static_cast<long>(it_->system.level().size()); }
 Hertz SmoothContact::hertz(double force) const { return {it_->options.radius, reduced_modulus(), force}; }
-double SmoothContact::elastic_stiffness() { return it_->solver.elastic_stiffness(it_->state); }
 
 ContactStep SmoothContact::load(double force) {
   auto& state = it_->state;
@@ -120,22 +119,6 @@ ContactStep SmoothContact::load(double force) {
   step.von_mises = substrate.stress, step.von_mises_depth = substrate.depth;
   step.particle_von_mises = particle.stress, step.particle_von_mises_depth = particle.depth;
   return step;
-}
-
-double SmoothContact::residual_depth() const {
-  // The deepest point of the substrate's surface; the far field is back at rest when no force acts.
-  double deepest = 0;
-  const auto& displacement = it_->state.displacement;
-  const auto& level = it_->system.level();
-  for (const auto& batch : level.batches())
-    for (int l = 0; l < batch.count; ++l) {
-      if (batch.body[l] != 1) continue;
-      for (int v = 0; v < fem::vertices_per_hex; ++v) {
-        const int node = batch.node[v][l];
-        if (it_->system.positions().local_element(3 * node + 2) > -1e-15) deepest = std::max(deepest, -displacement.local_element(3 * node + 2));
-      }
-    }
-  return deepest;
 }
 
 }  // namespace asperity::test

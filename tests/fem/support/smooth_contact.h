@@ -56,10 +56,6 @@ class SmoothContact {
   Hertz hertz(double force) const;
   double reduced_modulus() const;
   long unknowns() const;
-  /// Largest permanent depth of the substrate's surface near the axis after unloading: the gap at the axis at no load [m].
-  double residual_depth() const;
-  /// dF/d(approach) of the bodies without further yielding at the present state [N/m], finite bodies included.
-  double elastic_stiffness();
 
  private:
   struct Implementation;
