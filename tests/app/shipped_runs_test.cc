@@ -17,11 +17,13 @@ TEST(ShippedRuns, the_quick_case_is_accepted) { EXPECT_GT(read_case(runs / "quic
 
 TEST(ShippedRuns, the_main_job_holds_the_three_surfaces_and_the_smooth_yardstick) {
   const Study study = read_study(runs / "paper" / "surfaces.prm");
-  ASSERT_EQ(study.axes.size(), 2u);
-  EXPECT_EQ(study.axes[1].name, "Surface");
-  EXPECT_EQ(study.axes[1].labels.size(), 4u);
-  const std::size_t loads = study.axes[0].labels.size(), rough_surfaces = 3;
-  EXPECT_EQ(study.cases.size(), loads * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
+  ASSERT_FALSE(study.axes.empty());
+  EXPECT_EQ(study.axes.back().name, "Surface");
+  EXPECT_EQ(study.axes.back().labels.size(), 4u);
+  std::size_t settings = 1;  // loads and spacings
+  for (std::size_t axis = 0; axis + 1 < study.axes.size(); ++axis) settings *= study.axes[axis].labels.size();
+  const std::size_t rough_surfaces = 3;
+  EXPECT_EQ(study.cases.size(), settings * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
 }
 
 }  // namespace asperity
