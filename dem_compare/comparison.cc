@@ -124,7 +124,10 @@ std::string verdict_of(const GroupComparison& group, double tolerance) {
   if (numbers.plastic_volume.mean > 0) {
     words += " Material yielded";
     if (std::isfinite(numbers.residual_imprint.mean))
-      words += "; an imprint of " + format_quantity(numbers.residual_imprint.mean, Dimension::length, 2) + " stays";
+      // Less than the scatter, or negative: the extrapolation of the first loading to zero is no better than that.
+      words += numbers.residual_imprint.mean > 0 && !(numbers.residual_imprint.mean <= numbers.residual_imprint.sd)
+                   ? "; an imprint of " + format_quantity(numbers.residual_imprint.mean, Dimension::length, 3) + " stays"
+                   : "; its imprint is too small to be told from the scatter";
     words += ".";
   }
   return words;

@@ -19,9 +19,9 @@ using namespace fem;
 namespace fs = std::filesystem;
 using Say = std::function<void(const std::string&)>;
 
-/// Peak memory of `asperity solve` on one process with two threads: program and libraries, then each unknown [byte].
-/// Line through two peaks (maximum resident set of /usr/bin/time) on runs/quick/case.prm: 320 MB for 155595 unknowns
-/// (20 nm at the interface), 486 MB for 387255 (10 nm).
+/// Peak memory of `asperity solve` on one process: program and libraries, then each unknown [byte]. Line through the
+/// maximum resident sets that result.json of runs/paper/surfaces.prm states: 295 MB for 122121 unknowns (18 nm at the
+/// interface), 389 MB for 257358 (12 nm).
 constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
 
 /// Lexicographic vertex of each VTK vertex.
