@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "app/case_declaration.h"
-#include "app/nearest_name.h"
 #include "core/error.h"
+#include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity {
@@ -29,6 +30,13 @@ std::string place(const std::string& section) {
   return section.empty() ? "outside of subsections" : "in subsection " + section;
 }
 
+/// "case.prm:12", or the file where the entry is not set.
+std::string where_set(const Settings& settings, const std::string& path, const fs::path& file) {
+  for (const auto& setting : settings)
+    if (setting.path() == path) return setting.where;
+  return file.string();
+}
+
 /// Settings by path, for the checks that concern several entries at once.
 class Checker {
  public:
@@ -46,9 +54,7 @@ class Checker {
 
  private:
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
-    for (const auto& setting : settings_)
-      if (setting.path() == path) throw InputError(setting.where + ": " + sentence);
-    throw InputError(file_.string() + ": " + sentence);
+    throw InputError(where_set(settings_, path, file_) + ": " + sentence);
   }
 
   static double plane_strain_compliance(const BodyInput& body) {
@@ -138,25 +144,40 @@ class Checker {
   const fs::path& file_;
 };
 
-/// The name of a measured scan, relative to the folder of the case file.
-void find_topography_file(std::string& topography, const std::string& section, const Settings& settings, const fs::path& file) {
-  if (topography == "smooth" || is_generator_call(topography)) return;
-  std::string where = file.string();
-  for (const auto& setting : settings)
-    if (setting.path() == section + "/Topography") where = setting.where;
-  const fs::path beside = file.parent_path() / topography;
+/// The entry with its scan named in full, relative to the folder of the case file.
+void find_scan(std::string& topography, const std::string& section, const Settings& settings, const fs::path& file) {
+  if (!is_scan(topography)) return;
+  ScanParameters scan = parse_scan(topography);
+  const fs::path beside = (file.parent_path() / scan.file).lexically_normal();
   if (fs::is_regular_file(beside)) {
-    topography = beside.lexically_normal().string();
+    scan.file = beside.string();
+    topography = scan.text();
     return;
   }
   const std::string meant = nearest_name(topography.substr(0, topography.find('(')), {"smooth", "generated"});
-  throw InputError(where + ": " + section + "/Topography: there is no file '" + beside.lexically_normal().string() + "'" +
+  throw InputError(where_set(settings, section + "/Topography", file) + ": " + section + "/Topography: there is no file '" +
+                   beside.string() + "'" +
                    (meant.empty() ? "; write smooth, a file, or generated(rms=1.5 nm, rolloff=200 nm, seed=3)"
                     : meant == "smooth" ? "; did you mean smooth?"
                                         : "; did you mean generated(rms=1.5 nm, rolloff=200 nm, seed=3)?"));
 }
 
 }  // namespace
+
+std::string with_absolute_scan(const std::string& topography, const fs::path& folder) {
+  ScanParameters scan = parse_scan(topography);
+  scan.file = fs::absolute(folder / scan.file).lexically_normal().string();
+  return scan.text();
+}
+
+void naming_lines_of_scans(const Settings& settings, const CaseInput& input, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ScanError& error) {
+    const std::string path = std::string(error.spec == input.particle.topography ? "Particle" : "Substrate") + "/Topography";
+    throw InputError(where_set(settings, path, input.file) + ": " + path + ": " + error.what());
+  }
+}
 
 void check_entry_exists(const Setting& setting) {
   if (find_entry(setting.section, setting.entry)) return;
@@ -201,8 +222,8 @@ CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
       throw InputError(file.string() + ": " + entry.section + "/" + entry.name + " is missing; add 'set " + entry.name +
                        " = " + entry.example + "' (with your value) to subsection " + entry.section);
   }
-  find_topography_file(input.particle.topography, "Particle", settings, file);
-  find_topography_file(input.substrate.topography, "Substrate", settings, file);
+  find_scan(input.particle.topography, "Particle", settings, file);
+  find_scan(input.substrate.topography, "Substrate", settings, file);
   Checker(input, settings, file).check();
   return input;
 }
@@ -216,7 +237,7 @@ Settings complete_settings(const Settings& settings, const fs::path& file) {
       if (given.section == entry.section && given.entry == entry.name) setting = given;
     if (entry.name == "Topography") {
       const std::string& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
-      if (fs::is_regular_file(found)) setting.value = fs::absolute(found).lexically_normal().string();
+      if (is_scan(found)) setting.value = with_absolute_scan(found, {});
     }
     complete.push_back(setting);
   }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "app/parameter_file.h"
 #include "core/case.h"
+#include "core/parameter_file.h"
 
 namespace asperity {
 
@@ -19,6 +20,12 @@ CaseInput case_from_settings(const Settings& settings, const std::filesystem::pa
 /// Every entry of a case in the order of the manual, defaults written out and files of topographies named in full, so
 /// that it can be read from any folder. Expects settings that case_from_settings accepts.
 Settings complete_settings(const Settings& settings, const std::filesystem::path& file);
+
+/// The entry Topography that names a scan, with the file named in full, as seen from `folder`.
+std::string with_absolute_scan(const std::string& topography, const std::filesystem::path& folder);
+
+/// Runs `work`; a scan that is refused in it (unreadable, too small) is refused with the line of the case file that names it.
+void naming_lines_of_scans(const Settings& settings, const CaseInput& input, const std::function<void()>& work);
 
 /// Refuses a setting whose name is no entry of a case file: names the nearest right one.
 void check_entry_exists(const Setting& setting);

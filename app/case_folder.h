@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/parameter_file.h"
+#include "core/parameter_file.h"
 
 namespace asperity {
 

@@ -9,12 +9,12 @@
 #include "app/case_command.h"
 #include "app/compare_command.h"
 #include "app/mesh_command.h"
-#include "app/nearest_name.h"
 #include "app/report_command.h"
 #include "app/solve_command.h"
 #include "app/study_command.h"
 #include "app/surface_command.h"
 #include "core/error.h"
+#include "core/nearest_name.h"
 
 namespace {
 

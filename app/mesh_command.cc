@@ -20,10 +20,13 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments) {
-  const CaseInput input = read_case(arguments.file, arguments.overrides);
+  const Settings settings = read_settings(arguments.file, arguments.overrides);
+  const CaseInput input = case_from_settings(settings, arguments.file);
   with_mpi(input.solver.threads, [&] {
-    mesh_case(input, arguments.output, [](const std::string& line) {
-      if (is_speaking_rank()) std::cout << line << std::endl;
+    naming_lines_of_scans(settings, input, [&] {
+      mesh_case(input, arguments.output, [](const std::string& line) {
+        if (is_speaking_rank()) std::cout << line << std::endl;
+      });
     });
   });
 }

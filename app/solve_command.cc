@@ -33,7 +33,7 @@ void run(const Arguments& arguments) {
     options.progress = [](const std::string& line) {
       if (is_speaking_rank()) std::cout << line << std::endl;
     };
-    solve_case(input, options);
+    naming_lines_of_scans(settings, input, [&] { solve_case(input, options); });
   });
 }
 

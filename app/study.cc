@@ -6,8 +6,9 @@
 #include <set>
 
 #include "app/case_file.h"
-#include "app/nearest_name.h"
 #include "core/error.h"
+#include "core/nearest_name.h"
+#include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity {
@@ -53,9 +54,13 @@ struct Axis {
 
 /// Topography files are named relative to the file they stand in; cases live in other folders.
 void make_topography_absolute(Setting& setting, const fs::path& file) {
-  if (setting.entry == "Topography" && setting.value != "smooth" && !is_generator_call(setting.value) &&
-      fs::exists(file.parent_path() / setting.value))
-    setting.value = fs::absolute(file.parent_path() / setting.value).lexically_normal().string();
+  if (setting.entry != "Topography" || !is_scan(setting.value)) return;
+  try {
+    if (fs::exists(file.parent_path() / parse_scan(setting.value).file))
+      setting.value = with_absolute_scan(setting.value, file.parent_path());
+  } catch (const InputError& error) {
+    throw InputError(setting.where + ": " + setting.path() + ": " + error.what());
+  }
 }
 
 /// "Section/Entry" of a case file.

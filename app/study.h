@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "app/parameter_file.h"
+#include "core/parameter_file.h"
 
 namespace asperity {
 

@@ -94,10 +94,13 @@ std::string format_quantity(double si_value, Dimension dimension, int digits) {
   static const std::vector<std::pair<std::string, double>> prefixes{
       {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"", 1.0}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
   const bool prefixable = dimension != Dimension::area && dimension != Dimension::angle;
-  if (si_value != 0.0 && prefixable)
+  // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor 1e+03 pm).
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
+  const double rounded = std::strtod(buffer, nullptr);
+  if (rounded != 0.0 && prefixable)
     for (const auto& [prefix, factor] : prefixes)
-      if (std::abs(si_value) >= factor * (1 - 1e-12)) {
-        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", digits, si_value / factor, prefix.c_str(), symbol.c_str());
+      if (std::abs(rounded) >= factor * (1 - 1e-12)) {
+        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", digits, rounded / factor, prefix.c_str(), symbol.c_str());
         return buffer;
       }
   std::snprintf(buffer, sizeof buffer, "%.*g %s", digits, si_value, symbol.c_str());

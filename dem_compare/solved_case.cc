@@ -1,11 +1,12 @@
 #include "dem_compare/solved_case.h"
 
+#include <algorithm>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/parameter_file.h"
 
 namespace asperity {
 namespace {
@@ -13,33 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Entries = std::map<std::string, std::string>;
-
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The entries of a case.prm as `solve` and `study` write it: subsection, set and end, one per line.
-Entries read_case_prm(const fs::path& file) {
-  Entries entries;
-  std::vector<std::string> sections;
-  std::istringstream stream(read_file(file));
-  for (std::string line; std::getline(stream, line);) {
-    line = trim(line.substr(0, line.find('#')));
-    const auto equals = line.find('=');
-    if (line.rfind("subsection ", 0) == 0) {
-      sections.push_back(trim(line.substr(11)));
-    } else if (line == "end" && !sections.empty()) {
-      sections.pop_back();
-    } else if (line.rfind("set ", 0) == 0 && equals != std::string::npos) {
-      std::string path;
-      for (const auto& section : sections) path += section + "/";
-      entries[path + trim(line.substr(4, equals - 4))] = trim(line.substr(equals + 1));
-    }
-  }
-  return entries;
-}
 
 /// Names that `inputs` of result.json has for entries of a case file.
 const std::vector<std::pair<const char*, const char*>>& result_names() {
@@ -147,7 +121,7 @@ SolvedCase read_solved_case(const fs::path& folder) {
   if (solved.finished()) add_result_inputs(solved.result, entries);
   // What people wrote reads better than SI numbers, and says more.
   if (fs::exists(folder / "case.prm"))
-    for (const auto& [path, text] : read_case_prm(folder / "case.prm")) entries[path] = text;
+    for (const auto& setting : read_settings(folder / "case.prm")) entries[setting.path()] = setting.value;
   solved.entries = CaseEntries(std::move(entries));
   try {
     solved.hertz();

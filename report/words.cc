@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "report/axis.h"
+#include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity::report {
@@ -41,9 +42,14 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
 
 std::string topography_in_words(const std::string& spec) {
   if (spec == "smooth" || spec.empty()) return "smooth";
-  if (!is_generator_call(spec)) return "measured: " + escaped(std::filesystem::path(spec).filename().string());
+  if (is_scan(spec)) {
+    const ScanParameters scan = parse_scan(spec);
+    return "measured: " + escaped(std::filesystem::path(scan.file).filename().string()) +
+           (scan.outside == Outside::mirror ? ", continued by its mirror images" : "");
+  }
   const GeneratorParameters generator = parse_generator(spec);
-  return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) + " (Hurst exponent " +
+  return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) +
+         (generator.window > 0 ? " as measured in scans of " + in_units(generator.window, Dimension::length) : "") + " (Hurst exponent " +
          printed("%.3g", generator.spectrum.hurst) + ", roll-off " + in_units(generator.spectrum.rolloff, Dimension::length) +
          ", cut-off " + in_units(generator.spectrum.cutoff, Dimension::length) + ")";
 }

@@ -2,26 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "surfaces/entry_call.h"
 #include "surfaces/fft2d.h"
-#include "surfaces/levelling.h"
-#include "surfaces/read_topography.h"
+#include "surfaces/scan_spec.h"
+#include "surfaces/virtual_afm.h"
 
 namespace asperity {
 namespace {
 
 const std::string call = "generated";
-const std::string known_keys = "rms, hurst, rolloff, cutoff, seed, amplitudes";
-
-std::string trimmed(const std::string& text) {
-  const auto is_space = [](unsigned char c) { return std::isspace(c); };
-  const auto first = std::find_if_not(text.begin(), text.end(), is_space);
-  const auto last = std::find_if_not(text.rbegin(), std::make_reverse_iterator(first), is_space).base();
-  return std::string(first, last);
-}
+const std::string known_keys = "rms, window, hurst, rolloff, cutoff, seed, amplitudes";
+const std::string example = "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)";
 
 std::uint64_t parse_seed(const std::string& value) {
   if (value.empty() || value.size() > 18 ||
@@ -36,9 +31,18 @@ Amplitudes parse_amplitudes(const std::string& value) {
   throw InputError("'" + value + "' is neither random nor fixed");
 }
 
+double parse_window(const std::string& value) {
+  const double window = parse_quantity(value, Dimension::length);
+  if (!(window > 0 && std::isfinite(window)))
+    throw InputError("'" + value + "' is no side of a scan; write a length above 0, such as 2.5 um");
+  return window;
+}
+
 void set_entry(GeneratorParameters& parameters, const std::string& key, const std::string& value) {
   if (key == "rms")
     parameters.spectrum.rms = parse_quantity(value, Dimension::length);
+  else if (key == "window")
+    parameters.window = parse_window(value);
   else if (key == "hurst")
     parameters.spectrum.hurst = parse_quantity(value, Dimension::none);
   else if (key == "rolloff")
@@ -55,48 +59,36 @@ void set_entry(GeneratorParameters& parameters, const std::string& key, const st
 
 }  // namespace
 
+SelfAffineSpectrum GeneratorParameters::surface_spectrum() const {
+  if (!(window > 0 && spectrum.rms > 0)) return spectrum;
+  AfmSettings afm;
+  afm.size = window;
+  return calibrated(spectrum, spectrum.rms, afm);
+}
+
 std::string GeneratorParameters::text() const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length, 6); };
-  return call + "(rms=" + length(spectrum.rms) +
+  return call + "(rms=" + length(spectrum.rms) + (window > 0 ? ", window=" + length(window) : "") +
          ", hurst=" + format_quantity(spectrum.hurst, Dimension::none) +
          ", rolloff=" + length(spectrum.rolloff) + ", cutoff=" + length(spectrum.cutoff) +
          ", seed=" + std::to_string(seed) + (amplitudes == Amplitudes::fixed ? ", amplitudes=fixed)" : ")");
 }
 
-bool is_generator_call(const std::string& spec) {
-  const std::string text = trimmed(spec);
-  if (text.compare(0, call.size(), call) != 0) return false;
-  const std::string rest = trimmed(text.substr(call.size()));
-  return rest.empty() || rest.front() == '(';
+bool is_generator_call(const std::string& spec) { return is_entry_call(spec, call); }
+
+bool is_scan(const std::string& spec) {
+  return without_outer_blanks(spec) != "smooth" && !is_generator_call(spec);
 }
 
 GeneratorParameters parse_generator(const std::string& spec) {
-  const std::string text = trimmed(spec);
-  const std::string example =
-      "; write for example generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)";
-  const auto open = text.find('(');
-  if (!is_generator_call(text) || open == std::string::npos || text.back() != ')')
-    throw InputError("'" + spec + "' is not a call of the generator" + example);
-
   GeneratorParameters parameters;
-  std::set<std::string> seen;
-  const std::string arguments = trimmed(text.substr(open + 1, text.size() - open - 2));
-  for (std::size_t begin = 0; begin < arguments.size();) {
-    const std::size_t end = std::min(arguments.find(',', begin), arguments.size());
-    const std::string entry = trimmed(arguments.substr(begin, end - begin));
-    begin = end + 1;
-    const auto equals = entry.find('=');
-    if (equals == std::string::npos)
-      throw InputError("in '" + spec + "' the entry '" + entry + "' lacks '=' and a value" + example);
-    const std::string key = trimmed(entry.substr(0, equals)), value = trimmed(entry.substr(equals + 1));
-    if (!seen.insert(key).second) throw InputError("in '" + spec + "' the entry '" + key + "' stands twice");
-    try {
-      set_entry(parameters, key, value);
-    } catch (const InputError& error) {
-      throw InputError("in '" + spec + "' at '" + key + "': " + error.what());
-    }
-  }
-  if (!seen.count("rms")) throw InputError("'" + spec + "' lacks the entry 'rms'" + example);
+  bool has_rms = false;
+  read_entry_call(spec, call, example, [&](const std::string& key, const std::string& value) {
+    if (key.empty()) throw InputError("it lacks '=' and a value; write for example " + example);
+    has_rms = has_rms || key == "rms";
+    set_entry(parameters, key, value);
+  });
+  if (!has_rms) throw InputError("'" + spec + "' lacks the entry 'rms'; write for example " + example);
   try {
     parameters.spectrum.check();
   } catch (const InputError& error) {
@@ -121,7 +113,7 @@ GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size)
 }
 
 Topography topography_for(const std::string& spec, double size, double /*spacing*/) {
-  const std::string text = trimmed(spec);
+  const std::string text = without_outer_blanks(spec);
   if (text == "smooth") {
     Topography flat;
     flat.nx = flat.ny = 1;
@@ -139,19 +131,14 @@ Topography topography_for(const std::string& spec, double size, double /*spacing
     options.lx = options.ly = grid.period;
     options.seed = parameters.seed;
     options.amplitudes = parameters.amplitudes;
-    options.rms = parameters.spectrum.rms;
-    Topography map = generate_periodic(parameters.spectrum, options);
+    // A calibrated spectrum keeps its own magnitude: scaling this period to its rms would put the waves too long for the
+    // period into the shorter ones.
+    options.rms = parameters.window > 0 ? -1 : parameters.spectrum.rms;
+    Topography map = generate_periodic(parameters.surface_spectrum(), options);
     map.source = parameters.text();
     return map;
   }
-  Topography map = levelled(read_topography(text), Level::plane);
-  map.source += ", mean plane removed";
-  if (map.lx < size || map.ly < size)
-    throw InputError("the topography '" + text + "' covers " + format_quantity(map.lx, Dimension::length) +
-                     " x " + format_quantity(map.ly, Dimension::length) + " but a region of " +
-                     format_quantity(size, Dimension::length) +
-                     " is needed; take a larger map or a smaller contact region");
-  return map;
+  return scan_over(text, size);
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What a case file's entry `Topography` means: smooth | a file | generated(rms=1.5 nm, hurst=0.8, ...).
+// What a case file's entry `Topography` means: smooth | a scan (surfaces/scan_spec.h) | generated(rms=1.5 nm, ...).
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,12 @@ struct GeneratorParameters {
   SelfAffineSpectrum spectrum{0.0, 0.8, 200e-9, 20e-9};
   std::uint64_t seed = 1;
   Amplitudes amplitudes = Amplitudes::random;
+  /// Side of the scans in which spectrum.rms was measured [m] (512 x 512 pixels, mean plane removed, mean over many scans:
+  /// surfaces/virtual_afm.h); 0: spectrum.rms is that of the whole surface.
+  double window = 0;
+
+  /// The spectrum of the surface itself: that whose scans show spectrum.rms, if it was measured.
+  SelfAffineSpectrum surface_spectrum() const;
 
   /// "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"
   std::string text() const;
@@ -22,8 +28,8 @@ struct GeneratorParameters {
 /// True if the entry calls the generator.
 bool is_generator_call(const std::string& spec);
 
-/// Reads "generated(key=value, ...)". Keys: rms (needed), hurst, rolloff, cutoff, seed, amplitudes (random or
-/// fixed). Throws InputError naming the key that is unknown, missing, twice there, or has a value out of
+/// Reads "generated(key=value, ...)". Keys: rms (needed), window, hurst, rolloff, cutoff, seed, amplitudes (random
+/// or fixed). Throws InputError naming the key that is unknown, missing, twice there, or has a value out of
 /// range.
 GeneratorParameters parse_generator(const std::string& spec);
 
@@ -37,11 +43,13 @@ struct GeneratorGrid {
 };
 GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size);
 
+/// True if the entry names a measured scan.
+bool is_scan(const std::string& spec);
+
 /// The topography of a square region of side `size` [m] around the contact.
-/// smooth: one pixel of height zero. A file: read (surfaces/read_topography.h), its mean plane removed;
-/// throws InputError if it is smaller than `size`. generated(...): the whole period, expected Sq = rms over
-/// the period. `spacing` [m] is the mesh's; the surface does not depend on it (a mesh coarser than the pixels
-/// samples the surface).
+/// smooth: one pixel of height zero. A scan: see scan_over. generated(...): the whole period, expected Sq = rms over the
+/// period, or, where rms was measured in a window, with the power spectral density of the surface it was measured on.
+/// `spacing` [m] is the mesh's; the surface does not depend on it (a mesh coarser than the pixels samples the surface).
 Topography topography_for(const std::string& spec, double size, double spacing);
 
 }  // namespace asperity

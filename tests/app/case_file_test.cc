@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "app/case_declaration.h"
-#include "app/nearest_name.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "tests/app/temporary_folder.h"
+#include "core/nearest_name.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -2,7 +2,8 @@
 
 #include "app/case_file.h"
 #include "core/error.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 

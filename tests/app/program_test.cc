@@ -6,7 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include "tests/app/temporary_folder.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

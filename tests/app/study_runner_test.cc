@@ -13,7 +13,8 @@
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "core/error.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -30,6 +30,14 @@ TEST(Quantity, is_written_with_a_readable_prefix) {
   EXPECT_EQ(format_quantity(1e-3, Dimension::force), "1 mN");
   EXPECT_EQ(format_quantity(71e9, Dimension::pressure), "71 GPa");
   EXPECT_EQ(format_quantity(0, Dimension::length), "0 m");
+  EXPECT_EQ(format_quantity(849e-12, Dimension::length), "849 pm");
+}
+
+TEST(Quantity, what_rounds_to_a_thousand_takes_the_next_prefix) {
+  EXPECT_EQ(format_quantity(0.99999e-9, Dimension::length), "1 nm");
+  EXPECT_EQ(format_quantity(-999.9e-6, Dimension::force), "-1 mN");
+  EXPECT_EQ(format_quantity(999.4e-12, Dimension::length), "999 pm");
+  EXPECT_EQ(format_quantity(0.99999e-9, Dimension::length, 6), "999.99 pm");
 }
 
 }  // namespace asperity

@@ -13,8 +13,8 @@ std::optional<std::filesystem::path> shared_file(const std::string& relative_pat
 
 }  // namespace asperity::test
 
-/// Defines `path`, or skips the test with one line where the file is missing.
-#define ASPERITY_SHARED_FILE_OR_SKIP(path, relative)                         \
-  const auto path##_found = asperity::test::shared_file(relative);           \
-  if (!path##_found) GTEST_SKIP() << "no " << relative << " on this machine"; \
-  const std::filesystem::path path = *path##_found
+/// Defines `variable` as the file's path, or skips the test with one line where the file is missing.
+#define ASPERITY_SHARED_FILE_OR_SKIP(variable, relative)                          \
+  const auto variable##_found = asperity::test::shared_file(relative);            \
+  if (!variable##_found) GTEST_SKIP() << "no " << (relative) << " on this machine"; \
+  const std::filesystem::path variable = *variable##_found

@@ -181,43 +181,4 @@ TEST(HeightSampler_analytic, fills_missing_points_of_a_plane_with_the_plane) {
   EXPECT_NEAR(HeightSampler(plane).height(12.5 - 16, 20.5 - 16), 3.0 * 12 - 2.0 * 20, 0.05);
 }
 
-TEST(TopographySpec, reads_the_generators_arguments) {
-  const auto parameters =
-      parse_generator(" generated( rms=1.5 nm, hurst = 0.7,rolloff=250 nm, cutoff=25 nm, seed=42) ");
-  EXPECT_DOUBLE_EQ(parameters.spectrum.rms, 1.5e-9);
-  EXPECT_DOUBLE_EQ(parameters.spectrum.hurst, 0.7);
-  EXPECT_DOUBLE_EQ(parameters.spectrum.rolloff, 250e-9);
-  EXPECT_DOUBLE_EQ(parameters.spectrum.cutoff, 25e-9);
-  EXPECT_EQ(parameters.seed, 42u);
-  EXPECT_EQ(parse_generator(parameters.text()).text(), parameters.text());
-}
-
-TEST(TopographySpec, refuses_by_the_name_of_the_key) {
-  const auto message = [](const std::string& spec) -> std::string {
-    try {
-      parse_generator(spec);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_NE(message("generated(rms=1.5 nm, hrust=0.8)").find("'hrust'"), std::string::npos);
-  EXPECT_NE(message("generated(hurst=0.8)").find("lacks the entry 'rms'"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 GPa)").find("'rms'"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 nm, hurst=1.8)").find("hurst must lie"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 nm, rolloff=10 nm)").find("rolloff (10 nm)"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 nm, seed=-3)").find("'seed'"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 nm, rms=1 nm)").find("twice"), std::string::npos);
-  EXPECT_NE(message("generated(rms=1.5 nm").find("not a call"), std::string::npos);
-}
-
-TEST(TopographySpec, gives_one_surface_whatever_the_mesh_and_the_region) {
-  const std::string spec = "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=20 nm, seed=3)";
-  const Topography small = topography_for(spec, 0.3e-6, 2e-9), large = topography_for(spec, 0.8e-6, 9e-9);
-  EXPECT_EQ(small.heights, large.heights);
-  EXPECT_LE(small.dx(), 5e-9 * (1 + 1e-12));
-  EXPECT_GE(topography_for(spec, 2e-6, 9e-9).lx, 2e-6);
-  EXPECT_EQ(HeightSampler(topography_for("smooth", 1e-6, 5e-9)).height(1e-7, 3e-6), 0.0);
-}
-
 }  // namespace asperity

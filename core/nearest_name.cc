@@ -1,4 +1,4 @@
-#include "app/nearest_name.h"
+#include "core/nearest_name.h"
 
 #include <algorithm>
 #include <cctype>

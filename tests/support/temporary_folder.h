@@ -16,7 +16,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     static int count = 0;
     path = std::filesystem::temp_directory_path() /
-           ("asperity_app_test_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+           ("asperity_test_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
     std::filesystem::create_directories(path);
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path); }
@@ -43,22 +43,6 @@ std::string message_of(const Action& action) {
   }
   ADD_FAILURE() << "nothing was refused";
   return "";
-}
-
-/// A small case that is accepted.
-inline std::string smooth_case() {
-  return "subsection Particle\n"
-         "  set Radius = 8.5 um\n"
-         "  set Young modulus = 71 GPa   # borosilicate\n"
-         "  set Poisson ratio = 0.17\n"
-         "end\n"
-         "subsection Substrate\n"
-         "  set Young modulus = 179 GPa\n"
-         "  set Poisson ratio = 0.25\n"
-         "end\n"
-         "subsection Experiment\n"
-         "  set Normal load = 1 mN\n"
-         "end\n";
 }
 
 }  // namespace asperity::test

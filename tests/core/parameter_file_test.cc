@@ -1,7 +1,7 @@
-#include "app/parameter_file.h"
+#include "core/parameter_file.h"
 
 #include "core/error.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/parameter_file.h"
+#include "core/parameter_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/nearest_name.h"
+#include "core/nearest_name.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 

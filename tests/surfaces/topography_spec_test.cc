@@ -1,0 +1,181 @@
+// What a case file's entry Topography means: generator calls and scans.
+#include "surfaces/topography_spec.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "surfaces/generate.h"
+#include "surfaces/levelling.h"
+#include "surfaces/read_topography.h"
+#include "surfaces/sampler.h"
+#include "surfaces/scan_spec.h"
+#include "surfaces/statistics.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+
+TEST(TopographySpec, reads_the_generators_arguments) {
+  const auto parameters =
+      parse_generator(" generated( rms=1.5 nm, hurst = 0.7,rolloff=250 nm, cutoff=25 nm, seed=42) ");
+  EXPECT_DOUBLE_EQ(parameters.spectrum.rms, 1.5e-9);
+  EXPECT_DOUBLE_EQ(parameters.spectrum.hurst, 0.7);
+  EXPECT_DOUBLE_EQ(parameters.spectrum.rolloff, 250e-9);
+  EXPECT_DOUBLE_EQ(parameters.spectrum.cutoff, 25e-9);
+  EXPECT_EQ(parameters.seed, 42u);
+  EXPECT_EQ(parse_generator(parameters.text()).text(), parameters.text());
+}
+
+TEST(TopographySpec, refuses_by_the_name_of_the_key) {
+  const auto message = [](const std::string& spec) -> std::string {
+    try {
+      parse_generator(spec);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(message("generated(rms=1.5 nm, hrust=0.8)").find("'hrust'"), std::string::npos);
+  EXPECT_NE(message("generated(hurst=0.8)").find("lacks the entry 'rms'"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 GPa)").find("'rms'"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 nm, hurst=1.8)").find("hurst must lie"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 nm, rolloff=10 nm)").find("rolloff (10 nm)"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 nm, seed=-3)").find("'seed'"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 nm, rms=1 nm)").find("twice"), std::string::npos);
+  EXPECT_NE(message("generated(rms=1.5 nm").find("not a call"), std::string::npos);
+}
+
+TEST(TopographySpec, gives_one_surface_whatever_the_mesh_and_the_region) {
+  const std::string spec = "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=20 nm, seed=3)";
+  const Topography small = topography_for(spec, 0.3e-6, 2e-9), large = topography_for(spec, 0.8e-6, 9e-9);
+  EXPECT_EQ(small.heights, large.heights);
+  EXPECT_LE(small.dx(), 5e-9 * (1 + 1e-12));
+  EXPECT_GE(topography_for(spec, 2e-6, 9e-9).lx, 2e-6);
+  EXPECT_EQ(HeightSampler(topography_for("smooth", 1e-6, 5e-9)).height(1e-7, 3e-6), 0.0);
+}
+
+TEST(TopographySpec, an_rms_with_a_window_is_a_measured_one) {
+  const auto measured = parse_generator("generated(rms=1.5 nm, window=2.5 um, rolloff=1 um, cutoff=40 nm)");
+  EXPECT_DOUBLE_EQ(measured.window, 2.5e-6);
+  EXPECT_EQ(parse_generator(measured.text()).text(), measured.text());
+  // Scans lose long waves to levelling, so that the surface itself is rougher than they show.
+  EXPECT_GT(measured.surface_spectrum().rms, 1.02 * 1.5e-9);
+  const auto whole = parse_generator("generated(rms=1.5 nm, rolloff=1 um, cutoff=40 nm)");
+  EXPECT_DOUBLE_EQ(whole.surface_spectrum().rms, 1.5e-9);
+  EXPECT_THROW(parse_generator("generated(rms=1.5 nm, window=0 um)"), InputError);
+}
+
+TEST(TopographySpec_analytic, scans_cut_from_surfaces_as_a_case_gets_them_show_the_measured_rms_within_a_percent) {
+  // The period of these surfaces is 8 roll-offs, four scans. Levelling takes several per cent from scans of two roll-offs.
+  constexpr double rms = 1.5e-9;
+  constexpr int surfaces = 30, scans_across = 4;
+  double sum = 0, squares = 0;
+  for (int seed = 1; seed <= surfaces; ++seed) {
+    const Topography surface = topography_for("generated(rms=1.5 nm, window=1.2 um, hurst=0.8, rolloff=600 nm, cutoff=75 nm, seed=" +
+                                                  std::to_string(seed) + ")", 1e-6, 20e-9);
+    const int pixels = surface.nx / scans_across;
+    ASSERT_NEAR(pixels * surface.dx(), 1.2e-6, 1e-15);
+    double mean_of_surface = 0;
+    for (int window = 0; window < scans_across * scans_across; ++window)
+      mean_of_surface += height_moments(levelled(cut_window(surface, window % scans_across * pixels,
+                                                            window / scans_across * pixels, pixels, pixels), Level::plane)).Sq /
+                         (scans_across * scans_across);
+    sum += mean_of_surface;
+    squares += mean_of_surface * mean_of_surface;
+  }
+  const double mean = sum / surfaces, error = std::sqrt((squares / surfaces - mean * mean) / surfaces);
+  EXPECT_LT(error, 0.005 * rms);  // else the mean says nothing
+  EXPECT_NEAR(mean, rms, 0.01 * rms) << "standard error " << error;
+  // The same entry without a window is another surface: its scans show less than 0.97 of its rms.
+  EXPECT_GT(parse_generator("generated(rms=1.5 nm, window=1.2 um, rolloff=600 nm, cutoff=75 nm)").surface_spectrum().rms, rms / 0.97);
+}
+
+namespace {
+
+/// A scan of 0.8 x 0.6 um whose heights tell where they lie.
+Topography written_scan() {
+  Topography map;
+  map.nx = 80, map.ny = 60, map.lx = 0.8e-6, map.ly = 0.6e-6;
+  map.heights.resize(80 * 60);
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+      map.at(ix, iy) = 2e-9 * std::sin(2 * M_PI * (ix + 0.5) / 40) * std::sin(2 * M_PI * (iy + 0.5) / 30) + 1e-9 + 3e-11 * ix;
+  return map;
+}
+
+}  // namespace
+
+TEST(ScanSpec, a_file_alone_or_with_what_it_does_not_say) {
+  EXPECT_EQ(parse_scan("afm/surface 1.gsf").file, "afm/surface 1.gsf");
+  EXPECT_EQ(parse_scan("scan(1).gsf").file, "scan(1).gsf");
+  const ScanParameters scan = parse_scan("scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, outside=mirror)");
+  EXPECT_EQ(scan.file, "a.txt");
+  EXPECT_DOUBLE_EQ(*scan.options.size_x_m, 2.5e-6);
+  EXPECT_EQ(*scan.options.channel, "Height");
+  EXPECT_EQ(*scan.options.height_unit, "nm");
+  EXPECT_EQ(scan.level, Level::rows1);
+  EXPECT_EQ(scan.outside, Outside::mirror);
+  EXPECT_EQ(scan.text(), "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, outside=mirror)");
+  EXPECT_EQ(parse_scan("scan(a.gsf)").text(), "a.gsf");
+  for (const std::string& wrong : std::vector<std::string>{"scan()", "scan(a.gsf, b.gsf)", "scan(a.gsf, size=3 GPa)", "scan(a.gsf, unit=GPa)",
+                                  "scan(a.gsf, outside=periodic)", "scan(a.gsf, level=best)", "scan(a.gsf, offset=1)"})
+    EXPECT_THROW(parse_scan(wrong), InputError) << wrong;
+}
+
+TEST(ScanSpec, the_centre_of_the_scan_is_the_centre_of_contact_and_its_plane_is_taken_off) {
+  const test::TemporaryFolder folder;
+  const Topography scan = written_scan();
+  write_gsf(folder.path / "scan.gsf", scan);
+  const HeightSampler sampler(topography_for((folder.path / "scan.gsf").string(), 0.5e-6, 10e-9));
+  const Topography expected = levelled(scan, Level::plane);
+  EXPECT_NEAR(sampler.height(scan.dx() / 2, scan.dy() / 2), expected.at(40, 30), 1e-15);
+  EXPECT_NEAR(sampler.height(-10.5 * scan.dx(), 7.5 * scan.dy()), expected.at(29, 37), 1e-15);
+}
+
+TEST(ScanSpec, a_scan_smaller_than_the_region_is_refused_with_a_remedy_or_mirrored) {
+  const test::TemporaryFolder folder;
+  const Topography scan = written_scan();
+  write_gsf(folder.path / "scan.gsf", scan);
+  const std::string file = (folder.path / "scan.gsf").string();
+  const auto message = test::message_of<ScanError>([&] { topography_for(file, 0.7e-6, 10e-9); });
+  for (const auto& part : {file, std::string("800 nm x 600 nm"), std::string("square of 700 nm"), std::string("outside=mirror")})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+
+  const Topography continued = topography_for("scan(" + file + ", outside=mirror)", 2e-6, 10e-9);
+  EXPECT_TRUE(continued.periodic);
+  const HeightSampler inside(topography_for(file, 0.5e-6, 10e-9)), everywhere(continued);
+  EXPECT_NEAR(everywhere.height(0.05e-6, -0.12e-6), inside.height(0.05e-6, -0.12e-6), 1e-13);
+  EXPECT_NEAR(everywhere.height(0.45e-6, 0.1e-6), everywhere.height(0.35e-6, 0.1e-6), 1e-15);
+  EXPECT_NEAR(everywhere.height(0.1e-6, -0.35e-6), everywhere.height(0.1e-6, -0.25e-6), 1e-15);
+  EXPECT_NEAR(everywhere.height(-0.9e-6, 0.1e-6), everywhere.height(0.7e-6, 0.1e-6), 1e-15);
+}
+
+TEST(ScanSpec, missing_points_stay_missing_in_the_mirror_images) {
+  const test::TemporaryFolder folder;
+  Topography scan = written_scan();
+  scan.missing.assign(scan.heights.size(), 0);
+  scan.at(3, 4) = std::nan("");
+  scan.missing[4 * 80 + 3] = 1;
+  write_gsf(folder.path / "scan.gsf", scan);
+  const Topography continued = topography_for("scan(" + (folder.path / "scan.gsf").string() + ", outside=mirror)", 2e-6, 10e-9);
+  EXPECT_EQ(continued.missing_count(), 4u);
+}
+
+TEST(ScanSpec, a_text_file_without_scale_is_refused_until_size_and_unit_are_given) {
+  const test::TemporaryFolder folder;
+  std::string rows;
+  for (int iy = 0; iy < 8; ++iy) {
+    for (int ix = 0; ix < 8; ++ix) rows += std::to_string((ix * 3 + iy * 5) % 7) + " ";
+    rows += "\n";
+  }
+  const std::string file = folder.write("heights.txt", rows).string();
+  const auto message = test::message_of<ScanError>([&] { topography_for(file, 0.5e-6, 10e-9); });
+  EXPECT_NE(message.find("scan(FILE, size=2.5 um"), std::string::npos) << message;
+  const Topography map = topography_for("scan(" + file + ", size=1 um, unit=nm, level=mean)", 0.5e-6, 10e-9);
+  EXPECT_DOUBLE_EQ(map.lx, 1e-6);
+  EXPECT_DOUBLE_EQ(map.ly, 1e-6);
+  EXPECT_NEAR(height_moments(map).Sz, 6e-9, 1e-18);
+}
+
+}  // namespace asperity
