@@ -12,10 +12,6 @@ void solve_case(const CaseInput& input, const SolveOptions& options) {
     throw InputError(input.file + ": Interface: friction and adhesion are not part of the normal experiment yet; set them to 0");
   if (input.solver.backend != "matrix-free")
     throw InputError(input.file + ": Solver/Backend: '" + input.solver.backend + "' is not available; use matrix-free");
-  if (input.experiment.control == ExperimentInput::Control::displacement)
-    throw InputError(input.file + ": Experiment/Control: 'displacement' is not reliable yet (an elastic contact does not unload on its loading path); set it to force");
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    throw InputError("asperity solve: several MPI processes do not give a solution yet; start it without mpirun (Solver/Threads uses all cores)");
   fem::NormalExperiment(input, options).run();
 }
 

@@ -12,6 +12,8 @@ namespace {
 // Line search: steps that overshoot the lowest energy along them are cut. Far too long ones are cut only in part: with more
 // nodes closed than in equilibrium the iteration comes back in few full steps, with fewer it creeps.
 constexpr int largest_trials = 3;
+// Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
+constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
 constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35;
 
 bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
@@ -45,16 +47,49 @@ void ContactSolver::push_rigidly(ContactState& state, double approach) const {
         state.displacement.local_element(3 * node + 2) -= approach;
       }
     }
-  state.displacement.update_ghost_values();
-  level.distribute(state.displacement.begin());
   state.approach += approach;
-  if (system_.options().control == Control::displacement) set_driven(state, state.approach);
+  complete(state.displacement, state.approach);
 }
 
-void ContactSolver::set_driven(ContactState& state, double approach) const {
-  for (const int dof : system_.level().driven_z()) state.displacement.local_element(dof) = -approach;
-  state.displacement.update_ghost_values();
+void ContactSolver::complete(Vector<double>& displacement, double approach) const {
+  displacement.update_ghost_values();
+  if (force_control()) system_.level().distribute(displacement.begin());
+  else system_.level().distribute(displacement.begin(), -approach);
+}
+
+Vector<double> ContactSolver::linear_advance(double approach, const std::vector<double>& stiffness, double accuracy, int* iterations) {
+  // The particle's rigid motion strains nothing: only the closed contacts resist it.
+  ContactState rigid = first_touch();
+  push_rigidly(rigid, approach);
+  std::vector<double> forces = system_.interface().gaps(rigid.displacement.begin());
+  for (std::size_t r = 0; r < forces.size(); ++r) forces[r] *= -stiffness[r];
+  Vector<double> load, relaxed;
+  system_.level().initialise(load);
+  system_.level().initialise(relaxed);
+  system_.interface().add_forces(forces, load.begin());
+  system_.level().condense(load.begin());
+  load.compress(dealii::VectorOperation::add);
+  system_.interface().set_stiffness(stiffness);
+  system_.multigrid().update(stiffness, nullptr, 0.0);
+  system_.matrix().set_tangent(nullptr);
+  const int made = system_.solve_linear(relaxed, load, accuracy);
+  if (iterations) *iterations += made;
+  rigid.displacement.zero_out_ghost_values();
+  relaxed.zero_out_ghost_values();
+  rigid.displacement += relaxed;
+  complete(rigid.displacement, approach);
+  return rigid.displacement;
+}
+
+void ContactSolver::advance_to(ContactState& state, double approach, SolveReport& report) {
+  std::vector<double> stiffness(state.multiplier.size());
+  for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
+  Vector<double> step = linear_advance(approach - state.approach, stiffness, 1e-2, &report.linear);
+  state.displacement.zero_out_ghost_values();
+  step.zero_out_ghost_values();
+  state.displacement += step;
   state.approach = approach;
+  complete(state.displacement, approach);
 }
 
 void ContactSolver::read_approach(ContactState& state) const {
@@ -82,30 +117,28 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   residual = 0.0;
   if (parallel(system_)) residual.zero_out_ghost_values();
   system_.bodies().internal_force(state.displacement, residual, tangent);
-  residual *= -1.0;
+  // Not `residual *= -1`, which leaves out the ghost entries on their way to other ranks.
+  const std::size_t entries = residual.locally_owned_size() + level.partitioner()->n_ghost_indices();
+  for (std::size_t i = 0; i < entries; ++i) residual.begin()[i] = -residual.begin()[i];
   std::vector<double> forces(p.size());
   double total = 0;
   for (std::size_t r = 0; r < p.size(); ++r) total += forces[r] = p[r] * system_.areas()[r];
   system_.interface().add_forces(forces, residual.begin());
-  const bool force_control = system_.options().control == Control::force;
-  if (force_control && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
+  if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
   level.condense(residual.begin());
   residual.compress(dealii::VectorOperation::add);
-  const double scale = std::max(total, force_control ? std::abs(target) : 0.0);
-  return scale > 0 ? residual.l1_norm() / scale : residual.l1_norm();
+  // Without contact: a thousandth of the force that flattens one spacing.
+  const double spacing = system_.options().mesh.sizes.spacing_particle;
+  const double scale = std::max({total, force_control() ? std::abs(target) : 0.0, 1e-3 * system_.reduced_modulus() * spacing * spacing});
+  return residual.l1_norm() / scale;
 }
 
 SolveReport ContactSolver::solve(ContactState& state, double target) {
   SolveReport report;
   const auto& level = system_.level();
-  if (system_.options().control == Control::displacement) set_driven(state, target);
-  if (parallel(system_)) state.displacement.update_ghost_values();
-  level.distribute(state.displacement.begin());
-  if (system_.options().control == Control::displacement) {
-    // distribute() writes the homogeneous part; put the prescribed values back on the driven plane.
-    set_driven(state, target);
-  }
-  Vector<double> residual, direction, trial;
+  if (force_control()) complete(state.displacement, state.approach);
+  else advance_to(state, target, report);
+  Vector<double> residual, direction;
   for (auto* v : {&residual, &direction}) level.initialise(*v);
   std::vector<double> p;
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
@@ -113,17 +146,16 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   system_.matrix().set_tangent(tangent);
 
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
-    // Early updates need no tight equilibrium: the multipliers still move.
     for (;;) {
-      const double goal = report.updates == 0 || report.penetration > 10 * options_.penetration_tolerance
-                              ? std::max(options_.residual_tolerance, 1e-3)
-                              : options_.residual_tolerance;
+      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than that.
+      const double goal = report.updates == 0 ? std::max(options_.residual_tolerance, first_goal)
+                                              : std::clamp(fraction_of_change * report.penetration, options_.residual_tolerance, first_goal);
       if (error <= goal || report.newton >= options_.largest_newton) break;
       std::vector<double> stiffness(p.size());
       for (std::size_t r = 0; r < p.size(); ++r) stiffness[r] = p[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
       // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
       const bool open = std::none_of(p.begin(), p.end(), [](double v) { return v > 0; });
-      const double spring = open ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
+      const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
       system_.interface().set_stiffness(stiffness);
       system_.matrix().set_driven_spring(spring);
       system_.multigrid().update(stiffness, tangent, spring);
@@ -172,7 +204,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   }
   system_.matrix().set_driven_spring(0.0);
   state.multiplier = p;
-  if (system_.options().control == Control::force) read_approach(state);
+  if (force_control()) read_approach(state);
   return report;
 }
 
@@ -199,9 +231,9 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   Vector<double> force;
   level.initialise(force);
   system_.bodies().internal_force(state.displacement, force, nullptr);
-  force.compress(dealii::VectorOperation::add);
   double driven = 0, fixed = 0;
-  for (const int dof : level.driven_z()) driven -= force.local_element(dof);
+  for (const auto& [dof, share] : level.driven_share()) driven -= share * force.begin()[dof];
+  force.compress(dealii::VectorOperation::add);
   for (const int dof : level.fixed_z()) fixed += force.local_element(dof);
   result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator());
   result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
@@ -213,6 +245,12 @@ double ContactSolver::elastic_stiffness(const ContactState& state) {
   std::vector<double> stiffness(state.multiplier.size());
   // Closed nodes move together: a spring far stiffer than the bodies' own spacing-scale stiffness.
   for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? 50 * penalty_ * system_.areas()[r] : 0.0;
+  if (!force_control()) {
+    const std::vector<double> gaps = system_.interface().gaps(linear_advance(1.0, stiffness, 1e-6, nullptr).begin());
+    double force = 0;
+    for (std::size_t r = 0; r < gaps.size(); ++r) force -= stiffness[r] * gaps[r];
+    return force;
+  }
   system_.interface().set_stiffness(stiffness);
   system_.multigrid().update(stiffness, nullptr, 0.0);
   system_.matrix().set_tangent(nullptr);
@@ -241,10 +279,11 @@ double ContactSolver::far_field_compliance(double radius) {
   level.initialise(load);
   level.initialise(response);
   system_.interface().add_forces(forces, load.begin());
-  if (level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0;
+  // Under displacement control the driven plane's reaction is the opposite load.
+  if (force_control() && level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0;
   level.condense(load.begin());
   load.compress(dealii::VectorOperation::add);
-  const double spring = system_.reduced_modulus() * radius;  // carries nothing: the loads balance
+  const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
   system_.interface().set_stiffness(none);
   system_.matrix().set_tangent(nullptr);
   system_.matrix().set_driven_spring(spring);

@@ -62,11 +62,10 @@ class ContactSolver {
   ContactResultants resultants(const ContactState& state) const;
   /// Gap of each row at a state [m].
   std::vector<double> gaps(const ContactState& state) const;
-  /// Incremental stiffness dF/d(approach) [N/m] of the bodies without further yielding, contact area as it is
-  /// (force control).
+  /// Incremental stiffness dF/d(approach) [N/m] of the bodies without further yielding, contact area as it is.
   double elastic_stiffness(const ContactState& state);
   /// Approach [m/N] that the finite bodies add to (or take from) that of half-spaces, from one elastic solution under
-  /// Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces; force control).
+  /// Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces).
   double far_field_compliance(double radius);
 
   double touch_offset() const { return touch_offset_; }
@@ -75,7 +74,13 @@ class ContactSolver {
  private:
   std::vector<double> pressures(const ContactState& state, const std::vector<double>& gaps) const;
   double evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent, std::vector<double>& p);
-  void set_driven(ContactState& state, double approach) const;
+  bool force_control() const { return system_.options().control == Control::force; }
+  /// Sets what follows from the free entries, and the driven plane under displacement control.
+  void complete(Vector<double>& displacement, double approach) const;
+  /// Displacement of elastic bodies when the driven plane advances and the contacts of `stiffness` [N/m] stay closed.
+  Vector<double> linear_advance(double approach, const std::vector<double>& stiffness, double accuracy, int* iterations);
+  /// First guess at another approach (displacement control).
+  void advance_to(ContactState& state, double approach, SolveReport& report);
   void read_approach(ContactState& state) const;
 
   ContactSystem& system_;

@@ -110,7 +110,7 @@ void NormalExperiment::run() {
     // A radius well inside of the region and several spacings wide; the far field does not depend on it at first order.
     const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                                    6 * setup_.system.mesh.sizes.spacing_particle);
-    if (setup_.system.control == Control::force) far_field_ = solver_->far_field_compliance(radius);
+    far_field_ = solver_->far_field_compliance(radius);
   }
   const auto steps = program_.size();
   for (std::size_t k = records_.size(); k < steps; ++k) {
@@ -219,7 +219,7 @@ void NormalExperiment::step_to(double fraction, int index) {
   last_report_ = {};
   const double target = fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach);
   solve_with_retries(target);
-  if (fraction == 1.0 && stiffness_at_peak_ == 0 && setup_.system.control == Control::force) {
+  if (fraction == 1.0 && stiffness_at_peak_ == 0) {
     const double with_far_field = solver_->elastic_stiffness(state_);
     stiffness_at_peak_ = 1 / (1 / with_far_field - far_field_);
   }

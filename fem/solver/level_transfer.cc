@@ -107,7 +107,7 @@ LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
       done[dof / 3] = 1;
     }
   // Nodes of the driven plane have their lateral components constrained but may move along z.
-  for (const int dof : fine.driven_z()) done[dof / 3] = 0;
+  for (const int node : fine.driven_nodes()) done[node] = 0;
 
   std::vector<long> columns;
   for_owned_cells(fine, [&](const CellKey& key, const CellNodes& nodes) {

@@ -45,34 +45,50 @@ void MeshLevel::make_constraints(Control control) {
   relevant.add_range(driven_dof_ - 2, driven_dof_ + 1);
   relevant.compress();
 
-  constraints_.reinit(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(*dofs_, constraints_);
+  // Nodes of the driven plane follow one of them, hanging nodes their masters, whatever the control.
+  dealii::AffineConstraints<double> tied(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(*dofs_, tied);
   for (int component = 0; component < 3; ++component)
     for (const auto dof : boundary_dofs(meshing::fixed_boundary, component))
-      if (!constraints_.is_constrained(dof)) {
+      if (!tied.is_constrained(dof)) {
         if (component == 2 && owned.is_element(dof)) fixed_z_.push_back(static_cast<int>(dof - first_owned_));
-        constraints_.add_line(dof);
+        tied.add_line(dof);
       }
   for (int component = 0; component < 3; ++component)
     for (const auto dof : boundary_dofs(meshing::driven_boundary, component)) {
-      if (constraints_.is_constrained(dof)) continue;
-      if (component == 2 && owned.is_element(dof)) driven_z_.push_back(static_cast<int>(dof - first_owned_));
-      if (component == 2 && control == Control::force) {
-        if (dof == driven_dof_) continue;
-        constraints_.add_line(dof);
-        constraints_.add_entry(dof, driven_dof_, 1.0);
-      } else {
-        constraints_.add_line(dof);
-      }
+      if (component == 2 && owned.is_element(dof)) driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
+      if (tied.is_constrained(dof) || dof == driven_dof_) continue;
+      tied.add_line(dof);
+      if (component == 2) tied.add_entry(dof, driven_dof_, 1.0);
     }
+  // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the edge of its
+  // sight may be constrained by what lies beyond.
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
+    tied.make_consistent_in_parallel(owned, tied.get_local_lines(), communicator_);
+  tied.close();
+
+  // Displacement control takes the plane's common displacement out of the unknowns; how much of it each node gets is kept.
+  std::vector<std::pair<global_dof_index, double>> shares{{driven_dof_, 1.0}};
+  constraints_.reinit(relevant);
+  for (const auto& line : tied.get_lines()) {
+    constraints_.add_line(line.index);
+    for (const auto& [master, weight] : line.entries) {
+      if (master == driven_dof_) shares.emplace_back(line.index, weight);
+      if (master != driven_dof_ || control == Control::force) constraints_.add_entry(line.index, master, weight);
+    }
+  }
+  if (control == Control::displacement) constraints_.add_line(driven_dof_);
   constraints_.close();
   // The masters of constraints must be at hand wherever the constrained node is.
   dealii::IndexSet needed = relevant;
-  for (const auto& line : constraints_.get_lines())
+  for (const auto& line : tied.get_lines()) {
+    needed.add_range(line.index - line.index % 3, line.index - line.index % 3 + 3);
     for (const auto& entry : line.entries) needed.add_range(entry.first - entry.first % 3, entry.first - entry.first % 3 + 3);
+  }
   needed.compress();
   partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, needed, communicator_);
 
+  for (const auto& [dof, weight] : shares) driven_share_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
   entry_start_.push_back(0);
   for (const auto& line : constraints_.get_lines()) {
     constrained_.push_back(static_cast<int>(partitioner_->global_to_local(line.index)));

@@ -51,12 +51,15 @@ class MeshLevel {
   /// Faces of both interfaces of all ranks, sorted; the same on every rank.
   const std::vector<InterfaceFace>& interface_faces() const { return interface_faces_; }
   dealii::types::global_dof_index size() const { return dofs_->n_dofs(); }
-  /// Global dof of the driven plane's displacement along z (force control).
+  /// Global dof of the driven plane's displacement along z; constrained under displacement control.
   dealii::types::global_dof_index driven_dof() const { return driven_dof_; }
   bool owns_driven_dof() const { return partitioner_->in_local_range(driven_dof_); }
   int local_driven_dof() const { return static_cast<int>(partitioner_->global_to_local(driven_dof_)); }
-  /// Local z dofs, owned here, of the nodes of the driven or the fixed plane that are not hanging.
-  const std::vector<int>& driven_z() const { return driven_z_; }
+  /// Local nodes of the driven plane, owned here.
+  const std::vector<int>& driven_nodes() const { return driven_nodes_; }
+  /// Unknowns (local) that follow the driven plane's displacement along z, and how much of it they get.
+  const std::vector<std::pair<int, double>>& driven_share() const { return driven_share_; }
+  /// Local z dofs, owned here, of the nodes of the fixed plane that are not hanging.
   const std::vector<int>& fixed_z() const { return fixed_z_; }
 
   /// Positions of all nodes in the layout of a displacement vector.
@@ -85,6 +88,11 @@ class MeshLevel {
       for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
     }
   }
+  /// The same with a given displacement of the driven plane along z (displacement control).
+  void distribute(double* x, double driven) const {
+    distribute(x);
+    for (const auto& [dof, share] : driven_share_) x[dof] += share * driven;
+  }
   const std::vector<int>& constrained() const { return constrained_; }
   void condense_diagonal(double* y) const;
 
@@ -110,7 +118,8 @@ class MeshLevel {
   dealii::AffineConstraints<double> constraints_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   dealii::types::global_dof_index first_owned_ = 0, driven_dof_ = dealii::numbers::invalid_dof_index;
-  std::vector<int> driven_z_, fixed_z_;
+  std::vector<int> driven_nodes_, fixed_z_;
+  std::vector<std::pair<int, double>> driven_share_;
   std::vector<CellBatch> batches_;
   std::vector<int> run_start_, run_batches_, meeting_batches_;
   std::vector<int> constrained_, entry_start_, entry_dof_;

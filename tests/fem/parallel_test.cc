@@ -1,0 +1,115 @@
+// The same contact on one rank and on all ranks of MPI. ctest runs this file's tests under mpirun too.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/contact/contact_solver.h"
+
+namespace {
+
+using namespace asperity::fem;
+
+/// A wavy, yielding contact, small enough for seconds.
+ContactSystemOptions options() {
+  ContactSystemOptions o;
+  constexpr double a = 230e-9;
+  auto& s = o.mesh.sizes;
+  s.radius = 8.5e-6, s.block_half_width = 6e-6;
+  s.spacing_particle = s.spacing_substrate = a / 6;
+  s.offset_substrate_x = 0.3 * s.spacing_substrate;
+  s.region_particle = 1.3 * a;
+  s.region_substrate = 1.3 * a + 3 * s.spacing_substrate;
+  o.mesh.particle_height = [](double x, double y) { return 2e-9 * std::sin(x / 20e-9) * std::cos(y / 25e-9); };
+  o.mesh.largest_height_particle = 2e-9;
+  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
+  o.materials[0].yield_stress = 2e9;
+  return o;
+}
+
+/// Displacements that depend on the place only.
+Vector<double> waves(const ContactSystem& system) {
+  Vector<double> x = system.positions();
+  x.zero_out_ghost_values();
+  for (unsigned i = 0; i < x.locally_owned_size(); ++i) x.local_element(i) = std::sin(1e7 * x.local_element(i));
+  for (const int c : system.level().constrained())
+    if (c < static_cast<int>(x.locally_owned_size())) x.local_element(c) = 0;
+  return x;
+}
+
+struct Products {
+  double energy, diagonal, cycled, asymmetry, constrained;
+};
+
+Products products(MPI_Comm communicator) {
+  ContactSystem system(communicator, options());
+  std::vector<double> stiffness;
+  for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
+  system.interface().set_stiffness(stiffness);
+  system.multigrid().update(stiffness, nullptr, 0);
+  const Vector<double> x = waves(system);
+  Vector<double> y = x, ax, ay, bx;
+  for (auto* v : {&ax, &ay, &bx}) system.level().initialise(*v);
+  for (unsigned i = 0; i < y.locally_owned_size(); ++i) y.local_element(i) = std::pow(x.local_element(i), 3);
+  system.matrix().vmult(ax, x);
+  system.matrix().vmult(ay, y);
+  Products p;
+  p.energy = x * ax;
+  p.asymmetry = std::abs(x * ay - y * ax) / (ax.l2_norm() * y.l2_norm());
+  const auto diagonal = system.matrix().diagonal();
+  p.diagonal = diagonal.l1_norm();
+  p.constrained = 0;
+  for (const int c : system.level().constrained())
+    if (c < static_cast<int>(ax.locally_owned_size())) p.constrained = std::max(p.constrained, std::abs(ax.local_element(c)));
+  p.constrained = dealii::Utilities::MPI::max(p.constrained, communicator) / ax.linfty_norm();
+  system.multigrid().vmult(bx, ax);
+  p.cycled = bx * ax;
+  return p;
+}
+
+TEST(Parallel, operator_and_cycle_are_those_of_one_rank) {
+  const Products one = products(MPI_COMM_SELF), all = products(MPI_COMM_WORLD);
+  EXPECT_NEAR(all.energy / one.energy, 1, 1e-12);
+  EXPECT_NEAR(all.diagonal / one.diagonal, 1, 1e-12);
+  EXPECT_LT(all.asymmetry, 1e-13);
+  EXPECT_EQ(all.constrained, 0);
+  // The smoother's largest eigenvalue is estimated from a start vector that depends on the numbering.
+  EXPECT_NEAR(all.cycled / one.cycled, 1, 1e-2);
+}
+
+TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
+  struct Outcome {
+    double approach, area, peak, plastic, far_field;
+  };
+  const auto run = [](MPI_Comm communicator) {
+    ContactSystem system(communicator, options());
+    ContactSolverOptions accurate;
+    accurate.residual_tolerance = 1e-8;
+    accurate.penetration_tolerance = 1e-5;
+    accurate.largest_newton = accurate.largest_updates = 300;
+    ContactSolver solver(system, accurate);
+    if (getenv("PLOG")) solver.log = [](const std::string& l) { std::printf("%s\n", l.c_str()); };
+    Outcome o{};
+    o.far_field = solver.far_field_compliance(150e-9);
+    ContactState state = solver.first_touch();
+    for (const double load : {40e-6, 100e-6, 30e-6}) {
+      const Vector<double> before = state.displacement;
+      if (load == 40e-6) solver.push_rigidly(state, 2e-9);
+      EXPECT_TRUE(solver.solve(state, load).converged);
+      o.plastic += system.bodies().accept(before, state.displacement).plastic_work;
+    }
+    const auto c = solver.resultants(state);
+    EXPECT_NEAR(c.reaction_driven / c.force, 1, 1e-7);
+    EXPECT_NEAR(c.reaction_fixed / c.force, 1, 1e-7);
+    o.approach = state.approach, o.area = c.area, o.peak = c.largest_pressure;
+    return o;
+  };
+  const Outcome one = run(MPI_COMM_SELF), all = run(MPI_COMM_WORLD);
+  EXPECT_NEAR(all.far_field / one.far_field, 1, 1e-4);
+  EXPECT_NEAR(all.approach / one.approach, 1, 1e-7);
+  EXPECT_NEAR(all.area / one.area, 1, 1e-12);
+  EXPECT_NEAR(all.peak / one.peak, 1, 1e-6);
+  EXPECT_NEAR(all.plastic / one.plastic, 1, 1e-6);
+  EXPECT_GT(one.plastic, 0);
+}
+
+}  // namespace
