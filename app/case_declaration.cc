@@ -107,13 +107,13 @@ CaseEntry flag(std::string section, std::string name, Member<bool> member, std::
 
 CaseEntry topography(std::string section, Member<std::string> member) {
   return {std::move(section), "Topography", "smooth", "",
-          "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, outside=mirror) | "
+          "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=80 nm, outside=mirror) | "
           "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)",
           "Roughness of the surface: none, a measured scan, or a Gaussian surface from a spectrum. FILE: in any format of "
           "`asperity surface measure`; a relative name is looked for beside the case file; the scan's centre is the centre of "
           "contact. Arguments of scan, each optional: size, where the file lacks it; channel, by name or number; unit of heights, "
           "where a text file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; default plane); "
-          "outside, for a scan smaller than the contact region: refuse (default), or mirror, continued by its mirror images. "
+          "cutoff, below which waves are taken out (a mesh needs four cells over the shortest wave; default: none are); outside, for a scan smaller than the contact region: refuse (default), or mirror, continued by its mirror images. "
           "Arguments of generated but rms are optional: with window, rms is what scans of that side (512 x 512 pixels, plane "
           "removed) show on average; without, it is that of the whole surface.",
           [=](CaseInput& input, const std::string& text) {

@@ -1,13 +1,18 @@
 #include "surfaces/scan_spec.h"
 
+#include <cmath>
+
 #include "core/quantity.h"
 #include "surfaces/entry_call.h"
+#include "surfaces/fft2d.h"
+#include "surfaces/fill_missing.h"
+#include "surfaces/generate.h"
 
 namespace asperity {
 namespace {
 
 const std::string call = "scan";
-const std::string example = "scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, outside=mirror)";
+const std::string example = "scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)";
 
 void set_argument(ScanParameters& scan, const std::string& key, const std::string& value) {
   if (value.empty()) throw InputError("there is no value");
@@ -24,11 +29,14 @@ void set_argument(ScanParameters& scan, const std::string& key, const std::strin
     scan.options.height_unit = value;
   } else if (key == "level") {
     scan.level = parse_level(value);
+  } else if (key == "cutoff") {
+    scan.cutoff = parse_quantity(value, Dimension::length);
+    if (!(scan.cutoff > 0)) throw InputError("'" + value + "' is no wavelength above 0");
   } else if (key == "outside") {
     if (value != "refuse" && value != "mirror") throw InputError("'" + value + "' is neither refuse nor mirror");
     scan.outside = value == "mirror" ? Outside::mirror : Outside::refuse;
   } else {
-    throw InputError("there is no such argument; those known are size, channel, unit, level, outside");
+    throw InputError("there is no such argument; those known are size, channel, unit, level, cutoff, outside");
   }
 }
 
@@ -58,6 +66,22 @@ Topography mirrored(const Topography& map) {
   return image;
 }
 
+/// The map without waves shorter than `cutoff` [m]; at its edges as if continued by its mirror images.
+Topography without_short_waves(const Topography& map, double cutoff) {
+  Topography periodic = map.missing_count() > 0 ? fill_missing(map) : map;
+  if (!map.periodic) periodic = mirrored(periodic);
+  const int nx = periodic.nx, ny = periodic.ny, columns = nx / 2 + 1;
+  HalfSpectrum waves = forward_fft(periodic.heights, nx, ny);
+  const double normalisation = 1 / (static_cast<double>(nx) * ny);
+  for (int iy = 0; iy < ny; ++iy)
+    for (int ix = 0; ix < columns; ++ix) {
+      const double waves_per_metre = std::hypot(ix / periodic.lx, signed_wave_number(iy, ny) / periodic.ly);
+      waves[static_cast<std::size_t>(iy) * columns + ix] *= waves_per_metre * cutoff > 1 ? 0 : normalisation;
+    }
+  periodic.heights = inverse_fft(std::move(waves), nx, ny);
+  return map.periodic ? periodic : cut_window(periodic, map.nx / 2, map.ny / 2, map.nx, map.ny);
+}
+
 }  // namespace
 
 std::string ScanParameters::text() const {
@@ -66,6 +90,7 @@ std::string ScanParameters::text() const {
   if (options.channel) arguments += ", channel=" + *options.channel;
   if (options.height_unit) arguments += ", unit=" + *options.height_unit;
   if (level != Level::plane) arguments += ", level=" + level_name(level);
+  if (cutoff > 0) arguments += ", cutoff=" + format_quantity(cutoff, Dimension::length, 6);
   if (outside == Outside::mirror) arguments += ", outside=mirror";
   return arguments.empty() ? file : call + "(" + file + arguments + ")";
 }
@@ -93,6 +118,10 @@ Topography scan_over(const std::string& spec, double size) {
     throw ScanError(spec, std::string(error.what()) + " (in a case file: Topography = " + example + ")");
   }
   map.source += ", levelled: " + level_name(scan.level);
+  if (scan.cutoff > 0) {
+    map = without_short_waves(map, scan.cutoff);
+    map.source += ", without waves shorter than " + format_quantity(scan.cutoff, Dimension::length);
+  }
   if (map.lx >= size && map.ly >= size) return map;
   if (map.periodic || scan.outside == Outside::mirror) return map.periodic ? map : mirrored(map);
   ScanParameters continued = scan;

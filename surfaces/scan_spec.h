@@ -1,5 +1,5 @@
 // A measured scan as a case file names it: FILE, or scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane,
-// outside=mirror) where the file alone does not say enough.
+// cutoff=20 nm, outside=mirror) where the file alone does not say enough.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +23,7 @@ struct ScanParameters {
   std::string file;
   ReadOptions options;                  ///< size, channel and height unit, where the file does not say them
   Level level = Level::plane;           ///< what is taken off before the scan is used
+  double cutoff = 0;                    ///< waves shorter than this are taken out [m]; 0: none are
   Outside outside = Outside::refuse;    ///< beyond the scan's edge
 
   /// The entry of a case file: the file's name alone where nothing else is given.

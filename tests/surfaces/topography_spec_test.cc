@@ -109,14 +109,14 @@ Topography written_scan() {
 TEST(ScanSpec, a_file_alone_or_with_what_it_does_not_say) {
   EXPECT_EQ(parse_scan("afm/surface 1.gsf").file, "afm/surface 1.gsf");
   EXPECT_EQ(parse_scan("scan(1).gsf").file, "scan(1).gsf");
-  const ScanParameters scan = parse_scan("scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, outside=mirror)");
+  const ScanParameters scan = parse_scan("scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
   EXPECT_EQ(scan.file, "a.txt");
   EXPECT_DOUBLE_EQ(*scan.options.size_x_m, 2.5e-6);
   EXPECT_EQ(*scan.options.channel, "Height");
   EXPECT_EQ(*scan.options.height_unit, "nm");
   EXPECT_EQ(scan.level, Level::rows1);
   EXPECT_EQ(scan.outside, Outside::mirror);
-  EXPECT_EQ(scan.text(), "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, outside=mirror)");
+  EXPECT_EQ(scan.text(), "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
   EXPECT_EQ(parse_scan("scan(a.gsf)").text(), "a.gsf");
   for (const std::string& wrong : std::vector<std::string>{"scan()", "scan(a.gsf, b.gsf)", "scan(a.gsf, size=3 GPa)", "scan(a.gsf, unit=GPa)",
                                   "scan(a.gsf, outside=periodic)", "scan(a.gsf, level=best)", "scan(a.gsf, offset=1)"})
@@ -149,6 +149,23 @@ TEST(ScanSpec, a_scan_smaller_than_the_region_is_refused_with_a_remedy_or_mirror
   EXPECT_NEAR(everywhere.height(0.45e-6, 0.1e-6), everywhere.height(0.35e-6, 0.1e-6), 1e-15);
   EXPECT_NEAR(everywhere.height(0.1e-6, -0.35e-6), everywhere.height(0.1e-6, -0.25e-6), 1e-15);
   EXPECT_NEAR(everywhere.height(-0.9e-6, 0.1e-6), everywhere.height(0.7e-6, 0.1e-6), 1e-15);
+}
+
+TEST(ScanSpec_analytic, a_cutoff_takes_out_shorter_waves_and_leaves_longer_ones) {
+  // Cosines that end with zero slope at the edges, so that their mirror images continue them.
+  const test::TemporaryFolder folder;
+  Topography map;
+  map.nx = map.ny = 100, map.lx = map.ly = 1e-6;
+  map.heights.resize(100 * 100);
+  const auto cosine = [](int i, int waves) { return std::cos(2 * M_PI * waves * (i + 0.5) / 100); };
+  for (int iy = 0; iy < 100; ++iy)
+    for (int ix = 0; ix < 100; ++ix) map.at(ix, iy) = 2e-9 * cosine(ix, 4) + 1e-9 * cosine(iy, 25);
+  write_gsf(folder.path / "scan.gsf", map);
+  const std::string file = (folder.path / "scan.gsf").string();
+  const Topography smoothed = topography_for("scan(" + file + ", level=mean, cutoff=100 nm)", 0.5e-6, 10e-9);
+  ASSERT_EQ(smoothed.nx, 100);
+  for (const int ix : {0, 13, 50, 99})
+    for (const int iy : {0, 31, 99}) EXPECT_NEAR(smoothed.at(ix, iy), 2e-9 * cosine(ix, 4), 1e-15);
 }
 
 TEST(ScanSpec, missing_points_stay_missing_in_the_mirror_images) {
