@@ -145,11 +145,13 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   double error = evaluate(state, target, residual, tangent, p);
   system_.matrix().set_tangent(tangent);
 
+  bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
-      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than that.
-      const double goal = report.updates == 0 ? std::max(options_.residual_tolerance, first_goal)
-                                              : std::clamp(fraction_of_change * report.penetration, options_.residual_tolerance, first_goal);
+      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than that, the
+      // last one by the full accuracy.
+      const double wanted = closed ? 0.0 : report.updates == 0 ? first_goal : std::min(first_goal, fraction_of_change * report.penetration);
+      const double goal = std::max(options_.residual_tolerance, wanted);
       if (error <= goal || report.newton >= options_.largest_newton) break;
       std::vector<double> stiffness(p.size());
       for (std::size_t r = 0; r < p.size(); ++r) stiffness[r] = p[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
@@ -191,7 +193,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
     report.penetration = total > 0 ? change / total : 0.0;
     report.residual = error;
     if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(report.penetration));
-    const bool closed = report.penetration <= options_.penetration_tolerance;
+    closed = report.penetration <= options_.penetration_tolerance;
     if (closed && error <= options_.residual_tolerance) {
       report.converged = true;
       break;

@@ -87,7 +87,6 @@ TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
     accurate.penetration_tolerance = 1e-5;
     accurate.largest_newton = accurate.largest_updates = 300;
     ContactSolver solver(system, accurate);
-    if (getenv("PLOG")) solver.log = [](const std::string& l) { std::printf("%s\n", l.c_str()); };
     Outcome o{};
     o.far_field = solver.far_field_compliance(150e-9);
     ContactState state = solver.first_touch();
