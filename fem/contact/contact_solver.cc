@@ -12,9 +12,36 @@ namespace {
 // Line search: steps that overshoot the lowest energy along them are cut. Far too long ones are cut only in part: with more
 // nodes closed than in equilibrium the iteration comes back in few full steps, with fewer it creeps.
 constexpr int largest_trials = 3;
+constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35;
+template <typename SlopeAt>
+double step_with_few_cuts(double slope, const SlopeAt& slope_at) {
+  double step = 1;
+  for (int trial = 0; trial < largest_trials; ++trial) {
+    const double here = slope_at(step);
+    if (here > -overshoot_allowed * slope) break;
+    if (trial + 1 < largest_trials) step *= std::max(shortest_cut, slope / (slope - here));
+  }
+  return step;
+}
+
+// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more closely.
+constexpr int patience = 3, most_closing_steps = 10;
+constexpr double progress = 0.7, slope_left = 0.3;
+template <typename SlopeAt>
+double step_to_lowest(double slope, const SlopeAt& slope_at) {
+  double low = 0, high = 1, slope_low = slope, slope_high = slope_at(1.0), step = 1;
+  for (int k = 0; k < most_closing_steps && (step < 1 || slope_high < -slope_left * slope); ++k) {
+    step = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
+    const double here = slope_at(step);
+    if (std::abs(here) <= slope_left * slope) break;
+    (here > 0 ? low : high) = step;
+    (here > 0 ? slope_low : slope_high) = here;
+  }
+  return step;
+}
+
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
 constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
-constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35;
 
 bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
 
@@ -127,9 +154,9 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
   level.condense(residual.begin());
   residual.compress(dealii::VectorOperation::add);
-  // Without contact: a thousandth of the force that flattens one spacing.
+  double scale = std::max(total, force_control() ? std::abs(target) : 0.0);
   const double spacing = system_.options().mesh.sizes.spacing_particle;
-  const double scale = std::max({total, force_control() ? std::abs(target) : 0.0, 1e-3 * system_.reduced_modulus() * spacing * spacing});
+  if (scale == 0) scale = 0.1 * system_.reduced_modulus() * spacing * spacing;  // no contact: what would flatten a tenth of a spacing
   return residual.l1_norm() / scale;
 }
 
@@ -145,6 +172,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   double error = evaluate(state, target, residual, tangent, p);
   system_.matrix().set_tangent(tangent);
 
+  int barren = 0;  // Newton steps without progress
+  double least = error;
   bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
@@ -168,19 +197,18 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       // The slope along the direction changes sign where the convex energy is lowest.
       const double slope = residual * direction;
       const Vector<double> start = state.displacement;
-      double step = 1;
-      for (int trial = 0; trial < largest_trials; ++trial) {
+      direction.zero_out_ghost_values();
+      const auto slope_at = [&](double step) {
         state.displacement = start;
         state.displacement.zero_out_ghost_values();
-        direction.zero_out_ghost_values();
         state.displacement.add(step, direction);
         state.displacement.update_ghost_values();
-        direction.update_ghost_values();
         error = evaluate(state, target, residual, tangent, p);
-        const double here = residual * direction;
-        if (here > -overshoot_allowed * slope) break;
-        step *= std::max(shortest_cut, slope / (slope - here));
-      }
+        return residual * direction;
+      };
+      const double step = barren < patience ? step_with_few_cuts(slope, slope_at) : step_to_lowest(slope, slope_at);
+      barren = error < progress * least ? 0 : barren + 1;
+      least = std::min(least, error);
       if (log)
         log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
             " cg " + std::to_string(report.linear) + " active " + std::to_string(std::count_if(p.begin(), p.end(), [](double v) { return v > 0; })));
@@ -201,7 +229,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
     if (report.newton >= options_.largest_newton) break;
     if (!closed) {
       state.multiplier = p;
-      error = evaluate(state, target, residual, tangent, p);
+      error = least = evaluate(state, target, residual, tangent, p);
+      barren = 0;
     }
   }
   system_.matrix().set_driven_spring(0.0);

@@ -1,0 +1,86 @@
+// Force and displacement control of the same contact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/contact/contact_solver.h"
+
+namespace {
+
+using namespace asperity::fem;
+
+ContactSystemOptions options(Control control, double yield_stress) {
+  ContactSystemOptions o;
+  constexpr double a = 230e-9;
+  auto& s = o.mesh.sizes;
+  s.radius = 8.5e-6, s.block_half_width = 6e-6;
+  s.spacing_particle = s.spacing_substrate = a / 6;
+  s.offset_substrate_x = 0.3 * s.spacing_substrate;
+  s.region_particle = 1.3 * a;
+  s.region_substrate = 1.3 * a + 3 * s.spacing_substrate;
+  o.mesh.particle_height = [](double x, double y) { return 2e-9 * std::sin(x / 20e-9) * std::cos(y / 25e-9); };
+  o.mesh.largest_height_particle = 2e-9;
+  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
+  o.materials[0].yield_stress = yield_stress;
+  o.control = control;
+  return o;
+}
+
+ContactSolverOptions accurate() {
+  ContactSolverOptions o;
+  o.residual_tolerance = 1e-7;
+  o.penetration_tolerance = 1e-5;
+  return o;
+}
+
+struct Driver {
+  explicit Driver(Control control, double yield_stress = std::numeric_limits<double>::infinity())
+      : system(MPI_COMM_WORLD, options(control, yield_stress)), solver(system, accurate()), state(solver.first_touch()) {}
+  ContactResultants to(double target) {
+    const Vector<double> before = state.displacement;
+    EXPECT_TRUE(solver.solve(state, target).converged);
+    system.bodies().accept(before, state.displacement);
+    return solver.resultants(state);
+  }
+  ContactSystem system;
+  ContactSolver solver;
+  ContactState state;
+};
+
+TEST(DisplacementControl, an_elastic_contact_unloads_on_its_loading_path) {
+  Driver run(Control::displacement);
+  const auto up = run.to(4e-9);
+  run.to(8e-9);
+  const auto down = run.to(4e-9);
+  EXPECT_GT(up.force, 0);
+  EXPECT_NEAR(down.force / up.force, 1, 1e-5);
+  EXPECT_NEAR(down.largest_pressure / up.largest_pressure, 1, 1e-4);
+  EXPECT_EQ(down.active, up.active);
+  EXPECT_NEAR(down.reaction_driven / down.force, 1, 1e-6);
+  EXPECT_NEAR(down.reaction_fixed / down.force, 1, 1e-6);
+}
+
+TEST(DisplacementControl, gives_the_states_of_force_control_of_yielding_bodies) {
+  Driver given(Control::force, 2e9), driven(Control::displacement, 2e9);
+  EXPECT_NEAR(driven.solver.far_field_compliance(150e-9) / given.solver.far_field_compliance(150e-9), 1, 1e-4);
+  given.solver.push_rigidly(given.state, 2e-9);
+  for (const double load : {40e-6, 100e-6, 30e-6}) {
+    const auto a = given.to(load), b = driven.to(given.state.approach);
+    EXPECT_NEAR(b.force / load, 1, 1e-5) << load;
+    EXPECT_NEAR(b.largest_pressure / a.largest_pressure, 1, 1e-4) << load;
+    EXPECT_EQ(b.active, a.active) << load;
+    EXPECT_NEAR(driven.solver.elastic_stiffness(driven.state) / given.solver.elastic_stiffness(given.state), 1, 1e-4) << load;
+  }
+}
+
+TEST(DisplacementControl, separates_without_losing_the_particle) {
+  Driver run(Control::displacement, 2e9);
+  run.to(6e-9);
+  const auto apart = run.to(-1e-9);
+  EXPECT_EQ(apart.force, 0);
+  EXPECT_EQ(apart.active, 0);
+  const auto again = run.to(6e-9);
+  EXPECT_GT(again.force, 0);
+}
+
+}  // namespace
