@@ -31,6 +31,7 @@ void run(const Arguments& arguments) {
   fs::create_directories(output);
   write_file_atomically(output / "comparison.json", json);
   write_file_atomically(output / "comparison.md", markdown);
+  write_file_atomically(output / "comparison.csv", to_csv(comparison));
   std::cout << (arguments.json ? json : markdown) << std::flush;
 }
 
@@ -42,7 +43,7 @@ void add_compare_command(CLI::App& app) {
   command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")->required()->check(CLI::ExistingDirectory);
   command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--output", arguments->output, "Folder for comparison.json and comparison.md (default: the first DIR)");
+  command->add_option("--output", arguments->output, "Folder for comparison.json, .csv and .md (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
   command->callback([arguments] { run(*arguments); });
 }

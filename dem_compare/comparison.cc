@@ -5,57 +5,33 @@
 #include <cstdio>
 #include <limits>
 
+#include "dem_compare/mesh_family.h"
+
 namespace asperity {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A ratio at a load, linear between the steps; NaN outside of them.
-double ratio_at(const std::vector<HertzRatios>& ratios, double force, double HertzRatios::*member) {
-  const double tolerance = 1e-6 * force;  // a step's own load but for rounding
-  for (std::size_t i = 0; i < ratios.size(); ++i) {
-    if (std::abs(ratios[i].force - force) <= tolerance) return ratios[i].*member;
-    if (i + 1 < ratios.size() && ratios[i].force < force && force < ratios[i + 1].force) {
-      const double share = (force - ratios[i].force) / (ratios[i + 1].force - ratios[i].force);
-      return ratios[i].*member + share * (ratios[i + 1].*member - ratios[i].*member);
-    }
-  }
-  return unknown;
-}
-
-Scatter over_realisations(const CaseGroup& group, double force, double HertzRatios::*member) {
-  std::vector<double> values;
-  for (const auto& numbers : group.numbers) values.push_back(ratio_at(numbers.ratios, force, member));
-  return scatter_of(values);
-}
-
-template <class Value>
-Scatter over_cases(const CaseGroup& group, const Value& value) {
-  std::vector<double> values;
-  for (const auto& numbers : group.numbers) values.push_back(value(numbers));
-  return scatter_of(values);
-}
-
-GroupNumbers numbers_of(const CaseGroup& group) {
+GroupNumbers numbers_of(const CaseGroup& group, const MeshFamily& family) {
   GroupNumbers result;
   result.hertz = group.first().hertz();
-  result.force = over_cases(group, [](const auto& n) { return n.largest_force; }).mean;
-  result.approach = over_cases(group, [](const auto& n) { return n.approach_there; });
-  result.loading_stiffness = over_cases(group, [](const auto& n) { return n.loading_stiffness(); });
-  result.unloading_stiffness = over_cases(group, [](const auto& n) { return n.unloading_stiffness(); });
-  const Hertz& hertz = result.hertz;
-  result.contact_area = over_cases(group, [&](const auto& n) {
-    return n.ratios.empty() ? unknown : n.ratios.back().area_ratio * hertz.contact_area(n.ratios.back().force);
-  });
-  result.largest_pressure = over_cases(group, [&](const auto& n) {
-    return n.ratios.empty() ? unknown : n.ratios.back().pressure_ratio * hertz.peak_pressure(n.ratios.back().force);
-  });
-  result.plastic_volume = over_cases(group, [](const auto& n) { return n.plastic_volume; });
-  result.residual_imprint = over_cases(group, [](const auto& n) { return n.residual_imprint; });
-  result.dissipated_energy = over_cases(group, [](const auto& n) { return n.dissipated_energy; });
-  const auto fitted = [&](auto value) {
-    return over_cases(group, [&](const auto& n) { return n.has_fits ? value(n) : unknown; });
+  const auto estimate = [&](const auto& number) { return family.estimate(number); };
+  const auto at_largest = [&](double LoadPoint::*member) {
+    return family.estimate([member](const NormalNumbers& n) { return n.loads.empty() ? unknown : n.loads.back().*member; });
   };
+  const auto fitted = [&](const auto& number) {
+    return family.estimate([&](const NormalNumbers& n) { return n.has_fits ? number(n) : unknown; });
+  };
+  result.force = estimate([](const auto& n) { return n.largest_force; }).mean;
+  result.approach = estimate([](const auto& n) { return n.approach_there; });
+  result.loading_stiffness = estimate([](const auto& n) { return n.loading_stiffness(); });
+  result.unloading_stiffness = estimate([](const auto& n) { return n.unloading_stiffness(); });
+  result.contact_area = at_largest(&LoadPoint::contact_area);
+  result.mean_pressure = at_largest(&LoadPoint::mean_pressure);
+  result.largest_pressure = at_largest(&LoadPoint::largest_pressure);
+  result.plastic_volume = estimate([](const auto& n) { return n.plastic_volume; });
+  result.residual_imprint = estimate([](const auto& n) { return n.residual_imprint; });
+  result.dissipated_energy = estimate([](const auto& n) { return n.dissipated_energy; });
   result.fitted_radius = fitted([](const auto& n) { return n.radius.radius.value; });
   result.fitted_radius_with_offset = fitted([](const auto& n) { return n.radius_with_offset.radius.value; });
   result.exponent = fitted([](const auto& n) { return n.exponent.exponent.value; });
@@ -65,6 +41,31 @@ GroupNumbers numbers_of(const CaseGroup& group) {
       result.differencing_error =
           std::max(result.differencing_error, numbers.loading.back().error / numbers.loading.back().stiffness);
   return result;
+}
+
+LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& family) {
+  const auto estimate = [&](double LoadPoint::*member) {
+    return family.estimate([=](const NormalNumbers& n) { return n.at_load(force, member); });
+  };
+  LoadComparison load;
+  load.force = force;
+  load.approach = estimate(&LoadPoint::approach);
+  load.stiffness = estimate(&LoadPoint::stiffness);
+  load.unloading_stiffness = estimate(&LoadPoint::unloading_stiffness);
+  load.contact_area = estimate(&LoadPoint::contact_area);
+  load.mean_pressure = estimate(&LoadPoint::mean_pressure);
+  load.largest_pressure = estimate(&LoadPoint::largest_pressure);
+  load.plastic_volume = estimate(&LoadPoint::plastic_volume);
+  load.force_ratio = estimate(&LoadPoint::force_ratio);
+  load.stiffness_ratio = estimate(&LoadPoint::stiffness_ratio);
+  load.unloading_ratio = estimate(&LoadPoint::unloading_ratio);
+  load.area_ratio = estimate(&LoadPoint::area_ratio);
+  load.pressure_ratio = estimate(&LoadPoint::pressure_ratio);
+  for (const auto& numbers : group.numbers) {
+    const double error = numbers.at_load(force, &LoadPoint::step_error) / numbers.at_load(force, &LoadPoint::stiffness);
+    if (std::isfinite(error)) load.step_error = std::max(load.step_error, error);
+  }
+  return load;
 }
 
 double hertzian_from(const std::vector<LoadComparison>& loads, double tolerance) {
@@ -133,25 +134,6 @@ std::string verdict_of(const GroupComparison& group, double tolerance) {
   return words;
 }
 
-void add_mesh_errors(const CaseCollection& collection, std::vector<GroupComparison>& groups) {
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    std::vector<double> spacings, values;
-    for (std::size_t j = 0; j < groups.size(); ++j) {
-      const double value = groups[j].numbers.loading_stiffness.mean;
-      if (collection.groups[j].physics() != collection.groups[i].physics() || std::isnan(groups[j].interface_spacing) ||
-          std::isnan(value) || std::find(spacings.begin(), spacings.end(), groups[j].interface_spacing) != spacings.end())
-        continue;
-      spacings.push_back(groups[j].interface_spacing);
-      values.push_back(value);
-    }
-    if (spacings.size() < 2) continue;
-    MeshError error = mesh_error(spacings, values);
-    // The limit is the family's; the error is that of this group's own spacing.
-    error.relative_error = groups[i].numbers.loading_stiffness.mean / error.extrapolated - 1;
-    groups[i].mesh = error;
-  }
-}
-
 }  // namespace
 
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance) {
@@ -162,17 +144,15 @@ Comparison compare_with_hertz(const CaseCollection& collection, double tolerance
     result.values = group.values;
     result.realisations = static_cast<int>(group.cases.size());
     result.interface_spacing = group.first().interface_spacing();
-    result.numbers = numbers_of(group);
-    for (const auto& step : group.numbers.front().ratios)
-      result.loads.push_back({step.force, over_realisations(group, step.force, &HertzRatios::force_ratio),
-                              over_realisations(group, step.force, &HertzRatios::stiffness_ratio),
-                              over_realisations(group, step.force, &HertzRatios::area_ratio),
-                              over_realisations(group, step.force, &HertzRatios::pressure_ratio)});
+    const MeshFamily family(collection, group);
+    result.other_spacings = family.other_spacings();
+    result.is_finest = family.own_is_finest();
+    result.numbers = numbers_of(group, family);
+    for (const auto& point : group.numbers.front().loads) result.loads.push_back(at_load(point.force, group, family));
     result.hertzian_from = hertzian_from(result.loads, tolerance);
     result.verdict = verdict_of(result, tolerance);
     comparison.groups.push_back(std::move(result));
   }
-  add_mesh_errors(collection, comparison.groups);
   return comparison;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,29 +10,39 @@
 
 namespace asperity {
 
-/// Ratios to Hertz at one load of the first loading, over realisations.
+/// One load of the first loading, over realisations. Ratios are to Hertz for the same bodies, smooth and elastic.
 struct LoadComparison {
-  double force = 0;          ///< [N]
-  Scatter force_ratio;       ///< force over Hertz's at the same approach
-  Scatter stiffness_ratio;   ///< tangent stiffness over Hertz's at the same load
-  Scatter area_ratio;        ///< real contact area over Hertz's at the same load
-  Scatter pressure_ratio;    ///< largest pressure over Hertz's at the same load
+  double force = 0;              ///< [N]
+  Estimate approach;             ///< [m]
+  Estimate stiffness;            ///< tangent of loading [N/m]
+  Estimate unloading_stiffness;  ///< tangent of the first unloading at the same load [N/m]
+  Estimate contact_area;         ///< real [m^2]
+  Estimate mean_pressure;        ///< load over real area [Pa]
+  Estimate largest_pressure;     ///< [Pa]
+  Estimate plastic_volume;       ///< [m^3]
+  Estimate force_ratio;          ///< force over Hertz's at the same approach
+  Estimate stiffness_ratio;      ///< tangent stiffness over Hertz's at the same load
+  Estimate unloading_ratio;      ///< that of unloading
+  Estimate area_ratio;           ///< real contact area over Hertz's at the same load
+  Estimate pressure_ratio;       ///< largest pressure over Hertz's at the same load
+  double step_error = 0;         ///< largest relative bound on the loading stiffness from the finite load steps
 };
 
 /// Numbers of a group at its largest load.
 struct GroupNumbers {
-  double force = 0;             ///< [N]
+  double force = 0;              ///< [N]
   Hertz hertz;
-  Scatter approach;             ///< [m]
-  Scatter loading_stiffness;    ///< [N/m]
-  Scatter unloading_stiffness;  ///< at the start of unloading [N/m]
-  Scatter contact_area;         ///< [m^2]
-  Scatter largest_pressure;     ///< [Pa]
-  Scatter plastic_volume;       ///< [m^3]
-  Scatter residual_imprint;     ///< [m]
-  Scatter dissipated_energy;    ///< [J]
-  Scatter fitted_radius, fitted_radius_with_offset;  ///< what a Hertz fit would report [m]
-  Scatter exponent, exponent_with_offset;
+  Estimate approach;             ///< [m]
+  Estimate loading_stiffness;    ///< [N/m]
+  Estimate unloading_stiffness;  ///< at the start of unloading [N/m]
+  Estimate contact_area;         ///< [m^2]
+  Estimate mean_pressure;        ///< [Pa]
+  Estimate largest_pressure;     ///< [Pa]
+  Estimate plastic_volume;       ///< [m^3]
+  Estimate residual_imprint;     ///< [m]
+  Estimate dissipated_energy;    ///< [J]
+  Estimate fitted_radius, fitted_radius_with_offset;  ///< what a Hertz fit would report [m]
+  Estimate exponent, exponent_with_offset;
   double differencing_error = 0;  ///< largest relative bound on the loading stiffness from the finite load steps
 };
 
@@ -44,8 +53,9 @@ struct GroupComparison {
   double interface_spacing = 0;     ///< [m]
   GroupNumbers numbers;
   std::vector<LoadComparison> loads;
-  /// Of the loading stiffness at the largest load, where the same contact was solved on several spacings.
-  std::optional<MeshError> mesh;
+  /// Spacings the same contact was solved on too [m]; the mesh errors come from them.
+  std::vector<double> other_spacings;
+  bool is_finest = true;            ///< no smaller one is among them: this is the result, the others judge it
   /// Load from which on the stiffness stays within the tolerance; NaN if it does not at the largest load.
   double hertzian_from = 0;
   std::string verdict;
@@ -61,10 +71,16 @@ struct Comparison {
 
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance);
 
+/// Loads at which the curves are compared, one row per group and load, as CSV: each number with its standard deviation over
+/// realisations and its mesh error in columns of their own.
+std::string to_csv(const Comparison& comparison);
 nlohmann::ordered_json to_json(const Comparison& comparison);
 std::string to_markdown(const Comparison& comparison);
 
 /// "0.93 +- 0.02" in `digits` significant digits of the scatter's mean; "-" if it is not known.
 std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
+
+/// "+1.9 ± 0.7 %", with its standard error where that is known; "-" if the error is not known.
+std::string mesh_error_text(const Estimate& estimate);
 
 }  // namespace asperity

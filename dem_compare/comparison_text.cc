@@ -1,7 +1,8 @@
-// A comparison as markdown for people and as JSON for programs.
+// A comparison as markdown for people, as JSON and CSV for programs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "dem_compare/comparison.h"
 
@@ -12,19 +13,43 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json scatter_json(const Scatter& scatter) {
-  return {{"value", number(scatter.mean)},
-          {"sd", number(scatter.sd)},
-          {"standard_error", number(scatter.standard_error)},
-          {"count", scatter.count}};
+Json estimate_json(const Estimate& estimate, const char* unit) {
+  Json object{{"value", number(estimate.mean)},
+              {"unit", unit},
+              {"sd", number(estimate.sd)},
+              {"standard_error", number(estimate.standard_error)},
+              {"count", estimate.count}};
+  if (estimate.mesh)
+    object["mesh_error"] = {{"relative", number(estimate.mesh->relative_error)},
+                            {"standard_error", number(estimate.mesh->standard_error)},
+                            {"extrapolated", number(estimate.mesh->extrapolated)},
+                            {"order", estimate.mesh->order},
+                            {"order_is_assumed", estimate.mesh->order_is_assumed}};
+  return object;
+}
+
+/// What is known at a load, as files name it.
+struct LoadColumn {
+  const char *name, *unit;
+  Estimate LoadComparison::*estimate;
+};
+const std::vector<LoadColumn>& load_columns() {
+  static const std::vector<LoadColumn> columns{{"approach", "m", &LoadComparison::approach},
+                                               {"stiffness", "N/m", &LoadComparison::stiffness},
+                                               {"unloading_stiffness", "N/m", &LoadComparison::unloading_stiffness},
+                                               {"contact_area", "m^2", &LoadComparison::contact_area},
+                                               {"mean_pressure", "Pa", &LoadComparison::mean_pressure},
+                                               {"largest_pressure", "Pa", &LoadComparison::largest_pressure},
+                                               {"plastic_volume", "m^3", &LoadComparison::plastic_volume},
+                                               {"force_ratio", "1", &LoadComparison::force_ratio},
+                                               {"stiffness_ratio", "1", &LoadComparison::stiffness_ratio},
+                                               {"unloading_stiffness_ratio", "1", &LoadComparison::unloading_ratio},
+                                               {"contact_area_ratio", "1", &LoadComparison::area_ratio},
+                                               {"largest_pressure_ratio", "1", &LoadComparison::pressure_ratio}};
+  return columns;
 }
 
 Json numbers_json(const GroupNumbers& numbers) {
-  const auto with_unit = [](const Scatter& scatter, const char* unit) {
-    Json object = scatter_json(scatter);
-    object["unit"] = unit;
-    return object;
-  };
   return {{"normal_force_N", number(numbers.force)},
           {"hertz",
            {{"reduced_modulus_Pa", numbers.hertz.reduced_modulus},
@@ -33,18 +58,19 @@ Json numbers_json(const GroupNumbers& numbers) {
             {"normal_stiffness_N_per_m", number(numbers.hertz.normal_stiffness(numbers.force))},
             {"contact_area_m2", number(numbers.hertz.contact_area(numbers.force))},
             {"peak_pressure_Pa", number(numbers.hertz.peak_pressure(numbers.force))}}},
-          {"approach", with_unit(numbers.approach, "m")},
-          {"loading_stiffness", with_unit(numbers.loading_stiffness, "N/m")},
-          {"unloading_stiffness", with_unit(numbers.unloading_stiffness, "N/m")},
-          {"contact_area", with_unit(numbers.contact_area, "m^2")},
-          {"largest_pressure", with_unit(numbers.largest_pressure, "Pa")},
-          {"plastic_volume", with_unit(numbers.plastic_volume, "m^3")},
-          {"residual_imprint", with_unit(numbers.residual_imprint, "m")},
-          {"dissipated_energy", with_unit(numbers.dissipated_energy, "J")},
-          {"fitted_radius", with_unit(numbers.fitted_radius, "m")},
-          {"fitted_radius_with_offset", with_unit(numbers.fitted_radius_with_offset, "m")},
-          {"fitted_exponent", with_unit(numbers.exponent, "1")},
-          {"fitted_exponent_with_offset", with_unit(numbers.exponent_with_offset, "1")},
+          {"approach", estimate_json(numbers.approach, "m")},
+          {"loading_stiffness", estimate_json(numbers.loading_stiffness, "N/m")},
+          {"unloading_stiffness", estimate_json(numbers.unloading_stiffness, "N/m")},
+          {"contact_area", estimate_json(numbers.contact_area, "m^2")},
+          {"mean_pressure", estimate_json(numbers.mean_pressure, "Pa")},
+          {"largest_pressure", estimate_json(numbers.largest_pressure, "Pa")},
+          {"plastic_volume", estimate_json(numbers.plastic_volume, "m^3")},
+          {"residual_imprint", estimate_json(numbers.residual_imprint, "m")},
+          {"dissipated_energy", estimate_json(numbers.dissipated_energy, "J")},
+          {"fitted_radius", estimate_json(numbers.fitted_radius, "m")},
+          {"fitted_radius_with_offset", estimate_json(numbers.fitted_radius_with_offset, "m")},
+          {"fitted_exponent", estimate_json(numbers.exponent, "1")},
+          {"fitted_exponent_with_offset", estimate_json(numbers.exponent_with_offset, "1")},
           {"load_step_error_of_stiffness", number(numbers.differencing_error)}};
 }
 
@@ -52,22 +78,24 @@ Json group_json(const GroupComparison& group) {
   Json object{{"label", group.label},
               {"realisations", group.realisations},
               {"interface_spacing_m", number(group.interface_spacing)},
+              {"is_finest_spacing", group.is_finest},
+              {"other_spacings_m", group.other_spacings},
               {"verdict", group.verdict},
               {"hertzian_from_N", number(group.hertzian_from)},
               {"at_largest_load", numbers_json(group.numbers)}};
-  if (group.mesh)
-    object["mesh_error_of_stiffness"] = {{"relative", number(group.mesh->relative_error)},
-                                         {"extrapolated_N_per_m", number(group.mesh->extrapolated)},
-                                         {"order", group.mesh->order},
-                                         {"order_is_assumed", group.mesh->order_is_assumed}};
   object["loads"] = Json::array();
-  for (const auto& load : group.loads)
-    object["loads"].push_back({{"normal_force_N", load.force},
-                               {"force_ratio", scatter_json(load.force_ratio)},
-                               {"stiffness_ratio", scatter_json(load.stiffness_ratio)},
-                               {"contact_area_ratio", scatter_json(load.area_ratio)},
-                               {"largest_pressure_ratio", scatter_json(load.pressure_ratio)}});
+  for (const auto& load : group.loads) {
+    Json at{{"normal_force_N", load.force}};
+    for (const auto& column : load_columns()) at[column.name] = estimate_json(load.*column.estimate, column.unit);
+    at["load_step_error_of_stiffness"] = number(load.step_error);
+    object["loads"].push_back(at);
+  }
   return object;
+}
+
+/// Mean and scatter, and the mesh error, as two cells.
+std::string two_cells(const Estimate& estimate, double unit = 1) {
+  return plus_minus(estimate, unit) + " | " + mesh_error_text(estimate) + " | ";
 }
 
 }  // namespace
@@ -91,8 +119,47 @@ std::string plus_minus(const Scatter& scatter, double unit, int digits) {
   return buffer;
 }
 
+std::string mesh_error_text(const Estimate& estimate) {
+  if (!estimate.mesh || !std::isfinite(estimate.mesh->relative_error)) return "–";
+  const double error = 100 * estimate.mesh->relative_error, doubt = 100 * estimate.mesh->standard_error;
+  constexpr double whole_percents_from = 9.95;
+  const int decimals = std::max(std::abs(error), std::isfinite(doubt) ? doubt : 0) < whole_percents_from ? 1 : 0;
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%+.*f", decimals, error);
+  std::string text = std::strtod(buffer, nullptr) == 0 ? buffer + 1 : buffer;  // zero has no sign
+  if (std::isfinite(doubt)) {
+    std::snprintf(buffer, sizeof buffer, " ± %.*f", decimals, doubt);
+    text += buffer;
+  }
+  return text + " %";
+}
+
+std::string to_csv(const Comparison& comparison) {
+  const auto cell = [](double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    return std::isfinite(value) ? std::string(buffer) : std::string();
+  };
+  std::string text = "contact,interface_spacing [m],realisations,normal_force [N]";
+  for (const auto& column : load_columns()) {
+    const std::string name = column.name, unit = std::string(column.unit) == "1" ? "" : " [" + std::string(column.unit) + "]";
+    text += "," + name + unit + "," + name + "_sd" + unit + "," + name + "_mesh_error";
+  }
+  text += ",load_step_error_of_stiffness\n";
+  for (const auto& group : comparison.groups)
+    for (const auto& load : group.loads) {
+      text += "\"" + group.label + "\"," + cell(group.interface_spacing) + "," + std::to_string(group.realisations) + "," + cell(load.force);
+      for (const auto& column : load_columns()) {
+        const Estimate& estimate = load.*column.estimate;
+        text += "," + cell(estimate.mean) + "," + cell(estimate.sd) + "," + cell(estimate.mesh ? estimate.mesh->relative_error : NAN);
+      }
+      text += "," + cell(load.step_error) + "\n";
+    }
+  return text;
+}
+
 Json to_json(const Comparison& comparison) {
-  Json object{{"format", "asperity-comparison/1"},
+  Json object{{"format", "asperity-comparison/2"},
               {"title", comparison.title},
               {"tolerance", comparison.tolerance},
               {"cases_planned", comparison.planned}};
@@ -106,9 +173,10 @@ Json to_json(const Comparison& comparison) {
 
 std::string to_markdown(const Comparison& comparison) {
   std::string text = "# " + (comparison.title.empty() ? "Comparison" : comparison.title) + ": comparison with Hertz\n\n";
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, "Ratios to Hertz for the same smooth, elastic bodies; tolerance %.3g %%. "
-                "± is the standard deviation over realisations; the mesh error is a number of its own.\n",
+  char buffer[400];
+  std::snprintf(buffer, sizeof buffer, "Ratios are to Hertz for the same smooth, elastic bodies; tolerance %.3g %%. ± is the standard deviation\n"
+                "over realisations. The mesh error, a number of its own and not contained in ±, is that of the value before it;\n"
+                "its own ± is a standard error.\n",
                 100 * comparison.tolerance);
   text += buffer;
   if (!comparison.missing.empty()) {
@@ -118,25 +186,32 @@ std::string to_markdown(const Comparison& comparison) {
       text += "- " + missing.name + ": " + missing.state + (missing.message.empty() ? "" : ", " + missing.message) + "\n";
   }
   for (const auto& group : comparison.groups) {
+    // Coarser spacings judge the finest; their own numbers are in the JSON and CSV.
+    if (!group.is_finest) continue;
     text += "\n## " + group.label + "\n\n" + group.verdict + "\n";
     std::snprintf(buffer, sizeof buffer, "Realisations: %d. ", group.realisations);
     text += std::string("\n") + buffer;
     if (std::isfinite(group.interface_spacing))
       text += "Interface spacing: " + format_quantity(group.interface_spacing, Dimension::length) + ". ";
-    if (group.mesh) {
-      std::snprintf(buffer, sizeof buffer, "Mesh error of the stiffness: %+.2g %% (order %.2g%s).",
-                    100 * group.mesh->relative_error, group.mesh->order,
-                    group.mesh->order_is_assumed ? ", assumed" : ", observed");
+    if (group.other_spacings.empty()) text += "Mesh error: not known, only one spacing was solved.";
+    for (std::size_t i = 0; i < group.other_spacings.size(); ++i)
+      text += (i ? ", " : "Mesh error from a comparison with ") + format_quantity(group.other_spacings[i], Dimension::length);
+    if (group.numbers.loading_stiffness.mesh) {
+      std::snprintf(buffer, sizeof buffer, " (order %.2g%s).", group.numbers.loading_stiffness.mesh->order,
+                    group.numbers.loading_stiffness.mesh->order_is_assumed ? ", assumed" : ", observed");
       text += buffer;
-    } else {
-      text += "Mesh error: not known, only one spacing was solved.";
     }
-    text += "\n\n| load | force ratio | stiffness ratio | real contact area ratio | largest pressure ratio |\n"
-            "| ---: | ---: | ---: | ---: | ---: |\n";
+    constexpr double kN_per_m = 1e3, GPa = 1e9;
+    text += "\n\n| load | stiffness [kN/m] | mesh error | over Hertz | unloading [kN/m] | mesh error | force over Hertz | mesh error |\n"
+            "| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const auto& load : group.loads)
-      text += "| " + format_quantity(load.force, Dimension::force) + " | " + plus_minus(load.force_ratio) + " | " +
-              plus_minus(load.stiffness_ratio) + " | " + plus_minus(load.area_ratio) + " | " +
-              plus_minus(load.pressure_ratio) + " |\n";
+      text += "| " + format_quantity(load.force, Dimension::force) + " | " + two_cells(load.stiffness, kN_per_m) +
+              plus_minus(load.stiffness_ratio) + " | " + two_cells(load.unloading_stiffness, kN_per_m) + two_cells(load.force_ratio) + "\n";
+    text += "\n| load | real area over Hertz | mesh error | mean pressure [GPa] | mesh error | largest pressure [GPa] | mesh error |\n"
+            "| ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+    for (const auto& load : group.loads)
+      text += "| " + format_quantity(load.force, Dimension::force) + " | " + two_cells(load.area_ratio) + two_cells(load.mean_pressure, GPa) +
+              two_cells(load.largest_pressure, GPa) + "\n";
   }
   return text;
 }

@@ -96,19 +96,31 @@ std::size_t end_of_unloading(const ContactHistory& history, const HistoryBranch&
   return i;
 }
 
-std::vector<HertzRatios> ratios_of(const ContactHistory& history, const HistoryBranch& loading, const Hertz& hertz,
-                                   const std::vector<TangentStiffness>& tangents) {
-  std::vector<HertzRatios> ratios;
+/// The steps of the first loading; stiffnesses are those of `numbers`.
+std::vector<LoadPoint> load_points(const ContactHistory& history, const HistoryBranch& loading, const Hertz& hertz,
+                                   const NormalNumbers& numbers) {
+  std::vector<LoadPoint> points;
   for (std::size_t i = loading.first; i <= loading.last; ++i) {
-    const double force = history.normal_force[i];
+    LoadPoint point;
+    const double force = point.force = history.normal_force[i];
     if (force <= 0) continue;
-    const double hertz_force = hertz.force(history.normal_displacement[i]);
-    const double k = stiffness_at(tangents, force);
-    ratios.push_back({force, hertz_force > 0 ? force / hertz_force : unknown, k / hertz.normal_stiffness(force),
-                      history.contact_area[i] / hertz.contact_area(force),
-                      history.max_pressure[i] / hertz.peak_pressure(force)});
+    point.approach = history.normal_displacement[i];
+    point.stiffness = stiffness_at(numbers.loading, force);
+    point.step_error = points.size() < numbers.loading.size() ? numbers.loading[points.size()].error : unknown;
+    point.unloading_stiffness = stiffness_at(numbers.unloading, force);
+    point.contact_area = history.contact_area[i];
+    point.mean_pressure = point.contact_area > 0 ? force / point.contact_area : unknown;
+    point.largest_pressure = history.max_pressure[i];
+    point.plastic_volume = history.plastic_volume[i];
+    const double hertz_force = hertz.force(point.approach);
+    point.force_ratio = hertz_force > 0 ? force / hertz_force : unknown;
+    point.stiffness_ratio = point.stiffness / hertz.normal_stiffness(force);
+    point.unloading_ratio = point.unloading_stiffness / hertz.normal_stiffness(force);
+    point.area_ratio = point.contact_area / hertz.contact_area(force);
+    point.pressure_ratio = point.largest_pressure / hertz.peak_pressure(force);
+    points.push_back(point);
   }
-  return ratios;
+  return points;
 }
 
 }  // namespace
@@ -165,6 +177,18 @@ ExponentFit fit_exponent(const Values& approach, const Values& force, bool with_
 double NormalNumbers::unloading_stiffness() const { return unloading.empty() ? unknown : unloading.front().stiffness; }
 double NormalNumbers::loading_stiffness() const { return loading.empty() ? unknown : loading.back().stiffness; }
 
+double NormalNumbers::at_load(double force, double LoadPoint::*member) const {
+  const double tolerance = 1e-6 * force;  // a step's own load but for rounding
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (std::abs(loads[i].force - force) <= tolerance) return loads[i].*member;
+    if (i + 1 < loads.size() && loads[i].force < force && force < loads[i + 1].force) {
+      const double share = (force - loads[i].force) / (loads[i + 1].force - loads[i].force);
+      return loads[i].*member + share * (loads[i + 1].*member - loads[i].*member);
+    }
+  }
+  return unknown;
+}
+
 NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) {
   NormalNumbers numbers;
   numbers.residual_imprint = unknown;
@@ -178,13 +202,14 @@ NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) 
 
   bool loaded = false, unloaded = false, reloaded = false;
   Branch first_loading;
+  HistoryBranch loading_range;
   for (const auto& range : history_branches(history)) {
     const Branch branch = branch_of(history, range);
     if (range.kind == HistoryBranch::Kind::loading && !loaded) {
       loaded = true;
       first_loading = branch;
       numbers.loading = tangent_stiffness(branch.approach, branch.force);
-      numbers.ratios = ratios_of(history, range, hertz, numbers.loading);
+      loading_range = range;
       // Four numbers at most are fitted; fewer steps would leave nothing to judge the misfit by.
       constexpr std::size_t fewest_for_fits = 5;
       if (branch.force.size() >= fewest_for_fits) {
@@ -209,6 +234,7 @@ NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) 
       numbers.reloading = tangent_stiffness(branch.approach, branch.force);
     }
   }
+  if (loaded) numbers.loads = load_points(history, loading_range, hertz, numbers);
   return numbers;
 }
 

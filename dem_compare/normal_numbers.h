@@ -45,13 +45,22 @@ RadiusFit fit_radius(const std::vector<double>& approach, const std::vector<doub
                      bool with_offset);
 ExponentFit fit_exponent(const std::vector<double>& approach, const std::vector<double>& force, bool with_offset);
 
-/// A step of the first loading against Hertz.
-struct HertzRatios {
-  double force = 0;            ///< [N]
-  double force_ratio = 0;      ///< F over Hertz's at the same approach; depends on where the approach is counted from
-  double stiffness_ratio = 0;  ///< k over Hertz's at the same force
-  double area_ratio = 0;       ///< real contact area over Hertz's at the same force
-  double pressure_ratio = 0;   ///< largest pressure over Hertz's at the same force
+/// A step of the first loading, and its ratios to Hertz for the same bodies, smooth and elastic.
+struct LoadPoint {
+  double force = 0;                ///< [N]
+  double approach = 0;             ///< [m]
+  double stiffness = 0;            ///< tangent of loading [N/m]
+  double step_error = 0;           ///< bound on it from the finite load steps [N/m]
+  double unloading_stiffness = 0;  ///< tangent of the first unloading at the same load [N/m]
+  double contact_area = 0;         ///< real [m^2]
+  double mean_pressure = 0;        ///< load over real area [Pa]
+  double largest_pressure = 0;     ///< [Pa]
+  double plastic_volume = 0;       ///< [m^3]
+  double force_ratio = 0;          ///< F over Hertz's at the same approach; depends on where the approach is counted from
+  double stiffness_ratio = 0;      ///< k over Hertz's at the same force
+  double unloading_ratio = 0;      ///< that of unloading
+  double area_ratio = 0;           ///< real contact area over Hertz's at the same force
+  double pressure_ratio = 0;       ///< largest pressure over Hertz's at the same force
 };
 
 struct NormalNumbers {
@@ -67,11 +76,13 @@ struct NormalNumbers {
   bool has_fits = false;
   RadiusFit radius, radius_with_offset;
   ExponentFit exponent, exponent_with_offset;
-  std::vector<HertzRatios> ratios;
+  std::vector<LoadPoint> loads;   ///< steps of the first loading
 
   /// Start of unloading; NaN without one.
   double unloading_stiffness() const;
   double loading_stiffness() const;
+  /// A number of LoadPoint at a load, linear between the steps; NaN outside of them.
+  double at_load(double force, double LoadPoint::*member) const;
 };
 
 NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz);

@@ -28,9 +28,13 @@ Scatter scatter_of(const std::vector<double>& values) {
 
 namespace {
 
+/// Orders that three spacings are believed. Linear elements have the second, and a higher one is an accident that would make
+/// the error look small; a lower one would make it look boundless.
+constexpr double lowest_order = 0.5, highest_order = 2;
+
 /// p of f0 + c h^p through three points h1 < h2 < h3; NaN if they do not converge monotonically.
 double observed_order(const double* h, const double* f) {
-  constexpr double lowest = 0.1, highest = 10;
+  constexpr double lowest = 0.1, highest = 20;
   const double ratio = (f[2] - f[1]) / (f[1] - f[0]);
   const auto mismatch = [&](double p) {
     return (std::pow(h[2], p) - std::pow(h[1], p)) / (std::pow(h[1], p) - std::pow(h[0], p)) - ratio;
@@ -58,10 +62,10 @@ MeshError mesh_error(std::vector<double> spacings, std::vector<double> values, d
 
   MeshError error;
   error.order = h.size() > 2 ? observed_order(h.data(), f.data()) : std::numeric_limits<double>::quiet_NaN();
-  error.order_is_assumed = std::isnan(error.order);
-  if (error.order_is_assumed) error.order = assumed_order;
+  error.order_is_assumed = !(error.order >= lowest_order && error.order <= highest_order);
+  if (error.order_is_assumed) error.order = error.order > highest_order ? highest_order : assumed_order;
   error.extrapolated = f[0] - (f[1] - f[0]) / (std::pow(h[1], error.order) - 1);
-  error.relative_error = f[0] / error.extrapolated - 1;
+  error.relative_error = (f[0] - error.extrapolated) / std::abs(f[0]);
   return error;
 }
 

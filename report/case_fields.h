@@ -1,32 +1,28 @@
-// Pictures of one solved case: its roughness, the pressure in the contact, a vertical section through both bodies.
+// What the pictures of one solved case have in common: its field files, and Hertz' contact at its largest load.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "dem_compare/solved_case.h"
 #include "report/field_files.h"
-#include "report/section_picture.h"
-#include "report/virtual_display.h"
+#include "report/map_figure.h"
 
 namespace asperity::report {
 
-/// The display is started when the first section is drawn and shared by all.
-class SectionPainter {
- public:
-  std::vector<Image> draw(vtkPolyData& section, const std::vector<SectionView>& views);
+/// Share of values beyond the ends of a colour bar, so that single points do not decide it.
+constexpr double outliers = 0.002;
 
- private:
-  std::unique_ptr<VirtualDisplay> display_;
-};
+double largest_force(const SolvedCase& solved);
+/// Of smooth, elastic bodies at the largest load [m].
+double hertz_radius(const SolvedCase& solved);
 
 /// The field files at the largest load of the history (else the last); empty if none were written.
 StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd);
 
-/// Figures as HTML, or a note that says why there are none.
-std::string roughness_figures(const SolvedCase& solved);
-std::string pressure_map_figure(const SolvedCase& solved, const std::string& title);
-std::string pressure_profile_figure(const SolvedCase& solved);
-std::string section_figures(const SolvedCase& solved, SectionPainter& painter);
+/// A note in place of a picture.
+std::string no_fields(const SolvedCase& solved);
+
+/// A figure over two lengths in nm; the window is given in m.
+MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high, const std::string& upright_name);
 
 }  // namespace asperity::report

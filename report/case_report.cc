@@ -9,15 +9,13 @@
 #include "report/curves.h"
 #include "report/page.h"
 #include "report/result_tables.h"
+#include "report/surface_maps.h"
 #include "report/words.h"
 
 namespace asperity::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Departure of the stiffness or force that a report calls one.
-constexpr double tolerance = 0.05;
 
 std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   const Hertz& hertz = numbers.hertz;
@@ -133,8 +131,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += tiles_html(tiles_of(group.numbers));
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);
-  body += section_html("Pressure in the contact",
-                       side_by_side({pressure_map_figure(solved, "Seen from above"), pressure_profile_figure(solved)}));
+  body += section_html("Pressure and gap in the contact", contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += section_html("Against Hertz, load by load",
                        ratio_table(group) +

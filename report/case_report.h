@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "report/case_fields.h"
+#include "report/section_figures.h"
 
 namespace asperity::report {
 

@@ -202,11 +202,34 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
   return chart;
 }
 
-Chart ratio_chart(const std::vector<StudyCurve>& curves, Scatter LoadComparison::*ratio, const std::string& label,
-                  double tolerance) {
+namespace {
+
+/// Means and standard deviations over load, one series per curve.
+std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit,
+                              const ForceUnit& force) {
+  std::vector<Series> list;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
+    for (const auto& load : curves[i].last().loads) {
+      series.x.push_back(load.force / force.si);
+      series.y.push_back((load.*value).mean / unit);
+      series.error.push_back((load.*value).sd / unit);
+    }
+    list.push_back(std::move(series));
+  }
+  return list;
+}
+
+double largest_force(const std::vector<StudyCurve>& curves) {
   double force = 0;
   for (const auto& curve : curves) force = std::max(force, curve.last().numbers.force);
-  const ForceUnit unit = force_unit(force);
+  return force;
+}
+
+}  // namespace
+
+Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio, const std::string& label) {
+  const ForceUnit unit = force_unit(largest_force(curves));
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = label;
@@ -217,15 +240,21 @@ Chart ratio_chart(const std::vector<StudyCurve>& curves, Scatter LoadComparison:
   chart.band_label = band;
   chart.y_from_zero = false;
   chart.width = 520;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
-    for (const auto& load : curves[i].last().loads) {
-      series.x.push_back(load.force / unit.si);
-      series.y.push_back((load.*ratio).mean);
-      series.error.push_back((load.*ratio).sd);
-    }
-    chart.series.push_back(std::move(series));
-  }
+  chart.series = over_load(curves, ratio, 1, unit);
+  return chart;
+}
+
+Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit, const std::string& label,
+                  const std::function<double(const Hertz&, double force)>& hertz) {
+  const double largest = largest_force(curves);
+  const ForceUnit force = force_unit(largest);
+  Chart chart;
+  chart.x_label = "normal force F [" + force.name + "]";
+  chart.y_label = label;
+  chart.width = 520;
+  chart.series = over_load(curves, value, unit, force);
+  if (!curves.empty())
+    chart.series.push_back(hertz_over_load(largest, force, [&](double f) { return hertz(curves.front().last().numbers.hertz, f) / unit; }));
   return chart;
 }
 

@@ -1,11 +1,13 @@
 // The charts of a report: load against approach, stiffness, contact area.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "dem_compare/comparison.h"
 #include "report/chart.h"
+#include "report/study_curves.h"
 
 namespace asperity::report {
 
@@ -21,16 +23,11 @@ Chart load_approach_chart(const SolvedCase& solved);
 Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers);
 Chart contact_area_chart(const SolvedCase& solved);
 
-/// Groups that are drawn as one curve of a study: same contact, different largest load.
-struct StudyCurve {
-  std::string label;
-  std::vector<const GroupComparison*> groups;  ///< by growing load
-  const CaseGroup* largest = nullptr;          ///< cases of the group with the largest load
-  const GroupComparison& last() const { return *groups.back(); }
-};
 Chart load_approach_chart(const std::vector<StudyCurve>& curves);
-/// A ratio to Hertz against load: the mean of the group with the largest load, bars are its standard deviation.
-Chart ratio_chart(const std::vector<StudyCurve>& curves, Scatter LoadComparison::*ratio, const std::string& label,
-                  double tolerance);
+/// A number against load: means of the group with the largest load; bars are standard deviations over realisations. The ratios
+/// have a band around 1; others are divided by `unit` [SI] and have Hertz' value as a dashed line, if it is given.
+Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio, const std::string& label);
+Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit, const std::string& label,
+                  const std::function<double(const Hertz&, double force)>& hertz);
 
 }  // namespace asperity::report

@@ -47,6 +47,13 @@ Image paint(const Map& map, const ColourScale& scale, const ColourRange& range) 
   return image;
 }
 
+void paint_over(Image& image, const Map& map, double threshold, const Colour& colour) {
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+      if (map.values[static_cast<std::size_t>(iy) * map.nx + ix] > threshold)
+        std::copy(colour.begin(), colour.end(), image.pixel(ix, map.ny - 1 - iy));
+}
+
 std::string to_svg(const MapFigure& figure, const Image& image) {
   constexpr double left = 58, top = 12, bottom = 46, bar_gap = 16, bar_width = 16, bar_labels = 62;
   const double picture_width = figure.width - left - bar_gap - bar_width - bar_labels;

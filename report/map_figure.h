@@ -35,6 +35,8 @@ struct MapFigure {
 };
 
 Image paint(const Map& map, const ColourScale& scale, const ColourRange& range);
+/// Gives one colour to the pixels whose value is above `threshold`.
+void paint_over(Image& image, const Map& map, double threshold, const Colour& colour);
 std::string to_svg(const MapFigure& figure, const Image& image);
 
 }  // namespace asperity::report

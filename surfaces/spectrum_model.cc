@@ -15,6 +15,14 @@ double SelfAffineSpectrum::plateau() const {
          (q_r * q_r * (0.5 + (1 - std::pow(cutoff / rolloff, 2 * hurst)) / (2 * hurst)));
 }
 
+double SelfAffineSpectrum::rms_slope() const {
+  const double q_r = 2 * M_PI / rolloff, ratio = rolloff / cutoff;
+  // (2 pi) <|grad h|^2> = int q^3 C dq = C0 q_r^4 [1/4 + ((q_s/q_r)^(2-2H) - 1) / (2-2H)], the logarithm for H = 1
+  const double exponent = 2 - 2 * hurst;
+  const double falling = exponent == 0 ? std::log(ratio) : (std::pow(ratio, exponent) - 1) / exponent;
+  return std::sqrt(plateau() * std::pow(q_r, 4) * (0.25 + falling) / (2 * M_PI));
+}
+
 double SelfAffineSpectrum::operator()(double q) const {
   const double q_r = 2 * M_PI / rolloff, q_s = 2 * M_PI / cutoff;
   if (q > q_s) return 0;

@@ -25,6 +25,8 @@ struct SelfAffineSpectrum {
   double operator()(double q) const;
   /// C0 [m^4] for `rms`; the roll-off's share is kept: leaving it out would overshoot Sq by sqrt(1 + H).
   double plateau() const;
+  /// <|grad h|^2>^(1/2) of the unbounded surface [-]; the short waves carry it.
+  double rms_slope() const;
   /// Throws InputError naming the entry that is out of range.
   void check() const;
 };

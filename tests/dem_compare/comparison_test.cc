@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/atomic_file.h"
@@ -64,7 +65,7 @@ TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load) {
   EXPECT_NEAR(group.hertzian_from, 1.25e-4, 1e-10);
   EXPECT_EQ(group.verdict.find("softer"), std::string::npos);
   EXPECT_NEAR(group.numbers.fitted_radius.mean, 8.5e-6, 1e-11);
-  EXPECT_FALSE(group.mesh.has_value());
+  EXPECT_FALSE(group.numbers.loading_stiffness.mesh.has_value());
 }
 
 TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_root_of_its_radius) {
@@ -100,12 +101,56 @@ TEST_F(ComparedFolders, cases_that_differ_by_their_spacing_give_the_mesh_error_a
   const Comparison comparison = compare_with_hertz(
       collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.1, 0, "1", "10 nm")}), 0.05);
   ASSERT_EQ(comparison.groups.size(), 2u);
-  ASSERT_TRUE(comparison.groups[0].mesh.has_value());
-  EXPECT_TRUE(comparison.groups[0].mesh->order_is_assumed);
   const double limit = 1 - (std::cbrt(1.1) - 1);  // first order: the step from 10 to 5 nm once more
-  EXPECT_NEAR(comparison.groups[0].mesh->relative_error, 1 / limit - 1, 1e-6);
-  EXPECT_NEAR(comparison.groups[1].mesh->relative_error, std::cbrt(1.1) / limit - 1, 1e-6);
+  for (const auto& estimate : {comparison.groups[0].numbers.loading_stiffness, comparison.groups[0].loads.front().stiffness}) {
+    ASSERT_TRUE(estimate.mesh.has_value());
+    EXPECT_TRUE(estimate.mesh->order_is_assumed);
+    EXPECT_NEAR(estimate.mesh->relative_error, 1 - limit, 1e-6);
+    EXPECT_TRUE(std::isnan(estimate.mesh->standard_error));
+  }
+  EXPECT_NEAR(comparison.groups[1].numbers.loading_stiffness.mesh->relative_error, 1 - limit / std::cbrt(1.1), 1e-6);
+  EXPECT_TRUE(comparison.groups[0].is_finest);
+  EXPECT_FALSE(comparison.groups[1].is_finest);
   EXPECT_TRUE(std::isnan(comparison.groups[0].loads.back().stiffness_ratio.sd));
+}
+
+TEST_F(ComparedFolders, realisations_that_one_spacing_lacks_do_not_pass_for_a_mesh_error) {
+  // Two realisations that differ by far and do not depend on the mesh; the coarse spacing has but one of them.
+  const std::vector<fs::path> folders{write_case("fine-1", 0.8, 0, "1", "5 nm"), write_case("fine-2", 1.2, 0, "2", "5 nm"),
+                                      write_case("coarse-1", 0.8, 0, "1", "10 nm")};
+  const Comparison comparison = compare_with_hertz(collect_cases(folders), 0.05);
+  ASSERT_EQ(comparison.groups.size(), 2u);
+  const Estimate& fine = comparison.groups[0].loads.back().stiffness;
+  EXPECT_EQ(fine.count, 2);
+  EXPECT_GT(fine.sd, 0);
+  EXPECT_NEAR(fine.mesh->relative_error, 0, 1e-9);
+}
+
+TEST_F(ComparedFolders, a_mesh_error_carries_the_scatter_that_realisations_give_it) {
+  const std::vector<fs::path> folders{write_case("fine-1", 1, 0, "1", "5 nm"), write_case("fine-2", 1, 0, "2", "5 nm"),
+                                      write_case("coarse-1", 1.331, 0, "1", "10 nm"), write_case("coarse-2", 0.729, 0, "2", "10 nm")};
+  const Comparison comparison = compare_with_hertz(collect_cases(folders), 0.05);
+  // Errors of -10 % and +10 % of the stiffness: none on average, 10 % of standard error.
+  const MeshError error = *comparison.groups[0].loads.back().stiffness.mesh;
+  EXPECT_NEAR(error.relative_error, 0, 1e-6);
+  EXPECT_NEAR(error.standard_error, 0.1, 1e-6);
+  EXPECT_EQ(mesh_error_text(comparison.groups[0].loads.back().stiffness), "0 ± 10 %");
+}
+
+TEST_F(ComparedFolders, the_path_of_one_case_gives_stiffness_area_and_pressure_at_each_of_its_loads) {
+  const Comparison comparison = compare_with_hertz(collect_cases({write_case("smooth", 1)}), 0.05);
+  const GroupComparison& group = comparison.groups[0];
+  ASSERT_EQ(group.loads.size(), 8u);
+  for (const auto& load : group.loads) {
+    const Hertz& hertz = group.numbers.hertz;
+    EXPECT_NEAR(load.stiffness.mean / hertz.normal_stiffness(load.force), 1, 1e-6);
+    EXPECT_NEAR(load.approach.mean / hertz.approach(load.force), 1, 1e-6);
+    EXPECT_NEAR(load.mean_pressure.mean / hertz.peak_pressure(load.force), 2.0 / 3, 1e-6);
+    EXPECT_LT(load.step_error, 1e-4);
+  }
+  const std::string csv = to_csv(comparison);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
+  EXPECT_NE(csv.find("stiffness [N/m],stiffness_sd [N/m],stiffness_mesh_error"), std::string::npos);
 }
 
 TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing) {

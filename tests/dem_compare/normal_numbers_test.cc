@@ -44,7 +44,7 @@ TEST(NormalNumbers_analytic, a_hertzian_loading_gives_the_tangent_2EaStar_whatev
       EXPECT_NEAR(tangent.stiffness / hertz.normal_stiffness(tangent.force), 1, 1e-9);
       EXPECT_LT(tangent.error, 1e-9 * tangent.stiffness);
     }
-    for (const auto& ratio : numbers.ratios) {
+    for (const auto& ratio : numbers.loads) {
       EXPECT_NEAR(ratio.stiffness_ratio, 1, 1e-9);
       EXPECT_NEAR(ratio.area_ratio, 1, 1e-12);
       EXPECT_NEAR(ratio.pressure_ratio, 1, 1e-12);
@@ -123,7 +123,7 @@ TEST(NormalNumbers, stiffness_between_steps_is_interpolated_and_outside_unknown)
 }
 
 TEST(NormalNumbers, an_empty_or_barely_begun_history_gives_no_numbers_and_no_error) {
-  EXPECT_TRUE(normal_numbers({}, hertz).ratios.empty());
+  EXPECT_TRUE(normal_numbers({}, hertz).loads.empty());
   ContactHistory one;
   add_step(one, hertz.approach(1e-4), 1e-4);
   const auto numbers = normal_numbers(one, hertz);

@@ -31,14 +31,22 @@ TEST(MeshError_analytic, three_spacings_give_limit_and_order) {
   EXPECT_FALSE(error.order_is_assumed);
   EXPECT_NEAR(error.order, 1.7, 1e-9);
   EXPECT_NEAR(error.extrapolated, 2, 1e-12);
-  EXPECT_NEAR(error.relative_error, 0.3 * std::pow(0.1, 1.7) / 2, 1e-12);
+  EXPECT_NEAR(error.relative_error, 0.3 * std::pow(0.1, 1.7) / value(0.1), 1e-12);
 }
 
 TEST(MeshError_analytic, two_spacings_are_extrapolated_with_the_assumed_order) {
   const MeshError error = mesh_error({10e-9, 5e-9}, {1.04, 1.02});
   EXPECT_TRUE(error.order_is_assumed);
   EXPECT_NEAR(error.extrapolated, 1.0, 1e-12);
-  EXPECT_NEAR(error.relative_error, 0.02, 1e-12);
+  EXPECT_NEAR(error.relative_error, 0.02 / 1.02, 1e-12);
+}
+
+TEST(MeshError_analytic, an_order_above_that_of_the_elements_is_not_believed) {
+  const auto value = [](double h) { return 1.0 + 0.1 * std::pow(h, 6); };
+  const MeshError error = mesh_error({1, 1.5, 2}, {value(1), value(1.5), value(2)});
+  EXPECT_TRUE(error.order_is_assumed);
+  EXPECT_EQ(error.order, 2);
+  EXPECT_GT(std::abs(error.relative_error), 0.5);  // at order 6 it would be 0.09
 }
 
 TEST(MeshError, values_that_do_not_converge_monotonically_fall_back_on_the_assumed_order) {

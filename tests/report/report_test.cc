@@ -67,7 +67,7 @@ TEST_F(ReportFolder, a_solved_case_has_verdict_surfaces_curves_pressure_section_
   const std::string html = report();
   expect_self_contained(html);
   EXPECT_TRUE(has(html, "softer than Hertz by 11 % still at 1 mN"));  // 0.7^(1/3) = 0.888
-  for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Seen from above", "5.95 µm", "8.5 µm",
+  for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Contact pressure", "Gap, and what is closed", "5.95 µm", "8.5 µm",
                            "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
     EXPECT_TRUE(has(html, part)) << part;
 }
@@ -91,7 +91,7 @@ TEST_F(ReportFolder, without_a_display_server_the_report_says_so_and_is_written_
   setenv("PATH", path.c_str(), 1);
   if (display) setenv("DISPLAY", kept_display.c_str(), 1);
   EXPECT_TRUE(has(html, "install the package xvfb"));
-  EXPECT_TRUE(has(html, "Seen from above"));
+  EXPECT_TRUE(has(html, "Gap, and what is closed"));
 }
 
 TEST_F(ReportFolder, a_display_that_does_not_answer_does_not_take_the_report_with_it) {
@@ -157,6 +157,46 @@ TEST_F(ReportFolder, a_study_shows_scatter_over_realisations_and_names_what_is_m
   EXPECT_TRUE(has(html, "48.5 ± 1.4"));
   EXPECT_TRUE(has(html, "Error of the computation, where the truth is known"));
   EXPECT_TRUE(has(html, "mesh error"));
+}
+
+TEST_F(ReportFolder, a_study_shows_stiffness_against_load_rms_and_spectrum_on_the_finest_mesh) {
+  const auto rough = [](const char* rms, const char* rolloff, int seed) {
+    return std::string("generated(rms=") + rms + " nm, window=2.5 um, hurst=0.8, rolloff=" + rolloff + " nm, cutoff=80 nm, seed=" +
+           std::to_string(seed) + ")";
+  };
+  struct Contact {
+    std::string surface, topography;
+    double softness;
+  };
+  const std::vector<Contact> contacts{{"smooth", "smooth", 1},
+                                      {"low", rough("0.5", "500", 1), 0.9},
+                                      {"high", rough("1.5", "500", 1), 0.7},
+                                      {"high, short waves", rough("1.5", "200", 1), 0.6}};
+  std::string cases;
+  for (const auto& contact : contacts)
+    for (const char* spacing : {"10 nm", "20 nm"}) {
+      test::SyntheticCase made;
+      made.imprint = 0;
+      made.fields = false;
+      made.topography = contact.topography;
+      made.softness = contact.softness * (std::string(spacing) == "10 nm" ? 1 : 1.05);
+      made.spacing = std::string(spacing) == "10 nm" ? 10e-9 : 20e-9;
+      const std::string name = contact.surface + spacing;
+      test::write_synthetic_case(made, root / name);
+      cases += (cases.empty() ? "" : ",") + (R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Interface spacing": ")" +
+               spacing + R"(", "Surface": ")" + contact.surface + R"("}, "realisation": 1, "state": "done"})");
+    }
+  write_file_atomically(root / "study.json", R"({"format": "asperity-study/1", "title": "Spectra", "realisations": 1,
+      "axes": [{"name": "Interface spacing", "values": ["10 nm", "20 nm"]}, {"name": "Surface",
+      "values": ["smooth", "low", "high", "high, short waves"]}], "cases": [)" + cases + "]}");
+  const std::string html = report();
+  expect_self_contained(html);
+  for (const char* part : {"Stiffness against load", "Stiffness against roughness", "Stiffness against spectrum", "scans of 2.5 µm",
+                           "Results are those of the finest mesh (10 nm"})
+    EXPECT_TRUE(has(html, part)) << part;
+  EXPECT_FALSE(has(html, "10 nm, high"));  // the mesh is no property of a contact
+  // From 20 to 10 nm the stiffness falls by 1.05^(1/3) - 1 = 1.64 %: as much again to the limit.
+  EXPECT_TRUE(has(html, "+1.6 %"));
 }
 
 TEST_F(ReportFolder, a_study_without_any_result_yet_lists_its_cases) {

@@ -17,6 +17,7 @@ struct SyntheticCase {
   double load = 1e-3;          ///< [N]
   double softness = 1;         ///< contact as of this multiple of the radius
   double imprint = 1e-9;       ///< left after unloading [m]
+  double spacing = 1e-8;       ///< of the mesh at the interface [m]
   std::string topography = "smooth";
   std::string yield_stress = "3 GPa";
   std::string title = "Synthetic";
@@ -167,7 +168,7 @@ inline void write_synthetic_case(const SyntheticCase& made, const std::filesyste
   if (made.finished)
     write_file_atomically(folder / "result.json",
                           R"({"format": "asperity-result/1", "experiment": "normal",
-    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": 1e-8},
+    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": )" + std::to_string(made.spacing * 1e9) + R"(e-9},
     "effective": {"normal_stiffness": {"value": 52231.0, "unit": "N/m", "sd": 120.0}},
     "balance": {"force": 2.1e-7, "moment": 3e-7, "energy": 0.0042},
     "cost": {"wall_time": 83.2, "peak_memory": 1.9e9, "ranks": 1},

@@ -126,4 +126,18 @@ TEST(SpectrumFit, refuses_a_map_of_a_few_pixels) {
   EXPECT_THROW(fit_spectrum(radial_spectrum(generate_periodic(model, options(16, 2.5e-6, 1)))), InputError);
 }
 
+TEST(SelfAffineSpectrum_analytic, rms_slope_is_the_integral_of_the_spectrum) {
+  for (const double hurst : {0.5, 0.8, 1.0}) {
+    const SelfAffineSpectrum spectrum{1.5e-9, hurst, 500e-9, 72e-9};
+    const double q_s = 2 * M_PI / spectrum.cutoff;
+    constexpr int steps = 200000;
+    double integral = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double q = (i + 0.5) / steps * q_s;
+      integral += q * q * q * spectrum(q) * q_s / steps / (2 * M_PI);
+    }
+    EXPECT_NEAR(spectrum.rms_slope() / std::sqrt(integral), 1, 1e-5);
+  }
+}
+
 }  // namespace asperity

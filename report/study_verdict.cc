@@ -1,0 +1,91 @@
+#include "report/study_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "report/axis.h"
+#include "report/page.h"
+#include "report/result_tables.h"
+#include "report/words.h"
+
+namespace asperity::report {
+namespace {
+
+std::string headline(const std::vector<StudyCurve>& curves) {
+  std::size_t hertzian = 0;
+  const StudyCurve* worst = nullptr;
+  const LoadComparison* worst_load = nullptr;
+  double departure = -1;
+  for (const auto& curve : curves) {
+    const GroupComparison& group = curve.last();
+    if (!group.loads.empty() && group.hertzian_from <= group.loads.front().force) ++hertzian;
+    for (const auto& load : group.loads)
+      if (std::abs(load.stiffness_ratio.mean - 1) > departure) {
+        departure = std::abs(load.stiffness_ratio.mean - 1);
+        worst = &curve;
+        worst_load = &load;
+      }
+  }
+  if (!worst) return "There is nothing to judge yet.";
+  std::string text = (hertzian == curves.size() ? std::string("All ") + std::to_string(curves.size())
+                                                : std::to_string(hertzian) + " of " + std::to_string(curves.size())) +
+                     " contacts are as stiff as Hertz within " + percent_text(tolerance) + " at every load";
+  return text + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) + " (" + readable(worst->label) +
+         ", at " + in_units(worst_load->force, Dimension::force) + ").";
+}
+
+std::string numerical_error_sentence(const std::vector<StudyCurve>& curves) {
+  for (const auto& curve : curves) {
+    const SolvedCase& solved = curve.largest->first();
+    const GroupComparison& group = curve.last();
+    if (solved.is_rough() || group.numbers.force >= solved.first_yield_force() || group.loads.empty()) continue;
+    const auto& top = group.loads.back();
+    return "Error of the computation, where the truth is known: the smooth contact (" + readable(curve.label) +
+           ") must follow Hertz and departs by " + departure_text(top.stiffness_ratio.mean) + " in stiffness, " +
+           departure_text(top.force_ratio.mean) + " in force and " + departure_text(top.area_ratio.mean) +
+           " in contact area at " + in_units(top.force, Dimension::force) + ".";
+  }
+  return "";
+}
+
+std::string mesh_sentence(const std::vector<StudyCurve>& curves) {
+  double stiffness = 0, area = 0;
+  bool known = false;
+  for (const auto& curve : curves)
+    for (const auto& load : curve.last().loads) {
+      if (!load.stiffness.mesh) continue;
+      known = true;
+      stiffness = std::max(stiffness, std::abs(load.stiffness.mesh->relative_error));
+      if (load.area_ratio.mesh) area = std::max(area, std::abs(load.area_ratio.mesh->relative_error));
+    }
+  return known ? "Error of the mesh, from several spacings, over all contacts and loads: up to " + percent_text(stiffness) +
+                     " of the stiffness, up to " + percent_text(area) + " of the real contact area (columns of their own below)."
+               : "Mesh error: each contact was solved on one spacing only, so it is not known from this study itself; vary "
+                 "Mesh/Interface spacing to have it.";
+}
+
+std::string worst_balance_sentence(const CaseCollection& collection) {
+  std::map<std::string, double> worst;
+  for (const auto& group : collection.groups)
+    for (const auto& solved : group.cases)
+      if (solved.result.contains("balance"))
+        for (const auto& [name, value] : solved.result["balance"].items())
+          if (std::isfinite(number_of(value))) worst[name] = std::max(worst[name], std::abs(number_of(value)));
+  std::string text;
+  for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
+  return text.empty() ? "" : "Largest relative errors of the balances over all cases: " + text + ".";
+}
+
+}  // namespace
+
+std::string study_verdict(const CaseCollection& collection, const std::vector<StudyCurve>& curves) {
+  std::vector<std::string> sentences;
+  for (const auto& curve : curves)
+    sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(curve.last().verdict));
+  for (const auto& sentence : {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
+    if (!sentence.empty()) sentences.push_back(sentence);
+  return verdict_html(headline(curves), sentences);
+}
+
+}  // namespace asperity::report

@@ -1,0 +1,15 @@
+// Maps of one solved case, seen along the axis of contact: roughness, pressure, and what is open or closed.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/solved_case.h"
+
+namespace asperity::report {
+
+/// Figures as HTML, or a note that says why there are none.
+std::string roughness_figures(const SolvedCase& solved);
+/// At the largest load, side by side: pressure, gap with the closed places, and the pressure over the distance from the axis.
+std::string contact_figures(const SolvedCase& solved);
+
+}  // namespace asperity::report
