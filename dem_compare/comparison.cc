@@ -105,6 +105,12 @@ std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
          force_text(low.force) + ", within " + within + " from " + force_text(group.hertzian_from) + " on.";
 }
 
+/// Not so if it is negative: the extrapolation of the first loading to zero is no better than that.
+bool is_told_from_its_errors(const Estimate& imprint) {
+  const double mesh = imprint.mesh ? std::abs(imprint.mean - imprint.mesh->extrapolated) : 0;
+  return imprint.mean > 0 && !(imprint.mean <= imprint.sd) && imprint.mean > mesh;
+}
+
 std::string verdict_of(const GroupComparison& group, double tolerance) {
   std::string words = "Loading: " + stiffness_sentence(group, tolerance);
   const GroupNumbers& numbers = group.numbers;
@@ -125,10 +131,9 @@ std::string verdict_of(const GroupComparison& group, double tolerance) {
   if (numbers.plastic_volume.mean > 0) {
     words += " Material yielded";
     if (std::isfinite(numbers.residual_imprint.mean))
-      // Less than the scatter, or negative: the extrapolation of the first loading to zero is no better than that.
-      words += numbers.residual_imprint.mean > 0 && !(numbers.residual_imprint.mean <= numbers.residual_imprint.sd)
+      words += is_told_from_its_errors(numbers.residual_imprint)
                    ? "; an imprint of " + format_quantity(numbers.residual_imprint.mean, Dimension::length, 3) + " stays"
-                   : "; its imprint is too small to be told from the scatter";
+                   : "; its imprint is too small to be told from scatter and mesh error";
     words += ".";
   }
   return words;

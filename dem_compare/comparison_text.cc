@@ -104,6 +104,7 @@ std::string plus_minus(const Scatter& scatter, double unit, int digits) {
   if (!std::isfinite(scatter.mean)) return "–";
   // Beyond these decimals of the chosen unit a number is zero to whoever reads the table.
   constexpr int most_decimals = 4;
+  if (scatter.mean == 0 && !(scatter.sd > 0)) return "0";
   const double sd = scatter.sd / unit;
   const double mean = std::abs(scatter.mean / unit) < 0.5 * std::pow(10, -most_decimals) ? 0.0 : scatter.mean / unit;
   const auto place = [](double x) { return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -most_decimals; };
@@ -126,7 +127,8 @@ std::string mesh_error_text(const Estimate& estimate) {
   const int decimals = std::max(std::abs(error), std::isfinite(doubt) ? doubt : 0) < whole_percents_from ? 1 : 0;
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%+.*f", decimals, error);
-  std::string text = std::strtod(buffer, nullptr) == 0 ? buffer + 1 : buffer;  // zero has no sign
+  const bool is_zero = std::strtod(buffer, nullptr) == 0;
+  std::string text = (is_zero ? "" : error < 0 ? "−" : "+") + std::string(buffer + 1);
   if (std::isfinite(doubt)) {
     std::snprintf(buffer, sizeof buffer, " ± %.*f", decimals, doubt);
     text += buffer;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "report/axis.h"
 
@@ -86,50 +87,78 @@ std::string curve(const Series& series, const Axis& x, const Axis& y) {
   return svg;
 }
 
-/// The corner of the frame that covers the fewest points.
-std::string legend(const Chart& chart, const Axis& x, const Axis& y) {
+constexpr double letter_width = 6.5, padding = 8;
+
+/// Entries of a legend and the room they take.
+struct Legend {
   std::vector<const Series*> shown;
+  bool has_band = false;
+  double entry_width = 0;
+  std::size_t size() const { return shown.size() + (has_band ? 1 : 0); }
+};
+
+Legend legend_of(const Chart& chart) {
+  Legend legend;
   std::size_t longest = 0;
   const auto letters = [](const std::string& label) {  // UTF-8
     return static_cast<std::size_t>(std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; }));
   };
   for (const auto& series : chart.series)
-    if (!series.label.empty()) shown.push_back(&series), longest = std::max(longest, letters(series.label));
-  const bool has_band = chart.band_high > chart.band_low && !chart.band_label.empty();
-  if (has_band) longest = std::max(longest, letters(chart.band_label));
-  const std::size_t rows = shown.size() + (has_band ? 1 : 0);
-  if (rows == 0) return "";
-  constexpr double letter_width = 6.9, padding = 8;
-  const double width = legend_mark + 3 * padding + letter_width * static_cast<double>(longest);
-  const double height = legend_line * static_cast<double>(rows) + padding;
-  double best_left = 0, best_top = 0;
-  int fewest = std::numeric_limits<int>::max();
-  for (const double left : {x.pixel_low + padding, x.pixel_high - width - padding})
-    for (const double top : {y.pixel_high + padding, y.pixel_low - height - padding}) {
-      int covered = 0;
-      for (const auto& series : chart.series)
-        for (std::size_t i = 0; i < series.x.size(); ++i) {
-          const double px = x.pixel(series.x[i]), py = y.pixel(series.y[i]);
-          covered += px > left - padding && px < left + width + padding && py > top - padding && py < top + height + padding;
-        }
-      if (covered < fewest) fewest = covered, best_left = left, best_top = top;
-    }
-  std::string svg = "<rect class='legend' x='" + coordinate(best_left) + "' y='" + coordinate(best_top) + "' width='" +
-                    coordinate(width) + "' height='" + coordinate(height) + "' rx='4'/>";
-  double middle = best_top + padding / 2 + legend_line / 2;
-  const double mark = best_left + padding;
-  for (const Series* series : shown) {
-    if (series->style != Series::Style::points)
-      svg += "<path d='M" + coordinate(mark) + " " + coordinate(middle) + "h" + coordinate(legend_mark) + "' " + stroke(*series) + "/>";
-    if (series->has_points())
-      svg += dot(mark + legend_mark / 2, middle, series->colour);
-    svg += text(mark + legend_mark + padding, middle + 4.5, series->label, "class='tick'");
-    middle += legend_line;
-  }
-  if (has_band) {
-    svg += "<rect class='band' x='" + coordinate(mark) + "' y='" + coordinate(middle - 6) + "' width='" +
-           coordinate(legend_mark) + "' height='12'/>";
-    svg += text(mark + legend_mark + padding, middle + 4.5, chart.band_label, "class='tick'");
+    if (!series.label.empty()) legend.shown.push_back(&series), longest = std::max(longest, letters(series.label));
+  legend.has_band = chart.band_high > chart.band_low && !chart.band_label.empty();
+  if (legend.has_band) longest = std::max(longest, letters(chart.band_label));
+  legend.entry_width = legend_mark + 3 * padding + letter_width * static_cast<double>(longest);
+  return legend;
+}
+
+/// Points of curves that lie in a rectangle, those between the given ones included.
+int covered_points(const Chart& chart, const Axis& x, const Axis& y, double left, double top, double width, double height) {
+  constexpr int pieces = 8;
+  int covered = 0;
+  for (const auto& series : chart.series)
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      for (int piece = 0; piece < (i + 1 < series.x.size() ? pieces : 1); ++piece) {
+        const std::size_t next = std::min(i + 1, series.x.size() - 1);
+        const double share = static_cast<double>(piece) / pieces;
+        const double px = x.pixel(series.x[i] + share * (series.x[next] - series.x[i]));
+        const double py = y.pixel(series.y[i] + share * (series.y[next] - series.y[i]));
+        covered += px > left - padding && px < left + width + padding && py > top - padding && py < top + height + padding;
+      }
+  return covered;
+}
+
+/// The corner of the frame in which a legend covers nothing; none if there is no such corner.
+struct Place {
+  double left = 0, top = 0;
+};
+std::optional<Place> free_corner(const Chart& chart, const Legend& legend, const Axis& x, const Axis& y) {
+  const double width = legend.entry_width, height = legend_line * static_cast<double>(legend.size()) + padding;
+  for (const double top : {y.pixel_high + padding, y.pixel_low - height - padding})
+    for (const double left : {x.pixel_low + padding, x.pixel_high - width - padding})
+      if (covered_points(chart, x, y, left, top, width, height) == 0) return Place{left, top};
+  return std::nullopt;
+}
+
+std::string legend_entry(const Series& series, double left, double middle) {
+  std::string svg;
+  if (series.style != Series::Style::points)
+    svg += "<path d='M" + coordinate(left) + " " + coordinate(middle) + "h" + coordinate(legend_mark) + "' " + stroke(series) + "/>";
+  if (series.has_points()) svg += dot(left + legend_mark / 2, middle, series.colour);
+  return svg + text(left + legend_mark + padding, middle + 4.5, series.label, "class='tick'");
+}
+
+std::string band_entry(const std::string& label, double left, double middle) {
+  return "<rect class='band' x='" + coordinate(left) + "' y='" + coordinate(middle - 6) + "' width='" + coordinate(legend_mark) +
+         "' height='12'/>" + text(left + legend_mark + padding, middle + 4.5, label, "class='tick'");
+}
+
+/// In rows of `columns` entries.
+std::string legend_svg(const Chart& chart, const Legend& legend, const Place& place, std::size_t columns) {
+  std::string svg;
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    const double left = place.left + padding + legend.entry_width * static_cast<double>(i % columns);
+    const double middle = place.top + padding / 2 + legend_line * (0.5 + static_cast<double>(i / columns));
+    svg += i < legend.shown.size() ? legend_entry(*legend.shown[i], left, middle) : band_entry(chart.band_label, left, middle);
   }
   return svg;
 }
@@ -156,7 +185,14 @@ std::string to_svg(const Chart& chart) {
   y_range.high += margin;
   const Axis x = make_axis(x_range.low, x_range.high, left_margin, chart.width - right_margin, true, 7);
   const Axis y = make_axis(y_range.low, y_range.high, chart.height - bottom_margin, top_margin, true, 6);
-  std::string svg = "<svg class='chart' viewBox='0 0 " + std::to_string(chart.width) + " " + std::to_string(chart.height) +
+  // A legend that would hide curves stands below the chart.
+  const Legend legend = legend_of(chart);
+  const auto corner = legend.size() ? free_corner(chart, legend, x, y) : std::nullopt;
+  const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>((chart.width - 2 * padding) / std::max(1.0, legend.entry_width)));
+  const std::size_t rows_below = legend.size() && !corner ? (legend.size() + columns - 1) / columns : 0;
+  const double height = chart.height + legend_line * static_cast<double>(rows_below);
+
+  std::string svg = "<svg class='chart' viewBox='0 0 " + std::to_string(chart.width) + " " + coordinate(height) +
                     "' role='img' aria-label='" + escaped(chart.y_label + " against " + chart.x_label) + "'>";
   if (has_band)
     svg += "<rect class='band' x='" + coordinate(x.pixel_low) + "' y='" + coordinate(y.pixel(chart.band_high)) + "' width='" +
@@ -164,7 +200,14 @@ std::string to_svg(const Chart& chart) {
            coordinate(y.pixel(chart.band_low) - y.pixel(chart.band_high)) + "'/>";
   svg += frame(chart, x, y);
   for (const auto& series : chart.series) svg += curve(series, x, y);
-  return svg + legend(chart, x, y) + "</svg>\n";
+  if (corner) {
+    svg += "<rect class='legend' x='" + coordinate(corner->left) + "' y='" + coordinate(corner->top) + "' width='" +
+           coordinate(legend.entry_width) + "' height='" + coordinate(legend_line * static_cast<double>(legend.size()) + padding) + "' rx='4'/>";
+    svg += legend_svg(chart, legend, *corner, 1);
+  } else if (legend.size()) {
+    svg += legend_svg(chart, legend, {padding, static_cast<double>(chart.height) - padding / 2}, columns);
+  }
+  return svg + "</svg>\n";
 }
 
 }  // namespace asperity::report

@@ -1,5 +1,7 @@
 #include "report/study_report.h"
 
+#include <map>
+
 #include "dem_compare/comparison.h"
 #include "report/axis.h"
 #include "report/case_report.h"
@@ -17,21 +19,29 @@ namespace fs = std::filesystem;
 
 std::string missing_html(const CaseCollection& collection) {
   if (collection.missing.empty()) return "";
-  std::string html = "<div class='warning'><b>" + std::to_string(collection.missing.size()) + " of " +
-                     std::to_string(collection.planned) +
-                     " cases are not in this report.</b> Means and scatter are over those that are; <code>asperity study … "
-                     "--resume</code> goes on with the rest.<ul>";
-  for (const auto& missing : collection.missing)
-    html += "<li>" + escaped(missing.name) + ": " + escaped(missing.state) +
+  std::string list = "<ul>";
+  std::map<std::string, int> states;
+  for (const auto& missing : collection.missing) {
+    ++states[missing.state];
+    list += "<li>" + escaped(missing.name) + ": " + escaped(missing.state) +
             (missing.message.empty() ? "" : " (" + escaped(missing.message) + ")") + "</li>";
-  return html + "</ul></div>\n";
+  }
+  list += "</ul>";
+  std::string counts;
+  for (const auto& [state, count] : states) counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(state);
+  constexpr std::size_t most_in_view = 8;
+  if (collection.missing.size() > most_in_view) list = details_html("Which ones", list);
+  return "<div class='warning'><b>" + std::to_string(collection.missing.size()) + " of " + std::to_string(collection.planned) +
+         " cases are not in this report</b> (" + counts +
+         "). Means and scatter are over those that are; <code>asperity study … --resume</code> goes on with the rest." + list + "</div>\n";
 }
 
 std::string what_is_varied(const CaseCollection& collection) {
   std::string varied;
   for (const auto& axis : collection.axes) {
+    if (axis.labels.size() < 2) continue;
     varied += (varied.empty() ? "" : "; ") + escaped(axis.name) + ": ";
-    for (std::size_t i = 0; i < axis.labels.size(); ++i) varied += (i ? ", " : "") + readable(axis.labels[i]);
+    for (std::size_t i = 0; i < axis.labels.size(); ++i) varied += (i ? " | " : "") + readable(axis.labels[i]);
   }
   return varied.empty() ? ""
                         : paragraph("That is the first of " + std::to_string(collection.planned) +

@@ -30,6 +30,15 @@ Table load_by_load(const std::vector<StudyCurve>& curves, std::vector<std::strin
   return table;
 }
 
+/// Mesh error of a small difference, which says more in its own unit than in per cent.
+std::string absolute_mesh_error(const Estimate& estimate, double unit) {
+  if (!estimate.mesh) return "–";
+  char buffer[32];
+  const double error = (estimate.mean - estimate.mesh->extrapolated) / unit;
+  std::snprintf(buffer, sizeof buffer, "%.2f", std::abs(error));
+  return (error < 0 ? "−" : "+") + std::string(buffer);
+}
+
 std::string spectrum_cells(const GeneratorParameters& generator, std::vector<std::string>& row) {
   const SelfAffineSpectrum& spectrum = generator.spectrum;
   char hurst[16];
@@ -46,7 +55,7 @@ std::string spectrum_cells(const GeneratorParameters& generator, std::vector<std
 }  // namespace
 
 std::string surfaces_table(const std::vector<StudyCurve>& curves) {
-  Table table{{"contact", "surface of", "RMS [given]", "as seen in", "Hurst exponent", "roll-off", "short cut-off", "correlation length",
+  Table table{{"contact", "surface of", "RMS", "as seen in", "Hurst exponent", "roll-off", "short cut-off", "correlation length",
                "RMS slope", "RMS in the contact region [nm]"}, {}, true};
   for (const auto& curve : curves)
     for (const std::string section : {"Particle", "Substrate"}) {
@@ -61,7 +70,7 @@ std::string surfaces_table(const std::vector<StudyCurve>& curves) {
   return table_html(table) +
          note("RMS alone does not fix a surface: the spectrum says how the heights are shared out among long and short waves, and with "
               "them slopes and curvatures. The patch under the contact is smaller than a scan and misses the longest waves, so its own RMS "
-              "is lower and scatters (±) from one realisation to the next.");
+              "is lower on average and scatters (±) from one realisation to the next.");
 }
 
 std::string stiffness_table(const std::vector<StudyCurve>& curves) {
@@ -101,7 +110,7 @@ std::string contact_table(const std::vector<StudyCurve>& curves) {
 }
 
 std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
-  Table table{{"contact", "load", "imprint left [nm]", "mesh error", "plastic volume [10⁻³ µm³]", "dissipated energy [fJ]",
+  Table table{{"contact", "load", "imprint left [nm]", "its mesh error [nm]", "plastic volume [10⁻³ µm³]", "dissipated energy [fJ]",
                "radius a Hertz fit reports [µm]", "mesh error", "with the zero of approach free [µm]", "exponent it would find", "with the zero free"},
               {}, true};
   constexpr double thousandth = 1e-3;
@@ -109,7 +118,7 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
     for (const auto* group : curve.groups) {
       const GroupNumbers& n = group->numbers;
       table.rows.push_back({readable(curve.label), in_units(n.force, Dimension::force), plus_minus(n.residual_imprint, nm),
-                            mesh_error_text(n.residual_imprint), plus_minus(n.plastic_volume, thousandth * um3),
+                            absolute_mesh_error(n.residual_imprint, nm), plus_minus(n.plastic_volume, thousandth * um3),
                             plus_minus(n.dissipated_energy, fJ), plus_minus(n.fitted_radius, um), mesh_error_text(n.fitted_radius),
                             plus_minus(n.fitted_radius_with_offset, um), plus_minus(n.exponent), plus_minus(n.exponent_with_offset)});
     }
@@ -117,7 +126,8 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
   return table_html(table) +
          note("The fit is what an experimenter would make of the loading curve with Hertz's law, the sphere's radius left free (the "
               "true one is " + in_units(radius, Dimension::length) + ", Hertz's exponent 1.5). Leaving the zero of approach free as well "
-              "takes out the soft beginning, where only the highest asperities carry.");
+              "takes out the soft beginning, where only the highest asperities carry. The imprint is the approach that has not come back; "
+              "one that is smaller than its scatter or mesh error, or negative, is none that could be told.");
 }
 
 std::string case_list(const CaseCollection& collection) {

@@ -113,8 +113,8 @@ std::string departure_text(double ratio) {
   if (ratio >= 2) return printed("%.2g times", ratio);
   const double percent = 100 * (ratio - 1);
   constexpr double shown_as_zero = 0.05;
-  if (std::abs(percent) < shown_as_zero) return "0.0 %";
-  return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f %%" : "%.0f %%", std::abs(percent));
+  if (std::abs(percent) < shown_as_zero) return "0.0\u00a0%";
+  return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f\u00a0%%" : "%.0f\u00a0%%", std::abs(percent));
 }
 
 std::string percent_text(double share, int digits) {

@@ -181,6 +181,7 @@ TEST_F(ComparedFolders, a_folder_that_is_neither_case_nor_study_is_refused) {
 TEST(PlusMinus, shows_as_many_digits_as_the_scatter_deserves) {
   EXPECT_EQ(plus_minus({3, 0.93123, 0.0213, 0.01}), "0.931 ± 0.021");
   EXPECT_EQ(plus_minus({3, 24321.0, 512.0, 300}, 1000), "24.32 ± 0.51");
+  EXPECT_EQ(plus_minus({3, 0, 0, 0}), "0");
   EXPECT_EQ(plus_minus({1, 0.93123, std::nan(""), std::nan("")}), "0.931");
 }
 

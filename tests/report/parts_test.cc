@@ -84,9 +84,9 @@ TEST(ColourScale, runs_from_its_first_to_its_last_colour) {
 }
 
 TEST(Words, numbers_read_as_people_write_them) {
-  EXPECT_EQ(departure_text(0.888), "−11 %");
-  EXPECT_EQ(departure_text(1.0001), "0.0 %");
-  EXPECT_EQ(departure_text(1.023), "+2.3 %");
+  EXPECT_EQ(departure_text(0.888), "−11\u00a0%");
+  EXPECT_EQ(departure_text(1.0001), "0.0\u00a0%");
+  EXPECT_EQ(departure_text(1.023), "+2.3\u00a0%");
   EXPECT_EQ(departure_text(4.57), "4.6 times");
   EXPECT_EQ(in_units(7e-10, Dimension::length), "0.7 nm");
   EXPECT_EQ(imprint_text(-6e-15), "0.00 nm");
