@@ -104,6 +104,7 @@ CaseSetup set_up(const CaseInput& input) {
 
   auto& options = setup.system;
   options.materials = {material_of(input.particle), material_of(input.substrate)};
+  options.backend = input.solver.backend;
   options.control = force ? Control::force : Control::displacement;
   auto& sizes = options.mesh.sizes;
   sizes.radius = R;

@@ -10,8 +10,6 @@ void solve_case(const CaseInput& input, const SolveOptions& options) {
     throw InputError(input.file + ": Experiment/Type: only 'normal' can be solved by finite elements so far");
   if (input.friction_coefficient != 0 || input.shear_strength != 0 || input.work_of_adhesion != 0)
     throw InputError(input.file + ": Interface: friction and adhesion are not part of the normal experiment yet; set them to 0");
-  if (input.solver.backend != "matrix-free")
-    throw InputError(input.file + ": Solver/Backend: '" + input.solver.backend + "' is not available; use matrix-free");
   fem::NormalExperiment(input, options).run();
 }
 

@@ -96,10 +96,8 @@ Vector<double> ContactSolver::linear_advance(double approach, const std::vector<
   system_.interface().add_forces(forces, load.begin());
   system_.level().condense(load.begin());
   load.compress(dealii::VectorOperation::add);
-  system_.interface().set_stiffness(stiffness);
-  system_.multigrid().update(stiffness, nullptr, 0.0);
-  system_.matrix().set_tangent(nullptr);
-  const int made = system_.solve_linear(relaxed, load, accuracy);
+  system_.linear().update(stiffness, nullptr, 0.0);
+  const int made = system_.linear().solve(relaxed, load, accuracy);
   if (iterations) *iterations += made;
   rigid.displacement.zero_out_ghost_values();
   relaxed.zero_out_ghost_values();
@@ -170,7 +168,6 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   std::vector<double> p;
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
   double error = evaluate(state, target, residual, tangent, p);
-  system_.matrix().set_tangent(tangent);
 
   int barren = 0;  // Newton steps without progress
   double least = error;
@@ -187,11 +184,9 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
       const bool open = std::none_of(p.begin(), p.end(), [](double v) { return v > 0; });
       const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
-      system_.interface().set_stiffness(stiffness);
-      system_.matrix().set_driven_spring(spring);
-      system_.multigrid().update(stiffness, tangent, spring);
+      system_.linear().update(stiffness, tangent, spring);
       const double accuracy = std::clamp(0.1 * goal / error, 1e-5, 1e-2);
-      report.linear += system_.solve_linear(direction, residual, accuracy);
+      report.linear += system_.linear().solve(direction, residual, accuracy);
       ++report.newton;
 
       // The slope along the direction changes sign where the convex energy is lowest.
@@ -233,7 +228,6 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       barren = 0;
     }
   }
-  system_.matrix().set_driven_spring(0.0);
   state.multiplier = p;
   if (force_control()) read_approach(state);
   return report;
@@ -282,14 +276,12 @@ double ContactSolver::elastic_stiffness(const ContactState& state) {
     for (std::size_t r = 0; r < gaps.size(); ++r) force -= stiffness[r] * gaps[r];
     return force;
   }
-  system_.interface().set_stiffness(stiffness);
-  system_.multigrid().update(stiffness, nullptr, 0.0);
-  system_.matrix().set_tangent(nullptr);
+  system_.linear().update(stiffness, nullptr, 0.0);
   Vector<double> unit, response;
   level.initialise(unit);
   level.initialise(response);
   if (level.owns_driven_dof()) unit.local_element(level.local_driven_dof()) = -1.0;
-  system_.solve_linear(response, unit, 1e-6);
+  system_.linear().solve(response, unit, 1e-6);
   const double own = level.owns_driven_dof() ? -response.local_element(level.local_driven_dof()) : 0.0;
   const double compliance = dealii::Utilities::MPI::sum(own, level.communicator());
   return 1 / compliance;
@@ -315,12 +307,8 @@ double ContactSolver::far_field_compliance(double radius) {
   level.condense(load.begin());
   load.compress(dealii::VectorOperation::add);
   const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
-  system_.interface().set_stiffness(none);
-  system_.matrix().set_tangent(nullptr);
-  system_.matrix().set_driven_spring(spring);
-  system_.multigrid().update(none, nullptr, spring);
-  system_.solve_linear(response, load, 1e-7);
-  system_.matrix().set_driven_spring(0);
+  system_.linear().update(none, nullptr, spring);
+  system_.linear().solve(response, load, 1e-7);
   const std::vector<double> opening = system_.interface().gaps(response.begin());
   double mean = 0;
   for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * opening[r];

@@ -1,7 +1,5 @@
 #include "fem/contact/contact_system.h"
 
-#include <deal.II/lac/solver_cg.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +11,7 @@ ContactSystem::ContactSystem(MPI_Comm communicator, const ContactSystemOptions& 
     : options_(options), geometry_(options.mesh), forest_(meshing::make_forest(communicator, options.mesh)) {
   level_ = std::make_unique<MeshLevel>(*forest_, options.control);
   positions_ = level_->node_positions(geometry_);
-  matrix_ = std::make_unique<HexOperator<double>>(*level_, positions_, options.materials);
   bodies_ = std::make_unique<PlasticBodies>(*level_, positions_, options.materials);
-  multigrid_ = std::make_unique<Multigrid>(options.mesh, *level_, options.control, geometry_, options.materials);
   couple();
 }
 
@@ -44,7 +40,6 @@ void ContactSystem::couple() {
   if (faces[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
   rows_ = couple_interfaces(faces[0], faces[1]);
   interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, nodes);
-  multigrid_->set_interface_rows(rows_, nodes);
   gaps_ = interface_->gaps(positions_.begin());
   double largest = 0;
   for (const auto& row : rows_) {
@@ -56,7 +51,7 @@ void ContactSystem::couple() {
     const auto& p = interface_points_[row.node];
     on_rim_.push_back(std::max(std::abs(p[0]), std::abs(p[1])) > largest - 0.5 * sizes.spacing_particle);
   }
-  matrix_->set_interface(interface_.get());
+  linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_, options_.mesh, geometry_, options_.control});
 }
 
 double ContactSystem::reduced_modulus() const {
@@ -66,21 +61,6 @@ double ContactSystem::reduced_modulus() const {
     compliance += (1 - nu) / (2 * m.shear_modulus);  // (1 - nu^2) / E
   }
   return 1 / compliance;
-}
-
-int ContactSystem::solve_linear(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
-  x = 0.0;
-  if (rhs.l2_norm() == 0) return 0;
-  dealii::ReductionControl control(400, 0.0, relative_tolerance, false, false);
-  dealii::SolverCG<Vector<double>> solver(control);
-  try {
-    solver.solve(*matrix_, x, rhs, *multigrid_);
-  } catch (const dealii::SolverControl::NoConvergence&) {
-    // An inexact direction is still one of descent; the Newton iteration judges it by its residual.
-  }
-  if (dealii::Utilities::MPI::n_mpi_processes(level_->communicator()) > 1) x.update_ghost_values();
-  level_->distribute(x.begin());
-  return static_cast<int>(control.last_step());
 }
 
 }  // namespace asperity::fem

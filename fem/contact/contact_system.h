@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "fem/contact/interface_operator.h"
-#include "fem/solver/multigrid.h"
+#include "fem/solver/linear_solver.h"
 #include "fem/solver/plastic_bodies.h"
 #include "meshing/contact_mesh.h"
 
@@ -14,6 +14,7 @@ struct ContactSystemOptions {
   meshing::ContactMeshOptions mesh;
   std::array<J2Material, 2> materials;  ///< particle, substrate
   Control control = Control::force;
+  std::string backend = "matrix-free";  ///< see make_linear_solver
 };
 
 class ContactSystem {
@@ -32,8 +33,8 @@ class ContactSystem {
   InterfaceOperator& interface() { return *interface_; }
   /// In-plane position and height of each interface node [m].
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
-  HexOperator<double>& matrix() { return *matrix_; }
-  Multigrid& multigrid() { return *multigrid_; }
+  LinearSolver& linear() { return *linear_; }
+  const LinearSolver& linear() const { return *linear_; }
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
@@ -41,10 +42,6 @@ class ContactSystem {
   double reduced_modulus() const;
   /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too small.
   const std::vector<char>& on_rim() const { return on_rim_; }
-
-  /// Solves the condensed linear system with the current interface stiffness, tangent and driven spring by
-  /// preconditioned conjugate gradients; x starts from zero. Returns the number of iterations.
-  int solve_linear(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const;
 
  private:
   void couple();
@@ -54,10 +51,9 @@ class ContactSystem {
   std::unique_ptr<meshing::Triangulation> forest_;
   std::unique_ptr<MeshLevel> level_;
   Vector<double> positions_;
-  std::unique_ptr<HexOperator<double>> matrix_;
   std::unique_ptr<PlasticBodies> bodies_;
   std::unique_ptr<InterfaceOperator> interface_;
-  std::unique_ptr<Multigrid> multigrid_;
+  std::unique_ptr<LinearSolver> linear_;
   std::vector<GapRow> rows_;
   std::vector<double> areas_, gaps_;
   std::vector<std::array<double, 3>> interface_points_;

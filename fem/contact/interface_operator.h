@@ -19,6 +19,8 @@ class InterfaceNodes {
   int count() const { return static_cast<int>(global_.size()); }
   /// Index of a global node.
   int index(long global_node) const;
+  /// Global node of an index.
+  long global_node(int index) const { return global_[index]; }
   /// Lattice position of a node: body and coordinates in units of 2^-lattice_bits.
   struct Site {
     int body, i, j;
@@ -63,6 +65,8 @@ class InterfaceOperator {
   void for_row(int row, const Visit& visit) const {
     for (int e = start_[row]; e < start_[row + 1]; ++e) visit(column_[e], weight_[e]);
   }
+  /// The rows [first, last) that this rank works on.
+  std::pair<int, int> share() const { return {first_row_, last_row_}; }
   const std::vector<float>& stiffness() const { return stiffness_; }
   const std::vector<int>& active() const { return active_; }
 

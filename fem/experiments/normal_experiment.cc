@@ -79,7 +79,7 @@ void NormalExperiment::start() {
   state_ = solver_->first_touch();
   require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
   say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
-      std::to_string(system_->multigrid().levels()) + " multigrid levels (" + duration(seconds() - started_) + ")");
+      system_->linear().description() + " (" + duration(seconds() - started_) + ")");
 }
 
 bool NormalExperiment::resume() {

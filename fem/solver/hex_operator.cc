@@ -22,8 +22,31 @@ void HexOperator<Number>::apply_batch(int index, const Number* x, Number* y) con
   load_nodes(batch, positions_.data(), nodes);
   evaluate_geometry<Number>(nodes, strain);
   load_nodes(batch, x, nodes);
-  evaluate_strain<Number>(nodes, strain);
+  forces_of(index, strain, nodes);
+  add_nodes(batch, nodes, y);
+}
 
+template <typename Number>
+void HexOperator<Number>::cell_matrices(int index, CellMatrices& matrices) const {
+  using V = Simd<Number>;
+  V nodes[3][8];
+  HexStrain<V> strain;
+  load_nodes(level_.batches()[index], positions_.data(), nodes);
+  evaluate_geometry<Number>(nodes, strain);
+  for (int j = 0; j < 24; ++j) {
+    for (auto& component : nodes)
+      for (auto& value : component) value = V{};
+    nodes[j % 3][j / 3] = V{} + Number(1);
+    forces_of(index, strain, nodes);
+    for (int i = 0; i < 24; ++i) matrices[i][j] = nodes[i % 3][i / 3];
+  }
+}
+
+template <typename Number>
+void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const {
+  using V = Simd<Number>;
+  const CellBatch& batch = level_.batches()[index];
+  evaluate_strain<Number>(nodes, strain);
   V two_shear, bulk;
   for (int l = 0; l < lanes; ++l) {
     two_shear[l] = 2 * shear_[batch.body[l]];
@@ -48,7 +71,6 @@ void HexOperator<Number>::apply_batch(int index, const Number* x, Number* y) con
     for (int c = 0; c < 6; ++c) stress[q][c] = two_shear * (theta * strain.deviator[q][c] - along * normal[c]);
   }
   integrate_stress<Number>(strain, stress, bulk * strain.dilatation, nodes);
-  add_nodes(batch, nodes, y);
 }
 
 template <typename Number>

@@ -5,6 +5,7 @@
 
 #include "fem/contact/interface_operator.h"
 #include "fem/materials/j2_plasticity.h"
+#include "fem/solver/hex_kernel.h"
 #include "fem/solver/mesh_level.h"
 
 namespace asperity::fem {
@@ -32,6 +33,10 @@ class HexOperator {
   /// Diagonal of the condensed operator, 1 at constrained unknowns.
   Vector<Number> diagonal() const;
 
+  /// Stiffness matrices of the cells of a batch: entry [i][j], unknown 3 * vertex + component, one value per lane [N/m].
+  using CellMatrices = std::array<std::array<Simd<Number>, 24>, 24>;
+  void cell_matrices(int batch, CellMatrices& matrices) const;
+
   dealii::types::global_dof_index m() const { return level_.size(); }
   dealii::types::global_dof_index n() const { return level_.size(); }
   Number el(dealii::types::global_dof_index, dealii::types::global_dof_index) const { return Number(0); }
@@ -41,6 +46,8 @@ class HexOperator {
 
  private:
   void apply_batch(int batch, const Number* x, Number* y) const;
+  /// Replaces displacements [component][vertex] by nodal forces; `strain` holds the geometry.
+  void forces_of(int batch, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const;
 
   const MeshLevel& level_;
   std::vector<Number> positions_;  ///< local, owned then ghosts [m]

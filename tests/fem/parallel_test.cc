@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/contact/contact_solver.h"
+#include "fem/solver/matrix_free_solver.h"
 
 namespace {
 
@@ -44,24 +45,24 @@ Products products(MPI_Comm communicator) {
   ContactSystem system(communicator, options());
   std::vector<double> stiffness;
   for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
-  system.interface().set_stiffness(stiffness);
-  system.multigrid().update(stiffness, nullptr, 0);
+  auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
+  solver.update(stiffness, nullptr, 0);
   const Vector<double> x = waves(system);
   Vector<double> y = x, ax, ay, bx;
   for (auto* v : {&ax, &ay, &bx}) system.level().initialise(*v);
   for (unsigned i = 0; i < y.locally_owned_size(); ++i) y.local_element(i) = std::pow(x.local_element(i), 3);
-  system.matrix().vmult(ax, x);
-  system.matrix().vmult(ay, y);
+  solver.matrix().vmult(ax, x);
+  solver.matrix().vmult(ay, y);
   Products p;
   p.energy = x * ax;
   p.asymmetry = std::abs(x * ay - y * ax) / (ax.l2_norm() * y.l2_norm());
-  const auto diagonal = system.matrix().diagonal();
+  const auto diagonal = solver.matrix().diagonal();
   p.diagonal = diagonal.l1_norm();
   p.constrained = 0;
   for (const int c : system.level().constrained())
     if (c < static_cast<int>(ax.locally_owned_size())) p.constrained = std::max(p.constrained, std::abs(ax.local_element(c)));
   p.constrained = dealii::Utilities::MPI::max(p.constrained, communicator) / ax.linfty_norm();
-  system.multigrid().vmult(bx, ax);
+  solver.multigrid().vmult(bx, ax);
   p.cycled = bx * ax;
   return p;
 }

@@ -119,22 +119,23 @@ TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmit
 }
 
 /// Conjugate gradient iterations that reduce a residual by 1e-8 with half of the contact closed.
-std::pair<long, int> iterations(double cells_per_radius) {
-  ContactSystem system(MPI_COMM_WORLD, options(cells_per_radius));
+std::pair<long, int> iterations(double cells_per_radius, const std::string& backend = "matrix-free") {
+  auto chosen = options(cells_per_radius);
+  chosen.backend = backend;
+  ContactSystem system(MPI_COMM_WORLD, chosen);
   std::vector<double> stiffness;
   const double eps = 2 * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
   for (std::size_t r = 0; r < system.rows().size(); ++r) {
     const auto& p = system.interface_points()[system.rows()[r].node];
     stiffness.push_back(std::hypot(p[0], p[1]) < 230e-9 ? eps * system.areas()[r] : 0.0);
   }
-  system.interface().set_stiffness(stiffness);
-  system.multigrid().update(stiffness, nullptr, 0.0);
+  system.linear().update(stiffness, nullptr, 0.0);
   Vector<double> x, load;
   system.level().initialise(x);
   system.level().initialise(load);
   load.local_element(system.level().local_driven_dof()) = -1;
-  const int count = system.solve_linear(x, load, 1e-8);
-  std::printf("unknowns %ld: %d iterations\n", static_cast<long>(system.level().size()), count);
+  const int count = system.linear().solve(x, load, 1e-8);
+  std::printf("%s, unknowns %ld: %d iterations\n", backend.c_str(), static_cast<long>(system.level().size()), count);
   return {static_cast<long>(system.level().size()), count};
 }
 
@@ -142,6 +143,12 @@ TEST(Multigrid, iterations_hardly_grow_with_the_mesh) {
   const auto coarse = iterations(5), fine = iterations(10);
   EXPECT_LE(fine.second, 1.5 * coarse.second);
   EXPECT_LT(fine.second, 40);
+}
+
+TEST(Multigrid, algebraic_iterations_hardly_grow_with_the_mesh) {
+  const auto coarse = iterations(4, "assembled"), fine = iterations(8, "assembled");
+  EXPECT_LE(fine.second, 1.5 * coarse.second);
+  EXPECT_LT(fine.second, 100);
 }
 
 TEST(MultigridNightly, iterations_grow_by_less_than_half_from_1e5_to_1e6_unknowns) {

@@ -1,0 +1,181 @@
+#include "fem/solver/assembled_solver.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Teuchos_ParameterList.hpp>
+#include <map>
+
+#include "fem/solver/conjugate_gradients.h"
+
+namespace asperity::fem {
+namespace {
+
+using dealii::types::global_dof_index;
+constexpr int rigid_body_modes = 6, unknowns_per_hex = 24;
+
+}  // namespace
+
+struct AssembledSolver::Trilinos {
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  dealii::TrilinosWrappers::PreconditionAMG preconditioner;
+};
+
+AssembledSolver::AssembledSolver(const LinearProblem& problem)
+    : problem_(problem), cells_(problem.level, problem.positions, problem.materials), trilinos_(std::make_unique<Trilinos>()) {
+  resolve_rows();
+  make_pattern();
+  make_rigid_body_modes();
+}
+
+AssembledSolver::~AssembledSolver() = default;
+
+std::string AssembledSolver::description() const {
+  return std::to_string(trilinos_->matrix.n_nonzero_elements() / 1000000) + " million matrix entries, algebraic multigrid";
+}
+
+void AssembledSolver::resolve_rows() {
+  const MeshLevel& level = problem_.level;
+  const InterfaceNodes& nodes = problem_.interface.nodes();
+  // Rows reach over nodes of any rank, and only a node's owner is sure to know how it is constrained.
+  const auto& owned = level.dofs().locally_owned_dofs();
+  std::vector<std::pair<global_dof_index, Row>> known;
+  for (int k = 0; k < nodes.count(); ++k) {
+    const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(k) + 2);
+    if (!owned.is_element(dof) || !level.constraints().is_constrained(dof)) continue;
+    const auto* entries = level.constraints().get_constraint_entries(dof);
+    known.emplace_back(dof, entries ? *entries : Row{});
+  }
+  std::map<global_dof_index, Row> masters;
+  for (const auto& part : dealii::Utilities::MPI::all_gather(level.communicator(), known)) masters.insert(part.begin(), part.end());
+
+  const auto [first, last] = problem_.interface.share();
+  for (int r = first; r < last; ++r) {
+    std::map<global_dof_index, double> sum;
+    problem_.interface.for_row(r, [&](int node, double weight) {
+      const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + 2);
+      const auto constrained = masters.find(dof);
+      if (constrained == masters.end()) sum[dof] += weight;
+      else
+        for (const auto& [master, share] : constrained->second) sum[master] += weight * share;
+    });
+    row_.emplace_back(sum.begin(), sum.end());
+  }
+}
+
+void AssembledSolver::make_pattern() {
+  const MeshLevel& level = problem_.level;
+  const auto& owned = level.dofs().locally_owned_dofs();
+  dealii::IndexSet written = level.partitioner()->ghost_indices();
+  written.add_indices(owned);
+  for (const auto& row : row_)
+    for (const auto& entry : row) written.add_index(entry.first);
+  written.compress();
+  dealii::TrilinosWrappers::SparsityPattern pattern(owned, owned, written, level.communicator());
+  dealii::DoFTools::make_sparsity_pattern(level.dofs(), pattern, level.constraints(), false,
+                                          dealii::Utilities::MPI::this_mpi_process(level.communicator()));
+  std::vector<global_dof_index> columns;
+  for (const auto& row : row_) {
+    columns.clear();
+    for (const auto& entry : row) columns.push_back(entry.first);
+    for (const auto dof : columns) pattern.add_entries(dof, columns.begin(), columns.end(), true);
+  }
+  if (level.owns_driven_dof()) pattern.add(level.driven_dof(), level.driven_dof());
+  pattern.compress();
+  trilinos_->matrix.reinit(pattern);
+}
+
+void AssembledSolver::make_rigid_body_modes() {
+  // Three translations and three rotations about the origin, mode by mode over the owned unknowns; lengths in units of
+  // the particle's radius, so that all modes are of one size.
+  const auto& x = problem_.positions;
+  const std::size_t n = x.locally_owned_size();
+  const double unit = 1 / problem_.mesh.sizes.radius;
+  modes_.assign(rigid_body_modes * n, 0.0);
+  for (std::size_t node = 0; node < n / 3; ++node) {
+    const double p[3] = {unit * x.local_element(3 * node), unit * x.local_element(3 * node + 1), unit * x.local_element(3 * node + 2)};
+    for (int c = 0; c < 3; ++c) {
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      modes_[c * n + 3 * node + c] = 1;
+      modes_[(3 + c) * n + 3 * node + a] = -p[b];
+      modes_[(3 + c) * n + 3 * node + b] = p[a];
+    }
+  }
+}
+
+void AssembledSolver::assemble_bodies(const TangentField* tangent) {
+  cells_.set_tangent(tangent);
+  const MeshLevel& level = problem_.level;
+  std::vector<global_dof_index> dofs(unknowns_per_hex);
+  dealii::FullMatrix<double> local(unknowns_per_hex, unknowns_per_hex);
+  HexOperator<double>::CellMatrices matrices;
+  for (int b = 0; b < static_cast<int>(level.batches().size()); ++b) {
+    const CellBatch& batch = level.batches()[b];
+    cells_.cell_matrices(b, matrices);
+    for (int l = 0; l < batch.count; ++l) {
+      for (int v = 0; v < vertices_per_hex; ++v)
+        for (int c = 0; c < 3; ++c) dofs[3 * v + c] = level.partitioner()->local_to_global(3 * batch.node[v][l] + c);
+      for (int i = 0; i < unknowns_per_hex; ++i)
+        for (int j = 0; j < unknowns_per_hex; ++j) local(i, j) = matrices[i][j][l];
+      level.constraints().distribute_local_to_global(local, dofs, trilinos_->matrix);
+    }
+  }
+}
+
+void AssembledSolver::assemble_interface(const std::vector<double>& row_stiffness) {
+  const int first = problem_.interface.share().first;
+  std::vector<global_dof_index> columns;
+  std::vector<double> values;
+  for (std::size_t r = 0; r < row_.size(); ++r) {
+    const double stiffness = row_stiffness[first + r];
+    if (stiffness == 0) continue;
+    for (const auto& [dof, weight] : row_[r]) {
+      columns.clear();
+      values.clear();
+      for (const auto& [other, other_weight] : row_[r]) {
+        columns.push_back(other);
+        values.push_back(stiffness * weight * other_weight);
+      }
+      trilinos_->matrix.add(dof, columns.size(), columns.data(), values.data());
+    }
+  }
+}
+
+void AssembledSolver::update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) {
+  auto& matrix = trilinos_->matrix;
+  matrix = 0;
+  assemble_bodies(tangent);
+  assemble_interface(row_stiffness);
+  if (driven_spring != 0 && problem_.level.owns_driven_dof()) matrix.add(problem_.level.driven_dof(), problem_.level.driven_dof(), driven_spring);
+  matrix.compress(dealii::VectorOperation::add);
+
+  Teuchos::ParameterList parameters;
+  parameters.set("max levels", 10);
+  parameters.set("prec type", "MGV");
+  parameters.set("increasing or decreasing", "increasing");
+  parameters.set("aggregation: damping factor", 1.333);
+  parameters.set("eigen-analysis: type", "cg");
+  parameters.set("eigen-analysis: iterations", 10);
+  parameters.set("PDE equations", 3);
+  parameters.set("null space: type", "pre-computed");
+  parameters.set("null space: dimension", rigid_body_modes);
+  parameters.set("null space: vectors", modes_.data());
+  parameters.set("aggregation: type", "Uncoupled");
+  parameters.set("aggregation: threshold", 1e-3);
+  parameters.set("smoother: type", "Chebyshev");
+  parameters.set("smoother: sweeps", 4);
+  parameters.set("smoother: Chebyshev alpha", 10.0);
+  parameters.set("coarse: type", "Amesos-KLU");
+  parameters.set("coarse: max size", 500);
+  parameters.set("ML output", 0);
+  trilinos_->preconditioner.initialize(matrix, parameters);
+}
+
+int AssembledSolver::solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
+  return conjugate_gradients(problem_.level, trilinos_->matrix, trilinos_->preconditioner, x, rhs, relative_tolerance);
+}
+
+}  // namespace asperity::fem

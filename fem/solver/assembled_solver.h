@@ -1,0 +1,37 @@
+// The assembled path: a sparse matrix (Trilinos Epetra) and smoothed aggregation (ML) that knows the six rigid-body modes.
+//
+// Slower than the matrix-free path and several times its memory, but independent of the mesh's hierarchy: the reference
+// that checks it, and the way for operators whose kernels are not written yet.
+// Vanek, Mandel & Brezina, Computing 56 (1996) 179: aggregation with rigid-body modes as near-kernel.
+#pragma once
+
+#include "fem/solver/linear_solver.h"
+
+namespace asperity::fem {
+
+class AssembledSolver : public LinearSolver {
+ public:
+  explicit AssembledSolver(const LinearProblem& problem);
+  ~AssembledSolver() override;
+  void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) override;
+  int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;
+  std::string description() const override;
+
+ private:
+  struct Trilinos;  // kept out of this header: it is slow to compile
+  using Row = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+  void resolve_rows();
+  void make_pattern();
+  void make_rigid_body_modes();
+  void assemble_bodies(const TangentField* tangent);
+  void assemble_interface(const std::vector<double>& row_stiffness);
+
+  LinearProblem problem_;
+  HexOperator<double> cells_;
+  std::vector<Row> row_;  ///< of this rank's share of the contact rows, constrained nodes replaced by their masters
+  std::vector<double> modes_;
+  std::unique_ptr<Trilinos> trilinos_;
+};
+
+}  // namespace asperity::fem

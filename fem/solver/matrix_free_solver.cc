@@ -1,0 +1,27 @@
+#include "fem/solver/matrix_free_solver.h"
+
+#include "fem/solver/conjugate_gradients.h"
+
+namespace asperity::fem {
+
+MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
+    : level_(problem.level),
+      interface_(problem.interface),
+      matrix_(problem.level, problem.positions, problem.materials),
+      multigrid_(problem.mesh, problem.level, problem.control, problem.geometry, problem.materials) {
+  multigrid_.set_interface_rows(problem.rows, interface_.nodes());
+  matrix_.set_interface(&interface_);
+}
+
+void MatrixFreeSolver::update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) {
+  interface_.set_stiffness(row_stiffness);
+  matrix_.set_tangent(tangent);
+  matrix_.set_driven_spring(driven_spring);
+  multigrid_.update(row_stiffness, tangent, driven_spring);
+}
+
+int MatrixFreeSolver::solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
+  return conjugate_gradients(level_, matrix_, multigrid_, x, rhs, relative_tolerance);
+}
+
+}  // namespace asperity::fem

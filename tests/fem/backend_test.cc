@@ -1,0 +1,100 @@
+// The matrix-free and the assembled path behind the same Newton iteration.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "fem/contact/contact_solver.h"
+
+namespace {
+
+using namespace asperity::fem;
+
+ContactSystemOptions options(const std::string& backend, Control control = Control::force) {
+  ContactSystemOptions o;
+  constexpr double a = 230e-9;
+  auto& s = o.mesh.sizes;
+  s.radius = 8.5e-6, s.block_half_width = 6e-6;
+  s.spacing_particle = s.spacing_substrate = a / 5;
+  s.offset_substrate_x = 0.3 * s.spacing_substrate;
+  s.region_particle = 1.3 * a;
+  s.region_substrate = 1.3 * a + 3 * s.spacing_substrate;
+  o.mesh.particle_height = [](double x, double y) { return 2e-9 * std::sin(x / 20e-9) * std::cos(y / 25e-9); };
+  o.mesh.largest_height_particle = 2e-9;
+  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
+  o.materials[0].yield_stress = 2e9;
+  o.control = control;
+  o.backend = backend;
+  return o;
+}
+
+/// Response to a load on the driven plane (force control) or on an interface node with half of the contacts closed.
+Vector<double> response(ContactSystem& system, int& iterations) {
+  std::vector<double> stiffness;
+  for (std::size_t r = 0; r < system.rows().size(); ++r) {
+    const auto& p = system.interface_points()[system.rows()[r].node];
+    stiffness.push_back(std::hypot(p[0], p[1]) < 150e-9 ? system.areas()[r] * system.reduced_modulus() / 20e-9 : 0.0);
+  }
+  system.linear().update(stiffness, nullptr, 0.0);
+  Vector<double> x, load;
+  system.level().initialise(x);
+  system.level().initialise(load);
+  std::vector<double> forces(system.rows().size(), 0.0);
+  forces[forces.size() / 2] = 1e-6;
+  system.interface().add_forces(forces, load.begin());
+  system.level().condense(load.begin());
+  load.compress(dealii::VectorOperation::add);
+  iterations = system.linear().solve(x, load, 1e-10);
+  return x;
+}
+
+TEST(Backend, assembled_matrix_is_the_matrix_free_operator) {
+  for (const Control control : {Control::force, Control::displacement}) {
+    ContactSystem free(MPI_COMM_WORLD, options("matrix-free", control)), assembled(MPI_COMM_WORLD, options("assembled", control));
+    int iterations = 0, algebraic = 0;
+    const auto x = response(free, iterations);
+    auto difference = response(assembled, algebraic);
+    difference.zero_out_ghost_values();
+    difference -= x;
+    // The matrix-free path keeps the contacts' stiffness in single precision.
+    EXPECT_LT(difference.linfty_norm(), 1e-7 * x.linfty_norm());
+    EXPECT_LT(iterations, 60);
+    EXPECT_LT(algebraic, 200);
+    std::printf("matrix-free %d, assembled %d iterations\n", iterations, algebraic);
+  }
+}
+
+TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
+  struct Outcome {
+    double approach, peak, plastic;
+  };
+  const auto run = [](const std::string& backend) {
+    ContactSystem system(MPI_COMM_WORLD, options(backend));
+    ContactSolverOptions accurate;
+    accurate.residual_tolerance = 1e-7;
+    accurate.penetration_tolerance = 1e-5;
+    ContactSolver solver(system, accurate);
+    ContactState state = solver.first_touch();
+    Outcome o{};
+    for (const double load : {60e-6, 100e-6, 30e-6}) {
+      const Vector<double> before = state.displacement;
+      if (load == 60e-6) solver.push_rigidly(state, 3e-9);
+      EXPECT_TRUE(solver.solve(state, load).converged);
+      o.plastic += system.bodies().accept(before, state.displacement).plastic_work;
+    }
+    o.approach = state.approach;
+    o.peak = solver.resultants(state).largest_pressure;
+    return o;
+  };
+  const Outcome free = run("matrix-free"), assembled = run("assembled");
+  EXPECT_NEAR(assembled.approach / free.approach, 1, 1e-5);
+  EXPECT_NEAR(assembled.peak / free.peak, 1, 1e-4);
+  EXPECT_NEAR(assembled.plastic / free.plastic, 1, 1e-4);
+  EXPECT_GT(free.plastic, 0);
+}
+
+TEST(Backend, an_unknown_name_is_refused) {
+  EXPECT_THROW(ContactSystem(MPI_COMM_WORLD, options("direct")), asperity::InputError);
+}
+
+}  // namespace
