@@ -40,12 +40,6 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
   return roughness;
 }
 
-/// Expected RMS before the region is known: what a generator was asked for; a scan's own is measured later.
-double expected_rms(const std::string& spec) { return is_generator_call(spec) ? parse_generator(spec).spectrum.rms : 0; }
-double shortest_wave(const std::string& spec) {
-  return is_generator_call(spec) ? parse_generator(spec).spectrum.cutoff : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 J2Material material_of(const BodyInput& body) {
@@ -81,14 +75,16 @@ CaseSetup set_up(const CaseInput& input) {
   const std::string& upper = input.particle.topography;
   const std::string& lower = input.substrate.topography;
 
+  const TopographyScales upper_scales = topography_scales(upper), lower_scales = topography_scales(lower);
+
   double spacing = input.mesh.interface_spacing;
   // Twelve cells over the contact radius keep Hertz within 1 %; four over the shortest wave keep the roughness.
-  if (spacing == 0) spacing = std::min({a / 12, shortest_wave(upper) / 4, shortest_wave(lower) / 4});
+  if (spacing == 0) spacing = std::min({a / 12, upper_scales.shortest_wave / 4, lower_scales.shortest_wave / 4});
 
   double region = input.mesh.contact_region;
   if (region == 0) {
     // Asperities three RMS heights high still touch where smooth surfaces would be that far apart.
-    const double reach = 3 * std::hypot(expected_rms(upper), expected_rms(lower));
+    const double reach = 3 * std::hypot(upper_scales.rms, lower_scales.rms);
     double r = 1.15 * a;
     while (hertz_separation(r, a, R) < reach) r *= 1.02;
     region = r + 2 * spacing;

@@ -109,7 +109,7 @@ ScanParameters parse_scan(const std::string& spec) {
   return scan;
 }
 
-Topography scan_over(const std::string& spec, double size) {
+Topography prepared_scan(const std::string& spec) {
   const ScanParameters scan = parse_scan(spec);
   Topography map;
   try {
@@ -122,6 +122,12 @@ Topography scan_over(const std::string& spec, double size) {
     map = without_short_waves(map, scan.cutoff);
     map.source += ", without waves shorter than " + format_quantity(scan.cutoff, Dimension::length);
   }
+  return map;
+}
+
+Topography scan_over(const std::string& spec, double size) {
+  const ScanParameters scan = parse_scan(spec);
+  const Topography map = prepared_scan(spec);
   if (map.lx >= size && map.ly >= size) return map;
   if (map.periodic || scan.outside == Outside::mirror) return map.periodic ? map : mirrored(map);
   ScanParameters continued = scan;

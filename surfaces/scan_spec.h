@@ -33,7 +33,10 @@ struct ScanParameters {
 /// Reads either form. Throws InputError naming the argument that is unknown or wrong. The file need not exist.
 ScanParameters parse_scan(const std::string& spec);
 
-/// The levelled scan over a square region of side `size` [m]; its centre is the centre of contact. Smaller scans are
+/// The scan as read, levelled and, with a cut-off, without shorter waves. Throws ScanError.
+Topography prepared_scan(const std::string& spec);
+
+/// That scan for a square region of side `size` [m]; its centre is the centre of contact. Smaller scans are
 /// refused or, if asked for, continued by their mirror images (the map is then periodic with twice the scan's size; heights
 /// are continuous across the edges, slopes are not). Throws ScanError.
 Topography scan_over(const std::string& spec, double size);

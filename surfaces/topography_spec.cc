@@ -9,6 +9,7 @@
 #include "surfaces/entry_call.h"
 #include "surfaces/fft2d.h"
 #include "surfaces/scan_spec.h"
+#include "surfaces/statistics.h"
 #include "surfaces/virtual_afm.h"
 
 namespace asperity {
@@ -110,6 +111,19 @@ GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size)
                      " pixels a side; take a longer cutoff, a shorter rolloff or a smaller region");
   grid.pixels = fast_fft_length(pixels);
   return grid;
+}
+
+TopographyScales topography_scales(const std::string& spec) {
+  TopographyScales scales;
+  if (is_generator_call(spec)) {
+    const SelfAffineSpectrum spectrum = parse_generator(spec).spectrum;
+    scales = {spectrum.rms, spectrum.cutoff};
+  } else if (is_scan(spec)) {
+    scales.rms = height_moments(prepared_scan(spec)).Sq;
+    const double cutoff = parse_scan(spec).cutoff;
+    if (cutoff > 0) scales.shortest_wave = cutoff;
+  }
+  return scales;
 }
 
 Topography topography_for(const std::string& spec, double size, double /*spacing*/) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "surfaces/generate.h"
@@ -45,6 +46,13 @@ GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size)
 
 /// True if the entry names a measured scan.
 bool is_scan(const std::string& spec);
+
+/// What a mesh has to know of a surface before its region is known.
+struct TopographyScales {
+  double rms = 0;                                                   ///< as given, or of the whole scan [m]
+  double shortest_wave = std::numeric_limits<double>::infinity();  ///< [m]; infinite where there is none or it is not known
+};
+TopographyScales topography_scales(const std::string& spec);
 
 /// The topography of a square region of side `size` [m] around the contact.
 /// smooth: one pixel of height zero. A scan: see scan_over. generated(...): the whole period, expected Sq = rms over the

@@ -32,12 +32,12 @@ std::string wavy_matrix() {
 class ScanCase : public testing::Test {
  protected:
   /// Solves the case with this topography of the substrate; returns the exit status.
-  int solve(const std::string& topography) {
+  int solve(const std::string& topography, const std::string& spacing = "30 nm") {
     folder.write("scans/wavy.txt", wavy_matrix());
     const std::string text = "subsection Substrate\n set Topography = " + topography + "\n set Young modulus = 179 GPa\n"
                              " set Poisson ratio = 0.25\nend\nsubsection Particle\n set Radius = 8.5 um\n set Young modulus = 71 GPa\n"
                              " set Poisson ratio = 0.17\nend\nsubsection Experiment\n set Normal load = 30 uN\n set Load steps = 2\n"
-                             " set Unload = false\nend\nsubsection Mesh\n set Interface spacing = 30 nm\n set Layers = 1\nend\n";
+                             " set Unload = false\nend\nsubsection Mesh\n set Interface spacing = " + spacing + "\n set Layers = 1\nend\n";
     const auto file = folder.write("case.prm", text);
     const int status = std::system((std::string(ASPERITY_EXECUTABLE) + " solve " + file.string() + " --output " +
                                     (folder.path / "result").string() + " > " + (folder.path / "log").string() + " 2>&1").c_str());
@@ -56,6 +56,7 @@ TEST_F(ScanCase, a_bare_matrix_beside_the_case_file_is_solved_once_its_size_and_
   // Whole periods of 200 nm do not fit the region exactly: 5 %.
   EXPECT_NEAR(result["inputs"]["rms_in_region"]["substrate"].get<double>(), 0.5e-9, 0.05 * 0.5e-9);
   EXPECT_EQ(result["inputs"]["rms_in_region"]["particle"].get<double>(), 0);
+  EXPECT_FALSE(result["mesh"]["contact_reaches_rim"].get<bool>());
   const ContactHistory history = read_history(folder.path / "result" / "history.csv");
   EXPECT_NEAR(history.normal_force.back(), 30e-6, 1e-6 * 30e-6);
 }
@@ -70,7 +71,7 @@ TEST_F(ScanCase, one_smaller_than_the_contact_is_refused_by_line_and_solved_when
   EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean)"), 2);
   EXPECT_NE(log.find("case.prm:2: Substrate/Topography: "), std::string::npos) << log;
   EXPECT_NE(log.find("outside=mirror"), std::string::npos) << log;
-  EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean, outside=mirror)"), 0) << log;
+  EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean, outside=mirror)", "15 nm"), 0) << log;
 }
 
 }  // namespace asperity

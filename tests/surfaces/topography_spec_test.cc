@@ -168,6 +168,20 @@ TEST(ScanSpec_analytic, a_cutoff_takes_out_shorter_waves_and_leaves_longer_ones)
     for (const int iy : {0, 31, 99}) EXPECT_NEAR(smoothed.at(ix, iy), 2e-9 * cosine(ix, 4), 1e-15);
 }
 
+TEST(TopographySpec, says_how_rough_and_how_fine_a_surface_is_before_its_region_is_known) {
+  EXPECT_EQ(topography_scales("smooth").rms, 0);
+  EXPECT_TRUE(std::isinf(topography_scales("smooth").shortest_wave));
+  const TopographyScales generated = topography_scales("generated(rms=1.5 nm, window=2.5 um, rolloff=500 nm, cutoff=72 nm)");
+  EXPECT_DOUBLE_EQ(generated.rms, 1.5e-9);
+  EXPECT_DOUBLE_EQ(generated.shortest_wave, 72e-9);
+  const test::TemporaryFolder folder;
+  write_gsf(folder.path / "scan.gsf", written_scan());
+  const std::string file = (folder.path / "scan.gsf").string();
+  EXPECT_NEAR(topography_scales(file).rms, 1e-9, 1e-12);  // 2 nm sin sin, whole periods
+  EXPECT_TRUE(std::isinf(topography_scales(file).shortest_wave));
+  EXPECT_DOUBLE_EQ(topography_scales("scan(" + file + ", cutoff=90 nm)").shortest_wave, 90e-9);
+}
+
 TEST(ScanSpec, missing_points_stay_missing_in_the_mirror_images) {
   const test::TemporaryFolder folder;
   Topography scan = written_scan();
