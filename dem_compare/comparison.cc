@@ -105,6 +105,16 @@ std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
          force_text(low.force) + ", within " + within + " from " + force_text(group.hertzian_from) + " on.";
 }
 
+/// The verdict is on means: says so where single surfaces scatter by more than the tolerance.
+std::string scatter_sentence(const GroupComparison& group, double tolerance) {
+  const LoadComparison* worst = nullptr;
+  for (const auto& load : group.loads)
+    if (load.stiffness_ratio.sd > (worst ? worst->stiffness_ratio.sd : tolerance)) worst = &load;
+  if (!worst) return "";
+  return " That is the mean; single realisations scatter about it by up to " + percent(1 + worst->stiffness_ratio.sd) + " (at " +
+         force_text(worst->force) + ").";
+}
+
 /// Not so if it is negative: the extrapolation of the first loading to zero is no better than that.
 bool is_told_from_its_errors(const Estimate& imprint) {
   const double mesh = imprint.mesh ? std::abs(imprint.mean - imprint.mesh->extrapolated) : 0;
@@ -112,7 +122,7 @@ bool is_told_from_its_errors(const Estimate& imprint) {
 }
 
 std::string verdict_of(const GroupComparison& group, double tolerance) {
-  std::string words = "Loading: " + stiffness_sentence(group, tolerance);
+  std::string words = "Loading: " + stiffness_sentence(group, tolerance) + scatter_sentence(group, tolerance);
   const GroupNumbers& numbers = group.numbers;
   if (!group.loads.empty()) {
     const double ratio = group.loads.back().force_ratio.mean;

@@ -111,19 +111,22 @@ Legend legend_of(const Chart& chart) {
   return legend;
 }
 
-/// Points of curves that lie in a rectangle, those between the given ones included.
+/// Points of curves that lie in a rectangle, those between the given ones and the ends of error bars included.
 int covered_points(const Chart& chart, const Axis& x, const Axis& y, double left, double top, double width, double height) {
   constexpr int pieces = 8;
   int covered = 0;
+  const auto count = [&](double px, double py) {
+    covered += px > left - padding && px < left + width + padding && py > top - padding && py < top + height + padding;
+  };
   for (const auto& series : chart.series)
-    for (std::size_t i = 0; i < series.x.size(); ++i)
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      for (const double sign : {-1.0, 1.0}) count(x.pixel(series.x[i]), y.pixel(series.y[i] + sign * error_of(series, i)));
       for (int piece = 0; piece < (i + 1 < series.x.size() ? pieces : 1); ++piece) {
         const std::size_t next = std::min(i + 1, series.x.size() - 1);
         const double share = static_cast<double>(piece) / pieces;
-        const double px = x.pixel(series.x[i] + share * (series.x[next] - series.x[i]));
-        const double py = y.pixel(series.y[i] + share * (series.y[next] - series.y[i]));
-        covered += px > left - padding && px < left + width + padding && py > top - padding && py < top + height + padding;
+        count(x.pixel(series.x[i] + share * (series.x[next] - series.x[i])), y.pixel(series.y[i] + share * (series.y[next] - series.y[i])));
       }
+    }
   return covered;
 }
 
