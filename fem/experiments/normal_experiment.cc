@@ -9,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "fem/experiments/external_work.h"
 #include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
@@ -21,18 +22,6 @@ constexpr double smallest_fraction = 1e-3;
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Integral of F d(delta) between two states. While loading, F is taken as a power of the approach between them (of the
-/// exponent 3/2 from first touch, where there is no other); else F^(2/3) is a straight line. Both are exact for Hertz.
-double work_between(double delta0, double force0, double delta1, double force1) {
-  if (force1 > force0 && delta1 > delta0) {
-    const double exponent = force0 > 0 && delta0 > 0 ? std::log(force1 / force0) / std::log(delta1 / delta0) : 1.5;
-    return (force1 * delta1 - force0 * delta0) / (exponent + 1);
-  }
-  const double s0 = std::pow(force0, 2.0 / 3), s1 = std::pow(force1, 2.0 / 3);
-  if (std::abs(s1 - s0) < 1e-9 * std::max(s0, s1)) return 0.5 * (force0 + force1) * (delta1 - delta0);
-  return (delta1 - delta0) / (s1 - s0) * 0.4 * (std::pow(s1, 2.5) - std::pow(s0, 2.5));
 }
 
 std::string duration(double s) {
@@ -171,19 +160,27 @@ void NormalExperiment::solve_with_retries(double target) {
       r.plastic_volume = energies.plastic_volume;
       r.largest_plastic_strain = energies.largest_plastic_strain;
       r.largest_von_mises = energies.largest_von_mises;
-      const double force0 = records_.empty() ? 0 : records_.back().normal_force;
-      const double delta0 = records_.empty() ? 0 : records_.back().driven_displacement;
-      r.work = (records_.empty() ? 0 : records_.back().work) + work_between(delta0, force0, r.driven_displacement, r.normal_force);
-      double largest_work = r.work;
-      for (const auto& earlier : records_) largest_work = std::max(largest_work, earlier.work);
-      r.energy_error = (r.work - r.elastic_energy - r.plastic_work) / largest_work;
       records_.push_back(r);
+      balance_energy();
     } else {
       system_->bodies().accept(state_.displacement, trial.displacement);
       state_.displacement.swap(trial.displacement);
       state_.multiplier = trial.multiplier;
       state_.approach = trial.approach;
     }
+  }
+}
+
+void NormalExperiment::balance_energy() {
+  // All steps anew: a step's work becomes better known with the one that follows.
+  std::vector<double> delta, force;
+  for (const auto& r : records_) delta.push_back(r.driven_displacement), force.push_back(r.normal_force);
+  const std::vector<double> work = external_work(delta, force);
+  const double largest = std::max(*std::max_element(work.begin(), work.end()), std::numeric_limits<double>::min());
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    StepRecord& r = records_[k];
+    r.work = work[k];
+    r.energy_error = (r.work - r.elastic_energy - r.plastic_work) / largest;
   }
 }
 

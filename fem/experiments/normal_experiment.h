@@ -27,6 +27,7 @@ class NormalExperiment {
   void step_to(double fraction, int index);
   double expected_approach(double target) const;
   void solve_with_retries(double target);
+  void balance_energy();
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();

@@ -1,0 +1,70 @@
+// kill -9 in the middle of a solution, and going on from what it left.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+#include <vector>
+
+#include "core/csv.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace asperity;
+
+const char* const rough_case =
+    "subsection Particle\n  set Radius = 8.5 um\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\n  set Yield stress = 3 GPa\n"
+    "  set Topography = generated(rms=1.5 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=1)\nend\n"
+    "subsection Substrate\n  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Yield stress = 4 GPa\nend\n"
+    "subsection Experiment\n  set Normal load = 100 uN\n  set Load steps = 4\n  set Unload steps = 3\nend\n"
+    "subsection Mesh\n  set Interface spacing = 37 nm\n  set Layers = 2\nend\n"
+    "subsection Solver\n  set Threads = 1\nend\n"
+    "subsection Output\n  set Fields = false\nend\n";
+
+pid_t start(const std::vector<std::string>& arguments) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  std::vector<char*> argv;
+  for (const auto& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  if (!std::freopen("/dev/null", "w", stdout)) ::_exit(127);
+  ::execv(argv[0], argv.data());
+  ::_exit(127);
+}
+
+int finish(pid_t child) {
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::size_t rows(const fs::path& history) { return fs::exists(history) ? read_csv(history).rows.size() : 0; }
+
+TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("rough.prm", rough_case).string();
+  const fs::path whole = folder.path / "whole", killed = folder.path / "killed";
+  ASSERT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", whole.string()})), 0);
+
+  const pid_t child = start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string()});
+  for (int i = 0; i < 6000 && rows(killed / "history.csv") < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ::kill(child, SIGKILL);
+  finish(child);
+  ASSERT_GE(rows(killed / "history.csv"), 3u);
+  ASSERT_FALSE(fs::exists(killed / "result.json")) << "killed too late to show anything";
+
+  ASSERT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--resume"})), 0);
+  const auto expected = read_csv(whole / "history.csv"), resumed = read_csv(killed / "history.csv");
+  ASSERT_EQ(resumed.rows.size(), expected.rows.size());
+  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]", "work [J]"})
+    for (std::size_t k = 0; k < expected.rows.size(); ++k)
+      EXPECT_NEAR(resumed.numbers(column)[k] / expected.numbers(column)[k], 1, 1e-6) << column << " step " << k + 1;
+  EXPECT_TRUE(fs::exists(killed / "result.json"));
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+// The whole experiment with normal load: programs of steps, balances, what is left after an interruption.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "core/atomic_file.h"
+#include "core/csv.h"
+#include "fem/solve_case.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace asperity;
+
+CaseInput coarse_case() {
+  CaseInput c;
+  c.file = "test.prm";
+  c.radius = 8.5e-6;
+  c.particle.youngs_modulus = 71e9, c.particle.poisson_ratio = 0.17;
+  c.particle.yield_stress = 1.2e9;
+  c.particle.topography = "generated(rms=0.7 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=1)";
+  c.substrate.youngs_modulus = 179e9, c.substrate.poisson_ratio = 0.25;
+  c.substrate.yield_stress = 2.5e9;
+  c.substrate.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=2)";
+  c.experiment.normal_load = 100e-6;
+  c.experiment.load_steps = 4;
+  c.experiment.unload_steps = 3;
+  c.mesh.interface_spacing = 37e-9;
+  c.mesh.layers = 2;
+  c.solver.threads = 1;
+  c.output.fields = false;
+  return c;
+}
+
+struct Solved {
+  CsvTable history;
+  nlohmann::json result;
+  double at(const std::string& column, std::size_t row) const { return history.numbers(column).at(row); }
+};
+
+Solved solved(const std::filesystem::path& folder) {
+  return {read_csv(folder / "history.csv"), nlohmann::json::parse(read_file(folder / "result.json"))};
+}
+
+Solved solve(const CaseInput& c, const std::filesystem::path& folder, bool resume = false) {
+  SolveOptions options;
+  options.output = folder;
+  options.resume = resume;
+  solve_case(c, options);
+  return solved(folder);
+}
+
+void expect_same(const Solved& a, const Solved& b, double tolerance) {
+  ASSERT_EQ(a.history.rows.size(), b.history.rows.size());
+  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]", "plastic_work [J]",
+                                   "elastic_energy [J]", "work [J]", "plastic_volume [m^3]"})
+    for (std::size_t k = 0; k < a.history.rows.size(); ++k)
+      EXPECT_NEAR(b.at(column, k), a.at(column, k), tolerance * std::abs(a.at(column, k))) << column << " step " << k + 1;
+  EXPECT_NEAR(b.result["effective"]["normal_stiffness"]["value"].get<double>() / a.result["effective"]["normal_stiffness"]["value"].get<double>(), 1,
+              tolerance);
+}
+
+TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) {
+  const test::TemporaryFolder folder;
+  const Solved s = solve(coarse_case(), folder.path);
+  ASSERT_EQ(s.history.rows.size(), 7u);
+  EXPECT_LT(s.result["balance"]["energy"].get<double>(), 0.01);
+  EXPECT_LT(s.result["balance"]["force"].get<double>(), 1e-6);
+  EXPECT_LT(s.result["balance"]["moment"].get<double>(), 1e-9);
+  EXPECT_NEAR(s.at("normal_force [N]", 3) / 100e-6, 1, 1e-6);
+  EXPECT_GT(s.at("plastic_work [J]", 3), 0);
+  double before = 0;
+  for (const double dissipated : s.history.numbers("dissipated_energy [J]")) {
+    EXPECT_GE(dissipated, before);
+    before = dissipated;
+  }
+  EXPECT_GT(s.at("normal_displacement [m]", 6), 0) << "yielding leaves an imprint";
+}
+
+TEST(NormalExperiment, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {
+  const test::TemporaryFolder folder;
+  CaseInput c = coarse_case();
+  c.experiment.cycles = 2;
+  c.experiment.hold_steps = 1;
+  c.experiment.unload_steps = 5;
+  const Solved s = solve(c, folder.path);
+  ASSERT_EQ(s.history.rows.size(), 20u);  // (4 + 1 + 5) twice
+  EXPECT_NEAR(s.at("normal_displacement [m]", 4) / s.at("normal_displacement [m]", 3), 1, 1e-4);
+  // Without hardening, the second cycle yields hardly more than the first left to do.
+  EXPECT_LT(s.at("plastic_work [J]", 19) - s.at("plastic_work [J]", 9), 0.05 * s.at("plastic_work [J]", 9));
+  EXPECT_NEAR(s.at("normal_displacement [m]", 13) / s.at("normal_displacement [m]", 3), 1, 0.01);
+  EXPECT_LT(s.result["balance"]["energy"].get<double>(), 0.01);
+}
+
+TEST(NormalExperiment, under_displacement_control_passes_through_the_same_states) {
+  const test::TemporaryFolder given, driven;
+  CaseInput c = coarse_case();
+  c.experiment.load_steps = 2, c.experiment.unload = false;
+  const Solved force = solve(c, given.path);
+  c.experiment.control = ExperimentInput::Control::displacement;
+  c.experiment.normal_approach = force.at("driven_displacement [m]", 1);
+  c.mesh.contact_region = force.result["mesh"]["contact_region"];
+  c.experiment.load_steps = 4;
+  const Solved displacement = solve(c, driven.path);
+  EXPECT_NEAR(displacement.at("driven_displacement [m]", 3) / c.experiment.normal_approach, 1, 1e-12);
+  // Yielding depends on the path a little: four steps against two.
+  EXPECT_NEAR(displacement.at("normal_force [N]", 3) / force.at("normal_force [N]", 1), 1, 0.01);
+  EXPECT_NEAR(displacement.result["effective"]["normal_stiffness"]["value"].get<double>() /
+                  force.result["effective"]["normal_stiffness"]["value"].get<double>(), 1, 0.02);
+}
+
+TEST(NormalExperiment, stopped_after_any_step_resumes_to_the_same_answer) {
+  const test::TemporaryFolder whole, halved;
+  const CaseInput c = coarse_case();
+  const Solved expected = solve(c, whole.path);
+  int lines = 0;
+  SolveOptions options;
+  options.output = halved.path;
+  options.progress = [&](const std::string& line) {
+    if (line.rfind("step 5/", 0) == 0 && ++lines) throw std::runtime_error("stopped");
+  };
+  EXPECT_THROW(solve_case(c, options), std::runtime_error);
+  EXPECT_EQ(read_csv(halved.path / "history.csv").rows.size(), 5u);
+  EXPECT_FALSE(std::filesystem::exists(halved.path / "result.json"));
+  expect_same(expected, solve(c, halved.path, true), 1e-6);
+}
+
+}  // namespace
