@@ -37,8 +37,11 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   tiles.push_back({in_units(numbers.largest_pressure.mean, Dimension::pressure), "largest contact pressure",
                    against(numbers.largest_pressure.mean, hertz.peak_pressure(force))});
   if (std::isfinite(numbers.residual_imprint.mean))
-    tiles.push_back({imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
-                     "approach that has not come back"});
+    tiles.push_back(numbers.plastic_volume.mean == 0
+                        ? Tile{"none", "imprint left after unloading", "nothing has yielded"}
+                        : Tile{imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
+                               numbers.residual_imprint.mean > 0 ? "approach that has not come back"
+                                                                 : "none that can be told from the error of the computation"});
   if (std::isfinite(numbers.fitted_radius.mean))
     tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
                      "the sphere has " + in_units(hertz.radius, Dimension::length)});

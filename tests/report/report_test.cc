@@ -116,6 +116,7 @@ TEST_F(ReportFolder, a_smooth_elastic_case_is_told_that_its_departure_is_the_err
   EXPECT_TRUE(has(html, "must follow Hertz"));
   EXPECT_TRUE(has(html, "as stiff as Hertz within 5 %"));
   EXPECT_TRUE(has(html, "No material has yielded"));
+  EXPECT_TRUE(has(html, "nothing has yielded"));
 }
 
 TEST_F(ReportFolder, an_unfinished_case_is_shown_as_far_as_it_came) {
