@@ -66,7 +66,15 @@ std::string html_of(const SectionFigure& section, const Image& image) {
 std::vector<Image> SectionPainter::draw(vtkPolyData& section, const std::vector<SectionView>& views) {
   if (!display_) display_ = std::make_unique<VirtualDisplay>();
   if (!display_->available()) throw WorkError(display_->problem());
-  return draw_sections(section, views, display_->name());
+  try {
+    return draw_sections(section, views, display_->name());
+  } catch (const WorkError&) {
+    // A server that starts while another one ends can lose its number to it; the next one has it for itself.
+    if (!display_->is_own_server()) throw;
+    display_.reset();
+    display_ = std::make_unique<VirtualDisplay>();
+    return draw_sections(section, views, display_->name());
+  }
 }
 
 std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {

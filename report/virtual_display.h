@@ -16,6 +16,7 @@ class VirtualDisplay {
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
   bool available() const { return !name_.empty(); }
+  bool is_own_server() const { return server_ > 0; }
   const std::string& name() const { return name_; }        ///< ":7", the value for DISPLAY
   const std::string& problem() const { return problem_; }  ///< what to do if there is none
 
