@@ -204,7 +204,8 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
                                  "Cells of each refinement level below the interface: the grading."));
   entries.push_back(choice<std::string>("Mesh", "Sphere", [](CaseInput& c) -> std::string& { return c.mesh.sphere; },
                                         {{"hemisphere", "hemisphere"}, {"full", "full"}}, "hemisphere",
-                                        "Part of the particle that is meshed."));
+                                        "Part of the particle that is meshed: the lower half, driven at its equator, or all of "
+                                        "it, glued over the square of half width 0.45 R at its top."));
   entries.push_back(choice<std::string>("Solver", "Backend", [](CaseInput& c) -> std::string& { return c.solver.backend; },
                                         {{"matrix-free", "matrix-free"}, {"assembled", "assembled"}}, "matrix-free",
                                         "Matrix-free operators with geometric multigrid, or assembled matrices with "

@@ -104,6 +104,7 @@ CaseSetup set_up(const CaseInput& input) {
   options.control = force ? Control::force : Control::displacement;
   auto& sizes = options.mesh.sizes;
   sizes.radius = R;
+  sizes.full_sphere = input.mesh.sphere == "full";
   sizes.block_half_width = block_half_width_in_radii * R;
   sizes.spacing_particle = sizes.spacing_substrate = spacing;
   sizes.region_particle = region;

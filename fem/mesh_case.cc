@@ -43,7 +43,7 @@ void say_lines(const Say& say, const std::string& lines) {
 }
 
 double smooth_volume(const meshing::BodySizes& sizes, int body) {
-  return body == 0 ? 2.0 / 3 * M_PI * std::pow(sizes.radius, 3) : std::pow(2 * sizes.block_half_width, 3);
+  return body == 0 ? (sizes.full_sphere ? 4.0 : 2.0) / 3 * M_PI * std::pow(sizes.radius, 3) : std::pow(2 * sizes.block_half_width, 3);
 }
 
 void say_counts(const Say& say, const meshing::ContactMeshOptions& options, const MeshLevel& level, const meshing::BodyMap& map) {
@@ -121,7 +121,7 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
     const auto check = meshing::check_surface(surface);
     say_lines(say, meshing::summary(name, surface, check));
     say(name + text(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) + " of the smooth " +
-        (body == 0 ? "hemisphere's" : "block's"));
+        (body == 1 ? "block's" : options.sizes.full_sphere ? "sphere's" : "hemisphere's"));
     meshing::require_body(check, "the " + name);
     for (const char* extension : {".stl", ".ply", ".off"}) meshing::write_surface(surface, output / (name + extension));
 

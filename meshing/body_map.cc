@@ -67,6 +67,10 @@ Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {
 
 Point3 BodyMap::position(int tree, const Point3& logical) const {
   const double R = sizes_.radius;
+  if (tree >= upper_first) {
+    const Point3 p = position(tree - upper_first, logical);
+    return {p[0], -p[1], 2 * R - p[2]};
+  }
   if (tree == block)
     return {block_lateral_(2 * logical[0] - 1) + sizes_.offset_substrate_x,
             block_lateral_(2 * logical[1] - 1) + sizes_.offset_substrate_y, -block_depth_(1 - logical[2])};

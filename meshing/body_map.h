@@ -1,7 +1,8 @@
 // The smooth shapes of the two bodies as logical boxes ("trees" of the octree forest) with analytic maps.
 //
 // Particle: a hemisphere, apex at the origin, its equator plane at z = R. Six trees: the cap below (projected, a square
-// |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides up to the equator, a core.
+// |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides up to the equator, a core. A full
+// sphere has a second hemisphere, the first turned by half a turn about the x axis through the centre.
 // Substrate: a cube [-L, L]^2 x [-2L, 0], one tree. The cap and the substrate's tree carry the interface.
 #pragma once
 
@@ -16,11 +17,12 @@ using Point3 = std::array<double, 3>;
 enum class Body { particle = 0, substrate = 1 };
 
 /// Trees in the order of the coarse mesh.
-enum Tree { cap = 0, side_first = 1, core = 5, block = 6, tree_count = 7 };
+enum Tree { cap = 0, side_first = 1, core = 5, block = 6, upper_first = 7, upper_last = 12 };
 
 /// Geometry that fixes both smooth bodies; lengths in m.
 struct BodySizes {
   double radius = 0;          ///< of the particle
+  bool full_sphere = false;   ///< instead of a hemisphere
   double block_half_width = 0;  ///< L of the substrate's cube
   double spacing_particle = 0;  ///< node spacing at the interface
   double spacing_substrate = 0;
@@ -41,6 +43,7 @@ class BodyMap {
   int finest_level(Body body) const { return body == Body::particle ? level_particle_ : level_substrate_; }
   const BodySizes& sizes() const { return sizes_; }
 
+  int tree_count() const { return sizes_.full_sphere ? upper_last + 1 : block + 1; }
   static Body body_of(int tree) { return tree == block ? Body::substrate : Body::particle; }
   /// Logical z of a tree's contact surface: 0 for the cap, 1 for the block.
   static double surface_coordinate(int tree) { return tree == block ? 1.0 : 0.0; }

@@ -11,8 +11,9 @@ namespace asperity::meshing {
 namespace {
 
 /// Corner of a tree in a stand-in geometry for the coarse mesh: the smooth bodies themselves at unit radius.
-BodySizes unit_sizes() {
+BodySizes unit_sizes(bool full_sphere) {
   BodySizes sizes;
+  sizes.full_sphere = full_sphere;
   sizes.radius = 1;
   sizes.block_half_width = 1;
   sizes.spacing_particle = 2 * BodyMap::cap_fraction / 4;
@@ -21,11 +22,11 @@ BodySizes unit_sizes() {
   return sizes;
 }
 
-void make_coarse_mesh(Triangulation& forest) {
-  const BodyMap map(unit_sizes());
+void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
+  const BodyMap map(unit_sizes(full_sphere));
   std::vector<dealii::Point<3>> vertices;
-  std::vector<dealii::CellData<3>> cells(tree_count);
-  for (int tree = 0; tree < tree_count; ++tree) {
+  std::vector<dealii::CellData<3>> cells(map.tree_count());
+  for (int tree = 0; tree < map.tree_count(); ++tree) {
     for (int v = 0; v < 8; ++v) {
       Point3 p = map.position(tree, LogicalBox{tree, {0, 0, 0}, 1}.vertex(v));
       if (tree == block) p[2] -= 1;  // keep the bodies apart, whatever the tolerance for merging vertices
@@ -44,6 +45,8 @@ void make_coarse_mesh(Triangulation& forest) {
       unsigned id = free_boundary;
       if (tree == block) id = f == 5 ? interface_substrate : f == 4 ? fixed_boundary : free_boundary;
       else if (tree == cap) id = f == 4 ? interface_particle : free_boundary;
+      else if (tree == upper_first + cap) id = f == 4 ? driven_boundary : free_boundary;  // glued over its upper cap
+      else if (tree > upper_first) id = free_boundary;
       else if (tree == core) id = f == 5 ? driven_boundary : free_boundary;
       else id = f == 3 ? driven_boundary : free_boundary;
       cell->face(f)->set_boundary_id(id);
@@ -116,11 +119,12 @@ Point3 RoughGeometry::position(int tree, const Point3& logical) const {
 
 std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int coarsenings) {
   auto forest = std::make_unique<Triangulation>(communicator);
-  make_coarse_mesh(*forest);
+  make_coarse_mesh(*forest, options.sizes.full_sphere);
   const BodyMap map(options.sizes);
   const auto level_cap = [&](int tree) { return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings); };
   const int deepest = std::max(level_cap(cap), level_cap(block));
-  const int everywhere = std::min({2, level_cap(cap), level_cap(block)});  // so that the hemisphere's sides are round
+  // Three levels everywhere make the sphere's sides round: its volume is within 1.2 %.
+  const int everywhere = std::min({3, level_cap(cap), level_cap(block)});
   forest->refine_global(everywhere);
   for (int level = everywhere; level < deepest; ++level) {
     bool any = false;
