@@ -204,6 +204,25 @@ void multigrid_update(benchmark::State& state) {
   count(state, scene->unknowns());
 }
 
+// A linear solution to 1e-3 as a Newton step asks for it, with a new active set, by either path.
+void solution(benchmark::State& state, LinearSolver& linear) {
+  Vector<double> x = scene->vector<double>(), load = scene->vector<double>();
+  load.local_element(scene->system->level().local_driven_dof()) = -1;
+  int iterations = 0;
+  for (auto _ : state) {
+    linear.update(scene->stiffness, &scene->tangent, 0.0);
+    iterations = linear.solve(x, load, 1e-3);
+  }
+  count(state, scene->unknowns());
+  state.counters["cg"] = iterations;
+}
+void matrix_free_solution(benchmark::State& state) { solution(state, scene->system->linear()); }
+void assembled_solution(benchmark::State& state) {
+  auto& s = *scene->system;
+  const auto assembled = make_linear_solver("assembled", {s.level(), s.positions(), s.options().materials, s.interface(), s.rows(), s.options().mesh, s.geometry(), s.options().control});
+  solution(state, *assembled);
+}
+
 void level_transfer(benchmark::State& state) {
   const LevelTransfer transfer(scene->system->level(), *scene->coarse);
   Vector<float> fine = scene->sample<float>(), coarse;
@@ -303,6 +322,7 @@ constexpr Comparison comparisons[] = {
     {"Chebyshev smoothing", "stiffness with yielding, float", "in operator applications (degree 4: four)"},
     {"V-cycle", "stiffness with yielding, float", "in operator applications (9 on the finest level)"},
     {"multigrid update", "V-cycle", "a new active set in V-cycles"},
+    {"solution, assembled", "solution, matrix-free", "a Newton step's update and solution, algebraic against geometric multigrid"},
     {"level transfer", "stiffness, float", "there and back, against the operator"},
     {"forest set-up", "V-cycle", "in V-cycles"},
     {"mesh level set-up", "V-cycle", "in V-cycles"},
@@ -359,6 +379,7 @@ void register_all() {
   add("Chebyshev smoothing", chebyshev);
   add("V-cycle", v_cycle);
   add("multigrid update", multigrid_update);
+  add("solution, matrix-free", matrix_free_solution);
   add("level transfer", level_transfer);
   add("forest set-up", forest_set_up);
   add("mesh level set-up", level_set_up);
@@ -369,6 +390,7 @@ void register_all() {
   add("Fourier transform", fourier_transform);
   add("sampler set-up", sampler_set_up);
   add("height samples", height_samples);
+  benchmark::RegisterBenchmark("solution, assembled", assembled_solution)->UseRealTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
