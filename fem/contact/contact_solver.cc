@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "fem/contact/contact_area.h"
 
 namespace asperity::fem {
 namespace {
@@ -242,7 +243,6 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     if (p <= 0) continue;
     const double force = p * system_.areas()[r];
     result.force += force;
-    result.area += system_.areas()[r];
     result.largest_pressure = std::max(result.largest_pressure, p);
     ++result.active;
     result.reaches_rim = result.reaches_rim || system_.on_rim()[r];
@@ -251,6 +251,9 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
       moment_y += force * weight * system_.interface_points()[node][0];
     });
   }
+  std::vector<std::array<double, 2>> points;
+  for (const auto& row : system_.rows()) points.push_back({system_.interface_points()[row.node][0], system_.interface_points()[row.node][1]});
+  result.area = contact_area(system_.row_quads(), points, state.multiplier, gaps(state), system_.reduced_modulus());
   if (result.force > 0)
     result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
   Vector<double> force;

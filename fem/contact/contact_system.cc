@@ -39,6 +39,12 @@ void ContactSystem::couple() {
   }
   if (faces[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
   rows_ = couple_interfaces(faces[0], faces[1]);
+  std::vector<int> row_of_node(nodes.count(), -1);
+  for (std::size_t r = 0; r < rows_.size(); ++r) row_of_node[rows_[r].node] = static_cast<int>(r);
+  for (const auto& face : faces[0]) {
+    auto& quad = row_quads_.emplace_back();
+    for (int v = 0; v < 4; ++v) quad[v] = row_of_node[face.node[v]];
+  }
   interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, nodes);
   gaps_ = interface_->gaps(positions_.begin());
   double largest = 0;

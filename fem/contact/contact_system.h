@@ -38,6 +38,9 @@ class ContactSystem {
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
+  /// Rows at the corners of each face of the particle's contact region, lexicographic.
+  const std::vector<std::array<int, 4>>& row_quads() const { return row_quads_; }
+
   /// Reduced modulus E* of the pair [Pa].
   double reduced_modulus() const;
   /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too small.
@@ -58,6 +61,7 @@ class ContactSystem {
   std::vector<double> areas_, gaps_;
   std::vector<std::array<double, 3>> interface_points_;
   std::vector<char> on_rim_;
+  std::vector<std::array<int, 4>> row_quads_;
 };
 
 }  // namespace asperity::fem

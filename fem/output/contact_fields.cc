@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <unordered_map>
 
 #include "fem/output/vtk_writer.h"
 
@@ -43,20 +42,8 @@ VtkMesh bodies(const ContactSystem& system, const ContactState& state) {
 VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver, const ContactState& state) {
   VtkMesh mesh;
   mesh.points_per_cell = 4;
-  std::unordered_map<int, int> row_of_node;
   const auto& rows = system.rows();
-  for (std::size_t r = 0; r < rows.size(); ++r) row_of_node[rows[r].node] = static_cast<int>(r);
-  const InterfaceNodes nodes(system.level());
-  for (const auto& face : system.level().interface_faces()) {
-    if (face.body != 0) continue;
-    int row[4];
-    bool all = true;
-    for (int v = 0; v < 4; ++v) {
-      const auto found = row_of_node.find(nodes.index(face.node[v]));
-      if ((all = all && found != row_of_node.end())) row[v] = found->second;
-    }
-    if (all) mesh.connectivity.insert(mesh.connectivity.end(), {row[0], row[1], row[3], row[2]});
-  }
+  for (const auto& quad : system.row_quads()) mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
   const auto gaps = solver.gaps(state);
   const auto& options = system.options().mesh;
   VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}}, upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}};
