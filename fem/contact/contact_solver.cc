@@ -6,40 +6,10 @@
 
 #include "core/error.h"
 #include "fem/contact/contact_area.h"
+#include "fem/contact/line_search.h"
 
 namespace asperity::fem {
 namespace {
-
-// Line search: steps that overshoot the lowest energy along them are cut. Far too long ones are cut only in part: with more
-// nodes closed than in equilibrium the iteration comes back in few full steps, with fewer it creeps.
-constexpr int largest_trials = 3;
-constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35;
-template <typename SlopeAt>
-double step_with_few_cuts(double slope, const SlopeAt& slope_at) {
-  double step = 1;
-  for (int trial = 0; trial < largest_trials; ++trial) {
-    const double here = slope_at(step);
-    if (here > -overshoot_allowed * slope) break;
-    if (trial + 1 < largest_trials) step *= std::max(shortest_cut, slope / (slope - here));
-  }
-  return step;
-}
-
-// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more closely.
-constexpr int patience = 3, most_closing_steps = 10;
-constexpr double progress = 0.7, slope_left = 0.3;
-template <typename SlopeAt>
-double step_to_lowest(double slope, const SlopeAt& slope_at) {
-  double low = 0, high = 1, slope_low = slope, slope_high = slope_at(1.0), step = 1;
-  for (int k = 0; k < most_closing_steps && (step < 1 || slope_high < -slope_left * slope); ++k) {
-    step = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
-    const double here = slope_at(step);
-    if (std::abs(here) <= slope_left * slope) break;
-    (here > 0 ? low : high) = step;
-    (here > 0 ? slope_low : slope_high) = here;
-  }
-  return step;
-}
 
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
 constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
@@ -170,8 +140,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
   double error = evaluate(state, target, residual, tangent, p);
 
-  int barren = 0;  // Newton steps without progress
-  double least = error;
+  LineSearch search(error);
   bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
@@ -202,9 +171,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
         error = evaluate(state, target, residual, tangent, p);
         return residual * direction;
       };
-      const double step = barren < patience ? step_with_few_cuts(slope, slope_at) : step_to_lowest(slope, slope_at);
-      barren = error < progress * least ? 0 : barren + 1;
-      least = std::min(least, error);
+      const double step = search.step(slope, slope_at);
+      search.reached(error);
       if (log)
         log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
             " cg " + std::to_string(report.linear) + " active " + std::to_string(std::count_if(p.begin(), p.end(), [](double v) { return v > 0; })));
@@ -225,8 +193,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
     if (report.newton >= options_.largest_newton) break;
     if (!closed) {
       state.multiplier = p;
-      error = least = evaluate(state, target, residual, tangent, p);
-      barren = 0;
+      error = evaluate(state, target, residual, tangent, p);
+      search.restart(error);
     }
   }
   state.multiplier = p;

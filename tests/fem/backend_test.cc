@@ -5,24 +5,14 @@
 
 #include "core/error.h"
 #include "fem/contact/contact_solver.h"
+#include "tests/fem/support/wavy_contact.h"
 
 namespace {
 
 using namespace asperity::fem;
 
 ContactSystemOptions options(const std::string& backend, Control control = Control::force) {
-  ContactSystemOptions o;
-  constexpr double a = 230e-9;
-  auto& s = o.mesh.sizes;
-  s.radius = 8.5e-6, s.block_half_width = 6e-6;
-  s.spacing_particle = s.spacing_substrate = a / 5;
-  s.offset_substrate_x = 0.3 * s.spacing_substrate;
-  s.region_particle = 1.3 * a;
-  s.region_substrate = 1.3 * a + 3 * s.spacing_substrate;
-  o.mesh.particle_height = [](double x, double y) { return 2e-9 * std::sin(x / 20e-9) * std::cos(y / 25e-9); };
-  o.mesh.largest_height_particle = 2e-9;
-  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
-  o.materials[0].yield_stress = 2e9;
+  ContactSystemOptions o = asperity::test::wavy_contact(2e9, 5);
   o.control = control;
   o.backend = backend;
   return o;

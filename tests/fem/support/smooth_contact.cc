@@ -34,8 +34,32 @@ struct Peak {
   double stress = 0, depth = 0;
 };
 
-/// Largest von Mises stress along the axis of a body: of the cells around the axis, averaged at each depth, and the
-/// top of the parabola through the three values around the largest.
+/// Top of the polynomial through the largest of the values and two neighbours on either side. The curve falls more gently
+/// below its top than above: a parabola through three values would put the top too deep.
+Peak top_of_curve(const std::vector<Peak>& values) {
+  const int count = static_cast<int>(values.size());
+  const int top = static_cast<int>(std::max_element(values.begin(), values.end(), [](const Peak& a, const Peak& b) { return a.stress < b.stress; }) - values.begin());
+  if (top < 2 || top + 2 >= count) return values[top];
+  const auto curve = [&](double depth) {
+    double sum = 0;
+    for (int i = top - 2; i <= top + 2; ++i) {
+      double shape = 1;
+      for (int j = top - 2; j <= top + 2; ++j)
+        if (j != i) shape *= (depth - values[j].depth) / (values[i].depth - values[j].depth);
+      sum += shape * values[i].stress;
+    }
+    return sum;
+  };
+  Peak peak = values[top];
+  constexpr int samples = 2000;
+  for (int k = 0; k <= samples; ++k) {
+    const double depth = values[top - 1].depth + (values[top + 1].depth - values[top - 1].depth) * k / samples;
+    if (const double stress = curve(depth); stress > peak.stress) peak = {stress, depth};
+  }
+  return peak;
+}
+
+/// Largest von Mises stress along the axis of a body: of the cells around the axis, averaged at each depth.
 Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::CellState>& cells, int body) {
   struct Column {
     double stress = 0, depth = 0;
@@ -61,12 +85,7 @@ Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::Ce
   std::vector<Peak> peaks;
   for (const auto& [key, c] : by_depth) peaks.push_back({c.stress / c.count, c.depth / c.count});
   std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.depth < b.depth; });
-  const std::size_t top = std::max_element(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.stress < b.stress; }) - peaks.begin();
-  if (top == 0 || top + 1 >= peaks.size()) return peaks[top];
-  const Peak &a = peaks[top - 1], &b = peaks[top], &c = peaks[top + 1];
-  const double first = (b.stress - a.stress) / (b.depth - a.depth), second = ((c.stress - b.stress) / (c.depth - b.depth) - first) / (c.depth - a.depth);
-  const double depth = 0.5 * (a.depth + b.depth) - 0.5 * first / second;
-  return {a.stress + first * (depth - a.depth) + second * (depth - a.depth) * (depth - b.depth), depth};
+  return top_of_curve(peaks);
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+// How far the Newton iteration of the contact solver goes along a direction of descent of its convex energy.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+
+class LineSearch {
+ public:
+  /// error: unbalanced force from which the next steps are to make progress.
+  explicit LineSearch(double error) { restart(error); }
+  void restart(double error) { least_ = error, barren_ = 0; }
+  /// To be told of the unbalanced force that each step reached.
+  void reached(double error) {
+    barren_ = error < progress * least_ ? 0 : barren_ + 1;
+    least_ = std::min(least_, error);
+  }
+
+  /// slope: of the energy along the direction at its start, positive for descent; slope_at(step) moves there and returns
+  /// the slope, negative beyond the lowest energy. Returns the step that it moved to last.
+  template <typename SlopeAt>
+  double step(double slope, const SlopeAt& slope_at) const {
+    return barren_ < patience ? with_few_cuts(slope, slope_at) : to_lowest(slope, slope_at);
+  }
+
+ private:
+  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in equilibrium the
+  /// iteration comes back in few full steps, with fewer it creeps.
+  template <typename SlopeAt>
+  static double with_few_cuts(double slope, const SlopeAt& slope_at) {
+    double step = 1;
+    for (int trial = 0; trial < largest_trials; ++trial) {
+      const double here = slope_at(step);
+      if (here > -overshoot_allowed * slope) break;
+      if (trial + 1 < largest_trials) step *= std::max(shortest_cut, slope / (slope - here));
+    }
+    return step;
+  }
+
+  /// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more closely.
+  template <typename SlopeAt>
+  static double to_lowest(double slope, const SlopeAt& slope_at) {
+    double low = 0, high = 1, slope_low = slope, slope_high = slope_at(1.0), step = 1;
+    for (int k = 0; k < most_closing_steps && (step < 1 || slope_high < -slope_left * slope); ++k) {
+      step = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
+      const double here = slope_at(step);
+      if (std::abs(here) <= slope_left * slope) break;
+      (here > 0 ? low : high) = step;
+      (here > 0 ? slope_low : slope_high) = here;
+    }
+    return step;
+  }
+
+  static constexpr int largest_trials = 3, patience = 3, most_closing_steps = 10;
+  static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3;
+  double least_ = 0;
+  int barren_ = 0;
+};
+
+}  // namespace asperity::fem
