@@ -92,7 +92,8 @@ TEST(ElastoPlasticSphere_other_code, force_follows_the_axisymmetric_solution_fro
 }
 
 TEST(ElastoPlasticSphereNightly_other_code, force_follows_the_axisymmetric_solution_towards_full_plasticity) {
-  expect_table({1, 2, 4, 7, 12, 18, 25, 35, 48, 62, 80, 104, 130, 160, 195}, 24, 84);
+  // Loads below 4 F_c, where this mesh has fewer than four spacings in the contact radius, are in the test above.
+  expect_table({4, 7, 12, 18, 25, 35, 48, 62, 80, 104, 130, 160, 195}, 24, 84);
 }
 
 TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load) {
