@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
+#include <omp.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +26,9 @@ void with_mpi(int threads, const std::function<void()>& work) {
     char** argv = nullptr;
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
+    // Ours are OpenMP threads; deal.II knows how many cores each rank of this machine may have.
+    if (threads > 0) omp_set_num_threads(threads);
+    else if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(static_cast<int>(dealii::MultithreadInfo::n_threads()));
     try {
       work();
     } catch (const InputError&) {

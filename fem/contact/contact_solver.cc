@@ -13,6 +13,8 @@ namespace {
 
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
 constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
+// Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a Newton step.
+constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 
 bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
 
@@ -155,7 +157,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       const bool open = std::none_of(p.begin(), p.end(), [](double v) { return v > 0; });
       const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
       system_.linear().update(stiffness, tangent, spring);
-      const double accuracy = std::clamp(0.1 * goal / error, 1e-5, 1e-2);
+      const double accuracy = std::clamp(0.1 * goal / error, accurate_direction, rough_direction);
       report.linear += system_.linear().solve(direction, residual, accuracy);
       ++report.newton;
 

@@ -1,5 +1,6 @@
 #include "fem/experiments/normal_experiment.h"
 
+#include <omp.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -251,7 +252,7 @@ void NormalExperiment::write_result() {
   summary.peak_memory = dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
   summary.wall_time = time_before_ + seconds() - started_;
   summary.ranks = ranks_;
-  summary.threads = dealii::MultithreadInfo::n_threads();
+  summary.threads = omp_get_max_threads();
   summary.cells = static_cast<long>(system_->forest().n_global_active_cells());
   summary.unknowns = static_cast<long>(system_->level().size());
   summary.contact_nodes = static_cast<long>(system_->rows().size());
