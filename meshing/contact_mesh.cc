@@ -123,8 +123,9 @@ std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactM
   const BodyMap map(options.sizes);
   const auto level_cap = [&](int tree) { return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings); };
   const int deepest = std::max(level_cap(cap), level_cap(block));
-  // Three levels everywhere make the sphere's sides round: its volume is within 1.2 %.
-  const int everywhere = std::min({3, level_cap(cap), level_cap(block)});
+  // Two levels everywhere make the sphere's sides fairly round. A third one would tear some forests on several ranks where trees
+  // of different refinement meet (p4est 2.2; HexOperator::diagonal notices).
+  const int everywhere = std::min({2, level_cap(cap), level_cap(block)});
   forest->refine_global(everywhere);
   for (int level = everywhere; level < deepest; ++level) {
     bool any = false;

@@ -1,5 +1,7 @@
 #include "fem/solver/hex_operator.h"
 
+#include "core/error.h"
+
 namespace asperity::fem {
 
 template <typename Number>
@@ -138,6 +140,9 @@ Vector<Number> HexOperator<Number>::diagonal() const {
   for (std::size_t i = 0; i < result.locally_owned_size(); ++i) result.local_element(i) = static_cast<Number>(diagonal.local_element(i));
   for (const int c : level_.constrained())
     if (c < static_cast<int>(result.locally_owned_size())) result.local_element(c) = Number(1);
+  for (std::size_t i = 0; i < result.locally_owned_size(); ++i)
+    if (!(result.local_element(i) > 0))
+      throw WorkError("the mesh is torn between its trees on this number of processes (an error of p4est); use another number");
   return result;
 }
 

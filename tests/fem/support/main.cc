@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that long tests show how far they are
   testing::InitGoogleTest(&argc, argv);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  omp_set_num_threads(std::min(2, omp_get_num_procs()));
+  if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(std::min(2, omp_get_num_procs()));
   return RUN_ALL_TESTS();
 }
