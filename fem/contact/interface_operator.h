@@ -67,7 +67,6 @@ class InterfaceOperator {
   }
   /// The rows [first, last) that this rank works on.
   std::pair<int, int> share() const { return {first_row_, last_row_}; }
-  const std::vector<float>& stiffness() const { return stiffness_; }
   const std::vector<int>& active() const { return active_; }
 
  private:

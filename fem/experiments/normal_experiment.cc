@@ -129,6 +129,8 @@ void NormalExperiment::solve_with_retries(double target) {
   // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
   std::vector<double> pending{target};
   int failures = 0;
+  BodyEnergies energies;
+  double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
   while (!pending.empty()) {
     ContactState trial = state_;
     solver_->push_rigidly(trial, expected_approach(pending.back()));
@@ -144,32 +146,24 @@ void NormalExperiment::solve_with_retries(double target) {
       pending.push_back(0.5 * (load_ + pending.back()));
       continue;
     }
-    const bool last = pending.size() == 1;
     load_ = pending.back();
     pending.pop_back();
-    if (last) {
-      state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
-      state_.multiplier = trial.multiplier;
-      state_.approach = trial.approach;
-      const auto energies = system_->bodies().accept(trial.displacement, state_.displacement);
-      StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
-      const double before_plastic = records_.empty() ? 0 : records_.back().plastic_work;
-      r.elastic_energy = energies.elastic;
-      r.hardening_energy = energies.hardening;
-      r.plastic_work = before_plastic + energies.plastic_work;
-      r.dissipated_energy = r.plastic_work - r.hardening_energy;
-      r.plastic_volume = energies.plastic_volume;
-      r.largest_plastic_strain = energies.largest_plastic_strain;
-      r.largest_von_mises = energies.largest_von_mises;
-      records_.push_back(r);
-      balance_energy();
-    } else {
-      system_->bodies().accept(state_.displacement, trial.displacement);
-      state_.displacement.swap(trial.displacement);
-      state_.multiplier = trial.multiplier;
-      state_.approach = trial.approach;
-    }
+    state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
+    state_.multiplier = trial.multiplier;
+    state_.approach = trial.approach;
+    energies = system_->bodies().accept(trial.displacement, state_.displacement);
+    plastic_work += energies.plastic_work;
   }
+  StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
+  r.elastic_energy = energies.elastic;
+  r.hardening_energy = energies.hardening;
+  r.plastic_work = plastic_work;
+  r.dissipated_energy = r.plastic_work - r.hardening_energy;
+  r.plastic_volume = energies.plastic_volume;
+  r.largest_plastic_strain = energies.largest_plastic_strain;
+  r.largest_von_mises = energies.largest_von_mises;
+  records_.push_back(r);
+  balance_energy();
 }
 
 void NormalExperiment::balance_energy() {

@@ -19,8 +19,6 @@ class Chebyshev {
   /// x = p(A) b; x is taken as zero, or as a first guess.
   void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const;
 
-  double largest_eigenvalue() const { return largest_; }
-
  private:
   Vector<float> inverse_diagonal_;
   mutable Vector<float> residual_, direction_;

@@ -121,10 +121,4 @@ void Multigrid::vmult(Vector<double>& dst, const Vector<double>& src) const {
     if (c < static_cast<int>(dst.locally_owned_size())) dst.local_element(c) = 0;
 }
 
-std::vector<long> Multigrid::level_sizes() const {
-  std::vector<long> sizes;
-  for (const auto& level : level_) sizes.push_back(static_cast<long>(level.mesh->size()));
-  return sizes;
-}
-
 }  // namespace asperity::fem

@@ -1,7 +1,8 @@
 // Geometric multigrid V-cycle in single precision for the bulk of both bodies and the interface between them.
 //
-// Levels are forests refined by the same rule up to a rising depth: nested meshes of their own, with hanging nodes. Chebyshev-Jacobi smoothing; a dense Cholesky factor on the coarsest level. The bulk is
-// rediscretised elastically, the interface enters through G_level (exact on every level).
+// Levels are forests refined by the same rule up to a rising depth: nested meshes of their own, with hanging nodes.
+// Chebyshev-Jacobi smoothing; a dense Cholesky factor on the coarsest level. The bulk is rediscretised elastically, the
+// interface enters through G_level (exact on every level).
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -30,7 +31,6 @@ class Multigrid {
   void vmult(Vector<double>& dst, const Vector<double>& src) const;
 
   int levels() const { return static_cast<int>(level_.size()); }
-  std::vector<long> level_sizes() const;
 
  private:
   struct Level {
@@ -48,7 +48,6 @@ class Multigrid {
 
   std::vector<std::unique_ptr<meshing::Triangulation>> forests_;
   std::vector<Level> level_;  ///< coarsest first
-  Eigen::MatrixXd coarse_elastic_;
   std::vector<dealii::types::global_dof_index> coarse_free_;
   Eigen::LLT<Eigen::MatrixXd> coarse_factor_;
 };
