@@ -1,0 +1,45 @@
+// Torsion of a Hertzian contact with partial slip at constant load: an annulus c < r < a slips, the rest sticks
+// (Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3). With k'^2 = 1 - x^2 and I(x) = K(k') - E(k'), x = c/a:
+//   theta = 3 mu P/(4 pi Gt a^2) I(x),   M = (4 mu P a/pi) [x^3 I(x) + 3 int_x^1 y^2 I(y) dy],   full slip 3 pi mu P a/16.
+// Full slip takes an infinite angle. Unloading and reloading after Masing's rule (Deresiewicz 1954): each branch is the virgin
+// curve at twice the size, from the point of reversal. Constant normal load and no sliding beside it. SI units.
+#pragma once
+
+#include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/law_registry.h"
+
+namespace asperity {
+
+struct LubkinTorsion {
+  double torsion_modulus = 0;  ///< Gt [Pa]
+  double coefficient = 0;      ///< mu of sliding [-]
+  double normal_force = 0;     ///< P [N]
+  double contact_radius = 0;   ///< a [m]
+
+  /// Twist and moment of the virgin curve where the part c/a of the contact sticks, 0 < c/a <= 1.
+  double angle_at(double stick_ratio) const;
+  double moment_at(double stick_ratio) const;
+  double full_slip_moment() const { return full_slip_torsion_moment(coefficient, normal_force, contact_radius); }
+  /// Virgin curve; odd in its argument. Throws InputError for a moment at or beyond full slip.
+  double angle(double moment) const;
+  double moment(double angle) const;
+  /// On a branch that left (moment, angle) = (moment_0, angle_0).
+  double angle_after_reversal(double moment, double reversal_moment, double reversal_angle) const {
+    return reversal_angle + 2 * angle((moment - reversal_moment) / 2);
+  }
+  double moment_after_reversal(double angle, double reversal_angle, double reversal_moment) const {
+    return reversal_moment + 2 * this->moment((angle - reversal_angle) / 2);
+  }
+};
+
+inline const LawEntry<LubkinTorsion> lubkin_torsion_entry{
+    {"lubkin_torsion", "torsion",
+     "theta = 3 mu P/(4 pi Gt a^2) I(x), M = (4 mu P a/pi)[x^3 I(x) + 3 int_x^1 y^2 I(y) dy], I = K(k') - E(k'), "
+     "k'^2 = 1 - x^2, x = c/a",
+     "Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3", "constant normal load, no sliding beside the twist", {}},
+    {{{"torsion_modulus", "Pa", "Gt"}, &LubkinTorsion::torsion_modulus},
+     {{"coefficient", "", "mu of sliding"}, &LubkinTorsion::coefficient},
+     {{"normal_force", "N", "P"}, &LubkinTorsion::normal_force},
+     {{"contact_radius", "m", "a"}, &LubkinTorsion::contact_radius}}};
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+// Length scale and stiffness that rolling and torsion resistance can have (Fuchs, Weinhart et al. 2014, sec. 3.2). SI units.
+#pragma once
+
+#include "dem_compare/laws/normal_state.h"
+
+namespace asperity {
+
+/// lambda of the limit mu lambda (f_n + h): the particle's lever arm r, or the contact radius a.
+enum class LengthScale { particle_radius, contact_radius };
+
+inline double length_of(LengthScale scale, const NormalState& normal, double lever) {
+  return scale == LengthScale::particle_radius ? lever : normal.contact_radius;
+}
+
+/// Moment per angle [N m/rad] before the slider moves.
+struct RotationalStiffness {
+  enum class Kind {
+    constant,            ///< value = K [N m/rad]
+    tangential_spring,   ///< value = G* [Pa]: K = 8 G* a lambda r, the paper's assumption k_ro = k_to = k_l
+    no_slip_torsion,     ///< value = Gt [Pa]: K = (16/3) Gt a^3, exact for torsion (Reissner & Sagoci 1944)
+  };
+  Kind kind = Kind::constant;
+  double value = 0;
+
+  double at(const NormalState& normal, double length, double lever) const {
+    const double a = normal.contact_radius;
+    switch (kind) {
+      case Kind::tangential_spring: return 8 * value * a * length * lever;
+      case Kind::no_slip_torsion: return 16.0 / 3.0 * value * a * a * a;
+      case Kind::constant: break;
+    }
+    return value;
+  }
+};
+
+}  // namespace asperity

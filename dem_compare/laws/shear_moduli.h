@@ -1,0 +1,22 @@
+// Shear moduli of a pair of elastic bodies, G = E/(2(1 + nu)):
+//   sliding  1/G* = (2 - nu1)/G1 + (2 - nu2)/G2   (Cattaneo 1938; Mindlin 1949; not 2 - nu^2),
+//   torsion  1/Gt = 1/G1 + 1/G2                   (Reissner & Sagoci 1944, both bodies in series). SI units.
+// Valid for elastically similar bodies (Dundurs' beta = 0); a mismatch couples shear with pressure.
+#pragma once
+
+#include "dem_compare/laws/hertz.h"
+
+namespace asperity {
+
+inline double shear_modulus(const ElasticBody& body) { return body.youngs_modulus / (2 * (1 + body.poisson_ratio)); }
+
+/// G* [Pa]
+inline double sliding_modulus(const ElasticBody& one, const ElasticBody& other) {
+  return 1 / ((2 - one.poisson_ratio) / shear_modulus(one) + (2 - other.poisson_ratio) / shear_modulus(other));
+}
+/// Gt [Pa]
+inline double torsion_modulus(const ElasticBody& one, const ElasticBody& other) {
+  return 1 / (1 / shear_modulus(one) + 1 / shear_modulus(other));
+}
+
+}  // namespace asperity

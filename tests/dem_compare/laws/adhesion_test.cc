@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include "core/csv.h"
+#include "dem_compare/laws/normal_law.h"
+#include "tests/support/shared_files.h"
+
+namespace asperity {
+namespace {
+
+constexpr double pi = boost::math::double_constants::pi;
+constexpr double table_digits = 5e-7;  // seven significant digits: half a unit of the seventh, of 1
+const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25};
+constexpr double radius = 8.5e-6;
+const double modulus = reduced_modulus(borosilicate, silicon);
+
+Jkr jkr_with_pull_off(double force) { return {modulus, radius, force / (1.5 * pi * radius)}; }
+Dmt dmt_with_pull_off(double force) { return {modulus, radius, force / (2 * pi * radius)}; }
+
+TEST(Adhesion_other_code, radius_and_approach_agree_with_the_reference_for_all_loads) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_loads_BS_Si.csv");
+  const CsvTable table = read_csv(path);
+  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"), a_jkr = table.numbers("a_JKR_nm"),
+             d_jkr = table.numbers("delta_JKR_nm"), a_dmt = table.numbers("a_DMT_nm"), d_dmt = table.numbers("delta_DMT_nm");
+  ASSERT_GT(load.size(), 10u);
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    const Jkr jkr = jkr_with_pull_off(pull_off[i] * 1e-6);
+    EXPECT_NEAR(jkr.radius_at_force(load[i] * 1e-6) / (a_jkr[i] * 1e-9), 1, table_digits);
+    EXPECT_NEAR(jkr.approach(load[i] * 1e-6) / (d_jkr[i] * 1e-9), 1, table_digits);
+    const Dmt dmt = dmt_with_pull_off(pull_off[i] * 1e-6);
+    EXPECT_NEAR(dmt.approach(load[i] * 1e-6) / (d_dmt[i] * 1e-9), 1, table_digits);
+    EXPECT_NEAR(dmt.advance({}, dmt.approach(load[i] * 1e-6)).contact_radius / (a_dmt[i] * 1e-9), 1, table_digits);
+  }
+}
+
+TEST(Jkr_analytic, pull_off_is_three_halves_pi_w_R_under_a_dead_load_and_five_sixths_under_fixed_grips) {
+  const Jkr jkr{modulus, radius, 0.08};
+  const double unit = pi * 0.08 * radius;
+  EXPECT_NEAR(jkr.force_at_radius(jkr.radius_at_force(-jkr.pull_off_force())) / unit, -1.5, 1e-12);
+  EXPECT_NEAR(jkr.force_at_radius(jkr.smallest_radius()) / unit, -5.0 / 6, 1e-12);
+}
+
+TEST(Jkr_analytic, radii_at_pull_off_and_at_zero_load_are_those_of_Maugis) {
+  const Jkr jkr{modulus, radius, 0.08};
+  const double k = 4 * modulus / 3, length = std::cbrt(pi * 0.08 * radius * radius / k);
+  EXPECT_NEAR(std::pow(jkr.radius_at_force(0) / length, 3), 6, 1e-11);
+  EXPECT_NEAR(std::pow(jkr.radius_at_force(-jkr.pull_off_force()) / length, 3), 1.5, 1e-11);
+  EXPECT_NEAR(std::pow(jkr.smallest_radius() / length, 3), 1.0 / 6, 1e-12);
+}
+
+TEST(Jkr_analytic, force_at_an_approach_inverts_the_approach_at_a_force) {
+  const Jkr jkr{modulus, radius, 0.08};
+  const NormalState touching{0, 0, 0, 0, true};
+  for (const double force : {-0.99 * jkr.pull_off_force(), -1e-6, 0.0, 1e-6, 1e-4, 3e-3}) {
+    const NormalState state = jkr.advance(touching, jkr.approach(force));
+    EXPECT_NEAR(state.force, force, 1e-10 * std::max(std::abs(force), jkr.pull_off_force()));
+  }
+}
+
+TEST(Jkr_analytic, stiffness_is_the_derivative_of_force) {
+  const Jkr jkr{modulus, radius, 0.08};
+  const NormalState touching{0, 0, 0, 0, true};
+  for (const double approach : {-0.3e-9, 0.0, 1e-9, 10e-9}) {
+    const double step = 1e-14;
+    const double slope =
+        (jkr.advance(touching, approach + step).force - jkr.advance(touching, approach - step).force) / (2 * step);
+    EXPECT_NEAR(jkr.advance(touching, approach).stiffness / slope, 1, 1e-6);
+  }
+}
+
+TEST(Jkr_analytic, contact_forms_at_zero_approach_and_breaks_at_a_negative_one) {
+  const Jkr jkr{modulus, radius, 0.08};
+  NormalState state = jkr.advance({}, 0.5 * jkr.smallest_approach());
+  EXPECT_FALSE(state.touching);
+  state = jkr.advance(state, 0);
+  EXPECT_TRUE(state.touching);
+  EXPECT_NEAR(state.force / (pi * 0.08 * radius), -4.0 / 3, 1e-12);
+  state = jkr.advance(state, 0.5 * jkr.smallest_approach());
+  EXPECT_TRUE(state.touching);
+  state = jkr.advance(state, 1.0001 * jkr.smallest_approach());
+  EXPECT_FALSE(state.touching);
+  EXPECT_EQ(state.force, 0);
+}
+
+TEST(Jkr_analytic, without_adhesion_it_is_Hertz) {
+  const Jkr jkr{modulus, radius, 0};
+  const Hertz hertz{modulus, radius};
+  const NormalState state = jkr.advance({}, 6e-9);
+  EXPECT_NEAR(state.force / hertz.force(6e-9), 1, 1e-13);
+  EXPECT_NEAR(state.stiffness / hertz.normal_stiffness(state.force), 1, 1e-13);
+}
+
+TEST(Dmt_analytic, pull_off_is_two_pi_w_R) {
+  const Dmt dmt{modulus, radius, 0.06};
+  EXPECT_NEAR(dmt.advance({}, 0).force / (2 * pi * 0.06 * radius), -1, 1e-13);
+}
+
+TEST(HertzOffset_analytic, attraction_shifts_the_force_and_keeps_the_radius) {
+  const HertzOffset with{modulus, radius, 3.2e-6}, without{modulus, radius, 0};
+  const NormalState adhesive = with.advance({}, 6e-9), plain = without.advance({}, 6e-9);
+  EXPECT_NEAR(plain.force - adhesive.force, 3.2e-6, 1e-18);
+  EXPECT_EQ(plain.contact_radius, adhesive.contact_radius);
+  EXPECT_NEAR(with.advance({}, with.approach(1e-4)).force, 1e-4, 1e-16);
+}
+
+TEST(NormalLaw, any_law_inverts_its_force) {
+  for (const NormalLaw& law : {NormalLaw(HertzOffset{modulus, radius, 3e-6}), NormalLaw(LinearNormal{2e4, radius, 3e-6}),
+                               NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08})}) {
+    EXPECT_NEAR(advance(law, {}, approach_at(law, 1e-4)).force, 1e-4, 1e-14);
+    EXPECT_EQ(radius_of(law), radius);
+  }
+}
+
+TEST(Tabor_other_code, parameter_agrees_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_system.csv");
+  const CsvTable table = read_csv(path);
+  const auto z0 = table.numbers("z0_nm"), w = table.numbers("w_JKR_mJ/m2"), mu = table.numbers("Tabor_mu_JKR");
+  for (std::size_t i = 0; i < z0.size(); ++i) {
+    if (table.rows[i][0] != "borosilicate/Si") continue;
+    EXPECT_NEAR(tabor_parameter(modulus, radius, w[i] * 1e-3, z0[i] * 1e-9) / mu[i], 1, 1e-5);  // six digits in the table
+  }
+}
+
+}  // namespace
+}  // namespace asperity

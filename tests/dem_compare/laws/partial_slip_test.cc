@@ -1,0 +1,355 @@
+#include <gtest/gtest.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <functional>
+#include <map>
+
+#include "core/csv.h"
+#include "dem_compare/laws/normal_law.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/laws/sliding_law.h"
+#include "tests/support/shared_files.h"
+
+namespace asperity {
+namespace {
+
+using Eigen::Vector3d;
+constexpr double radius = 8.5e-6, mu = 0.3, load = 1e-4;
+const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25};
+const HertzOffset hertz{reduced_modulus(borosilicate, silicon), radius, 0};
+const double shear = sliding_modulus(borosilicate, silicon);
+const MindlinDeresiewicz law{shear, radius, {mu, 0}};
+const Mindlin no_slip{shear, {mu, 0}};
+
+/// One contact of Hertz with partial slip, led along straight lines of approach and shift.
+struct Contact {
+  NormalState normal;
+  SlidingHistory history;
+  double shift = 0;
+
+  void press(double force) { lead(force, shift); }
+  void lead(double force, double to_shift, Vector3d direction = Vector3d::UnitX()) {
+    normal = hertz.advance(normal, hertz.approach(force));
+    history = law.advance(history, normal, (to_shift - shift) * direction);
+    shift = to_shift;
+  }
+  double force() const { return history.spring.resistance.x(); }
+  /// Shift that reaches a lateral force, with the load changing to `normal_force` on the way, in `steps` parts.
+  void lead_to_force(double normal_force, double lateral_force, int steps = 1) {
+    const double first_load = normal.force, first_force = force();
+    for (int i = 1; i <= steps; ++i) {
+      const double p = first_load + (normal_force - first_load) * i / steps,
+                   q = first_force + (lateral_force - first_force) * i / steps;
+      const double reach = 4 * law.gross_slip_shift(hertz.advance({}, hertz.approach(std::max(p, first_load))));
+      std::uintmax_t iterations = 200;
+      const auto missing = [&](double to) {
+        Contact trial = *this;
+        trial.lead(p, to);
+        return trial.force() - q;
+      };
+      const auto bracket = boost::math::tools::toms748_solve(missing, shift - reach, shift + reach,
+                                                             boost::math::tools::eps_tolerance<double>(), iterations);
+      lead(p, (bracket.first + bracket.second) / 2);
+    }
+  }
+};
+
+/// 3 mu P/(16 G* a), the shift at gross slip under the first load.
+double unit_shift() { return law.gross_slip_shift(hertz.advance({}, hertz.approach(load))); }
+double virgin_shift(double q) { return 1 - std::pow(1 - q, 2.0 / 3); }
+
+TEST(PartialSlip_analytic, virgin_curve_is_that_of_Cattaneo_and_Mindlin) {
+  for (const double q : {0.05, 0.3, 0.6, 0.9, 0.99}) {
+    Contact contact;
+    contact.press(load);
+    contact.lead(load, virgin_shift(q) * unit_shift());
+    EXPECT_NEAR(contact.force() / (mu * load), q, 1e-12);
+  }
+}
+
+TEST(PartialSlip_analytic, force_does_not_depend_on_the_number_of_steps_along_one_line) {
+  Contact one, many;
+  one.press(load);
+  many.press(load);
+  one.lead(load, 0.7 * unit_shift());
+  for (int i = 1; i <= 1000; ++i) many.lead(load, 0.7 * unit_shift() * i / 1000);
+  EXPECT_NEAR(one.force() / many.force(), 1, 1e-12);
+  EXPECT_LE(many.history.profile.size(), 4u);  // stick, slip, edge: straight nodes are dropped
+}
+
+TEST(PartialSlip_analytic, gross_slip_is_Coulombs_limit_and_begins_at_the_gross_slip_shift) {
+  Contact contact;
+  contact.press(load);
+  contact.lead(load, 0.999 * unit_shift());
+  EXPECT_FALSE(contact.history.spring.yields);
+  contact.lead(load, 1.001 * unit_shift());
+  EXPECT_TRUE(contact.history.spring.yields);
+  EXPECT_NEAR(contact.force() / (mu * load), 1, 1e-12);
+  contact.lead(load, 200 * unit_shift());
+  EXPECT_NEAR(contact.force() / (mu * load), 1, 1e-12);
+}
+
+TEST(PartialSlip_analytic, initial_stiffness_is_8_G_a_also_after_each_reversal) {
+  Contact contact;
+  contact.press(load);
+  const double a = contact.normal.contact_radius, step = 1e-7 * unit_shift();
+  for (const double to : {0.8, -0.5, 0.2}) {
+    const double before = contact.force();
+    const double sign = to * unit_shift() > contact.shift ? 1 : -1;
+    contact.lead(load, contact.shift + sign * step);
+    EXPECT_NEAR((contact.force() - before) / (sign * step) / (8 * shear * a), 1, 1e-6);
+    contact.lead(load, to * unit_shift());
+  }
+}
+
+TEST(PartialSlip_analytic, each_branch_is_the_virgin_curve_at_twice_the_size_as_Masing_says) {
+  Contact contact;
+  contact.press(load);
+  const double top = virgin_shift(0.8);
+  contact.lead(load, top * unit_shift());
+  for (const double q : {0.6, 0.1, -0.5, -0.79}) {
+    contact.lead(load, (top - 2 * virgin_shift((0.8 - q) / 2)) * unit_shift());
+    EXPECT_NEAR(contact.force() / (mu * load), q, 1e-12);
+  }
+}
+
+TEST(PartialSlip_analytic, a_closed_inner_loop_is_forgotten) {
+  Contact with, without;
+  for (Contact* contact : {&with, &without}) {
+    contact->press(load);
+    contact->lead(load, 0.6 * unit_shift());
+  }
+  with.lead(load, 0.2 * unit_shift());
+  with.lead(load, 0.4 * unit_shift());
+  with.lead(load, 0.2 * unit_shift());
+  for (Contact* contact : {&with, &without}) contact->lead(load, 0.75 * unit_shift());
+  EXPECT_NEAR(with.force() / without.force(), 1, 1e-12);
+}
+
+TEST(PartialSlip_other_code, shift_and_loop_energy_agree_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/03_mindlin_table_Qdelta.csv");
+  const CsvTable table = read_csv(path);
+  const auto q = table.numbers("Q_over_muP"), shift = table.numbers("delta_over_delta_gs"),
+             energy = table.numbers("loop_energy_over_muP_delta_gs(closed)");
+  ASSERT_GE(q.size(), 10u);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    Contact contact;
+    contact.press(load);
+    contact.lead(load, shift[i] * unit_shift());
+    EXPECT_NEAR(contact.force() / (mu * load), q[i], 3e-8);  // eight digits in the table
+    // One cycle, its work by Simpson's rule. The rule meets cusps of power 5/3 at the ends: refined there by a power law.
+    double work = 0;
+    constexpr int panels = 400;
+    for (const double end : {-1.0, 1.0}) {
+      const double from = contact.shift, to = end * shift[i] * unit_shift();
+      const auto place = [&](double t) { return from + (to - from) * t * t * t; };
+      double before = contact.force(), at = from;
+      for (int k = 1; k <= panels; ++k) {
+        const double next = place(double(k) / panels);
+        contact.lead(load, (at + next) / 2);
+        const double middle = contact.force();
+        contact.lead(load, next);
+        work += (next - at) * (before + 4 * middle + contact.force()) / 6;
+        before = contact.force();
+        at = next;
+      }
+    }
+    EXPECT_NEAR(work / (mu * load * unit_shift()), energy[i], 1e-6 * energy[i] + 1e-9);
+  }
+}
+
+TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/03_mindlin_table_histories.csv");
+  const CsvTable table = read_csv(path);
+  std::map<std::string, double> expected;
+  const auto closed = table.numbers("delta_t_over_D0_closed_form (D0=3muP0/(16G*a0))");
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    expected[table.rows[i][0].substr(0, 3) + (table.rows[i][0].find("alpha=") != std::string::npos
+                                                  ? table.rows[i][0].substr(table.rows[i][0].find("alpha=0."))
+                                                  : table.rows[i][0].substr(2, 8)) + "|" + table.rows[i][1]] = closed[i];
+  const double force = mu * load, digits = 5e-8;
+  std::vector<double> values;
+  const auto note = [&](const Contact& contact) { values.push_back(contact.shift / unit_shift()); };
+
+  Contact h1;
+  h1.press(load);
+  for (const double q : {0.6, 0.0, -0.6, 0.0, 0.6}) {
+    h1.lead_to_force(load, q * force);
+    note(h1);
+  }
+  for (const double alpha : {0.15, 0.25, 0.29}) {  // a straight line of approach and shift is one of load and shear too
+    Contact h2;
+    h2.lead_to_force(load, alpha * load);
+    note(h2);
+  }
+  Contact h3;
+  h3.press(load);
+  h3.lead_to_force(load, 0.5 * force);
+  note(h3);
+  h3.lead_to_force(2 * load, 0.5 * force);
+  note(h3);
+  Contact h3b = h3;
+  h3.lead_to_force(2 * load, 0.9 * 2 * force);
+  note(h3);
+  h3b.lead_to_force(2 * load, 1.2 * force);
+  note(h3b);
+  Contact h4;
+  h4.press(load);
+  h4.lead_to_force(load, 0.5 * force);
+  h4.lead_to_force(0.7 * load, 0.5 * force, 2000);  // constant shear is no straight line: of second order in the step
+  note(h4);
+  ASSERT_EQ(values.size(), closed.size());
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], closed[i], i + 1 < values.size() ? digits : 1e-6) << i;
+}
+
+TEST(PartialSlip_analytic, oblique_loading_below_the_coefficient_sticks_everywhere_and_above_it_slips_everywhere) {
+  for (const double ratio : {0.1, 0.5, 0.9, 1.1, 2.0}) {
+    Contact contact;
+    contact.lead(load, ratio * unit_shift());
+    EXPECT_NEAR(contact.force() / (mu * load), std::min(1.0, ratio), 1e-12);
+  }
+}
+
+TEST(PartialSlip_analytic, after_unloading_and_reloading_without_shear_only_the_contact_that_lasted_remembers) {
+  Contact contact;
+  contact.press(load);
+  contact.lead(load, 0.5 * unit_shift());
+  contact.press(0.3 * load);
+  const double remembered = contact.force();
+  EXPECT_NEAR(remembered / (mu * 0.3 * load), 1, 1e-12);  // 0.65 mu P0 cannot be carried by 0.3 P0
+  contact.press(load);
+  EXPECT_NEAR(contact.force() / remembered, 1, 1e-12);
+}
+
+TEST(PartialSlip_analytic, closed_cycles_of_load_and_shear_never_give_energy) {
+  // The cycle of Elata and Berryman: shear at the high load, back at the low one, and the other way round.
+  for (const double sign : {1.0, -1.0}) {
+    Contact contact;
+    double work = 0;
+    const auto go = [&](double force, double to) {
+      constexpr int steps = 200;
+      const double from_load = contact.normal.force, from = contact.shift;
+      for (int i = 1; i <= steps; ++i) {
+        const double before = contact.force(), at = contact.shift;
+        contact.lead(from_load + (force - from_load) * i / steps, from + (to - from) * i / steps);
+        work += (before + contact.force()) / 2 * (contact.shift - at);
+      }
+    };
+    contact.press(load);
+    go(load, sign * 0.4 * unit_shift());
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      work = 0;
+      go(0.5 * load, contact.shift);
+      go(0.5 * load, 0);
+      go(load, 0);
+      go(load, sign * 0.4 * unit_shift());
+      EXPECT_GT(work, 0);
+    }
+  }
+}
+
+TEST(PartialSlip, force_and_history_turn_with_the_contact) {
+  Contact contact;
+  contact.press(load);
+  contact.lead(load, 0.7 * unit_shift());
+  contact.lead(load, 0.1 * unit_shift());
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.9, Vector3d(0.2, -0.5, 1).normalized()));
+  SlidingHistory turned = contact.history;
+  turned.rotate(turn);
+  const Vector3d step = 0.4 * unit_shift() * Vector3d(0.6, 0.8, 0);
+  const Vector3d plain = law.advance(contact.history, contact.normal, step).spring.resistance;
+  const Vector3d both = law.advance(turned, contact.normal, turn * step).spring.resistance;
+  EXPECT_LT((both - turn * plain).norm(), 1e-12 * mu * load);
+}
+
+TEST(PartialSlip, shear_that_turns_converges_with_the_step_and_keeps_its_limit) {
+  const auto circle = [&](int steps) {
+    Contact contact;
+    contact.press(load);
+    SlidingHistory history = contact.history;
+    Vector3d at = Vector3d::Zero();
+    for (int i = 1; i <= steps; ++i) {
+      const double angle = 4 * boost::math::double_constants::pi * i / steps;
+      const Vector3d next = 0.8 * unit_shift() * Vector3d(std::sin(angle), 1 - std::cos(angle), 0);
+      history = law.advance(history, contact.normal, next - at);
+      at = next;
+      EXPECT_LE(history.spring.resistance.norm(), mu * load * (1 + 1e-12));
+      EXPECT_LE(history.profile.size(), 200u);
+    }
+    return history.spring.resistance;
+  };
+  const Vector3d coarse = circle(200), fine = circle(400), finest = circle(800);
+  const double first = (coarse - fine).norm(), second = (fine - finest).norm();
+  EXPECT_LT(second, 0.7 * first);  // first order halves the difference
+  EXPECT_LT(second, 0.01 * mu * load);
+}
+
+TEST(PartialSlip_analytic, adhesion_offset_raises_the_limit_and_keeps_the_curve) {
+  MindlinDeresiewicz sticky = law;
+  sticky.friction.adhesion_force = 12e-6;
+  const NormalState normal = hertz.advance({}, hertz.approach(load));
+  const double limit = mu * (load + 12e-6), gross = sticky.gross_slip_shift(normal);
+  EXPECT_NEAR(sticky.advance({{}, {}}, normal, 2 * gross * Vector3d::UnitX()).spring.resistance.x() / limit, 1, 1e-12);
+  const SlidingHistory pressed = sticky.advance({}, normal, Vector3d::Zero());
+  EXPECT_NEAR(sticky.advance(pressed, normal, virgin_shift(0.5) * gross * Vector3d::UnitX()).spring.resistance.x() / limit,
+              0.5, 1e-12);
+}
+
+TEST(Mindlin_analytic, stiffness_is_8_G_a_up_to_Coulombs_limit) {
+  const NormalState normal = hertz.advance({}, hertz.approach(load));
+  const double k = 8 * shear * normal.contact_radius;
+  EXPECT_NEAR(k, 2.1645e4, 0.5);  // borosilicate on silicon at 100 uN: five digits
+  SlidingHistory history = no_slip.advance({}, normal, 0.5e-9 * Vector3d::UnitX());
+  EXPECT_NEAR(history.spring.resistance.x() / (k * 0.5e-9), 1, 1e-14);
+  history = no_slip.advance(history, normal, 10e-9 * Vector3d::UnitX());
+  EXPECT_TRUE(history.spring.yields);
+  EXPECT_NEAR(history.spring.resistance.x() / (mu * load), 1, 1e-14);
+}
+
+/// Work of the cycle of Elata and Berryman (1996): shear at the high load, unload, shear back, reload.
+double work_of_cycle(const Mindlin& mindlin) {
+  const NormalState high = hertz.advance({}, hertz.approach(load)), low = hertz.advance({}, hertz.approach(0.2 * load));
+  const Vector3d shift = 0.1e-9 * Vector3d::UnitX();
+  SlidingHistory history = mindlin.advance({}, high, Vector3d::Zero());
+  double work = 0;
+  const auto go = [&](const NormalState& normal, const Vector3d& step) {
+    const SlidingHistory next = mindlin.advance(history, normal, step);
+    work += (history.spring.resistance + next.spring.resistance).dot(step) / 2;
+    history = next;
+  };
+  go(high, shift);
+  go(low, Vector3d::Zero());
+  go(low, -shift);
+  go(high, Vector3d::Zero());
+  return work;
+}
+
+TEST(Mindlin_analytic, plain_increments_create_energy_where_rescaling_on_unloading_spends_it) {
+  Mindlin plain = no_slip, rescaled = no_slip;
+  plain.friction.coefficient = rescaled.friction.coefficient = 1e3;  // no slip anywhere
+  plain.changing_load = ChangingLoad::plain;
+  const double high = 8 * shear * hertz.advance({}, hertz.approach(load)).contact_radius,
+               low = 8 * shear * hertz.advance({}, hertz.approach(0.2 * load)).contact_radius;
+  EXPECT_NEAR(work_of_cycle(plain) / (-(high - low) * 1e-20 / 2), 1, 1e-10);
+  EXPECT_NEAR(work_of_cycle(rescaled) / ((high - low) * 1e-20 / 2), 1, 1e-10);
+}
+
+TEST(SlidingLaw, a_contact_that_opened_forgets) {
+  const NormalState closed = hertz.advance({}, hertz.approach(load)), open = hertz.advance(closed, -1e-9);
+  for (const SlidingLaw& any : {SlidingLaw(no_slip), SlidingLaw(law), SlidingLaw(LinearSliding{1e4, {mu, 0}})}) {
+    SlidingHistory history = advance(any, {}, closed, 0.3e-9 * Vector3d::UnitX());
+    EXPECT_GT(history.spring.resistance.x(), 0);
+    history = advance(any, history, open, 0.3e-9 * Vector3d::UnitX());
+    EXPECT_EQ(history.spring.resistance.norm(), 0);
+    EXPECT_TRUE(history.profile.empty());
+  }
+}
+
+TEST(ShearModuli_analytic, values_for_the_paper_are_those_of_the_correct_formula) {
+  EXPECT_NEAR(shear / 1e9, 11.7989, 5e-5);
+  EXPECT_NEAR(sliding_modulus(borosilicate, {1140e9, 0.07}) / 1e9, 15.6407, 5e-5);
+  EXPECT_NEAR(torsion_modulus(borosilicate, silicon) / 1e9, 21.311, 5e-4);
+}
+
+}  // namespace
+}  // namespace asperity

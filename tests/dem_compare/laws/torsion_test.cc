@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include "core/csv.h"
+#include "core/error.h"
+#include "dem_compare/laws/hertz.h"
+#include "dem_compare/laws/lubkin_torsion.h"
+#include "dem_compare/laws/rolling_resistance.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/laws/torsion_resistance.h"
+#include "tests/support/shared_files.h"
+
+namespace asperity {
+namespace {
+
+constexpr double pi = boost::math::double_constants::pi;
+constexpr double table_digits = 1e-7;  // eight significant digits, the leading one may be 1
+const LubkinTorsion unit{1, 1, 1, 1};  // Gt = mu = P = a = 1: the tables' normalisation
+
+TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_lubkin.csv");
+  const CsvTable table = read_csv(path);
+  const auto c = table.numbers("c_over_a"), angle = table.numbers("theta*Gt*a^2/(mu*P)"), moment = table.numbers("M/(mu*P*a)");
+  ASSERT_GE(c.size(), 10u);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    EXPECT_NEAR(unit.angle_at(c[i]) / angle[i], 1, table_digits);
+    EXPECT_NEAR(unit.moment_at(c[i]) / moment[i], 1, table_digits);
+    EXPECT_NEAR(unit.moment(angle[i]) / moment[i], 1, table_digits);
+  }
+}
+
+TEST(Lubkin_other_code, angle_at_a_moment_residual_twist_and_loop_energy_agree_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_theta_of_M.csv");
+  const CsvTable virgin = read_csv(path);
+  const auto m = virgin.numbers("M/(mu*P*a)"), theta = virgin.numbers("theta*Gt*a^2/(mu*P)");
+  for (std::size_t i = 0; i < m.size(); ++i) EXPECT_NEAR(unit.angle(m[i]) / theta[i], 1, table_digits);
+
+  ASPERITY_SHARED_FILE_OR_SKIP(cycle_path, "references/04_torsion_table_cycle.csv");
+  const CsvTable cycle = read_csv(cycle_path);
+  const auto top = cycle.numbers("M*/(mu*P*a)"), residual = cycle.numbers("residual_theta*Gt*a^2/(mu*P)_at_M=0"),
+             energy = cycle.numbers("loop_energy*Gt*a/(mu*P)^2");
+  ASSERT_GE(top.size(), 5u);
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    const double angle = unit.angle(top[i]);
+    EXPECT_NEAR(unit.angle_after_reversal(0, top[i], angle) / residual[i], 1, 1e-6);
+    const auto width = [&](double moment) {  // unloading minus reloading branch
+      return unit.angle_after_reversal(moment, top[i], angle) + unit.angle_after_reversal(-moment, top[i], angle);
+    };
+    double sum = 0;
+    constexpr int panels = 200;
+    for (int k = 0; k < panels; ++k) {
+      const double low = -top[i] + 2 * top[i] * k / panels, step = 2 * top[i] / panels;
+      sum += step / 6 * (width(low) + 4 * width(low + step / 2) + width(low + step));
+    }
+    EXPECT_NEAR(sum / energy[i], 1, 1e-4);
+  }
+}
+
+TEST(Lubkin_analytic, initial_stiffness_is_that_of_Reissner_and_Sagoci) {
+  EXPECT_NEAR(1e-6 / unit.angle(1e-6), 16.0 / 3, 1e-5);
+}
+
+TEST(Lubkin_analytic, full_slip_moment_is_3_pi_over_16_mu_P_a) {
+  EXPECT_NEAR(unit.moment(3) / (3 * pi / 16), 1, 1e-5);
+  EXPECT_NEAR(unit.moment_at(1e-9) / (3 * pi / 16), 1, 1e-12);
+  EXPECT_THROW(unit.angle(3 * pi / 16), InputError);
+}
+
+TEST(Lubkin_analytic, moment_inverts_angle_and_both_are_odd) {
+  for (const double m : {0.001, 0.1, 0.4, 0.58}) {
+    EXPECT_NEAR(unit.moment(unit.angle(m)) / m, 1, 1e-10);
+    EXPECT_EQ(unit.angle(-m), -unit.angle(m));
+  }
+}
+
+TEST(Lubkin_analytic, unloading_after_Masing_reaches_the_mirrored_state) {
+  const double m = 0.4, angle = unit.angle(m);
+  EXPECT_NEAR(unit.angle_after_reversal(-m, m, angle), -angle, 1e-12);
+  EXPECT_NEAR(unit.moment_after_reversal(-angle, angle, m), -m, 1e-10);
+}
+
+TEST(Torsion_other_code, stiffness_and_full_slip_moment_agree_with_the_reference_for_all_pairs_and_loads) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_loads.csv");
+  const CsvTable table = read_csv(path);
+  const auto load = table.numbers("P_uN"), mu = table.numbers("mu"), k = table.numbers("ktors_Nm_per_rad"),
+             full = table.numbers("M_full_slip_Nm"), half = table.numbers("theta_at_half_M_full_rad");
+  const ElasticBody sphere{71e9, 0.17}, silicon{179e9, 0.25};
+  int compared = 0;
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    if (table.rows[i][0] != "borosilicate/Si") continue;
+    const double gt = torsion_modulus(sphere, silicon), a = Hertz{reduced_modulus(sphere, silicon), 8.5e-6}.contact_radius(load[i] * 1e-6);
+    EXPECT_NEAR(no_slip_torsion_stiffness(gt, a) / k[i], 1, table_digits);
+    EXPECT_NEAR(full_slip_torsion_moment(mu[i], load[i] * 1e-6, a) / full[i], 1, table_digits);
+    const LubkinTorsion lubkin{gt, mu[i], load[i] * 1e-6, a};
+    EXPECT_NEAR(lubkin.angle(lubkin.full_slip_moment() / 2) / half[i], 1, table_digits);
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+const NormalState normal{6.1864e-9, 1e-4, 0.22931e-6, 2e4, true};
+constexpr double lever = 8.5e-6;
+
+TEST(Torsion_analytic, the_papers_stiffness_is_a_thousand_times_the_physical_one) {
+  const RotationalStiffness paper{RotationalStiffness::Kind::tangential_spring, 11.7989e9},
+      exact{RotationalStiffness::Kind::no_slip_torsion, 21.311e9};
+  EXPECT_NEAR(paper.at(normal, lever, lever), 1.56e-6, 0.005e-6);
+  EXPECT_NEAR(paper.at(normal, lever, lever) / exact.at(normal, lever, lever), 1141, 1);
+}
+
+TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and_offset) {
+  for (const LengthScale scale : {LengthScale::particle_radius, LengthScale::contact_radius}) {
+    const double lambda = scale == LengthScale::particle_radius ? lever : normal.contact_radius;
+    const TorsionResistance torsion{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
+    TorsionResistance::History history = torsion.advance({}, normal, lever, -1e-6);
+    EXPECT_NEAR(history.resistance / -1e-15, 1, 1e-14);
+    history = torsion.advance(history, normal, lever, -1);
+    EXPECT_TRUE(history.yields);
+    EXPECT_NEAR(history.resistance / (-0.0056 * lambda * 150e-6), 1, 1e-14);
+  }
+}
+
+TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) {
+  const RollingResistance rolling{7.9e-4, 571.4e-6, LengthScale::particle_radius,
+                                  {RotationalStiffness::Kind::tangential_spring, 11.7989e9}};
+  const Eigen::Vector3d axis = Eigen::Vector3d(3, 4, 0) / 5;
+  const RollingResistance::History history = rolling.advance({}, normal, lever, 0.1 * axis);
+  EXPECT_LT((history.resistance - 7.9e-4 * lever * 671.4e-6 * axis).norm(), 1e-14 * history.resistance.norm());
+}
+
+TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
+  const RollingResistance rolling{7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
+  EXPECT_EQ(rolling.advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
+}
+
+}  // namespace
+}  // namespace asperity
