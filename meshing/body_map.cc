@@ -14,7 +14,15 @@ int level_for(double width, double spacing) {
   return std::max(2, static_cast<int>(std::floor(std::log2(width / spacing * (1 + 1e-9)))));
 }
 
+/// Whether the first axis of a side's tree goes up, rather than its second.
+bool up_first(int quarter) { return quarter == 0 || quarter == 3; }
+
 }  // namespace
+
+int BodyMap::equator_face(int tree) {
+  if (tree == core) return 5;
+  return tree >= side_first && tree < core ? (up_first(tree - side_first) ? 1 : 3) : -1;
+}
 
 BodyMap::BodyMap(const BodySizes& sizes) : sizes_(sizes) {
   const double cap_half = cap_fraction * sizes.radius;
@@ -41,10 +49,13 @@ double BodyMap::depth(int tree, const Point3& logical) const {
 }
 
 Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {
-  // Built for the side towards +x, then turned by quarter * 90 degrees about z.
-  const double R = sizes_.radius, tangential = cap_lateral_(2 * logical[0] - 1), up = logical[1];
+  // Built for the side towards +x, then turned by quarter * 90 degrees about z. Axes of the tree: along (towards +x or +y when
+  // turned), up and inwards, in the order that makes them right-handed.
+  const bool first = up_first(quarter);
+  const double along = logical[first ? 1 : 0], up = logical[first ? 0 : 1];
+  const double R = sizes_.radius, tangential = (first ? 1 : -1) * cap_lateral_(2 * along - 1);
   const double fraction = tangential / cap_lateral_.length();
-  const double depth_fraction = cap_depth_(1 - logical[2]) / cap_depth_.length();
+  const double depth_fraction = cap_depth_(logical[2]) / cap_depth_.length();
 
   const Point3 edge = cap_surface(cap_lateral_.length(), tangential);
   const double phi = std::atan(1.0) * fraction;
@@ -68,8 +79,8 @@ Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {
 Point3 BodyMap::position(int tree, const Point3& logical) const {
   const double R = sizes_.radius;
   if (tree >= upper_first) {
-    const Point3 p = position(tree - upper_first, logical);
-    return {p[0], -p[1], 2 * R - p[2]};
+    const Point3 p = position(tree - upper_first, {logical[1], logical[0], logical[2]});
+    return {p[0], p[1], 2 * R - p[2]};
   }
   if (tree == block)
     return {block_lateral_(2 * logical[0] - 1) + sizes_.offset_substrate_x,

@@ -2,7 +2,9 @@
 //
 // Particle: a hemisphere, apex at the origin, its equator plane at z = R. Six trees: the cap below (projected, a square
 // |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides up to the equator, a core. A full
-// sphere has a second hemisphere, the first turned by half a turn about the x axis through the centre.
+// sphere has a second hemisphere, the mirror image of the first.
+// An edge that trees share has the same direction in all of them: p4est takes that for granted when deal.II describes a coarse
+// mesh to it (deal.II issue 16272); otherwise neighbours across such edges are missed, and meshes tear between ranks.
 // Substrate: a cube [-L, L]^2 x [-2L, 0], one tree. The cap and the substrate's tree carry the interface.
 #pragma once
 
@@ -47,6 +49,9 @@ class BodyMap {
   static Body body_of(int tree) { return tree == block ? Body::substrate : Body::particle; }
   /// Logical z of a tree's contact surface: 0 for the cap, 1 for the block.
   static double surface_coordinate(int tree) { return tree == block ? 1.0 : 0.0; }
+
+  /// deal.II's number of a tree's face in the equator plane; -1 where the lower hemisphere's tree has none.
+  static int equator_face(int tree);
 
   /// Half width of the cap's square, of the core's, and the core's height, as fractions of R.
   static constexpr double cap_fraction = 0.45, core_fraction = 0.25, core_height_fraction = 0.25;

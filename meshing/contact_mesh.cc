@@ -47,8 +47,7 @@ void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
       else if (tree == cap) id = f == 4 ? interface_particle : free_boundary;
       else if (tree == upper_first + cap) id = f == 4 ? driven_boundary : free_boundary;  // glued over its upper cap
       else if (tree > upper_first) id = free_boundary;
-      else if (tree == core) id = f == 5 ? driven_boundary : free_boundary;
-      else id = f == 3 ? driven_boundary : free_boundary;
+      else id = static_cast<int>(f) == BodyMap::equator_face(tree) ? driven_boundary : free_boundary;
       cell->face(f)->set_boundary_id(id);
     }
   }
@@ -123,9 +122,7 @@ std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactM
   const BodyMap map(options.sizes);
   const auto level_cap = [&](int tree) { return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings); };
   const int deepest = std::max(level_cap(cap), level_cap(block));
-  // Two levels everywhere make the sphere's sides fairly round. A third one would tear some forests on several ranks where trees
-  // of different refinement meet (p4est 2.2; HexOperator::diagonal notices).
-  const int everywhere = std::min({2, level_cap(cap), level_cap(block)});
+  const int everywhere = std::min({3, level_cap(cap), level_cap(block)});
   forest->refine_global(everywhere);
   for (int level = everywhere; level < deepest; ++level) {
     bool any = false;

@@ -93,7 +93,10 @@ TEST(ElastoPlasticSphere_other_code, force_follows_the_axisymmetric_solution_fro
 
 TEST(ElastoPlasticSphereNightly_other_code, force_follows_the_axisymmetric_solution_towards_full_plasticity) {
   // Loads below 4 F_c, where this mesh has fewer than four spacings in the contact radius, are in the test above.
-  expect_table({4, 7, 12, 18, 25, 35, 48, 62, 80, 104, 130, 160, 195}, 24, 84);
+  // Steps of a fifth: the plastic strain of a step is taken in the direction at its end, and wider steps lower the force.
+  std::vector<double> forces;
+  for (double f = 4; f < 195; f *= 1.2) forces.push_back(f);
+  expect_table(forces, 24, 84);
 }
 
 TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load) {

@@ -1,0 +1,73 @@
+// The forests on all ranks of MPI are those of one rank. ctest runs these tests under mpirun too.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "fem/solver/mesh_level.h"
+#include "meshing/contact_mesh.h"
+
+namespace {
+
+using namespace asperity::fem;
+using namespace asperity::meshing;
+
+ContactMeshOptions sphere_of_8p5_um(double spacing, bool full) {
+  ContactMeshOptions options;
+  options.sizes.radius = 8.5e-6;
+  options.sizes.full_sphere = full;
+  options.sizes.block_half_width = 6e-6;
+  options.sizes.spacing_particle = spacing;
+  options.sizes.spacing_substrate = 1.13 * spacing;
+  options.sizes.region_particle = options.sizes.region_substrate = 0.7e-6;
+  return options;
+}
+
+/// Unknowns of all ranks that belong to a node of a cell of their own rank.
+long unknowns_with_a_cell(const MeshLevel& level) {
+  std::set<int> seen;
+  const int owned = static_cast<int>(level.partitioner()->locally_owned_size()) / 3;
+  for (const auto& batch : level.batches())
+    for (const auto& nodes : batch.node)
+      for (const int node : nodes)
+        if (node < owned) seen.insert(node);
+  return dealii::Utilities::MPI::sum(3 * static_cast<long>(seen.size()), level.communicator());
+}
+
+/// A neighbour that p4est misses leaves unknowns that no cell of their rank has: the mesh is torn between ranks.
+TEST(ParallelForest, of_every_level_has_the_cells_and_unknowns_of_one_rank) {
+  for (const bool full : {false, true})
+    for (const double spacing : {40e-9, 60e-9})
+      for (int coarsenings = 0; coarsenings < 6; ++coarsenings) {
+        const auto options = sphere_of_8p5_um(spacing, full);
+        const auto one = make_forest(MPI_COMM_SELF, options, coarsenings), all = make_forest(MPI_COMM_WORLD, options, coarsenings);
+        EXPECT_EQ(all->n_global_active_cells(), one->n_global_active_cells()) << full << spacing << coarsenings;
+        const MeshLevel level_of_one(*one, Control::force), level_of_all(*all, Control::force);
+        EXPECT_EQ(level_of_all.size(), level_of_one.size()) << full << spacing << coarsenings;
+        EXPECT_EQ(static_cast<long>(level_of_all.size()), unknowns_with_a_cell(level_of_all)) << full << spacing << coarsenings;
+      }
+}
+
+/// p4est takes it for granted, and deal.II does not check it.
+TEST(CoarseMesh, has_edges_of_the_same_direction_in_all_trees_that_share_them) {
+  const BodyMap map(sphere_of_8p5_um(40e-9, true).sizes);
+  const auto name = [&](int tree, int v) {
+    const Point3 p = map.position(tree, {double(v & 1), double((v >> 1) & 1), double(v >> 2)});
+    return std::array<long, 3>{std::lround(p[0] * 1e12), std::lround(p[1] * 1e12), std::lround(p[2] * 1e12)};
+  };
+  std::set<std::pair<std::array<long, 3>, std::array<long, 3>>> edges;
+  int shared = 0;
+  for (int tree = 0; tree < map.tree_count(); ++tree) {
+    if (tree == block) continue;
+    for (int v = 0; v < 8; ++v)
+      for (const int direction : {1, 2, 4}) {
+        if (v & direction) continue;
+        const auto from = name(tree, v), to = name(tree, v + direction);
+        EXPECT_FALSE(edges.count({to, from})) << "tree " << tree << " corner " << v << " direction " << direction;
+        shared += !edges.insert({from, to}).second;
+      }
+  }
+  EXPECT_GT(shared, 30);
+}
+
+}  // namespace
