@@ -1,0 +1,211 @@
+#include "dem_compare/engines/lammps.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "dem_compare/engines/text_number.h"
+
+namespace asperity {
+namespace {
+
+using Type = EngineExperiment::Type;
+
+/// Rows of trace.csv from here on: `expressions` of the columns behind leg and time.
+struct TraceExpressions {
+  std::string drive, response, particle = "0", rotation_rate = "0", normal_force, approach;
+};
+
+/// The script in the order LAMMPS wants it.
+class Script {
+ public:
+  Script(const EngineExperiment& experiment, const MotionPlan& plan, const Lammps& lammps)
+      : e_(experiment), plan_(plan), lammps_(lammps), R_(experiment.substrate.particle.radius) {}
+
+  std::string text() {
+    header();
+    switch (e_.type) {
+      case Type::glued: glued(); break;
+      case Type::rolling: rolling(); break;
+      case Type::rail: rail(); break;
+      case Type::twisting: twisting(); break;
+    }
+    return out_.str();
+  }
+
+ private:
+  using N = std::string;
+  static N number(double value) { return text_number(value); }
+
+  bool is_free() const { return e_.type == Type::rolling || e_.type == Type::rail; }
+
+  void header() {
+    out_ << "# asperity: " << engine_experiment_name(e_.type) << ", one sphere, normal load " << number(e_.load) << " N; SI units\n"
+         << "units si\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify vel yes\n";
+  }
+
+  /// A sphere at a height; box wide enough for its way.
+  void sphere(double height) {
+    const double half = 4 * R_ + 4 * e_.amplitude;
+    out_ << "region box block " << number(-half) << ' ' << number(half) << ' ' << number(-half) << ' ' << number(half) << ' '
+         << number(-R_) << ' ' << number(6 * R_) << " units box\ncreate_box 1 box\n"
+         << "create_atoms 1 single 0 0 " << number(height) << " units box\n"
+         << "set atom 1 diameter " << number(2 * R_) << " density " << number(e_.substrate.particle.density) << "\n"
+         << "neighbor " << number(R_ / 8) << " bin\n"
+         << "pair_style granular\npair_coeff * * hertz 1 0 tangential linear_nohistory 0 0  # there is no second sphere\n"
+         << "timestep " << number(plan_.time_step) << "\n";
+  }
+
+  std::string contact(const ContactParameters& parameters, double load) const {
+    LammpsContact law = lammps_contact(parameters, load);
+    law.normal_damping = e_.type == Type::twisting ? 0 : plan_.damping / parameters.contact_radius(load);
+    law.tangential_damping = is_free() ? 1 : 0;
+    if (lammps_.marshall) law.torsion_stiffness = 0;
+    return lammps_text(law, lammps_.tangential_style) + (lammps_.marshall ? " twisting marshall" : "");
+  }
+
+  void trace(const TraceExpressions& columns) {
+    out_ << "variable time equal step*dt\n"
+         << "variable drive equal " << columns.drive << "\nvariable response equal " << columns.response << "\n"
+         << "variable particle equal " << columns.particle << "\nvariable rotation_rate equal " << columns.rotation_rate << "\n"
+         << "variable normal_force equal " << columns.normal_force << "\nvariable approach equal " << columns.approach << "\n"
+         << "thermo_style custom step v_drive v_response v_normal_force\nthermo_modify lost error\n"
+         << "print \"" << trace_header() << "\" file trace.csv\n";
+  }
+
+  /// Runs all legs; `move` gives the commands that set a leg's speed, from speed, drive and step at its start.
+  template <class Move>
+  void run_legs(const Move& move) {
+    double drive = 0;
+    long step = 0;
+    for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
+      const Leg& leg = plan_.legs[i];
+      out_ << "# leg " << i + 1 << ": " << number(leg.distance) << " at " << number(plan_.speed(leg)) << " per second\n"
+           << move(plan_.speed(leg), drive, step) << "thermo " << leg.steps << "\n"
+           << "fix out all print " << leg.every << " \"" << i
+           << ",${time},${drive},${response},${particle},${rotation_rate},${normal_force},${approach}\" append trace.csv"
+           << " screen no title \"# leg " << i + 1 << "\"\nrun " << leg.steps << "\nunfix out\n";
+      drive += leg.distance;
+      step += leg.steps;
+    }
+  }
+
+  void glued() {
+    sphere(R_ - e_.substrate.hertz().approach(e_.load));
+    out_ << "fix substrate all wall/gran granular " << contact(e_.substrate, e_.load) << " zplane 0 NULL contacts\n"
+         << "fix load all addforce 0 0 " << number(-e_.load) << "\n"
+         << "fix hold all setforce 0 0 NULL  # what it holds is the lateral force of the substrate\n"
+         << "fix move all nve  # without rotation: glued\nvelocity all set 0 0 0\n";
+    trace({"x[1]", "-f_hold[1]", "x[1]", "0", "f_substrate[1][4]", number(R_) + "-z[1]"});
+    run_legs([](double speed, double, long) { return "velocity all set " + number(speed) + " 0 NULL\n"; });
+  }
+
+  /// The plate moves by its own clock; its height keeps the gap, so that the load is constant as long as it only translates.
+  std::string plate(double height) const {
+    return "variable plate equal 0\nregion plate plane 0 0 " + number(height) +
+           " 0 0 -1 move v_plate NULL NULL units box\nfix plate all wall/gran/region granular " +
+           contact(e_.indenter, e_.indenter_load()) + " region plate contacts\n";
+  }
+
+  void run_plate_legs() {
+    run_legs([](double speed, double drive, long step) {
+      return "variable plate equal \"" + number(drive) + " + " + number(speed) + "*(step - " + std::to_string(step) + ")*dt\"\n";
+    });
+  }
+
+  void rolling() {
+    const double below = e_.substrate.hertz().approach(e_.load), above = e_.indenter.hertz().approach(e_.load);
+    sphere(R_ - below);
+    out_ << "fix substrate all wall/gran granular " << contact(e_.substrate, e_.load) << " zplane 0 NULL contacts\n"
+         << plate(2 * R_ - below - above) << "fix move all nve/sphere\ncompute rotation all property/atom omegay\n";
+    trace({"v_plate", "f_plate[1][2]", "x[1]", "c_rotation[1]", "f_substrate[1][4]", number(R_) + "-z[1]"});
+    run_plate_legs();
+  }
+
+  void rail() {
+    const double below = e_.substrate.hertz().approach(e_.load), above = e_.indenter.hertz().approach(e_.indenter_load());
+    const double c = e_.rail_cosine(), s = std::sin(e_.rail_angle), height = (R_ - below) / c;
+    sphere(height);
+    out_ << "region left plane 0 0 0 0 " << number(-s) << ' ' << number(c) << " units box\n"
+         << "region right plane 0 0 0 0 " << number(s) << ' ' << number(c) << " units box\n";
+    for (const char* slope : {"left", "right"})
+      out_ << "fix " << slope << " all wall/gran/region granular " << contact(e_.substrate, e_.load) << " region " << slope
+           << " contacts\n";
+    out_ << plate(height + R_ - above) << "fix move all nve/sphere\ncompute rotation all property/atom omegay\n";
+    trace({"v_plate", "f_plate[1][2]", "x[1]", "c_rotation[1]", "sqrt(f_left[1][3]^2+f_left[1][4]^2)",
+           number(R_) + "-z[1]*" + number(c)});
+    run_plate_legs();
+  }
+
+  void twisting() {
+    sphere(R_ - e_.substrate.hertz().approach(e_.load));
+    out_ << "fix substrate all wall/gran granular " << contact(e_.substrate, e_.load) << " zplane 0 NULL contacts\n"
+         << "compute torque all property/atom tqz  # nothing integrates: the sphere spins in place as it is told\n"
+         << "variable angle equal 0\n";
+    trace({"v_angle", "-c_torque[1]", "0", "0", "f_substrate[1][4]", number(R_) + "-z[1]"});
+    run_legs([](double speed, double drive, long step) {
+      return "set atom 1 omega 0 0 " + number(speed) + "\nvariable angle equal \"" + number(drive) + " + " + number(speed) +
+             "*(step - " + std::to_string(step) + ")*dt\"\n";
+    });
+  }
+
+  const EngineExperiment& e_;
+  const MotionPlan& plan_;
+  const Lammps& lammps_;
+  const double R_;
+  std::ostringstream out_;
+};
+
+/// The line of `text` that holds `part`, from there on; "" if there is none.
+std::string line_with(const std::string& text, const std::string& part) {
+  const auto at = text.find(part);
+  if (at == std::string::npos) return "";
+  return text.substr(at, text.find('\n', at) - at);
+}
+
+}  // namespace
+
+LammpsContact lammps_contact(const ContactParameters& p, double load) {
+  const double R = p.effective_radius();
+  LammpsContact contact;
+  contact.normal = 4.0 / 3 * p.hertz().reduced_modulus;
+  contact.tangential = p.lateral_stiffness_at(load) / p.contact_radius(load);
+  contact.sliding = p.sliding_limit(load) / load;
+  if (p.rolling_friction && p.rolling_stiffness) {
+    contact.rolling_stiffness = p.rolling_stiffness_at(load) / (R * R);
+    contact.rolling = p.rolling_limit(load) / (load * R);
+  }
+  if (p.torsion_friction && p.torsion_stiffness) {
+    contact.torsion_stiffness = p.torsion_stiffness_at(load);
+    contact.torsion = p.torsion_limit(load) / load;
+  }
+  return contact;
+}
+
+std::string lammps_text(const LammpsContact& c, const std::string& tangential_style) {
+  std::string text = "hertz " + text_number(c.normal) + " " + text_number(c.normal_damping) + " tangential " + tangential_style + " " +
+                     text_number(c.tangential) + " " + text_number(c.tangential_damping) + " " + text_number(c.sliding);
+  if (c.rolling_stiffness > 0)
+    text += " rolling sds " + text_number(c.rolling_stiffness) + " 0 " + text_number(c.rolling);
+  if (c.torsion_stiffness > 0)
+    text += " twisting sds " + text_number(c.torsion_stiffness) + " 0 " + text_number(c.torsion);
+  return text;
+}
+
+std::string Lammps::input(const EngineExperiment& experiment, const MotionPlan& plan) const {
+  return Script(experiment, plan, *this).text();
+}
+
+std::string Lammps::error_message(const std::string& log) const { return line_with(log, "ERROR"); }
+
+std::string Lammps::remedy(const std::string& message) const {
+  if (message.find("granular") != std::string::npos || message.find("wall/gran") != std::string::npos)
+    return "this build lacks the GRANULAR package or is older than October 2018; Debian's package 'lammps' has it";
+  return "asperity is tested with Debian's package 'lammps' (29 Sep 2021): use that one, or name it with --program";
+}
+
+std::string Lammps::version(const std::string& log) const {
+  const std::string line = line_with(log, "LAMMPS (");
+  return line.empty() ? "" : line.substr(8, line.find(')') - 8);
+}
+
+}  // namespace asperity

@@ -1,0 +1,193 @@
+#include "dem_compare/engines/yade.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "dem_compare/engines/text_number.h"
+
+namespace asperity {
+namespace {
+
+using Type = EngineExperiment::Type;
+using N = std::string;
+
+N number(double value) { return text_number(value); }
+
+/// One plane as a large sphere that touches the particle from direction (0, y, z), the unit vector from contact to centre.
+struct Plane {
+  const char* name;
+  double y = 0, z = 1;
+  const ContactParameters* parameters;
+  double load = 0;
+};
+
+std::vector<Plane> planes_of(const EngineExperiment& e) {
+  const double c = e.rail_cosine(), s = std::sin(e.rail_angle);
+  std::vector<Plane> planes;
+  if (e.type == Type::rail)
+    planes = {{"left", -s, c, &e.substrate, e.load}, {"right", s, c, &e.substrate, e.load}};
+  else
+    planes = {{"substrate", 0, 1, &e.substrate, e.load}};
+  if (e.type == Type::rolling || e.type == Type::rail) planes.push_back({"plate", 0, -1, &e.indenter, e.indenter_load()});
+  return planes;
+}
+
+/// The sphere's centre is at the origin at rest; each plane is a sphere `large` times as large below (or above) it.
+void write_bodies(std::ostream& out, const EngineExperiment& e, const std::vector<Plane>& planes) {
+  out << "large = 1e5*R\n"
+      << "material = O.materials.append(FrictMat(young=1e9, poisson=0.3, frictionAngle=0.1, density="
+      << number(e.substrate.particle.density) << "))  # replaced on each interaction below\n"
+      << "particle = O.bodies.append(utils.sphere((0, 0, 0), R, material=material))\nplanes = {}\n";
+  for (const Plane& plane : planes) {
+    const YadeContact contact = yade_contact(*plane.parameters, plane.load);
+    out << "planes['" << plane.name << "'] = dict(y=" << number(plane.y) << ", z=" << number(plane.z)
+        << ", approach=" << number(plane.parameters->hertz().approach(plane.load)) << ",\n    numbers=dict(kno=" << number(contact.kno)
+        << ", kso=" << number(contact.kso) << ", tangensOfFrictionAngle=" << number(contact.friction) << ", kr=" << number(contact.kr)
+        << ", ktw=" << number(contact.ktw) << ", maxBendPl=" << number(contact.bend) << "), twist_limit=" << number(contact.twist)
+        << ")\n";
+  }
+  out << R"(for plane in planes.values():
+    reach = R - plane['approach'] + large
+    plane['id'] = O.bodies.append(utils.sphere((0, -plane['y']*reach, -plane['z']*reach), large, material=material, fixed=True))
+)";
+}
+
+const char* const functions = R"(
+def contact(name):
+    return O.interactions[particle, planes[name]['id']]
+
+def force_on_particle(name):
+    # of both halves of a contact, the one that pushes the particle away from the plane
+    i = contact(name)
+    force = i.phys.normalForce + i.phys.shearForce
+    away = i.phys.normalForce.dot(Vector3(0, planes[name]['y'], planes[name]['z']))
+    return force if away > 0 else -force
+
+def set_numbers():
+    for name, plane in planes.items():
+        for key, value in plane['numbers'].items():
+            setattr(contact(name).phys, key, value)
+
+def limit_torsion():
+    # MindlinPhys has a spring of torsion without a limit: |M| <= limit F
+    for name, plane in planes.items():
+        phys = contact(name).phys
+        most, moment = plane['twist_limit']*phys.normalForce.norm(), phys.momentTwist.norm()
+        if plane['twist_limit'] > 0 and moment > most:
+            phys.momentTwist = phys.momentTwist*(most/moment)
+
+leg = drive = speed = leg_start = 0
+
+def row():
+    state = O.bodies[particle].state
+    now = drive + speed*(O.iter - leg_start)*O.dt
+    substrate = force_on_particle(base)
+    approach = planes[base]['approach'] - state.pos.dot(Vector3(0, planes[base]['y'], planes[base]['z']))
+    print(*['%.15g' % value for value in (leg, O.time, now, response(), state.pos[0], state.angVel[1],
+          substrate.dot(Vector3(0, planes[base]['y'], planes[base]['z'])), approach)], sep=',', file=trace)
+
+def run_leg(distance, steps, every):
+    global leg, drive, speed, leg_start
+    speed, leg_start = distance/(steps*O.dt), O.iter
+    recorder.iterPeriod = every
+    move(speed)
+    O.run(steps, True)
+    drive += distance
+    leg += 1
+)";
+
+}  // namespace
+
+YadeContact yade_contact(const ContactParameters& p, double load) {
+  const double root = std::sqrt(p.effective_radius());
+  YadeContact contact;
+  contact.kno = 4.0 / 3 * p.hertz().reduced_modulus * root;
+  contact.kso = p.lateral_stiffness_at(load) / p.contact_radius(load) * root;
+  contact.friction = p.sliding_limit(load) / load;
+  if (p.rolling_friction && p.rolling_stiffness) {
+    contact.kr = p.rolling_stiffness_at(load);
+    contact.bend = p.rolling_limit(load) / load;
+  }
+  if (p.torsion_friction && p.torsion_stiffness) {
+    contact.ktw = p.torsion_stiffness_at(load);
+    contact.twist = p.torsion_limit(load) / load;
+  }
+  return contact;
+}
+
+std::string Yade::input(const EngineExperiment& e, const MotionPlan& plan) const {
+  const bool is_free = e.type == Type::rolling || e.type == Type::rail, twists = e.type == Type::rail || e.type == Type::twisting;
+  const std::vector<Plane> planes = planes_of(e);
+  std::ostringstream out;
+  out << "# asperity: " << engine_experiment_name(e.type) << ", one sphere, normal load " << number(e.load)
+      << " N; SI units. Run with: yade -n -x " << input_file() << "\nfrom yade import *\nimport os, sys, traceback\n"
+      << "R = " << number(e.substrate.particle.radius) << "\nO.dt = " << number(plan.time_step) << "\n";
+  write_bodies(out, e, planes);
+  out << "base = '" << planes.front().name << "'  # the contact whose normal force and approach are recorded\n" << functions;
+
+  // What is prescribed, and what answers to it.
+  switch (e.type) {
+    case Type::glued:
+      out << "O.bodies[particle].state.blockedDOFs = 'xyXYZ'  # glued\n"
+          << "O.forces.setPermF(particle, (0, 0, " << number(-e.load) << "))\n"
+          << "def move(v): O.bodies[particle].state.vel = (v, 0, O.bodies[particle].state.vel[2])\n"
+          << "def response(): return -force_on_particle('substrate')[0]\n";
+      break;
+    case Type::twisting:
+      out << "O.bodies[particle].state.blockedDOFs = 'xyzXYZ'\n"
+          << "def move(v): O.bodies[particle].state.angVel = (0, 0, v)\n"
+          << "def response(): return -O.forces.t(particle)[2]\n";
+      break;
+    case Type::rolling:
+    case Type::rail:
+      out << "def move(v): O.bodies[planes['plate']['id']].state.vel = (v, 0, 0)\n"
+          << "def response(): return force_on_particle('plate')[0]\n";
+      break;
+  }
+  out << "recorder = PyRunner(command='row()', iterPeriod=1, initRun=True, dead=True)\n"
+      << "O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()]),\n"
+      << "    InteractionLoop([Ig2_Sphere_Sphere_ScGeom()],\n"
+      << "        [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5, betas=" << (is_free ? "0.5" : "0") << ", krot=1, ktwist=1, eta=1)],\n"
+      << "        [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),\n";
+  if (twists) out << "    PyRunner(command='limit_torsion()', iterPeriod=1),\n";
+  out << "    recorder, NewtonIntegrator(damping=0)]\n"
+      << "try:\n"
+      << "    O.run(1, True)  # the interactions come into being\n    set_numbers()\n"
+      << "    for body in O.bodies: body.state.vel = body.state.angVel = (0, 0, 0)\n"
+      << "    with open('trace.csv', 'w') as trace:\n        print('" << trace_header() << "', file=trace)\n"
+      << "        recorder.dead = False\n";
+  for (const Leg& leg : plan.legs)
+    out << "        run_leg(" << number(leg.distance) << ", " << leg.steps << ", " << leg.every << ")\n";
+  out << "except Exception:\n    traceback.print_exc()\n    sys.stdout.flush()\n    sys.stderr.flush()\n    os._exit(1)\n"
+      << "print('asperity: all legs done')\nsys.stdout.flush()\nos._exit(0)\n";
+  return out.str();
+}
+
+std::string Yade::error_message(const std::string& log) const {
+  // The last line of a Python traceback names the error.
+  if (log.find("Traceback") == std::string::npos) {
+    const auto fatal = log.find("FATAL");
+    return fatal == std::string::npos ? "" : log.substr(fatal, log.find('\n', fatal) - fatal);
+  }
+  std::istringstream lines(log.substr(log.rfind("Traceback")));
+  std::string line, last;
+  while (std::getline(lines, line))
+    if (!line.empty() && line[0] != ' ' && line.find("Error") != std::string::npos) last = line;
+  return last;
+}
+
+std::string Yade::remedy(const std::string& message) const {
+  if (message.find("NameError") != std::string::npos || message.find("ImportError") != std::string::npos)
+    return "this build lacks the Hertz-Mindlin law; Debian's package 'yade' (2023.02a) has it";
+  return "asperity is tested with Debian's package 'yade' (2023.02a): use that one, or name it with --program";
+}
+
+std::string Yade::version(const std::string& log) const {
+  const std::string mark = "Welcome to Yade ";
+  const auto at = log.find(mark);
+  if (at == std::string::npos) return "";
+  const std::string rest = log.substr(at + mark.size(), log.find('\n', at) - at - mark.size());
+  return rest.substr(0, rest.find_last_not_of(' ') + 1);
+}
+
+}  // namespace asperity
