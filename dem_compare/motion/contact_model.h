@@ -1,0 +1,45 @@
+// One contact of a particle: a law for each mode of motion, and what they exert together. Pure: advance() maps the state that
+// was accepted last and a motion to the next state; nothing is remembered elsewhere. The modes do not know of each other but
+// through the normal force and the contact radius (torsion takes nothing from sliding: Farkas et al. 2003 is left out).
+// Signs: every law gives a resistance in the direction of its displacement, and the particle feels it against that direction,
+//   f = f_n n - q,   M = (-r n) x (-q) - M_ro - M_to n    (moment about the particle's centre). SI units.
+#pragma once
+
+#include "dem_compare/laws/normal_law.h"
+#include "dem_compare/laws/rolling_resistance.h"
+#include "dem_compare/laws/sliding_law.h"
+#include "dem_compare/laws/torsion_resistance.h"
+#include "dem_compare/laws/viscous.h"
+#include "dem_compare/motion/contact_motion.h"
+#include "dem_compare/motion/relative_velocity.h"
+
+namespace asperity {
+
+struct ContactModel {
+  NormalLaw normal;
+  SlidingLaw sliding;
+  RollingResistance rolling;  ///< none by default
+  TorsionResistance torsion;  ///< none by default
+  ViscousDamping damping;     ///< acts in dynamic runs only
+  LeverArm lever = LeverArm::distance_to_contact;
+};
+
+struct ContactState {
+  NormalState normal;
+  SlidingHistory sliding;
+  RollingResistance::History rolling;
+  TorsionResistance::History torsion;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< n, from the contact to the particle
+  double lever = 0;                                       ///< [m]
+  Eigen::Vector3d lateral = Eigen::Vector3d::Zero();     ///< -q, the lateral force on the particle [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();       ///< on the particle [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();      ///< on the particle, about its centre [N m]
+};
+
+/// Without rates: quasi-static.
+ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion);
+/// With the viscous parts for the relative velocity of a particle of this mass [kg].
+ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion,
+                     const RelativeVelocity& rate, double mass);
+
+}  // namespace asperity
