@@ -22,6 +22,7 @@ struct ContactModel {
   TorsionResistance torsion;  ///< none by default
   ViscousDamping damping;     ///< acts in dynamic runs only
   LeverArm lever = LeverArm::distance_to_contact;
+  HistorySpin history_spin = HistorySpin::mean_of_bodies;
 };
 
 struct ContactState {

@@ -18,10 +18,10 @@ Quaterniond mean_rotation(const Quaterniond& one, const Quaterniond& other) {
   return Quaterniond(one.coeffs() + sign * other.coeffs()).normalized();
 }
 
-Quaterniond frame_rotation(const Quaterniond& one, const Quaterniond& other, const Vector3d& normal_before,
-                           const Vector3d& normal) {
-  const Quaterniond mean = mean_rotation(one, other);
-  return Quaterniond::FromTwoVectors(mean * normal_before, normal) * mean;
+Quaterniond frame_rotation(const Quaterniond& particle, const Quaterniond& other, const Vector3d& normal_before,
+                           const Vector3d& normal, HistorySpin spin) {
+  const Quaterniond carried = spin == HistorySpin::other_body ? other : mean_rotation(particle, other);
+  return Quaterniond::FromTwoVectors(carried * normal_before, normal) * carried;
 }
 
 Vector3d tangential(const Vector3d& v, const Vector3d& normal) { return v - v.dot(normal) * normal; }
@@ -42,7 +42,8 @@ Quaterniond rotation_by(const Vector3d& vector) {
 }
 
 ContactMotion sphere_on_plane(const Placement& sphere_before, const Placement& sphere, double radius,
-                              const PlanePlacement& plane_before, const PlanePlacement& plane, LeverArm lever) {
+                              const PlanePlacement& plane_before, const PlanePlacement& plane, LeverArm lever,
+                              HistorySpin spin) {
   const Quaterniond sphere_turn = turn_between(sphere_before, sphere), plane_turn = turn_between(plane_before, plane);
   const Vector3d from_plane = sphere.position - plane.position,
                  carried = plane_turn * (sphere_before.position - plane_before.position);
@@ -51,7 +52,7 @@ ContactMotion sphere_on_plane(const Placement& sphere_before, const Placement& s
   motion.approach = radius - from_plane.dot(motion.normal);
   motion.lever = lever == LeverArm::particle_radius ? radius : radius - motion.approach;
   motion.frame_rotation =
-      frame_rotation(sphere_turn, plane_turn, plane_before.orientation * plane_before.normal, motion.normal);
+      frame_rotation(sphere_turn, plane_turn, plane_before.orientation * plane_before.normal, motion.normal, spin);
   const Vector3d rotation = rotation_vector(sphere_turn * plane_turn.conjugate());
   motion.sliding = tangential(from_plane - carried, motion.normal) - motion.lever * rotation.cross(motion.normal);
   motion.rolling = tangential(rotation, motion.normal);
@@ -60,7 +61,8 @@ ContactMotion sphere_on_plane(const Placement& sphere_before, const Placement& s
 }
 
 ContactMotion sphere_on_sphere(const Placement& particle_before, const Placement& particle, double radius,
-                               const Placement& other_before, const Placement& other, double other_radius, LeverArm lever) {
+                               const Placement& other_before, const Placement& other, double other_radius, LeverArm lever,
+                               HistorySpin spin) {
   const Quaterniond turn = turn_between(particle_before, particle), other_turn = turn_between(other_before, other);
   const Vector3d between_centres = particle.position - other.position;
   ContactMotion motion;
@@ -69,7 +71,7 @@ ContactMotion sphere_on_sphere(const Placement& particle_before, const Placement
   const double cut = lever == LeverArm::particle_radius ? 0 : motion.approach / 2;
   motion.lever = radius - cut;
   motion.frame_rotation = frame_rotation(turn, other_turn, (particle_before.position - other_before.position).normalized(),
-                                         motion.normal);
+                                         motion.normal, spin);
   // Rotations of the bodies in the frame of the contact, where the centres do not move sideways.
   const Quaterniond back = motion.frame_rotation.conjugate();
   const Vector3d rotation = rotation_vector(turn * back), other_rotation = rotation_vector(other_turn * back);

@@ -1,0 +1,66 @@
+// The paper's three experiments with one particle (Fuchs, Weinhart et al. 2014, fig. forces0), as bodies and contacts:
+//   (a) glued to the indenter: the sphere slides on the substrate and cannot turn;
+//   (b) free between substrate and indenter: it rolls, at half the indenter's speed;
+//   (c) free in a V-rail of inclination theta under the indenter: two flanks and the indenter, rolling and torsion together.
+// Axes: x along the motion of the indenter, z up, y across. The planes do not turn; weight is left out (6e-11 N against
+// 1e-4 N). Under load the sphere starts from rest, each contact closed along its own normal, without lateral forces. SI units.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "dem_compare/experiments/friction_loop.h"
+#include "dem_compare/motion/contact_model.h"
+
+namespace asperity {
+
+/// Contact of the particle with one plane.
+struct ParticleContact {
+  std::string name;
+  ContactModel model;
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< from the plane to the particle
+  bool on_indenter = false;                            ///< the plane moves with the indenter
+  double share = 1;                                    ///< normal force over the load of the indenter, at rest
+};
+
+struct SingleParticle {
+  double radius = 0;   ///< R [m]
+  bool glued = false;  ///< to the indenter
+  std::vector<ParticleContact> contacts;
+};
+
+SingleParticle glued_sphere(const ContactModel& substrate);
+SingleParticle rolling_sphere(const ContactModel& substrate, const ContactModel& indenter);
+/// `inclination` of the flanks against the horizontal [rad]; throws InputError outside (0, pi/2).
+SingleParticle sphere_in_rail(const ContactModel& flank, const ContactModel& indenter, double inclination);
+
+/// Where the bodies are, and the contacts' accepted states.
+struct ParticleState {
+  Placement sphere;                                      ///< displaced from the origin
+  Eigen::Vector3d indenter = Eigen::Vector3d::Zero();   ///< displacement of the indenter [m]
+  std::vector<Eigen::Vector3d> planes;                  ///< a point of each plane at rest
+  std::vector<ContactState> contacts;
+};
+
+/// Equilibrium under the load before the indenter moves.
+ParticleState at_rest(const SingleParticle& particle, double normal_load);
+
+/// Motion of one contact from a state to new places of the sphere and the indenter.
+ContactMotion motion_of(const SingleParticle& particle, const ParticleState& from, std::size_t contact,
+                        const Placement& sphere, const Eigen::Vector3d& indenter);
+
+/// Sums over the contacts.
+struct Resultants {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();  ///< on the particle
+  Eigen::Vector3d from_indenter = Eigen::Vector3d::Zero();  ///< on the particle, from the indenter alone [N]
+};
+Resultants resultants(const SingleParticle& particle, const std::vector<ContactState>& contacts);
+
+LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg);
+std::vector<std::string> contact_names(const SingleParticle& particle);
+
+/// Increment of the indenter that resolves the yielding of every mode: a twentieth of the way to the first limit [m].
+double resolving_increment(const SingleParticle& particle, const ParticleState& rest);
+
+}  // namespace asperity
