@@ -8,6 +8,7 @@
 
 #include "app/case_command.h"
 #include "app/compare_command.h"
+#include "app/engine_command.h"
 #include "app/mesh_command.h"
 #include "app/report_command.h"
 #include "app/solve_command.h"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   asperity::add_solve_command(app);
   asperity::add_study_command(app);
   asperity::add_compare_command(app);
+  asperity::add_engine_commands(app);
   asperity::add_report_command(app);
   asperity::add_case_commands(app);
 

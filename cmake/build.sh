@@ -2,10 +2,11 @@
 
 step() { printf '\n== %s (%d min %02d s since start)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
 
-# Installs the packages of packages.txt that are missing; asks for nothing if there is none.
+# install_packages [LIST]: installs the packages of packages.txt, or of that list, that are missing; asks for nothing if there
+# is none.
 install_packages() {
   local package missing=()
-  for package in $(grep -v '^#' packages.txt); do
+  for package in $(grep -v '^#' "${1:-packages.txt}"); do
     dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return

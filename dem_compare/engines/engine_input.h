@@ -1,0 +1,25 @@
+// What a user pastes into an engine, from parameters.json: each coefficient with the lever arm, effective radius and unit
+// that the engine means, and in the header what it cannot express with the error this makes at both ends of the fitted loads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_compare/contact_parameters.h"
+#include "dem_compare/engines/folding.h"
+
+namespace asperity {
+
+struct EngineInputOptions {
+  /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as too small at the other.
+  std::optional<double> load;
+};
+
+/// "lammps", "yade", "liggghts", "mercurydpm", "kratos", "musen".
+std::vector<std::string> engine_input_names();
+
+/// Throws InputError for an engine that is not known, naming what was meant, and for a record that lacks what is needed.
+std::string engine_input(const std::string& engine, const ContactParameters& parameters, const EngineInputOptions& options = {});
+
+}  // namespace asperity
