@@ -152,14 +152,14 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
 }
 
 void add_interface(std::vector<CaseEntry>& entries) {
-  entries.push_back(quantity("Interface", "Friction coefficient", [](CaseInput& c) -> double& { return c.friction_coefficient; },
+  entries.push_back(quantity("Interface", "Friction coefficient", [](CaseInput& c) -> double& { return c.interface.friction_coefficient; },
                              Dimension::none, not_negative, "0", "",
                              "Local Coulomb friction of the asperities (an input; the effective friction of the rough "
                              "contact is a result)."));
-  entries.push_back(quantity("Interface", "Shear strength", [](CaseInput& c) -> double& { return c.shear_strength; },
+  entries.push_back(quantity("Interface", "Shear strength", [](CaseInput& c) -> double& { return c.interface.shear_strength; },
                              Dimension::pressure, not_negative, "0 Pa", "",
                              "Largest local shear traction; 0: no such limit."));
-  entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.work_of_adhesion; },
+  entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area to separate the surfaces; 0: no adhesion."));
 }

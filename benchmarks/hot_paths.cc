@@ -34,7 +34,7 @@ struct Scene {
   std::unique_ptr<ContactSystem> system;
   ContactState state;
   TangentField tangent;
-  std::vector<double> stiffness;  ///< of the rows in contact [N/m]
+  std::vector<RowStiffness> stiffness;  ///< of the rows in contact
   HexOperator<double> exact;
   HexOperator<float> single;
   std::unique_ptr<meshing::Triangulation> coarse_forest;

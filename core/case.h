@@ -19,6 +19,13 @@ struct BodyInput {
   std::string topography = "smooth";
 };
 
+/// Laws at a point of the interface.
+struct InterfaceInput {
+  double friction_coefficient = 0;  ///< local Coulomb friction mu of the asperities [-]
+  double shear_strength = 0;        ///< largest shear traction tau [Pa]; 0: no such limit
+  double work_of_adhesion = 0;      ///< w [J/m^2]; 0: no adhesion
+};
+
 /// How the particle is moved.
 struct ExperimentInput {
   enum class Type { normal, sliding, rolling, torsion } type = Type::normal;
@@ -58,7 +65,7 @@ struct CaseInput {
   BodyInput particle;
   double radius = 0;        ///< of the particle [m]
   BodyInput substrate;
-  double friction_coefficient = 0, shear_strength = 0, work_of_adhesion = 0;
+  InterfaceInput interface;
   ExperimentInput experiment;
   MeshInput mesh;
   SolverInput solver;

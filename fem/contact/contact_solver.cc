@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.h"
 #include "fem/contact/contact_area.h"
@@ -16,12 +15,18 @@ constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
 // Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 
+// Steps without progress before the line search looks closely: full steps soon go round in circles between stick and slip.
+constexpr int patience_without = 3, patience_with_friction = 0;
+
 bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
 
 }  // namespace
 
-ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& options) : system_(system), options_(options) {
-  penalty_ = options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
+ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& options)
+    : system_(system),
+      options_(options),
+      penalty_(options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle),
+      tractions_(system, options_.friction.get(), penalty_) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
 }
@@ -31,6 +36,7 @@ ContactState ContactSolver::first_touch() const {
   system_.level().initialise(state.displacement);
   state.displacement.update_ghost_values();
   state.multiplier.assign(system_.rows().size(), 0.0);
+  for (auto& component : state.shear) component.assign(system_.rows().size(), 0.0);
   return state;
 }
 
@@ -57,12 +63,12 @@ void ContactSolver::complete(Vector<double>& displacement, double approach) cons
   else system_.level().distribute(displacement.begin(), -approach);
 }
 
-Vector<double> ContactSolver::linear_advance(double approach, const std::vector<double>& stiffness, double accuracy, int* iterations) {
+Vector<double> ContactSolver::linear_advance(double approach, const std::vector<RowStiffness>& stiffness, double accuracy, int* iterations) {
   // The particle's rigid motion strains nothing: only the closed contacts resist it.
   ContactState rigid = first_touch();
   push_rigidly(rigid, approach);
   std::vector<double> forces = system_.interface().gaps(rigid.displacement.begin());
-  for (std::size_t r = 0; r < forces.size(); ++r) forces[r] *= -stiffness[r];
+  for (std::size_t r = 0; r < forces.size(); ++r) forces[r] *= -stiffness[r].normal;
   Vector<double> load, relaxed;
   system_.level().initialise(load);
   system_.level().initialise(relaxed);
@@ -80,7 +86,7 @@ Vector<double> ContactSolver::linear_advance(double approach, const std::vector<
 }
 
 void ContactSolver::advance_to(ContactState& state, double approach, SolveReport& report) {
-  std::vector<double> stiffness(state.multiplier.size());
+  std::vector<RowStiffness> stiffness(state.multiplier.size());
   for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
   Vector<double> step = linear_advance(approach - state.approach, stiffness, 1e-2, &report.linear);
   state.displacement.zero_out_ghost_values();
@@ -102,47 +108,56 @@ std::vector<double> ContactSolver::gaps(const ContactState& state) const {
   return gaps;
 }
 
-std::vector<double> ContactSolver::pressures(const ContactState& state, const std::vector<double>& gaps) const {
-  std::vector<double> p(gaps.size());
-  for (std::size_t r = 0; r < p.size(); ++r) p[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
-  return p;
-}
-
-double ContactSolver::evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent,
-                               std::vector<double>& p) {
+double ContactSolver::evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent) {
   const auto& level = system_.level();
-  p = pressures(state, gaps(state));
+  tractions_.evaluate(state, gaps(state));
   residual = 0.0;
   if (parallel(system_)) residual.zero_out_ghost_values();
   system_.bodies().internal_force(state.displacement, residual, tangent);
   // Not `residual *= -1`, which leaves out the ghost entries on their way to other ranks.
   const std::size_t entries = residual.locally_owned_size() + level.partitioner()->n_ghost_indices();
   for (std::size_t i = 0; i < entries; ++i) residual.begin()[i] = -residual.begin()[i];
-  std::vector<double> forces(p.size());
-  double total = 0;
-  for (std::size_t r = 0; r < p.size(); ++r) total += forces[r] = p[r] * system_.areas()[r];
-  system_.interface().add_forces(forces, residual.begin());
+  tractions_.add_forces(residual.begin());
   if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
   level.condense(residual.begin());
   residual.compress(dealii::VectorOperation::add);
-  double scale = std::max(total, force_control() ? std::abs(target) : 0.0);
+  double scale = std::max(tractions_.total_force(), force_control() ? std::abs(target) : 0.0);
   const double spacing = system_.options().mesh.sizes.spacing_particle;
   if (scale == 0) scale = 0.1 * system_.reduced_modulus() * spacing * spacing;  // no contact: what would flatten a tenth of a spacing
   return residual.l1_norm() / scale;
 }
 
-SolveReport ContactSolver::solve(ContactState& state, double target) {
+void ContactSolver::step_with_held_rows(ContactState& state, double target, TangentField* tangent, Vector<double>& residual, Vector<double>& direction, SolveReport& report) {
+  evaluate(state, target, residual, tangent);
+  if (tractions_.any_closed()) {
+    system_.linear().update(tractions_.stiffness(), tangent, 0.0);
+    report.linear += system_.linear().solve(direction, residual, rough_direction);
+    state.displacement.zero_out_ghost_values();
+    direction.zero_out_ghost_values();
+    state.displacement += direction;
+    state.displacement.update_ghost_values();
+  }
+  tractions_.release();
+}
+
+SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion) {
   SolveReport report;
   const auto& level = system_.level();
+  tractions_.begin_step(state);
+  state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
   else advance_to(state, target, report);
   Vector<double> residual, direction;
   for (auto* v : {&residual, &direction}) level.initialise(*v);
-  std::vector<double> p;
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
-  double error = evaluate(state, target, residual, tangent, p);
+  // At the start and after a reversal everything sticks.
+  if (tractions_.has_friction()) {
+    tractions_.hold_all();
+    step_with_held_rows(state, target, tangent, residual, direction, report);
+  }
+  double error = evaluate(state, target, residual, tangent);
 
-  LineSearch search(error);
+  LineSearch search(error, tractions_.has_friction() ? patience_with_friction : patience_without);
   bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
@@ -151,12 +166,10 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
       const double wanted = closed ? 0.0 : report.updates == 0 ? first_goal : std::min(first_goal, fraction_of_change * report.penetration);
       const double goal = std::max(options_.residual_tolerance, wanted);
       if (error <= goal || report.newton >= options_.largest_newton) break;
-      std::vector<double> stiffness(p.size());
-      for (std::size_t r = 0; r < p.size(); ++r) stiffness[r] = p[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
       // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
-      const bool open = std::none_of(p.begin(), p.end(), [](double v) { return v > 0; });
+      const bool open = !tractions_.any_closed();
       const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
-      system_.linear().update(stiffness, tangent, spring);
+      system_.linear().update(tractions_.stiffness(), tangent, spring);
       const double accuracy = std::clamp(0.1 * goal / error, accurate_direction, rough_direction);
       report.linear += system_.linear().solve(direction, residual, accuracy);
       ++report.newton;
@@ -170,36 +183,39 @@ SolveReport ContactSolver::solve(ContactState& state, double target) {
         state.displacement.zero_out_ghost_values();
         state.displacement.add(step, direction);
         state.displacement.update_ghost_values();
-        error = evaluate(state, target, residual, tangent, p);
+        error = evaluate(state, target, residual, tangent);
         return residual * direction;
       };
       const double step = search.step(slope, slope_at);
       search.reached(error);
       if (log)
         log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
-            " cg " + std::to_string(report.linear) + " active " + std::to_string(std::count_if(p.begin(), p.end(), [](double v) { return v > 0; })));
+            " cg " + std::to_string(report.linear) + " active " + std::to_string(tractions_.closed()) + " sticking " +
+            std::to_string(tractions_.sticking()));
     }
-    double change = 0, total = 0;
-    for (std::size_t r = 0; r < p.size(); ++r) {
-      change += system_.areas()[r] * std::abs(p[r] - state.multiplier[r]);
-      total += system_.areas()[r] * p[r];
-    }
-    report.penetration = total > 0 ? change / total : 0.0;
+    const auto change = tractions_.change(state);
+    // The unbalanced force is measured by the pressures' total, and so is the change that sets the next goal.
+    report.penetration = change.pressure + change.shear * tractions_.shear_share();
     report.residual = error;
-    if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(report.penetration));
-    closed = report.penetration <= options_.penetration_tolerance;
+    if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(change.pressure) + " " + std::to_string(change.shear));
+    closed = change.pressure <= options_.penetration_tolerance && change.shear <= options_.slip_tolerance;
     if (closed && error <= options_.residual_tolerance) {
       report.converged = true;
       break;
     }
     if (report.newton >= options_.largest_newton) break;
     if (!closed) {
-      state.multiplier = p;
-      error = evaluate(state, target, residual, tangent, p);
+      // The update doubles what the penalty carried, which would make sticking rows slip for a moment.
+      if (tractions_.has_friction()) tractions_.hold_sticking();
+      tractions_.update_multipliers(state);
+      tractions_.update_limits(state);
+      if (tractions_.has_friction()) step_with_held_rows(state, target, tangent, residual, direction, report);
+      error = evaluate(state, target, residual, tangent);
       search.restart(error);
     }
   }
-  state.multiplier = p;
+  tractions_.update_multipliers(state);
+  report.friction_work = tractions_.friction_work();
   if (force_control()) read_approach(state);
   return report;
 }
@@ -208,8 +224,13 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   const auto& level = system_.level();
   ContactResultants result;
   double moment_x = 0, moment_y = 0;
+  result.sticking = tractions_.has_friction() ? tractions_.sticking() : 0;
   for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
     const double p = state.multiplier[r];
+    const auto& point = system_.interface_points()[system_.rows()[r].node];
+    const double tx = state.shear[0][r] * system_.areas()[r], ty = state.shear[1][r] * system_.areas()[r];
+    result.lateral_force[0] -= tx, result.lateral_force[1] -= ty;
+    result.torsion_moment -= point[0] * ty - point[1] * tx;
     if (p <= 0) continue;
     const double force = p * system_.areas()[r];
     result.force += force;
@@ -232,62 +253,15 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   double driven = 0, fixed = 0;
   for (const auto& [dof, share] : level.driven_share()) driven -= share * force.begin()[dof];
   force.compress(dealii::VectorOperation::add);
-  for (const int dof : level.fixed_z()) fixed += force.local_element(dof);
+  std::array<double, 2> lateral{};
+  for (const int dof : level.fixed_z()) {
+    fixed += force.local_element(dof);
+    for (int c = 0; c < 2; ++c) lateral[c] += force.local_element(dof - 2 + c);
+  }
+  for (int c = 0; c < 2; ++c) result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
   result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator());
   result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
   return result;
-}
-
-double ContactSolver::elastic_stiffness(const ContactState& state) {
-  const auto& level = system_.level();
-  std::vector<double> stiffness(state.multiplier.size());
-  // Closed nodes move together: a spring far stiffer than the bodies' own spacing-scale stiffness.
-  for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? 50 * penalty_ * system_.areas()[r] : 0.0;
-  if (!force_control()) {
-    const std::vector<double> gaps = system_.interface().gaps(linear_advance(1.0, stiffness, 1e-6, nullptr).begin());
-    double force = 0;
-    for (std::size_t r = 0; r < gaps.size(); ++r) force -= stiffness[r] * gaps[r];
-    return force;
-  }
-  system_.linear().update(stiffness, nullptr, 0.0);
-  Vector<double> unit, response;
-  level.initialise(unit);
-  level.initialise(response);
-  if (level.owns_driven_dof()) unit.local_element(level.local_driven_dof()) = -1.0;
-  system_.linear().solve(response, unit, 1e-6);
-  const double own = level.owns_driven_dof() ? -response.local_element(level.local_driven_dof()) : 0.0;
-  const double compliance = dealii::Utilities::MPI::sum(own, level.communicator());
-  return 1 / compliance;
-}
-
-double ContactSolver::far_field_compliance(double radius) {
-  const auto& level = system_.level();
-  const auto& areas = system_.areas();
-  std::vector<double> forces(areas.size(), 0.0), none(areas.size(), 0.0);
-  double total = 0;
-  for (std::size_t r = 0; r < areas.size(); ++r) {
-    const auto& p = system_.interface_points()[system_.rows()[r].node];
-    const double s = 1 - (p[0] * p[0] + p[1] * p[1]) / (radius * radius);
-    if (s > 0) total += forces[r] = areas[r] * std::sqrt(s);
-  }
-  for (auto& f : forces) f /= total;
-  Vector<double> load, response;
-  level.initialise(load);
-  level.initialise(response);
-  system_.interface().add_forces(forces, load.begin());
-  // Under displacement control the driven plane's reaction is the opposite load.
-  if (force_control() && level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0;
-  level.condense(load.begin());
-  load.compress(dealii::VectorOperation::add);
-  const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
-  system_.linear().update(none, nullptr, spring);
-  system_.linear().solve(response, load, 1e-7);
-  const std::vector<double> opening = system_.interface().gaps(response.begin());
-  double mean = 0;
-  for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * opening[r];
-  // Half-spaces under Hertz' pressure and unit force: delta = 3 / (4 E* a); the pressure-weighted mean of the surfaces'
-  // displacement is 0.8 delta, because the mean of r^2 under that pressure is 2 a^2 / 5.
-  return mean - 0.8 * 3 / (4 * system_.reduced_modulus() * radius);
 }
 
 }  // namespace asperity::fem

@@ -60,13 +60,26 @@ void ContactSystem::couple() {
   linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_, options_.mesh, geometry_, options_.control});
 }
 
+namespace {
+double poisson_ratio(const J2Material& m) {
+  return (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
+}
+}  // namespace
+
 double ContactSystem::reduced_modulus() const {
   double compliance = 0;
-  for (const auto& m : options_.materials) {
-    const double nu = (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
-    compliance += (1 - nu) / (2 * m.shear_modulus);  // (1 - nu^2) / E
-  }
+  for (const auto& m : options_.materials) compliance += (1 - poisson_ratio(m)) / (2 * m.shear_modulus);  // (1 - nu^2) / E
   return 1 / compliance;
+}
+
+double ContactSystem::reduced_shear_modulus() const {
+  double compliance = 0;
+  for (const auto& m : options_.materials) compliance += (2 - poisson_ratio(m)) / m.shear_modulus;
+  return 1 / compliance;
+}
+
+double ContactSystem::torsion_modulus() const {
+  return 1 / (1 / options_.materials[0].shear_modulus + 1 / options_.materials[1].shear_modulus);
 }
 
 }  // namespace asperity::fem

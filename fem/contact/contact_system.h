@@ -43,6 +43,10 @@ class ContactSystem {
 
   /// Reduced modulus E* of the pair [Pa].
   double reduced_modulus() const;
+  /// G* of the pair [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 (Mindlin 1949).
+  double reduced_shear_modulus() const;
+  /// G of both bodies in series [Pa], 1/G = 1/G1 + 1/G2, which governs torsion.
+  double torsion_modulus() const;
   /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too small.
   const std::vector<char>& on_rim() const { return on_rim_; }
 

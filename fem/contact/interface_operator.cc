@@ -1,6 +1,7 @@
 #include "fem/contact/interface_operator.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -108,50 +109,63 @@ InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<G
   const long rank = dealii::Utilities::MPI::this_mpi_process(level.communicator());
   first_row_ = static_cast<int>(count * rank / ranks);
   last_row_ = static_cast<int>(count * (rank + 1) / ranks);
-  stiffness_.assign(rows.size(), 0.0f);
+  stiffness_.resize(rows.size());
 }
 
-void InterfaceOperator::set_stiffness(const std::vector<double>& stiffness) {
+void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness) {
   active_.clear();
-  for (int r = 0; r < rows(); ++r) {
-    stiffness_[r] = static_cast<float>(stiffness[r]);
-    if (stiffness[r] != 0 && r >= first_row_ && r < last_row_) active_.push_back(r);
-  }
+  stiffness_ = stiffness;
+  resists_slip_ = std::any_of(stiffness.begin(), stiffness.end(), [](const auto& row) { return row.resists_slip(); });
+  for (int r = first_row_; r < last_row_; ++r)
+    if (!stiffness[r].open()) active_.push_back(r);
 }
 
 template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
-  const std::vector<Number> values = nodes_.gather(x, 2);
-  std::vector<Number> result(values.size(), Number(0));
-  for (const int row : active_) {
-    Number gap = 0;
-    for (int e = start_[row]; e < start_[row + 1]; ++e) gap += static_cast<Number>(weight_[e]) * values[column_[e]];
-    gap *= static_cast<Number>(stiffness_[row]);
-    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += static_cast<Number>(weight_[e]) * gap;
+  const int first = resists_slip_ ? 0 : 2;
+  std::array<std::vector<Number>, 3> values, result;
+  for (int c = first; c < 3; ++c) {
+    values[c] = nodes_.gather(x, c);
+    result[c].assign(values[c].size(), Number(0));
   }
-  nodes_.scatter_add(result, 2, y);
+  for (const int row : active_) {
+    const RowStiffness& k = stiffness_[row];
+    Number jump[3] = {}, force[3] = {};
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      for (int c = first; c < 3; ++c) jump[c] += static_cast<Number>(weight_[e]) * values[c][column_[e]];
+    force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1];
+    force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1];
+    force[2] = static_cast<Number>(k.normal) * jump[2];
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      for (int c = first; c < 3; ++c) result[c][column_[e]] += static_cast<Number>(weight_[e]) * force[c];
+  }
+  for (int c = first; c < 3; ++c) nodes_.scatter_add(result[c], c, y);
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
-  std::vector<double> result(nodes_.count(), 0.0);
-  for (const int row : active_)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += stiffness_[row] * weight_[e] * weight_[e];
-  nodes_.scatter_add(result, 2, diagonal);
+  std::array<std::vector<double>, 3> result;
+  for (auto& component : result) component.assign(nodes_.count(), 0.0);
+  for (const int row : active_) {
+    const double k[3] = {stiffness_[row].xx, stiffness_[row].yy, stiffness_[row].normal};
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      for (int c = 0; c < 3; ++c) result[c][column_[e]] += k[c] * weight_[e] * weight_[e];
+  }
+  for (int c = resists_slip_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
 }
 
-std::vector<double> InterfaceOperator::gaps(const double* x) const {
-  const std::vector<double> values = nodes_.gather(x, 2);
-  std::vector<double> gaps(rows(), 0.0);
+std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
+  const std::vector<double> values = nodes_.gather(x, component);
+  std::vector<double> jumps(rows(), 0.0);
   for (int row = 0; row < rows(); ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) gaps[row] += weight_[e] * values[column_[e]];
-  return gaps;
+    for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight_[e] * values[column_[e]];
+  return jumps;
 }
 
-void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y) const {
+void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y, int component) const {
   std::vector<double> result(nodes_.count(), 0.0);
   for (int row = first_row_; row < last_row_; ++row)
     for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += weight_[e] * row_forces[row];
-  nodes_.scatter_add(result, 2, y);
+  nodes_.scatter_add(result, component, y);
 }
 
 template void InterfaceOperator::apply<double>(const double*, double*) const;

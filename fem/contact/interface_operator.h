@@ -1,5 +1,7 @@
 // The gap operator G of the finest mesh seen from one mesh level, and its stiffness G^T E G.
 //
+// G maps displacements to what the particle's surface moves relative to the substrate's at each contact row: along z the
+// gap opens, along x and y it slips. The weights of a row are the same for the three components.
 // The rows are the contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
 // G_coarse = G P exactly and spares triple products when the active set changes. Interface values are gathered on all
 // ranks; each rank works on its share of the rows.
@@ -41,6 +43,14 @@ class InterfaceNodes {
   std::vector<std::pair<int, int>> owned_;  ///< index in the list, local node
 };
 
+/// Stiffness of a contact row [N/m]: against closing, and symmetric against slip in the plane. All 0: open.
+struct RowStiffness {
+  RowStiffness(double against_closing = 0) : normal(against_closing) {}
+  double normal, xx = 0, xy = 0, yy = 0;
+  bool open() const { return normal == 0 && !resists_slip(); }
+  bool resists_slip() const { return xx != 0 || xy != 0 || yy != 0; }
+};
+
 class InterfaceOperator {
  public:
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
@@ -48,18 +58,18 @@ class InterfaceOperator {
 
   int rows() const { return static_cast<int>(start_.size()) - 1; }
   const InterfaceNodes& nodes() const { return nodes_; }
-  /// Stiffness of each row [N/m]; rows with 0 are open.
-  void set_stiffness(const std::vector<double>& stiffness);
+  void set_stiffness(const std::vector<RowStiffness>& stiffness);
 
-  /// y += G^T E G x on the z components.
+  /// y += G^T E G x.
   template <typename Number>
   void apply(const Number* x, Number* y) const;
   void add_diagonal(double* diagonal) const;
 
-  /// G x: one value per row, on every rank.
-  std::vector<double> gaps(const double* x) const;
-  /// y += G^T f.
-  void add_forces(const std::vector<double>& row_forces, double* y) const;
+  /// One component of G x: one value per row, on every rank.
+  std::vector<double> jumps(const double* x, int component) const;
+  std::vector<double> gaps(const double* x) const { return jumps(x, 2); }
+  /// y += G^T f for forces along one component.
+  void add_forces(const std::vector<double>& row_forces, double* y, int component = 2) const;
   /// Visits the entries (interface node, weight) of a row.
   template <typename Visit>
   void for_row(int row, const Visit& visit) const {
@@ -73,7 +83,8 @@ class InterfaceOperator {
   const MeshLevel& level_;
   InterfaceNodes nodes_;
   std::vector<int> start_, column_, active_;
-  std::vector<float> stiffness_;
+  std::vector<RowStiffness> stiffness_;
+  bool resists_slip_ = false;  ///< whether any row of any rank does
   std::vector<double> weight_;
   int first_row_ = 0, last_row_ = 0;  ///< this rank's share
 };

@@ -8,8 +8,9 @@ namespace asperity::fem {
 
 class LineSearch {
  public:
-  /// error: unbalanced force from which the next steps are to make progress.
-  explicit LineSearch(double error) { restart(error); }
+  /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress after which
+  /// the lowest energy is looked for closely.
+  LineSearch(double error, int patience) : patience_(patience) { restart(error); }
   void restart(double error) { least_ = error, barren_ = 0; }
   /// To be told of the unbalanced force that each step reached.
   void reached(double error) {
@@ -21,7 +22,7 @@ class LineSearch {
   /// the slope, negative beyond the lowest energy. Returns the step that it moved to last.
   template <typename SlopeAt>
   double step(double slope, const SlopeAt& slope_at) const {
-    return barren_ < patience ? with_few_cuts(slope, slope_at) : to_lowest(slope, slope_at);
+    return barren_ < patience_ ? with_few_cuts(slope, slope_at) : to_lowest(slope, slope_at);
   }
 
  private:
@@ -52,8 +53,9 @@ class LineSearch {
     return step;
   }
 
-  static constexpr int largest_trials = 3, patience = 3, most_closing_steps = 10;
+  static constexpr int largest_trials = 3, most_closing_steps = 10;
   static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3;
+  int patience_;
   double least_ = 0;
   int barren_ = 0;
 };

@@ -43,26 +43,30 @@ void AssembledSolver::resolve_rows() {
   // Rows reach over nodes of any rank, and only a node's owner is sure to know how it is constrained.
   const auto& owned = level.dofs().locally_owned_dofs();
   std::vector<std::pair<global_dof_index, Row>> known;
-  for (int k = 0; k < nodes.count(); ++k) {
-    const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(k) + 2);
-    if (!owned.is_element(dof) || !level.constraints().is_constrained(dof)) continue;
-    const auto* entries = level.constraints().get_constraint_entries(dof);
-    known.emplace_back(dof, entries ? *entries : Row{});
-  }
+  for (int k = 0; k < nodes.count(); ++k)
+    for (int c = 0; c < 3; ++c) {
+      const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(k) + c);
+      if (!owned.is_element(dof) || !level.constraints().is_constrained(dof)) continue;
+      const auto* entries = level.constraints().get_constraint_entries(dof);
+      known.emplace_back(dof, entries ? *entries : Row{});
+    }
   std::map<global_dof_index, Row> masters;
   for (const auto& part : dealii::Utilities::MPI::all_gather(level.communicator(), known)) masters.insert(part.begin(), part.end());
 
   const auto [first, last] = problem_.interface.share();
   for (int r = first; r < last; ++r) {
-    std::map<global_dof_index, double> sum;
-    problem_.interface.for_row(r, [&](int node, double weight) {
-      const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + 2);
-      const auto constrained = masters.find(dof);
-      if (constrained == masters.end()) sum[dof] += weight;
-      else
-        for (const auto& [master, share] : constrained->second) sum[master] += weight * share;
-    });
-    row_.emplace_back(sum.begin(), sum.end());
+    auto& jump = row_.emplace_back();
+    for (int c = 0; c < 3; ++c) {
+      std::map<global_dof_index, double> sum;
+      problem_.interface.for_row(r, [&](int node, double weight) {
+        const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + c);
+        const auto constrained = masters.find(dof);
+        if (constrained == masters.end()) sum[dof] += weight;
+        else
+          for (const auto& [master, share] : constrained->second) sum[master] += weight * share;
+      });
+      jump[c].assign(sum.begin(), sum.end());
+    }
   }
 }
 
@@ -71,17 +75,22 @@ void AssembledSolver::make_pattern() {
   const auto& owned = level.dofs().locally_owned_dofs();
   dealii::IndexSet written = level.partitioner()->ghost_indices();
   written.add_indices(owned);
-  for (const auto& row : row_)
-    for (const auto& entry : row) written.add_index(entry.first);
+  for (const auto& jump : row_)
+    for (const auto& row : jump)
+      for (const auto& entry : row) written.add_index(entry.first);
   written.compress();
   dealii::TrilinosWrappers::SparsityPattern pattern(owned, owned, written, level.communicator());
   dealii::DoFTools::make_sparsity_pattern(level.dofs(), pattern, level.constraints(), false,
                                           dealii::Utilities::MPI::this_mpi_process(level.communicator()));
-  std::vector<global_dof_index> columns;
-  for (const auto& row : row_) {
-    columns.clear();
-    for (const auto& entry : row) columns.push_back(entry.first);
-    for (const auto dof : columns) pattern.add_entries(dof, columns.begin(), columns.end(), true);
+  const auto couple = [&](const Row& one, const Row& other) {
+    std::vector<global_dof_index> columns;
+    for (const auto& entry : other) columns.push_back(entry.first);
+    for (const auto& entry : one) pattern.add_entries(entry.first, columns.begin(), columns.end(), true);
+  };
+  for (const auto& jump : row_) {
+    couple(jump[2], jump[2]);
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d < 2; ++d) couple(jump[c], jump[d]);
   }
   if (level.owns_driven_dof()) pattern.add(level.driven_dof(), level.driven_dof());
   pattern.compress();
@@ -125,26 +134,34 @@ void AssembledSolver::assemble_bodies(const TangentField* tangent) {
   }
 }
 
-void AssembledSolver::assemble_interface(const std::vector<double>& row_stiffness) {
+void AssembledSolver::assemble_interface(const std::vector<RowStiffness>& row_stiffness) {
   const int first = problem_.interface.share().first;
   std::vector<global_dof_index> columns;
   std::vector<double> values;
-  for (std::size_t r = 0; r < row_.size(); ++r) {
-    const double stiffness = row_stiffness[first + r];
-    if (stiffness == 0) continue;
-    for (const auto& [dof, weight] : row_[r]) {
+  const auto add = [&](const Row& one, const Row& other, double stiffness) {
+    if (stiffness == 0) return;
+    for (const auto& [dof, weight] : one) {
       columns.clear();
       values.clear();
-      for (const auto& [other, other_weight] : row_[r]) {
-        columns.push_back(other);
+      for (const auto& [column, other_weight] : other) {
+        columns.push_back(column);
         values.push_back(stiffness * weight * other_weight);
       }
       trilinos_->matrix.add(dof, columns.size(), columns.data(), values.data());
     }
+  };
+  for (std::size_t r = 0; r < row_.size(); ++r) {
+    const RowStiffness& k = row_stiffness[first + r];
+    const auto& [x, y, z] = row_[r];
+    add(z, z, k.normal);
+    add(x, x, k.xx);
+    add(x, y, k.xy);
+    add(y, x, k.xy);
+    add(y, y, k.yy);
   }
 }
 
-void AssembledSolver::update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
   auto& matrix = trilinos_->matrix;
   matrix = 0;
   assemble_bodies(tangent);

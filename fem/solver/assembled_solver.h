@@ -13,7 +13,7 @@ class AssembledSolver : public LinearSolver {
  public:
   explicit AssembledSolver(const LinearProblem& problem);
   ~AssembledSolver() override;
-  void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) override;
+  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) override;
   int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;
   std::string description() const override;
 
@@ -25,11 +25,11 @@ class AssembledSolver : public LinearSolver {
   void make_pattern();
   void make_rigid_body_modes();
   void assemble_bodies(const TangentField* tangent);
-  void assemble_interface(const std::vector<double>& row_stiffness);
+  void assemble_interface(const std::vector<RowStiffness>& row_stiffness);
 
   LinearProblem problem_;
   HexOperator<double> cells_;
-  std::vector<Row> row_;  ///< of this rank's share of the contact rows, constrained nodes replaced by their masters
+  std::vector<std::array<Row, 3>> row_;  ///< components of this rank's share of the contact rows, constrained nodes replaced by their masters
   std::vector<double> modes_;
   std::unique_ptr<Trilinos> trilinos_;
 };

@@ -16,9 +16,9 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
 
   /// Sets the operator C^T (K + G^T E G) C + k e e^T and prepares its preconditioner.
-  /// row_stiffness: E, of each contact row [N/m], 0 where it is open. tangent: of the cell batches that yield, null: elastic;
+  /// row_stiffness: E, of each contact row. tangent: of the cell batches that yield, null: elastic;
   /// must live until the next update. driven_spring: k, from the driven plane to the ground [N/m] (force control).
-  virtual void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) = 0;
+  virtual void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) = 0;
 
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after 400 steps: an
   /// inexact direction is still one of descent). Constrained entries and ghosts of x are set. Returns the iterations.

@@ -13,7 +13,7 @@ MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
   matrix_.set_interface(&interface_);
 }
 
-void MatrixFreeSolver::update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
   interface_.set_stiffness(row_stiffness);
   matrix_.set_tangent(tangent);
   matrix_.set_driven_spring(driven_spring);

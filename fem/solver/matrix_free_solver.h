@@ -9,7 +9,7 @@ namespace asperity::fem {
 class MatrixFreeSolver : public LinearSolver {
  public:
   explicit MatrixFreeSolver(const LinearProblem& problem);
-  void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) override;
+  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) override;
   int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;
   std::string description() const override { return std::to_string(multigrid_.levels()) + " multigrid levels"; }
 

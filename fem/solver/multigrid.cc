@@ -38,7 +38,7 @@ void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const Interf
   }
 }
 
-void Multigrid::update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
   level_.back().matrix->set_tangent(tangent);
   for (std::size_t l = 0; l < level_.size(); ++l) {
     level_[l].matrix->set_driven_spring(driven_spring);

@@ -25,7 +25,7 @@ class Multigrid {
   void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
 
   /// Adapts to a new active set (stiffness per row [N/m]), tangent of the finest level and driven spring.
-  void update(const std::vector<double>& row_stiffness, const TangentField* tangent, double driven_spring);
+  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring);
 
   /// dst = approximate inverse times src.
   void vmult(Vector<double>& dst, const Vector<double>& src) const;

@@ -19,24 +19,24 @@ struct Energy {
 
 TEST(LineSearch, takes_the_whole_step_of_newton_where_it_does_not_overshoot_far) {
   Energy e{0.8};
-  EXPECT_EQ(LineSearch(1).step(0.64, [&](double s) { return e(s); }), 1);
+  EXPECT_EQ(LineSearch(1, 3).step(0.64, [&](double s) { return e(s); }), 1);
   EXPECT_EQ(e.asked, 1);
 }
 
 TEST(LineSearch, cuts_a_step_far_beyond_the_lowest_energy_only_in_part) {
   Energy e{0.1};
-  const double step = LineSearch(1).step(0.01, [&](double s) { return e(s); });
+  const double step = LineSearch(1, 3).step(0.01, [&](double s) { return e(s); });
   EXPECT_LT(step, 0.4);
   EXPECT_GT(step, 0.1);
 }
 
 TEST(LineSearch, finds_the_lowest_energy_closely_after_steps_without_progress) {
-  LineSearch search(1);
+  LineSearch search(1, 3);
   for (int k = 0; k < 3; ++k) search.reached(1.5);
   Energy e{0.1};
   const double step = search.step(0.01, [&](double s) { return e(s); });
   EXPECT_NEAR(step, 0.1, 0.06);
-  LineSearch content(1);
+  LineSearch content(1, 3);
   for (int k = 0; k < 3; ++k) content.reached(1.0 / (k + 2));
   EXPECT_EQ(content.step(0.64, [&](double s) { return Energy{0.8}(s); }), 1);
 }

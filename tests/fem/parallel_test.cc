@@ -29,7 +29,7 @@ struct Products {
 
 Products products(MPI_Comm communicator) {
   ContactSystem system(communicator, options());
-  std::vector<double> stiffness;
+  std::vector<RowStiffness> stiffness;
   for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
   auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
   solver.update(stiffness, nullptr, 0);

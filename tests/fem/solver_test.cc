@@ -26,7 +26,7 @@ ContactSystemOptions options(double cells_per_radius) {
 template <typename Number>
 HexOperator<Number> closed_contact(ContactSystem& system, InterfaceOperator& interface) {
   HexOperator<Number> matrix(system.level(), system.positions(), system.options().materials);
-  std::vector<double> stiffness;
+  std::vector<RowStiffness> stiffness;
   for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
   interface.set_stiffness(stiffness);
   matrix.set_interface(&interface);
@@ -123,7 +123,7 @@ std::pair<long, int> iterations(double cells_per_radius, const std::string& back
   auto chosen = options(cells_per_radius);
   chosen.backend = backend;
   ContactSystem system(MPI_COMM_WORLD, chosen);
-  std::vector<double> stiffness;
+  std::vector<RowStiffness> stiffness;
   const double eps = 2 * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle;
   for (std::size_t r = 0; r < system.rows().size(); ++r) {
     const auto& p = system.interface_points()[system.rows()[r].node];

@@ -1,0 +1,137 @@
+#include "fem/contact/interface_tractions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::fem {
+
+InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, double penalty)
+    : system_(system), friction_(friction), penalty_(penalty), pressure_(system.rows().size(), 0.0) {
+  if (!friction_) return;
+  limit_.assign(pressure_.size(), 0.0);
+  shear_.assign(pressure_.size(), Shear{{0, 0}, 0, 0, 0, true});
+}
+
+std::array<std::vector<double>, 2> InterfaceTractions::slips(const ContactState& state) const {
+  std::array<std::vector<double>, 2> slips{system_.interface().jumps(state.displacement.begin(), 0),
+                                           system_.interface().jumps(state.displacement.begin(), 1)};
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    const auto& p = system_.interface_points()[system_.rows()[r].node];
+    slips[0][r] += state.motion.x - state.motion.spin * p[1];
+    slips[1][r] += state.motion.y + state.motion.spin * p[0];
+  }
+  return slips;
+}
+
+void InterfaceTractions::begin_step(const ContactState& accepted) {
+  if (!friction_) return;
+  slip_origin_ = slips(accepted);
+  update_limits(accepted);
+}
+
+double InterfaceTractions::update_limits(const ContactState& state) {
+  double change = 0;
+  for (std::size_t r = 0; r < limit_.size(); ++r) {
+    const double limit = friction_->limit(state.multiplier[r]);
+    change += system_.areas()[r] * std::abs(limit - limit_[r]);
+    limit_[r] = limit;
+  }
+  return change;
+}
+
+void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
+  for (std::size_t r = 0; r < pressure_.size(); ++r) pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
+  if (!friction_) return;
+  slip_ = slips(state);
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    for (int c = 0; c < 2; ++c) slip_[c][r] -= slip_origin_[c][r];
+    const double limit = !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
+    shear_[r] = return_to_limit({state.shear[0][r] - penalty_ * slip_[0][r], state.shear[1][r] - penalty_ * slip_[1][r]}, limit);
+  }
+}
+
+void InterfaceTractions::hold_sticking() {
+  held_.assign(shear_.size(), 0);
+  for (std::size_t r = 0; r < shear_.size(); ++r) held_[r] = !shear_[r].slips;
+}
+
+void InterfaceTractions::update_multipliers(ContactState& state) const {
+  state.multiplier = pressure_;
+  for (std::size_t r = 0; r < shear_.size(); ++r)
+    for (int c = 0; c < 2; ++c) state.shear[c][r] = shear_[r].traction[c];
+}
+
+InterfaceTractions::Change InterfaceTractions::change(const ContactState& state) const {
+  double change = 0, total = 0, shear_change = 0, shear_total = 0;
+  const auto& areas = system_.areas();
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    change += areas[r] * std::abs(pressure_[r] - state.multiplier[r]);
+    total += areas[r] * pressure_[r];
+  }
+  for (std::size_t r = 0; r < shear_.size(); ++r) {
+    const auto& t = shear_[r].traction;
+    shear_change += areas[r] * (std::hypot(t[0] - state.shear[0][r], t[1] - state.shear[1][r]) +
+                                std::abs(friction_->limit(pressure_[r]) - limit_[r]));
+    shear_total += areas[r] * std::hypot(t[0], t[1]);
+  }
+  // Shear far below the pressures, as in purely normal contact, need not be known to a fraction of itself.
+  constexpr double weightless = 1e-3;
+  shear_total = std::max(shear_total, weightless * total);
+  return {total > 0 ? change / total : 0.0, shear_total > 0 ? shear_change / shear_total : 0.0};
+}
+
+void InterfaceTractions::add_forces(double* y) const {
+  std::vector<double> forces(pressure_.size());
+  for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = pressure_[r] * system_.areas()[r];
+  system_.interface().add_forces(forces, y);
+  if (!friction_) return;
+  for (int c = 0; c < 2; ++c) {
+    for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = shear_[r].traction[c] * system_.areas()[r];
+    system_.interface().add_forces(forces, y, c);
+  }
+}
+
+double InterfaceTractions::total_force() const {
+  double total = 0;
+  for (std::size_t r = 0; r < pressure_.size(); ++r) total += pressure_[r] * system_.areas()[r];
+  return total;
+}
+
+double InterfaceTractions::shear_share() const {
+  const double total = total_force();
+  double shear = 0;
+  for (std::size_t r = 0; r < shear_.size(); ++r) shear += system_.areas()[r] * std::hypot(shear_[r].traction[0], shear_[r].traction[1]);
+  return total > 0 ? shear / total : 0.0;
+}
+
+int InterfaceTractions::closed() const {
+  return static_cast<int>(std::count_if(pressure_.begin(), pressure_.end(), [](double p) { return p > 0; }));
+}
+bool InterfaceTractions::any_closed() const { return closed() > 0; }
+
+int InterfaceTractions::sticking() const {
+  return static_cast<int>(std::count_if(shear_.begin(), shear_.end(), [](const Shear& s) { return !s.slips; }));
+}
+
+std::vector<RowStiffness> InterfaceTractions::stiffness() const {
+  std::vector<RowStiffness> stiffness(pressure_.size());
+  for (std::size_t r = 0; r < stiffness.size(); ++r) {
+    const double k = penalty_ * system_.areas()[r];
+    if (pressure_[r] > 0) stiffness[r].normal = k;
+    if (!friction_) continue;
+    stiffness[r].xx = k * shear_[r].xx;
+    stiffness[r].xy = k * shear_[r].xy;
+    stiffness[r].yy = k * shear_[r].yy;
+  }
+  return stiffness;
+}
+
+double InterfaceTractions::friction_work() const {
+  double work = 0;
+  for (std::size_t r = 0; r < shear_.size(); ++r)
+    work -= system_.areas()[r] * (shear_[r].traction[0] * slip_[0][r] + shear_[r].traction[1] * slip_[1][r]);
+  return work;
+}
+
+}  // namespace asperity::fem

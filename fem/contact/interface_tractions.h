@@ -1,0 +1,71 @@
+// Pressure and shear at each contact row from gaps and slips: the interface laws applied by an augmented Lagrangian.
+//
+//   p = max(0, lambda - eps g),   t = return_to_limit(lambda_t - eps s, limit(lambda)),   lambda <- p, lambda_t <- t.
+// The limit is that of the last multipliers (Tresca friction), so that the equilibrium for fixed multipliers still minimises
+// a convex function; at the fixed point of the updates it is Coulomb's. Source: Alart & Curnier (1991); Haslinger, Hlavacek &
+// Necas (1996), Handbook of Numerical Analysis IV, ch. 3 (fixed point of Tresca problems).
+#pragma once
+
+#include <memory>
+
+#include "fem/contact/contact_state.h"
+#include "fem/contact/contact_system.h"
+#include "fem/interface/friction_law.h"
+#include "fem/interface/slip.h"
+
+namespace asperity::fem {
+
+class InterfaceTractions {
+ public:
+  /// friction: null for none. penalty: eps [Pa/m].
+  InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, double penalty);
+
+  /// To be called at the last accepted state, before anything moves: slip is counted from there.
+  void begin_step(const ContactState& accepted);
+  /// Shear limits from the multipliers of `state`. Returns the sum of |changes| times areas [N].
+  double update_limits(const ContactState& state);
+  /// Rows with friction that stick beyond their limit until release(): all, or those that stick now. For first guesses.
+  void hold_all() { held_.assign(pressure_.size(), 1); }
+  void hold_sticking();
+  void release() { held_.clear(); }
+  /// Evaluates all rows at a state with the given gaps [m].
+  void evaluate(const ContactState& state, const std::vector<double>& gaps);
+  /// Makes the evaluated tractions the multipliers; `change` is to be asked before.
+  void update_multipliers(ContactState& state) const;
+
+  struct Change {
+    double pressure, shear;  ///< 1-norms of the changes that an update would make, relative to their totals
+  };
+  Change change(const ContactState& state) const;
+
+  const std::vector<double>& pressure() const { return pressure_; }
+  /// y += forces of the evaluated tractions on all nodes.
+  void add_forces(double* y) const;
+  double total_force() const;
+  /// Sum of |shear| over that of the pressures.
+  double shear_share() const;
+  bool any_closed() const;
+  int closed() const;
+  /// Rows that stick; those without friction slip.
+  int sticking() const;
+  /// Consistent stiffness of the rows at the evaluated state.
+  std::vector<RowStiffness> stiffness() const;
+  /// Work of the evaluated shear on the slip since the last accepted state [J], 0 or more.
+  double friction_work() const;
+  bool has_friction() const { return friction_ != nullptr; }
+  double penalty() const { return penalty_; }
+
+ private:
+  /// Relative tangential displacement of each row, frames included.
+  std::array<std::vector<double>, 2> slips(const ContactState& state) const;
+
+  const ContactSystem& system_;
+  const FrictionLaw* friction_;
+  double penalty_;
+  std::vector<char> held_;
+  std::vector<double> pressure_, limit_;
+  std::array<std::vector<double>, 2> slip_origin_, slip_;
+  std::vector<Shear> shear_;
+};
+
+}  // namespace asperity::fem

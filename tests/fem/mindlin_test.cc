@@ -1,0 +1,115 @@
+// A sphere pressed and then shifted: Cattaneo (1938), Mindlin (1949), Mindlin & Deresiewicz (1953); Johnson (1985), ch. 7.
+// Equal bodies: pressure and shear do not couple.
+#include <gtest/gtest.h>
+
+#include "tests/fem/support/frictional_contact.h"
+
+namespace {
+
+using asperity::test::FrictionalContact;
+
+/// Shift over that of full slip, on first loading to a force over mu P.
+double cattaneo_shift(double force) { return 1 - std::pow(1 - force, 2.0 / 3); }
+
+/// Shift of full slip, 3 mu P / (16 G* a).
+double full_slip(const FrictionalContact& contact) {
+  return 3 * contact.friction_force / (16 * contact.system.reduced_shear_modulus() * contact.contact_radius);
+}
+
+/// Force over mu P and shift, without the finite bodies' own, over that of full slip.
+struct Point {
+  double force, shift;
+};
+Point shift_to(FrictionalContact& contact, double ratio) {
+  const auto r = contact.shift(ratio * full_slip(contact));
+  EXPECT_NEAR(r.lateral_reaction[0], r.lateral_force[0], 1e-6 * contact.friction_force);
+  EXPECT_LT(std::abs(r.lateral_force[1]), 1e-3 * contact.friction_force);
+  const Point p{r.lateral_force[0] / contact.friction_force,
+                (contact.state.motion.x - contact.lateral_far_field * r.lateral_force[0]) / full_slip(contact)};
+  std::printf("Q/muP %+.4f  shift %+.4f  sticking %d of %d  newton %d cg %d\n", p.force, p.shift, r.sticking, r.active, contact.newton, contact.linear);
+  return p;
+}
+
+void expect_glued_stiffness(double cells) {
+  asperity::test::FrictionalContactOptions o;
+  o.cells_per_radius = cells;
+  FrictionalContact contact(o);
+  const double expected = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
+  const double measured = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
+  std::printf("%g cells: %.5g against %.5g N/m: %+.2f %%\n", cells, measured, expected, 100 * (measured / expected - 1));
+  // Glued nodes make the contact wider by a fifth of a spacing: first order in the spacing.
+  EXPECT_NEAR(measured, expected, 0.24 / cells * expected);
+}
+
+TEST(Mindlin_analytic, stiffness_without_slip_converges_to_8_G_a) {
+  expect_glued_stiffness(6);
+  expect_glued_stiffness(12);
+}
+
+TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) {
+  asperity::test::FrictionalContactOptions o;
+  o.cells_per_radius = 18;
+  FrictionalContact contact(o);
+  const double a = contact.contact_radius, h = contact.system.options().mesh.sizes.spacing_particle;
+  for (const double ratio : {0.05, 0.3, 0.55, 0.8}) {
+    const Point p = shift_to(contact, ratio);
+    EXPECT_NEAR(p.shift, cattaneo_shift(p.force), 0.02 * cattaneo_shift(p.force));
+    const double stick_radius = a * std::cbrt(1 - p.force), p0 = 1.5 * contact.options.load / (M_PI * a * a);
+    double difference = 0, size = 0;
+    int misplaced = 0;  // nodes more than a spacing from the border of sticking that are on its wrong side
+    for (std::size_t r = 0; r < contact.system.rows().size(); ++r) {
+      const auto& x = contact.system.interface_points()[contact.system.rows()[r].node];
+      const double radius = std::hypot(x[0], x[1]), area = contact.system.areas()[r];
+      const auto dome = [&](double outer) { return radius < outer ? std::sqrt(1 - radius * radius / (outer * outer)) : 0.0; };
+      const double expected = contact.options.friction * p0 * (dome(a) - stick_radius / a * dome(stick_radius));
+      const double measured = -contact.state.shear[0][r];
+      difference += area * std::pow(measured - expected, 2), size += area * expected * expected;
+      if (radius > a - 0.5 * h) continue;  // the rim, where pressures are a small fraction of what they are one node further in
+      const double used = std::hypot(measured, contact.state.shear[1][r]) / (contact.options.friction * contact.state.multiplier[r]);
+      const bool slips = used > 0.995;
+      misplaced += (radius < stick_radius - h && slips) || (radius > stick_radius + h && !slips);
+    }
+    EXPECT_EQ(misplaced, 0);
+    std::printf("  traction differs by %.2f %% in the 2-norm\n", 100 * std::sqrt(difference / size));
+    // The peak of the traction at the border of a thin slip ring is narrower than a spacing.
+    if (stick_radius < 0.6 * a) EXPECT_LT(std::sqrt(difference / size), 0.03);
+  }
+  const Point p = shift_to(contact, 1.1);
+  EXPECT_NEAR(p.force, 1, 1e-3);
+}
+
+TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and_Deresiewicz_found) {
+  FrictionalContact contact({});
+  const double amplitude = 0.6;
+  const Point top = shift_to(contact, amplitude);
+  double dissipated = 0, work = 0, before = contact.state.motion.x, force = top.force;
+  const auto go = [&](double ratio) {
+    const Point p = shift_to(contact, ratio);
+    work += 0.5 * (force + p.force) * contact.friction_force * (contact.state.motion.x - before);
+    before = contact.state.motion.x, force = p.force;
+    EXPECT_GE(contact.friction_work, 0);
+    dissipated += contact.friction_work;
+    return p;
+  };
+  for (const double ratio : {0.45, 0.2, -0.1, -0.4}) {
+    const Point p = go(ratio);
+    // Unloading is the first loading, twice as large: the drop of the shift from the top.
+    const double expected = top.shift - 2 * cattaneo_shift((top.force - p.force) / 2);
+    EXPECT_NEAR(p.shift, expected, 0.01) << ratio;
+  }
+  const Point bottom = go(-amplitude);
+  EXPECT_NEAR(bottom.force, -top.force, 2e-3);
+  for (const double ratio : {-0.45, -0.2, 0.1, 0.4}) go(ratio);
+  const Point end = go(amplitude);
+  EXPECT_NEAR(end.force, top.force, 2e-3);
+  // Energy of a cycle between +-Q* (Mindlin & Deresiewicz 1953; Johnson 1985, eq. 7.51), both bodies.
+  const double x = top.force, mp = contact.friction_force;
+  const double expected = 0.9 * mp * mp / (contact.system.reduced_shear_modulus() * contact.contact_radius) *
+                          (1 - std::pow(1 - x, 5.0 / 3) - 5 * x / 6 * (1 + std::pow(1 - x, 2.0 / 3)));
+  std::printf("loop energy %.5g J dissipated by slip, %.5g J work of the shift; expected %.5g J (%+.2f %%)\n", dissipated, work, expected,
+              100 * (dissipated / expected - 1));
+  EXPECT_NEAR(dissipated, expected, 0.03 * expected);
+  EXPECT_NEAR(work, expected, 0.1 * expected);  // trapezia over ten steps
+}
+
+}  // namespace

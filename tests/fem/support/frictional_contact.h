@@ -1,0 +1,84 @@
+// A smooth sphere pressed on a smooth block, shifted and spun with friction: the driver of the tangential verification tests.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "fem/contact/contact_solver.h"
+#include "fem/interface/coulomb.h"
+
+namespace asperity::test {
+
+/// Of equal elastic constants unless told otherwise: pressure and shear do not couple (Dundurs' beta = 0).
+struct FrictionalContactOptions {
+  double youngs[2] = {71e9, 71e9}, poisson[2] = {0.17, 0.17};  ///< particle, substrate
+  double radius = 8.5e-6, load = 100e-6, friction = 0.5;
+  double cells_per_radius = 12;  ///< of Hertz' contact
+  double slip_tolerance = 3e-3;
+};
+
+struct FrictionalContact {
+  FrictionalContactOptions options;
+  double reduced_modulus, contact_radius, friction_force;
+  fem::ContactSystem system;
+  fem::ContactSolver solver;
+  fem::ContactState state;
+  double lateral_far_field;
+  int newton = 0, linear = 0;
+  double friction_work = 0;
+
+  explicit FrictionalContact(const FrictionalContactOptions& o)
+      : options(o),
+        reduced_modulus(1 / ((1 - o.poisson[0] * o.poisson[0]) / o.youngs[0] + (1 - o.poisson[1] * o.poisson[1]) / o.youngs[1])),
+        contact_radius(std::cbrt(3 * o.load * o.radius / (4 * reduced_modulus))),
+        friction_force(o.friction * o.load),
+        system(MPI_COMM_WORLD, system_options(o, contact_radius)),
+        solver(system, solver_options(o)),
+        state(solver.first_touch()) {
+    lateral_far_field = solver.lateral_far_field_compliance(0.9 * contact_radius);
+    solver.push_rigidly(state, 0.8 * contact_radius * contact_radius / o.radius);
+    step({});
+  }
+
+  /// To another position of the particle's frame at the same load; made the accepted state.
+  fem::ContactResultants step(const fem::RigidMotion& motion) {
+    const auto before = state.displacement;
+    const auto report = solver.solve(state, options.load, motion);
+    EXPECT_TRUE(report.converged);
+    newton = report.newton, linear = report.linear, friction_work = report.friction_work;
+    system.bodies().accept(before, state.displacement);
+    return solver.resultants(state);
+  }
+  fem::ContactResultants shift(double x) {
+    fem::RigidMotion motion = state.motion;
+    motion.x = x;
+    return step(motion);
+  }
+  fem::ContactResultants spin(double angle) {
+    fem::RigidMotion motion = state.motion;
+    motion.spin = angle;
+    return step(motion);
+  }
+
+  static fem::ContactSystemOptions system_options(const FrictionalContactOptions& o, double a) {
+    fem::ContactSystemOptions options;
+    auto& s = options.mesh.sizes;
+    s.radius = o.radius, s.block_half_width = 0.7 * o.radius;
+    s.spacing_particle = a / o.cells_per_radius;
+    s.spacing_substrate = 1.1 * s.spacing_particle;
+    s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
+    s.region_particle = 1.25 * a;
+    s.region_substrate = s.region_particle + 3 * s.spacing_particle;
+    for (int b = 0; b < 2; ++b) options.materials[b] = fem::J2Material::elastic(o.youngs[b], o.poisson[b]);
+    return options;
+  }
+  static fem::ContactSolverOptions solver_options(const FrictionalContactOptions& o) {
+    fem::ContactSolverOptions options;
+    options.slip_tolerance = o.slip_tolerance;
+    options.friction = std::make_shared<fem::Coulomb>(o.friction);
+    return options;
+  }
+};
+
+}  // namespace asperity::test

@@ -1,0 +1,81 @@
+// A sphere pressed and then spun about the normal: Reissner & Sagoci (1944), Lubkin (1951), Farkas et al. (2003).
+#include <gtest/gtest.h>
+
+#include "core/csv.h"
+#include "tests/fem/support/frictional_contact.h"
+#include "tests/support/shared_files.h"
+
+namespace {
+
+using asperity::test::FrictionalContact;
+
+double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if ((x[i - 1] <= at) != (x[i] <= at)) return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+  ADD_FAILURE() << "the table does not reach " << at;
+  return 0;
+}
+
+TEST(Torsion_analytic, stiffness_without_slip_converges_to_16_thirds_G_a_cubed) {
+  double last = 1;
+  for (const double cells : {8.0, 18.0}) {
+    asperity::test::FrictionalContactOptions o;
+    o.cells_per_radius = cells;
+    FrictionalContact contact(o);
+    const double expected = 16.0 / 3 * contact.system.torsion_modulus() * std::pow(contact.contact_radius, 3);
+    const double error = contact.solver.torsion_stiffness(contact.state) / expected - 1;
+    std::printf("%g cells: torsion stiffness %+.2f %%\n", cells, 100 * error);
+    EXPECT_LT(std::abs(error), std::abs(last));
+    last = error;
+  }
+  EXPECT_NEAR(last, 0, 0.02);
+}
+
+TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_lubkin.csv");
+  const auto table = asperity::read_csv(path);
+  auto angles = table.numbers("theta*Gt*a^2/(mu*P)"), moments = table.numbers("M/(mu*P*a)");
+  angles.insert(angles.begin(), 0), moments.insert(moments.begin(), 0);
+  FrictionalContact contact({});
+  const double a = contact.contact_radius, unit = contact.friction_force / (contact.system.torsion_modulus() * a * a);
+  const auto go = [&](double angle) {
+    const auto r = contact.spin(angle * unit);
+    EXPECT_LT(std::hypot(r.lateral_force[0], r.lateral_force[1]), 1e-2 * contact.friction_force);
+    return r.torsion_moment / (contact.friction_force * a);
+  };
+  for (const double angle : {0.02, 0.08, 0.17, 0.29, 0.64}) {
+    const double moment = go(angle), expected = interpolate(angles, moments, angle);
+    std::printf("angle %.3f  moment %.5f (%.5f, %+.2f %%)  newton %d cg %d\n", angle, moment, expected, 100 * (moment / expected - 1),
+                contact.newton, contact.linear);
+    EXPECT_NEAR(moment, expected, 0.03 * expected);
+  }
+  const double full = go(1.5);
+  EXPECT_NEAR(full, 3 * M_PI / 16, 0.01 * 3 * M_PI / 16);
+  // Back: twice the first loading.
+  const double back = go(1.5 - 2 * 0.17);
+  EXPECT_NEAR(back, full - 2 * interpolate(angles, moments, 0.17), 0.02);
+}
+
+TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_slide_spin.csv");
+  const auto table = asperity::read_csv(path);
+  const auto ratios = table.numbers("spin_ratio_omega*a/v"), forces = table.numbers("F/(muP)_Hertz"), moments = table.numbers("T/(muPa)_Hertz");
+  FrictionalContact contact({});
+  const double a = contact.contact_radius;
+  asperity::fem::RigidMotion motion;
+  for (const double ratio : {0.5, 1.0, 2.0}) {
+    // Far along one direction of motion, several times the shift of full slip, the past is forgotten.
+    asperity::fem::ContactResultants r;
+    for (int step = 0; step < 4; ++step) {
+      motion.x += 6e-9, motion.spin += ratio * 6e-9 / a;
+      r = contact.step(motion);
+    }
+    const double force = r.lateral_force[0] / contact.friction_force, moment = r.torsion_moment / (contact.friction_force * a);
+    const double force_expected = interpolate(ratios, forces, ratio), moment_expected = interpolate(ratios, moments, ratio);
+    std::printf("spin ratio %.1f  force %.4f (%.4f)  moment %.4f (%.4f)  sticking %d\n", ratio, force, force_expected, moment, moment_expected, r.sticking);
+    EXPECT_NEAR(force, force_expected, 0.03 * force_expected);
+    EXPECT_NEAR(moment, moment_expected, 0.03 * moment_expected);
+  }
+}
+
+}  // namespace
