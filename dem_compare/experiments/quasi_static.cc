@@ -1,6 +1,7 @@
 #include "dem_compare/experiments/quasi_static.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -14,19 +15,28 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Finite difference over the approach: far above rounding (4e-13), far below the way to any limit.
-constexpr double difference = 1e-6;
+/// Finite differences over the approach: a part of the increment, so as not to reach over a slider's limit, but above rounding.
+constexpr double difference_over_increment = 1e-3, smallest_difference = 1e-9, largest_difference = 1e-6;
 /// Motions softer than this, over the normal stiffness, resist nothing (a free spin without torsion law) and stay still.
 constexpr double softest = 1e-6;
 constexpr int most_iterations = 30, most_backtracks = 12;
-/// An imbalance that stops shrinking below this is rounding.
+/// An imbalance that stops shrinking below this is rounding; partial slip that turns is resolved less finely.
 constexpr double rounding = 1e-9;
+
+double resolution(const SingleParticle& particle, const ParticleState& state, double force) {
+  double coarsest = rounding;
+  for (std::size_t i = 0; i < particle.contacts.size(); ++i)
+    if (const auto* law = std::get_if<MindlinDeresiewicz>(&particle.contacts[i].model.sliding))
+      coarsest = std::max(coarsest, law->turning_error * law->friction.limit(state.contacts[i].normal.force) / force);
+  return coarsest;
+}
 
 /// One increment of the indenter from an accepted state.
 class Increment {
  public:
   Increment(const SingleParticle& particle, const ParticleState& from, double normal_load, double length, double force)
-      : particle_(particle), from_(from), load_(normal_load), length_(length), force_(force) {}
+      : particle_(particle), from_(from), load_(normal_load), length_(length), force_(force),
+        resolution_(resolution(particle, from, force)) {}
 
   int unknowns() const { return particle_.glued ? 1 : 7; }
 
@@ -65,6 +75,9 @@ class Increment {
   }
 
   MatrixXd tangent(double way, const VectorXd& u, const VectorXd& r) const {
+    const double difference =
+        std::clamp(difference_over_increment * std::max(std::abs(way) / length_, u.lpNorm<Eigen::Infinity>()),
+                   smallest_difference, largest_difference);
     MatrixXd j(unknowns(), unknowns());
     for (int k = 0; k < unknowns(); ++k) {
       VectorXd shifted = u;
@@ -96,7 +109,7 @@ class Increment {
         r = next_r;
         state = std::move(next_state);
       }
-      if (!shrinks) return size <= rounding ? std::optional<ParticleState>(state) : std::nullopt;
+      if (!shrinks) return size <= resolution_ ? std::optional<ParticleState>(state) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -104,7 +117,7 @@ class Increment {
  private:
   const SingleParticle& particle_;
   const ParticleState& from_;
-  double load_, length_, force_;
+  double load_, length_, force_, resolution_;
 };
 
 }  // namespace
