@@ -7,10 +7,11 @@
 #include "dem_compare/laws/hertz_offset.h"
 #include "dem_compare/laws/jkr.h"
 #include "dem_compare/laws/linear_normal.h"
+#include "dem_compare/laws/maugis_dugdale.h"
 
 namespace asperity {
 
-using NormalLaw = std::variant<HertzOffset, LinearNormal, Dmt, Jkr>;
+using NormalLaw = std::variant<HertzOffset, LinearNormal, Dmt, Jkr, MaugisDugdale>;
 
 /// State at an approach [m] that was reached from `before`.
 inline NormalState advance(const NormalLaw& law, const NormalState& before, double approach) {

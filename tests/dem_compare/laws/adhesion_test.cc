@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.h"
+#include "core/error.h"
 #include "dem_compare/laws/normal_law.h"
 #include "tests/support/shared_files.h"
 
@@ -89,6 +90,90 @@ TEST(Jkr_analytic, without_adhesion_it_is_Hertz) {
   EXPECT_NEAR(state.stiffness / hertz.normal_stiffness(state.force), 1, 1e-13);
 }
 
+/// In Maugis' units: radius, force and approach of one, and the given lambda.
+MaugisDugdale maugis_in_his_units(double lambda) {
+  const double k = 1;
+  return {0.75 * k, 1, 1 / pi, lambda / 2};
+}
+
+TEST(MaugisDugdale_other_code, pull_off_and_radii_agree_with_the_reference_from_DMTs_range_to_JKRs) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_maugis.csv");
+  const CsvTable table = read_csv(path);
+  const auto lambda = table.numbers("lambda"), pull_off = table.numbers("Ppulloff/(pi*w*R)"),
+             a0 = table.numbers("a0_zero_load"), d0 = table.numbers("delta_zero_load");
+  ASSERT_GE(lambda.size(), 10u);
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
+    const MaugisDugdale law = maugis_in_his_units(lambda[i]);
+    EXPECT_NEAR(law.lambda() / lambda[i], 1, 1e-14);
+    EXPECT_NEAR(-law.pull_off_force() / pull_off[i], 1, 5e-6);  // six digits in the table
+    EXPECT_NEAR(law.approach(0) / d0[i], 1, 5e-6);
+    EXPECT_NEAR(law.advance({}, d0[i]).contact_radius / a0[i], 1, 1e-5);
+  }
+}
+
+TEST(MaugisDugdale_other_code, radius_and_approach_of_the_papers_sphere_agree_with_the_reference) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_loads_BS_Si.csv");
+  ASPERITY_SHARED_FILE_OR_SKIP(system_path, "references/06_adhesion_table_system.csv");
+  const CsvTable table = read_csv(path), system = read_csv(system_path);
+  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"),
+             a = table.numbers("a_Maugis(z0=0.2nm)_nm"), delta = table.numbers("delta_Maugis_nm");
+  const auto w = system.numbers("w_Maugis_selfconsistent_mJ/m2"), z0 = system.numbers("z0_nm"),
+             system_pull_off = system.numbers("pulloff_uN"), lambda = system.numbers("lambda_Maugis");
+  int compared = 0;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    if (system.rows[k][0] != "borosilicate/Si" || z0[k] != 0.2) continue;
+    MaugisDugdale law{modulus, radius, w[k] * 1e-3, 1};
+    law.cohesive_stress = lambda[k] / law.lambda();
+    EXPECT_NEAR(law.pull_off_force() / (system_pull_off[k] * 1e-6), 1, 1e-5);  // six digits of w and lambda
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      if (pull_off[i] != system_pull_off[k]) continue;
+      EXPECT_NEAR(law.approach(load[i] * 1e-6) / (delta[i] * 1e-9), 1, 2e-5);
+      EXPECT_NEAR(law.advance({}, delta[i] * 1e-9).contact_radius / (a[i] * 1e-9), 1, 1e-5);
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 15);
+}
+
+TEST(MaugisDugdale_analytic, its_limits_are_JKR_and_DMT) {
+  const MaugisDugdale sticky = maugis_in_his_units(100), stiff = maugis_in_his_units(1e-3);
+  const NormalState touching{0, 0, 0, 0, true};
+  EXPECT_NEAR(sticky.pull_off_force(), 1.5, 1e-3);
+  EXPECT_NEAR(stiff.pull_off_force(), 2, 1e-2);
+  const Jkr jkr{0.75, 1, 1 / pi};
+  const Dmt dmt{0.75, 1, 1 / pi};
+  for (const double force : {0.0, 2.0, 20.0}) {
+    EXPECT_NEAR(sticky.advance(touching, sticky.approach(force)).contact_radius / jkr.radius_at_force(force), 1, 1e-3);
+    EXPECT_NEAR(stiff.advance(touching, stiff.approach(force)).contact_radius /
+                    dmt.advance(touching, dmt.approach(force)).contact_radius, 1, 1e-2);
+  }
+}
+
+TEST(MaugisDugdale_analytic, stiffness_is_the_derivative_of_force) {
+  const MaugisDugdale law{modulus, radius, 0.08, 4e8};
+  const NormalState touching{0, 0, 0, 0, true};
+  for (const double approach : {-0.2e-9, 0.0, 1e-9, 10e-9}) {
+    const double step = 1e-14;
+    const double slope =
+        (law.advance(touching, approach + step).force - law.advance(touching, approach - step).force) / (2 * step);
+    EXPECT_NEAR(law.advance(touching, approach).stiffness / slope, 1, 1e-6);
+  }
+}
+
+TEST(MaugisDugdale_analytic, contact_breaks_at_a_negative_approach_and_carries_no_more_than_its_pull_off) {
+  const MaugisDugdale law{modulus, radius, 0.08, 4e8};
+  NormalState state = law.advance({}, 1e-9);
+  double least = 0;
+  for (double approach = 1e-9; state.touching; approach -= 1e-12) {
+    state = law.advance(state, approach);
+    least = std::min(least, state.force);
+    ASSERT_GT(approach, -5e-9);
+  }
+  EXPECT_LT(state.approach, 0);
+  EXPECT_NEAR(-least / law.pull_off_force(), 1, 1e-4);
+  EXPECT_THROW(law.approach(-1.01 * law.pull_off_force()), InputError);
+}
+
 TEST(Dmt_analytic, pull_off_is_two_pi_w_R) {
   const Dmt dmt{modulus, radius, 0.06};
   EXPECT_NEAR(dmt.advance({}, 0).force / (2 * pi * 0.06 * radius), -1, 1e-13);
@@ -104,7 +189,8 @@ TEST(HertzOffset_analytic, attraction_shifts_the_force_and_keeps_the_radius) {
 
 TEST(NormalLaw, any_law_inverts_its_force) {
   for (const NormalLaw& law : {NormalLaw(HertzOffset{modulus, radius, 3e-6}), NormalLaw(LinearNormal{2e4, radius, 3e-6}),
-                               NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08})}) {
+                               NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08}),
+                               NormalLaw(MaugisDugdale{modulus, radius, 0.08, 4e8})}) {
     EXPECT_NEAR(advance(law, {}, approach_at(law, 1e-4)).force, 1e-4, 1e-14);
     EXPECT_EQ(radius_of(law), radius);
   }
