@@ -1,0 +1,32 @@
+// First pass of a hard sphere over a soft plane that it ploughs: the front half of the contact carries the load at the
+// hardness H (Eldredge & Tabor 1955):   P = H pi a^2/2,   F = (2/3) H a^3/R.
+// An upper bound where the whole contact yields; nothing of it is left in later passes over the same track, nor below yield
+// (the paper's loads). SI units.
+#pragma once
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "dem_compare/laws/law_registry.h"
+
+namespace asperity {
+
+struct PlasticRolling {
+  double hardness = 0;  ///< H [Pa]
+  double radius = 0;    ///< R [m]
+
+  double contact_radius(double normal_force) const {
+    return std::sqrt(2 * normal_force / (boost::math::double_constants::pi * hardness));
+  }
+  /// At the sphere's centre [N].
+  double rolling_force(double normal_force) const {
+    return 2.0 / 3 * hardness * std::pow(contact_radius(normal_force), 3) / radius;
+  }
+};
+
+inline const LawEntry<PlasticRolling> plastic_rolling_entry{
+    {"plastic_rolling", "rolling", "F = 2/3 H a^3/R, P = H pi a^2/2", "Eldredge & Tabor 1955",
+     "fully plastic contact, first pass over a track", {}},
+    {{{"hardness", "Pa", "H"}, &PlasticRolling::hardness}, {{"radius", "m", "R"}, &PlasticRolling::radius}}};
+
+}  // namespace asperity
