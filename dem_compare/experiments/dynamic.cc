@@ -22,7 +22,7 @@ class Motion {
     indenter_mass_ = options.indenter_mass > 0 ? options.indenter_mass : mass_;
     if (particle.glued && options.indenter_mass > 0) mass_ += options.indenter_mass;  // they move as one
     double stiffest = 0;
-    for (const ContactState& contact : state_.contacts) stiffest = std::max(stiffest, contact.normal.stiffness);
+    for (const ContactModelState& contact : state_.contacts) stiffest = std::max(stiffest, contact.normal.stiffness);
     time_step_ = options.time_step_ratio * std::sqrt(std::min(mass_, indenter_mass_) / stiffest);
   }
 

@@ -93,7 +93,7 @@ std::string to_csv(const FrictionLoop& loop) {
   return format_csv(names, columns);
 }
 
-ContactRecord record_of(const ContactState& state) {
+ContactRecord record_of(const ContactModelState& state) {
   return {state.normal.approach,     state.normal.force,           state.lateral,        -state.rolling.resistance,
           -state.torsion.resistance, state.sliding.spring.yields, state.rolling.yields, state.torsion.yields};
 }

@@ -49,6 +49,6 @@ LoopNumbers measure(const FrictionLoop& loop);
 /// One row per accepted step, per-contact columns named after the contact.
 std::string to_csv(const FrictionLoop& loop);
 
-ContactRecord record_of(const ContactState& state);
+ContactRecord record_of(const ContactModelState& state);
 
 }  // namespace asperity

@@ -40,7 +40,7 @@ ParticleState at_rest(const SingleParticle& particle, double normal_load) {
     state.planes.push_back(-(particle.radius - approach) * contact.normal);
     ContactMotion motion;
     motion.normal = contact.normal;
-    ContactState contact_state;
+    ContactModelState contact_state;
     for (const double reached : {std::max(0.0, approach), approach}) {  // adhesive contacts form at zero approach
       motion.approach = reached;
       motion.lever = contact.model.lever == LeverArm::particle_radius ? particle.radius : particle.radius - reached;
@@ -61,7 +61,7 @@ ContactMotion motion_of(const SingleParticle& particle, const ParticleState& fro
   return sphere_on_plane(from.sphere, sphere, particle.radius, before, after, c.model.lever, c.model.history_spin);
 }
 
-Resultants resultants(const SingleParticle& particle, const std::vector<ContactState>& contacts) {
+Resultants resultants(const SingleParticle& particle, const std::vector<ContactModelState>& contacts) {
   Resultants sum;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     sum.force += contacts[i].force;
@@ -76,7 +76,7 @@ LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int l
   const Resultants sum = resultants(particle, state.contacts);
   LoopRow row{leg, state.indenter.x(), sum.from_indenter.x(), -sum.from_indenter.z(), state.sphere.position,
               rotation_vector(state.sphere.orientation), {}};
-  for (const ContactState& contact : state.contacts) row.contacts.push_back(record_of(contact));
+  for (const ContactModelState& contact : state.contacts) row.contacts.push_back(record_of(contact));
   return row;
 }
 
@@ -93,7 +93,7 @@ double resolving_increment(const SingleParticle& particle, const ParticleState& 
   };
   for (std::size_t i = 0; i < rest.contacts.size(); ++i) {
     const ContactModel& model = particle.contacts[i].model;
-    const ContactState& state = rest.contacts[i];
+    const ContactModelState& state = rest.contacts[i];
     consider(friction_of(model.sliding).limit(state.normal.force), state.sliding.spring.stiffness, 1);
     if (particle.glued) continue;
     consider(model.rolling.limit(state.normal, state.lever), state.rolling.stiffness, state.lever);

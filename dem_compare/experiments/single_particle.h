@@ -40,7 +40,7 @@ struct ParticleState {
   Placement sphere;                                      ///< displaced from the origin
   Eigen::Vector3d indenter = Eigen::Vector3d::Zero();   ///< displacement of the indenter [m]
   std::vector<Eigen::Vector3d> planes;                  ///< a point of each plane at rest
-  std::vector<ContactState> contacts;
+  std::vector<ContactModelState> contacts;
 };
 
 /// Equilibrium under the load before the indenter moves.
@@ -55,7 +55,7 @@ struct Resultants {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();  ///< on the particle
   Eigen::Vector3d from_indenter = Eigen::Vector3d::Zero();  ///< on the particle, from the indenter alone [N]
 };
-Resultants resultants(const SingleParticle& particle, const std::vector<ContactState>& contacts);
+Resultants resultants(const SingleParticle& particle, const std::vector<ContactModelState>& contacts);
 
 LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg);
 std::vector<std::string> contact_names(const SingleParticle& particle);

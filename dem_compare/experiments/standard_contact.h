@@ -11,7 +11,7 @@ namespace asperity {
 struct FrictionOfMode {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
-  LengthScale length = LengthScale::particle_radius;  ///< of rolling and torsion
+  RotationLength length = RotationLength::particle_radius;  ///< of rolling and torsion
 };
 
 struct StandardContact {
@@ -27,7 +27,7 @@ struct StandardContact {
 inline ContactModel model_of(const StandardContact& contact) {
   const double shear = sliding_modulus(contact.particle, contact.plane);
   const RotationalStiffness stiffness{RotationalStiffness::Kind::tangential_spring, shear};
-  const Coulomb friction{contact.sliding.coefficient, contact.sliding.adhesion_force};
+  const CoulombLimit friction{contact.sliding.coefficient, contact.sliding.adhesion_force};
   ContactModel model;
   model.normal = HertzOffset{reduced_modulus(contact.particle, contact.plane), contact.radius, contact.adhesion_force};
   if (contact.partial_slip) model.sliding = MindlinDeresiewicz{shear, contact.radius, friction};

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-struct Coulomb {
+struct CoulombLimit {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
 
@@ -18,10 +18,10 @@ struct Coulomb {
   double limit(double normal_force) const { return std::max(0.0, coefficient * (normal_force + adhesion_force)); }
 };
 
-inline const LawEntry<Coulomb> coulomb_entry{
+inline const LawEntry<CoulombLimit> coulomb_entry{
     {"coulomb", "sliding", "|f_l| <= mu (f_n + h)", "Coulomb 1785; Derjaguin 1934",
      "one coefficient for rest and motion, none for speed; friction that follows load, not area", {}},
-    {{{"coefficient", "", "mu"}, &Coulomb::coefficient},
-     {{"adhesion_force", "N", "offset h"}, &Coulomb::adhesion_force}}};
+    {{{"coefficient", "", "mu"}, &CoulombLimit::coefficient},
+     {{"adhesion_force", "N", "offset h"}, &CoulombLimit::adhesion_force}}};
 
 }  // namespace asperity

@@ -10,7 +10,7 @@ namespace asperity {
 
 struct LinearSliding {
   double spring_stiffness = 0;  ///< k [N/m]
-  Coulomb friction;
+  CoulombLimit friction;
 
   SlidingHistory advance(const SlidingHistory& before, const NormalState& normal, const Eigen::Vector3d& increment) const {
     if (!normal.touching) return {};

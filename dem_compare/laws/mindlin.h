@@ -13,7 +13,7 @@ namespace asperity {
 
 struct Mindlin {
   double sliding_modulus = 0;  ///< G* [Pa]
-  Coulomb friction;
+  CoulombLimit friction;
   ChangingLoad changing_load = ChangingLoad::rescale_on_unloading;
 
   double stiffness(double contact_radius) const { return 8 * sliding_modulus * contact_radius; }

@@ -23,7 +23,7 @@ namespace asperity {
 struct MindlinDeresiewicz {
   double sliding_modulus = 0;  ///< G* [Pa]
   double radius = 0;           ///< R [m]
-  Coulomb friction;
+  CoulombLimit friction;
   static constexpr double turning_error = 5e-5;  ///< of the limit, where shear turns
 
   SlidingHistory advance(const SlidingHistory& before, const NormalState& normal, const Eigen::Vector3d& increment) const;

@@ -6,10 +6,10 @@
 namespace asperity {
 
 /// lambda of the limit mu lambda (f_n + h): the particle's lever arm r, or the contact radius a.
-enum class LengthScale { particle_radius, contact_radius };
+enum class RotationLength { particle_radius, contact_radius };
 
-inline double length_of(LengthScale scale, const NormalState& normal, double lever) {
-  return scale == LengthScale::particle_radius ? lever : normal.contact_radius;
+inline double length_of(RotationLength scale, const NormalState& normal, double lever) {
+  return scale == RotationLength::particle_radius ? lever : normal.contact_radius;
 }
 
 /// Moment per angle [N m/rad] before the slider moves.

@@ -16,11 +16,11 @@ inline SlidingHistory advance(const SlidingLaw& law, const SlidingHistory& befor
                               const Eigen::Vector3d& increment) {
   return std::visit([&](const auto& l) { return l.advance(before, normal, increment); }, law);
 }
-inline const Coulomb& friction_of(const SlidingLaw& law) {
-  return std::visit([](const auto& l) -> const Coulomb& { return l.friction; }, law);
+inline const CoulombLimit& friction_of(const SlidingLaw& law) {
+  return std::visit([](const auto& l) -> const CoulombLimit& { return l.friction; }, law);
 }
-inline Coulomb& friction_of(SlidingLaw& law) {
-  return std::visit([](auto& l) -> Coulomb& { return l.friction; }, law);
+inline CoulombLimit& friction_of(SlidingLaw& law) {
+  return std::visit([](auto& l) -> CoulombLimit& { return l.friction; }, law);
 }
 
 }  // namespace asperity

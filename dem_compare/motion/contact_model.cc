@@ -13,7 +13,7 @@ struct Resistances {
   double torsion = 0;
 };
 
-void exert(ContactState& state, const Resistances& q) {
+void exert(ContactModelState& state, const Resistances& q) {
   state.lateral = -q.sliding;
   state.force = q.normal * state.direction + state.lateral;
   state.moment = -state.lever * state.direction.cross(state.lateral) - q.rolling - q.torsion * state.direction;
@@ -27,8 +27,8 @@ Vector3d within(const Vector3d& value, double limit) {
 
 }  // namespace
 
-ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion) {
-  ContactState now;
+ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion) {
+  ContactModelState now;
   now.direction = motion.normal;
   now.lever = motion.lever;
   now.normal = advance(model.normal, before.normal, motion.approach);
@@ -46,9 +46,9 @@ ContactState advance(const ContactModel& model, const ContactState& before, cons
   return now;
 }
 
-ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion,
+ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion,
                      const RelativeVelocity& rate, double mass) {
-  ContactState now = advance(model, before, motion);
+  ContactModelState now = advance(model, before, motion);
   if (!now.normal.touching) return now;
   const double gamma = model.damping.factor(mass, now.normal.stiffness);
   const double rolling_arm = now.lever * length_of(model.rolling.length, now.normal, now.lever),

@@ -25,7 +25,7 @@ struct ContactModel {
   HistorySpin history_spin = HistorySpin::mean_of_bodies;
 };
 
-struct ContactState {
+struct ContactModelState {
   NormalState normal;
   SlidingHistory sliding;
   RollingResistance::History rolling;
@@ -38,9 +38,9 @@ struct ContactState {
 };
 
 /// Without rates: quasi-static.
-ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion);
+ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion);
 /// With the viscous parts for the relative velocity of a particle of this mass [kg].
-ContactState advance(const ContactModel& model, const ContactState& before, const ContactMotion& motion,
+ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion,
                      const RelativeVelocity& rate, double mass);
 
 }  // namespace asperity

@@ -101,7 +101,7 @@ double restitution(double damping, double speed) {
   model.damping.coefficient = damping;
   const double mass = 4.0 / 3 * pi * std::pow(radius, 3) * 2230, dt = 1e-10;
   double approach = 0, rate = speed, acceleration = 0;
-  ContactState state;
+  ContactModelState state;
   for (;;) {
     rate += dt / 2 * acceleration;
     approach += dt * rate;

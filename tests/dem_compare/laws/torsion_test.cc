@@ -108,8 +108,8 @@ TEST(Torsion_analytic, the_papers_stiffness_is_a_thousand_times_the_physical_one
 }
 
 TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and_offset) {
-  for (const LengthScale scale : {LengthScale::particle_radius, LengthScale::contact_radius}) {
-    const double lambda = scale == LengthScale::particle_radius ? lever : normal.contact_radius;
+  for (const RotationLength scale : {RotationLength::particle_radius, RotationLength::contact_radius}) {
+    const double lambda = scale == RotationLength::particle_radius ? lever : normal.contact_radius;
     const TorsionResistance torsion{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
     TorsionResistance::History history = torsion.advance({}, normal, lever, -1e-6);
     EXPECT_NEAR(history.resistance / -1e-15, 1, 1e-14);
@@ -120,7 +120,7 @@ TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and
 }
 
 TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) {
-  const RollingResistance rolling{7.9e-4, 571.4e-6, LengthScale::particle_radius,
+  const RollingResistance rolling{7.9e-4, 571.4e-6, RotationLength::particle_radius,
                                   {RotationalStiffness::Kind::tangential_spring, 11.7989e9}};
   const Eigen::Vector3d axis = Eigen::Vector3d(3, 4, 0) / 5;
   const RollingResistance::History history = rolling.advance({}, normal, lever, 0.1 * axis);
@@ -128,7 +128,7 @@ TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) 
 }
 
 TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
-  const RollingResistance rolling{7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
+  const RollingResistance rolling{7.9e-4, -2e-4, RotationLength::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
   EXPECT_EQ(rolling.advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
 }
 

@@ -179,9 +179,9 @@ ContactModel sample_model() {
   ContactModel model;
   model.normal = HertzOffset{reduced_modulus(sphere, plane), radius, 3.2e-6};
   model.sliding = MindlinDeresiewicz{sliding_modulus(sphere, plane), radius, {0.23, 12e-6}};
-  model.rolling = {7.9e-4, 571e-6, LengthScale::particle_radius,
+  model.rolling = {7.9e-4, 571e-6, RotationLength::particle_radius,
                    {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
-  model.torsion = {0.0056, 0, LengthScale::particle_radius,
+  model.torsion = {0.0056, 0, RotationLength::particle_radius,
                    {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
   return model;
 }
@@ -194,7 +194,7 @@ double largest_difference(const ContactModel& model) {
   Placement sphere = resting();
   PlanePlacement plane = ground;
   Observer observer = first;
-  ContactState rest, moving;
+  ContactModelState rest, moving;
   for (int i = 0; i < 200; ++i) {
     Placement sphere_after = chance.near(sphere, 0, 3e-5);
     sphere_after.position += 2e-10 * Vector3d(std::cos(0.1 * i), std::sin(0.07 * i), 0.3 * std::sin(0.2 * i));
@@ -233,12 +233,12 @@ TEST(ContactModel_analytic, every_resistance_acts_against_its_motion) {
     const Placement before = resting(), now{before.position + shift, rotation_by(turn)};
     return advance(model, {}, sphere_on_plane(before, now, radius, ground, ground, model.lever));
   };
-  const ContactState slid = after(1e-10 * Vector3d::UnitX(), Vector3d::Zero());
+  const ContactModelState slid = after(1e-10 * Vector3d::UnitX(), Vector3d::Zero());
   EXPECT_LT(slid.force.x(), 0);
   EXPECT_GT(slid.moment.y(), 0);  // friction at the bottom turns the particle forward
   EXPECT_NEAR(slid.moment.y() / (-slid.force.x() * slid.lever), 1, 1e-12);
   const double angle = 1e-6;
-  const ContactState rolled = after((radius - 6e-9) * angle * Vector3d::UnitX(), angle * Vector3d::UnitY());
+  const ContactModelState rolled = after((radius - 6e-9) * angle * Vector3d::UnitX(), angle * Vector3d::UnitY());
   EXPECT_LT(rolled.moment.y(), 0);
   EXPECT_LT(std::abs(rolled.force.x()), 1e-12);
   EXPECT_LT(after(Vector3d::Zero(), angle * Vector3d::UnitZ()).moment.z(), 0);
@@ -249,13 +249,13 @@ TEST(ContactModel_analytic, viscous_forces_brake_and_obey_the_sliders_limits) {
   model.damping.coefficient = 0.5;
   const Placement here = resting();
   const ContactMotion still = sphere_on_plane(here, here, radius, ground, ground, model.lever);
-  const ContactState rest = advance(model, {}, still);
+  const ContactModelState rest = advance(model, {}, still);
   RelativeVelocity rate;
   rate.approach = 1e-4;
   rate.sliding = Vector3d(1e3, 0, 0);
   rate.rolling = Vector3d(0, 1e9, 0);
   rate.torsion = 1e9;
-  const ContactState fast = advance(model, {}, still, rate, 5.7e-12);
+  const ContactModelState fast = advance(model, {}, still, rate, 5.7e-12);
   const double f = rest.normal.force;
   EXPECT_NEAR((fast.force.z() - f) / (0.5 * std::sqrt(5.7e-12 * rest.normal.stiffness) * 1e-4), 1, 1e-10);
   EXPECT_NEAR(fast.force.x() / (-0.23 * (f + 12e-6)), 1, 1e-12);
