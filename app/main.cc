@@ -10,6 +10,7 @@
 #include "app/compare_command.h"
 #include "app/engine_command.h"
 #include "app/mesh_command.h"
+#include "app/paper_command.h"
 #include "app/report_command.h"
 #include "app/solve_command.h"
 #include "app/study_command.h"
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
   asperity::add_study_command(app);
   asperity::add_compare_command(app);
   asperity::add_engine_commands(app);
+  asperity::add_paper_command(app);
   asperity::add_report_command(app);
   asperity::add_case_commands(app);
 

@@ -1,0 +1,48 @@
+#include "dem_compare/paper/analysis.h"
+
+#include "core/error.h"
+
+namespace asperity {
+
+const PaperNumber& PaperAnalysis::number(const std::string& section, const std::string& what) const {
+  for (const auto& candidate : sections) {
+    if (candidate.title.find(section) == std::string::npos) continue;
+    for (const auto& number : candidate.numbers)
+      if (number.what == what) return number;
+  }
+  throw InputError("the paper's analysis has no '" + what + "' under '" + section + "'");
+}
+
+PaperAnalysis analyse_paper(const Published& published) {
+  return {{table_1(published), table_2(published), elasticity_section(published), sliding_section(published), rolling_section(published),
+           rail_section(published), torsion_section(published), magnitudes_section(published), equations_section()},
+          paper_curves(published)};
+}
+
+RoughnessLaws roughness_laws(const Published& p) {
+  std::vector<Uncertain> rms, rolling, offset;
+  for (const auto& surface : p.surfaces) {
+    rms.push_back(surface.rms);
+    rolling.push_back(surface.rolling_r);
+    offset.push_back(surface.rolling_r_offset);
+  }
+  const auto value = [&](const char* name, Dimension dimension) { return p.quoted(name, dimension).value; };
+  return {{value("murofit_b", Dimension::none), value("murofit_c", Dimension::none), value("murofit_d", Dimension::length)},
+          {value("frofit_b", Dimension::force), -value("frofit_c", Dimension::force), value("frofit_d", Dimension::length)},
+          fit_exponential(rms, rolling),
+          fit_exponential(rms, offset)};
+}
+
+double mindlin_modulus(const ElasticBody& one, const ElasticBody& other) {
+  const auto compliance = [](const ElasticBody& body) {
+    return (2 - body.poisson_ratio) * 2 * (1 + body.poisson_ratio) / body.youngs_modulus;
+  };
+  return 1 / (compliance(one) + compliance(other));
+}
+
+double torsion_modulus(const ElasticBody& one, const ElasticBody& other) {
+  const auto compliance = [](const ElasticBody& body) { return 2 * (1 + body.poisson_ratio) / body.youngs_modulus; };
+  return 1 / (compliance(one) + compliance(other));
+}
+
+}  // namespace asperity
