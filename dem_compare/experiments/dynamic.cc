@@ -23,10 +23,13 @@ class Motion {
     if (particle.glued && options.indenter_mass > 0) mass_ += options.indenter_mass;  // they move as one
     double stiffest = 0;
     for (const ContactModelState& contact : state_.contacts) stiffest = std::max(stiffest, contact.normal.stiffness);
-    time_step_ = options.time_step_ratio * std::sqrt(std::min(mass_, indenter_mass_) / stiffest);
+    response_time_ = std::sqrt(std::min(mass_, indenter_mass_) / stiffest);
+    time_step_ = options.time_step_ratio * response_time_;
   }
 
   double time_step() const { return time_step_; }
+  /// (m/k)^(1/2) [s]
+  double response_time() const { return response_time_; }
   const ParticleState& state() const { return state_; }
 
   /// One step with the indenter's x moved at `speed`.
@@ -77,7 +80,7 @@ class Motion {
 
  private:
   const SingleParticle& particle_;
-  double load_, mass_ = 0, inertia_ = 0, indenter_mass_ = 0, time_step_ = 0;
+  double load_, mass_ = 0, inertia_ = 0, indenter_mass_ = 0, response_time_ = 0, time_step_ = 0;
   ParticleState state_;
   Vector3d velocity_ = Vector3d::Zero(), acceleration_ = Vector3d::Zero();
   Vector3d spin_ = Vector3d::Zero(), spin_acceleration_ = Vector3d::Zero();
@@ -102,13 +105,21 @@ FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram&
   Motion motion(particle, program.normal_load, options);
   const double increment =
       program.first_increment > 0 ? program.first_increment : resolving_increment(particle, motion.state());
+  // Slow until a fifth beyond the first limit; as far before the end of a leg, to slide and roll steadily again after braking.
+  const double way = way_to_first_limit(particle, motion.state()), slow_way = 1.2 * way;
+  const double slow = std::min(options.speed, options.reversal_share * way / motion.response_time());
   FrictionLoop loop;
   loop.contact_names = contact_names(particle);
   loop.speed = options.speed;
   loop.rows.push_back(row_of(particle, motion.state(), 0));
   for (const LoopStation& station : loop_stations(program, increment)) {
     const double direction = station.leg % 2 == 0 ? 1 : -1;
-    while ((station.position - motion.state().indenter.x()) * direction > 0) motion.step(direction * options.speed);
+    const double start = station.leg == 0 ? 0 : -direction * program.amplitude, end = direction * program.amplitude;
+    for (double x = motion.state().indenter.x(); (station.position - x) * direction > 0; x = motion.state().indenter.x()) {
+      const bool near_reversal =
+          std::abs(x - start) < slow_way || std::abs(end - x) < slow_way + options.speed * motion.time_step();
+      motion.step(direction * (near_reversal ? slow : options.speed));
+    }
     if (loop.rows.back().leg == station.leg && loop.rows.back().indenter_displacement == motion.state().indenter.x())
       continue;  // two stations within one time step
     check_contacts(particle, motion.state());

@@ -86,7 +86,7 @@ std::vector<std::string> contact_names(const SingleParticle& particle) {
   return names;
 }
 
-double resolving_increment(const SingleParticle& particle, const ParticleState& rest) {
+double way_to_first_limit(const SingleParticle& particle, const ParticleState& rest) {
   double way = std::numeric_limits<double>::infinity();
   const auto consider = [&](double limit, double stiffness, double lever) {
     if (limit > 0 && stiffness > 0) way = std::min(way, limit / stiffness * lever);
@@ -101,8 +101,12 @@ double resolving_increment(const SingleParticle& particle, const ParticleState& 
   }
   if (!std::isfinite(way))
     throw InputError("no contact of this experiment resists any motion; give a sliding or rolling coefficient and stiffness");
+  return way;
+}
+
+double resolving_increment(const SingleParticle& particle, const ParticleState& rest) {
   constexpr double increments_before_yielding = 20;
-  return way / increments_before_yielding;
+  return way_to_first_limit(particle, rest) / increments_before_yielding;
 }
 
 }  // namespace asperity

@@ -60,7 +60,9 @@ Resultants resultants(const SingleParticle& particle, const std::vector<ContactM
 LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg);
 std::vector<std::string> contact_names(const SingleParticle& particle);
 
-/// Increment of the indenter that resolves the yielding of every mode: a twentieth of the way to the first limit [m].
+/// Way of the particle's surface to the first limit of any mode [m]. Throws InputError where no contact resists.
+double way_to_first_limit(const SingleParticle& particle, const ParticleState& rest);
+/// Increment of the indenter that resolves the yielding of every mode: a twentieth of that way [m].
 double resolving_increment(const SingleParticle& particle, const ParticleState& rest);
 
 }  // namespace asperity

@@ -15,9 +15,10 @@ inline double length_of(RotationLength scale, const NormalState& normal, double 
 /// Moment per angle [N m/rad] before the slider moves.
 struct RotationalStiffness {
   enum class Kind {
-    constant,            ///< value = K [N m/rad]
-    tangential_spring,   ///< value = G* [Pa]: K = 8 G* a lambda r, the paper's assumption k_ro = k_to = k_l
-    no_slip_torsion,     ///< value = Gt [Pa]: K = (16/3) Gt a^3, exact for torsion (Reissner & Sagoci 1944)
+    constant,           ///< value = K [N m/rad]
+    with_radius,        ///< value = K/a [N/rad]: K grows with the contact radius, from a load where it is known
+    tangential_spring,  ///< value = G* [Pa]: K = 8 G* a lambda r, the paper's assumption k_ro = k_to = k_l
+    no_slip_torsion,    ///< value = Gt [Pa]: K = (16/3) Gt a^3, exact for torsion (Reissner & Sagoci 1944)
   };
   Kind kind = Kind::constant;
   double value = 0;
@@ -27,6 +28,7 @@ struct RotationalStiffness {
     switch (kind) {
       case Kind::tangential_spring: return 8 * value * a * length * lever;
       case Kind::no_slip_torsion: return 16.0 / 3.0 * value * a * a * a;
+      case Kind::with_radius: return value * a;
       case Kind::constant: break;
     }
     return value;

@@ -1,0 +1,21 @@
+// The reduced laws with the numbers of parameters.json, so that an engine that was given the same file and this program's own
+// law can be set side by side. What the file means by its length scales and stiffnesses: contact_parameters.h.
+#pragma once
+
+#include "dem_compare/contact_parameters.h"
+#include "dem_compare/motion/contact_model.h"
+
+namespace asperity {
+
+struct ReducedLawOptions {
+  bool partial_slip = false;     ///< Mindlin and Deresiewicz instead of Mindlin
+  bool normal_adhesion = false;  ///< the pull-off force as a constant attraction; without it the load alone presses
+  LeverArm lever = LeverArm::particle_radius;  ///< as the file's lambda = r and most engines' walls
+};
+
+/// Hertz, or the linear law where no reduced modulus is known. A mode without a friction coefficient does not resist; one
+/// without stiffness of rolling or torsion gets the paper's, 8 G* a lambda r.
+/// Throws InputError where the record lacks what the normal or the sliding law needs.
+ContactModel contact_model(const ContactParameters& parameters, const ReducedLawOptions& options = {});
+
+}  // namespace asperity
