@@ -1,0 +1,131 @@
+#include "app/experiment_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/quantity.h"
+#include "dem_compare/experiments/dynamic.h"
+#include "dem_compare/experiments/from_parameters.h"
+#include "dem_compare/experiments/quasi_static.h"
+#include "dem_compare/laws/law_registry.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string type, substrate, indenter, output;
+  std::string load = "100 uN", amplitude = "1 um", rail_angle = "45 deg", speed;
+  int cycles = 1;
+  double damping = 1;
+  bool partial_slip = false, normal_adhesion = false, json = false;
+};
+
+SingleParticle particle_of(const Arguments& arguments, const ContactModel& substrate, const ContactModel& indenter) {
+  if (arguments.type == "glued") return glued_sphere(substrate);
+  if (arguments.type == "rolling") return rolling_sphere(substrate, indenter);
+  return sphere_in_rail(substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle));
+}
+
+nlohmann::ordered_json to_json(const Arguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
+                               double load) {
+  const auto quantity = [](double value, const char* unit) { return nlohmann::ordered_json{{"value", value}, {"unit", unit}}; };
+  nlohmann::ordered_json json{{"format", "asperity-experiment/1"}, {"experiment", arguments.type},
+                              {"normal_load", quantity(load, "N")},
+                              {"initial_slope", quantity(numbers.initial_slope, "N/m")},
+                              {"reversal_slope", quantity(numbers.reversal_slope, "N/m")},
+                              {"plateau", quantity(numbers.plateau, "N")},
+                              {"offset", quantity(numbers.offset, "N")},
+                              {"reversal_travel", quantity(numbers.reversal_travel, "m")},
+                              {"plateau_travel", quantity(numbers.plateau_travel, "m")},
+                              {"dissipation", quantity(numbers.dissipation, "J")}};
+  if (loop.speed > 0) {
+    json["speed"] = quantity(loop.speed, "m/s");
+    json["speed_over_laboratory"] = loop.speed / laboratory_speed;
+  }
+  return json;
+}
+
+std::string to_text(const LoopNumbers& numbers, double load) {
+  const auto line = [](const char* name, double value, Dimension dimension) {
+    return std::string(name) + format_quantity(value, dimension, 5) + "\n";
+  };
+  return line("normal load at the indenter        ", load, Dimension::force) +
+         line("slope from rest                    ", numbers.initial_slope, Dimension::stiffness) +
+         line("slope after a reversal             ", numbers.reversal_slope, Dimension::stiffness) +
+         line("plateau of the lateral force       ", numbers.plateau, Dimension::force) +
+         line("way from a reversal to the plateau ", numbers.plateau_travel, Dimension::length) +
+         "plateau over normal load           " + format_quantity(numbers.plateau / load, Dimension::none, 5) + "\n";
+}
+
+void run(const Arguments& arguments) {
+  ReducedLawOptions options;
+  options.partial_slip = arguments.partial_slip;
+  options.normal_adhesion = arguments.normal_adhesion;
+  ContactModel substrate = contact_model(read_contact_parameters(arguments.substrate), options), indenter = substrate;
+  if (!arguments.indenter.empty()) indenter = contact_model(read_contact_parameters(arguments.indenter), options);
+  if (radius_of(indenter.normal) != radius_of(substrate.normal))
+    throw InputError(arguments.indenter + ": its particle has another radius than that of " + arguments.substrate);
+  substrate.damping.coefficient = indenter.damping.coefficient = arguments.damping;
+  const SingleParticle particle = particle_of(arguments, substrate, indenter);
+
+  LoopProgram program;
+  // As `asperity engine` has it, the load is the substrate's: in a rail that of each flank.
+  program.normal_load = parse_quantity(arguments.load, Dimension::force) / particle.contacts.front().share;
+  program.amplitude = parse_quantity(arguments.amplitude, Dimension::length);
+  program.cycles = arguments.cycles;
+  FrictionLoop loop;
+  if (arguments.speed.empty()) {
+    loop = simulate_quasi_static(particle, program);
+  } else {
+    DynamicOptions dynamic;
+    dynamic.speed = parse_quantity(arguments.speed, Dimension::speed);
+    loop = simulate_dynamic(particle, program, dynamic);
+  }
+  const LoopNumbers numbers = measure(loop);
+  const std::string json = to_json(arguments, loop, numbers, program.normal_load).dump(1) + "\n";
+  const fs::path output = arguments.output;
+  fs::create_directories(output);
+  write_file_atomically(output / "loop.csv", to_csv(loop));
+  write_file_atomically(output / "experiment.json", json);
+  std::cout << (arguments.json ? json : to_text(numbers, program.normal_load)) << std::flush;
+}
+
+}  // namespace
+
+void add_experiment_commands(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("experiment", "Run one of the paper's experiments with one particle by the reduced laws");
+  command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")->required();
+  command->add_option("--type", arguments->type, "glued (sliding loop), rolling (under a plate) or rail (V-rail under a plate)")
+      ->required()->check(CLI::IsMember({"glued", "rolling", "rail"}));
+  command->add_option("--output", arguments->output, "Folder for loop.csv and experiment.json")->required();
+  command->add_option("--indenter", arguments->indenter, "Contact of particle and plate (default: as with the substrate)");
+  command->add_option("--load", arguments->load, "Normal load on the substrate, in a rail on each flank")->capture_default_str();
+  command->add_option("--amplitude", arguments->amplitude, "Of the loop")->capture_default_str();
+  command->add_option("--cycles", arguments->cycles, "Full cycles of the loop")->capture_default_str()->check(CLI::Range(1, 1000));
+  command->add_option("--rail-angle", arguments->rail_angle, "Inclination of the rail's flanks")->capture_default_str();
+  command->add_flag("--partial-slip", arguments->partial_slip, "Mindlin and Deresiewicz in place of Mindlin");
+  command->add_flag("--normal-adhesion", arguments->normal_adhesion, "The pull-off force presses with the load");
+  command->add_option("--speed", arguments->speed, "With inertia, at this speed of the indenter (default: quasi-static)");
+  command->add_option("--damping", arguments->damping, "Viscous coefficient c of (m k)^(1/2), with --speed")
+      ->capture_default_str()->check(CLI::NonNegativeNumber);
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer("Example: asperity experiment runs/paper/parameters_silicon.json --indenter runs/paper/parameters_diamond.json"
+                  " --type rail --rail-angle '25 deg' --load '500 uN' --output output/rail");
+  command->callback([arguments] { run(*arguments); });
+
+  CLI::App* laws = app.add_subcommand("laws", "Print the manual of the reduced laws");
+  laws->callback([] { std::cout << reduced_laws_manual() << std::flush; });
+}
+
+}  // namespace asperity
