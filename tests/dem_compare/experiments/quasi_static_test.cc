@@ -169,6 +169,24 @@ INSTANTIATE_TEST_SUITE_P(Angles, Rail_analytic,
                          testing::Values(RailCase{25, 3.602e-4, 1.58399e-3}, RailCase{45, 3.146e-4, 2.58022e-3},
                                          RailCase{60, 2.960e-4, 3.43049e-3}));
 
+TEST(Rail_analytic, histories_that_follow_half_the_torsion_unload_the_flanks_a_little) {
+  // The lateral force of a flank turns up or down the slope with them, by half the twist of up to 0.1 rad, and carries load.
+  const auto flank_load = [](HistorySpin spin) {
+    StandardContact flank = on_silicon(), top = on_diamond();
+    flank.sliding = top.sliding = {0.65, 0};
+    flank.rolling = top.rolling = {3e-4, 0};
+    flank.torsion = {0.0056, 0};
+    flank.history_spin = spin;
+    const FrictionLoop loop = simulate_rail(model_of(flank), model_of(top), pi / 4, LoopProgram{});
+    double least = 1;
+    for (const LoopRow& row : loop.rows) least = std::min(least, row.contacts[0].normal_force / (1e-4 / std::sqrt(2.0)));
+    return least;
+  };
+  EXPECT_NEAR(flank_load(HistorySpin::other_body), 1, 1e-6);
+  EXPECT_LT(flank_load(HistorySpin::mean_of_bodies), 1 - 5e-5);
+  EXPECT_GT(flank_load(HistorySpin::mean_of_bodies), 1 - 5e-4);
+}
+
 TEST(LoopProgram, stations_end_at_each_reversal_and_are_dense_after_it) {
   LoopProgram program;
   program.cycles = 2;
