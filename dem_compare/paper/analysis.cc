@@ -33,16 +33,4 @@ RoughnessLaws roughness_laws(const Published& p) {
           fit_exponential(rms, offset)};
 }
 
-double mindlin_modulus(const ElasticBody& one, const ElasticBody& other) {
-  const auto compliance = [](const ElasticBody& body) {
-    return (2 - body.poisson_ratio) * 2 * (1 + body.poisson_ratio) / body.youngs_modulus;
-  };
-  return 1 / (compliance(one) + compliance(other));
-}
-
-double torsion_modulus(const ElasticBody& one, const ElasticBody& other) {
-  const auto compliance = [](const ElasticBody& body) { return 2 * (1 + body.poisson_ratio) / body.youngs_modulus; };
-  return 1 / (compliance(one) + compliance(other));
-}
-
 }  // namespace asperity

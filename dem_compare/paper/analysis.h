@@ -75,11 +75,6 @@ PaperSection magnitudes_section(const Published& published);
 PaperSection equations_section();
 std::vector<PaperCurve> paper_curves(const Published& published);
 
-/// 8 G* a of the particle with a plane, Mindlin 1949: 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 [Pa].
-double mindlin_modulus(const ElasticBody& one, const ElasticBody& other);
-/// 1/G1 + 1/G2 inverted [Pa]: no-slip torsion has the stiffness (16/3) of it times a^3.
-double torsion_modulus(const ElasticBody& one, const ElasticBody& other);
-
 namespace display {
 inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6}, nm{"nm", "m", 1e-9}, uN{"uN", "N", 1e-6},
     mN{"mN", "N", 1e-3}, N_per_m{"N/m", "N/m", 1}, kN_per_m{"kN/m", "N/m", 1e3}, Nm_per_rad{"N m/rad", "N m/rad", 1},

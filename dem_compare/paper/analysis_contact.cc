@@ -1,6 +1,7 @@
 // Hertz and Mindlin for the paper's pairs (sec. 3.2, 4.2, 4.4).
 #include <cstdio>
 
+#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/analysis.h"
 #include "dem_compare/paper/hertz_collision.h"
 
@@ -32,7 +33,7 @@ PaperSection elasticity_section(const Published& p) {
     const bool is_silicon = std::string(plane) == "silicon";
     rows.push_back({on + "E*", display::GPa, {}, Uncertain{hertz.reduced_modulus}});
     rows.push_back({on + "G*", display::GPa, is_silicon ? std::optional<Uncertain>(p.quoted("reduced_shear_modulus", Dimension::pressure)) : std::nullopt,
-                    Uncertain{mindlin_modulus(sphere, other)},
+                    Uncertain{sliding_modulus(sphere, other)},
                     is_silicon ? "Mindlin's G* has (2 - nu); 11.87 GPa comes out with nu = 0.17 for silicon too" : ""});
     rows.push_back({on + "G* with (2 - nu^2)", display::GPa, {}, Uncertain{printed_modulus(sphere, other)}, "as printed; not Mindlin's"});
     rows.push_back({on + "a at 100 uN", display::um, {}, Uncertain{hertz.contact_radius(load)}});
@@ -44,13 +45,13 @@ PaperSection elasticity_section(const Published& p) {
                     Uncertain{hertz.peak_pressure(largest)},
                     std::string(plane) == "diamond" ? "above the yield stress of 3 GPa: that p0 stays below it holds for silicon alone" : ""});
     rows.push_back({on + "mean pressure at 3 mN", display::GPa, {}, Uncertain{largest / hertz.contact_area(largest)}});
-    rows.push_back({on + "8 G* a at 100 uN", display::N_per_m, {}, Uncertain{mindlin * mindlin_modulus(sphere, other) * hertz.contact_radius(load)}});
+    rows.push_back({on + "8 G* a at 100 uN", display::N_per_m, {}, Uncertain{mindlin * sliding_modulus(sphere, other) * hertz.contact_radius(load)}});
     rows.push_back({on + "load of first yield, p0 = 1.6 Y", display::mN, {}, Uncertain{hertz.force_at_peak_pressure(tresca * Y)},
                     !is_silicon ? "" : "yield begins under the surface at 1.6 times the yield stress (Johnson 1985): contacts stay elastic for this reason, not because p0 < Y"});
   }
   const ElasticBody alike{p.body("silicon").elasticity.youngs_modulus, p.particle().elasticity.poisson_ratio};
   rows.push_back({"G* with silicon's nu taken as 0.17", display::GPa, p.quoted("reduced_shear_modulus", Dimension::pressure),
-                  Uncertain{mindlin_modulus(p.particle().elasticity, alike)}, "this is where 11.87 GPa comes from; the authors' published simulation does the same"});
+                  Uncertain{sliding_modulus(p.particle().elasticity, alike)}, "this is where 11.87 GPa comes from; the authors' published simulation does the same"});
   rows.push_back({"p0 on fused quartz at 10 mN", display::GPa, {}, Uncertain{p.hertz("fused quartz").peak_pressure(10 * milli)}});
   const double e = p.quoted("restitution").value, c = p.quoted("damping_factor").value;
   rows.push_back({"restitution of gamma_n = 0.0062 (m k)^(1/2)", display::none, p.quoted("restitution"), Uncertain{hertz_restitution(c)},
@@ -67,7 +68,7 @@ PaperSection sliding_section(const Published& p) {
   PaperSection section{"Sliding loop at 100 uN, untreated silicon (sec. 4.4)", {}};
   auto& rows = section.numbers;
   const double load = p.quoted("loop_load", Dimension::force).value, a = p.hertz("silicon").contact_radius(load);
-  const double G = mindlin_modulus(p.particle().elasticity, p.body("silicon").elasticity);
+  const double G = sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity);
   const double k_fit = p.quoted("fitted_lateral_stiffness", Dimension::stiffness).value;
   const PublishedSurface& surface = p.surfaces.front();
   char needed[20];

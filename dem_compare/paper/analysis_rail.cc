@@ -1,7 +1,8 @@
 // Rolling and torsion in the rails (sec. 4.7, 4.8).
-#include <boost/math/constants/constants.hpp>
 #include <cstdio>
 
+#include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/analysis.h"
 #include "dem_compare/paper/friction_series.h"
 
@@ -109,17 +110,16 @@ PaperSection torsion_section(const Published& p) {
   rows.push_back({"lateral force that mu_l = 0.63 gives", display::uN, force, Uncertain{2 * low * (f_slope + rough_offset.value)}});
   rows.push_back({"lateral force that mu_l = 0.72 gives", display::uN, force, Uncertain{2 * high * (f_slope + rough_offset.value)}});
   constexpr double tomas = 2.0 / 3;
-  const double dintwa = 3 * boost::math::double_constants::pi / 16;
   rows.push_back({"(2/3) mu_l over mu_to, mu_l of the glued sphere", display::none, p.quoted("torsion_gap"), Uncertain{tomas * mu_glued.value / with_a.value},
                   "uniform pressure (Tomas); not seven times with the friction measured in the rail itself"});
-  rows.push_back({"(3 pi/16) mu_l over mu_to, mu_l of the glued sphere", display::none, p.quoted("torsion_gap"), Uncertain{dintwa * mu_glued.value / with_a.value},
+  rows.push_back({"(3 pi/16) mu_l over mu_to, mu_l of the glued sphere", display::none, p.quoted("torsion_gap"), Uncertain{full_slip_torsion_coefficient(mu_glued.value) / with_a.value},
                   "Hertz pressure, full slip (Dintwa): 2/3 is 13 % above it"});
   constexpr double rough_wafer = 0.65;
   rows.push_back({"(2/3) mu_l over mu_to, mu_l = 0.65", display::none, p.quoted("torsion_gap"), Uncertain{tomas * rough_wafer / with_a.value}});
-  rows.push_back({"(3 pi/16) mu_l over mu_to, mu_l = 0.65", display::none, p.quoted("torsion_gap"), Uncertain{dintwa * rough_wafer / with_a.value}});
+  rows.push_back({"(3 pi/16) mu_l over mu_to, mu_l = 0.65", display::none, p.quoted("torsion_gap"), Uncertain{full_slip_torsion_coefficient(rough_wafer) / with_a.value}});
 
-  const double a = hertz.contact_radius(load), k = 8 * mindlin_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
-  const double no_slip = 16.0 / 3 * torsion_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a * a * a;
+  const double a = hertz.contact_radius(load), k = 8 * sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
+  const double no_slip = no_slip_torsion_stiffness(torsion_modulus(p.particle().elasticity, p.body("silicon").elasticity), a);
   rows.push_back({"k_to = 8 G* a with the lever r", display::Nm_per_rad, {}, Uncertain{k * R * R}});
   rows.push_back({"no-slip torsion (16/3) G a^3", display::Nm_per_rad, {}, Uncertain{no_slip}, "1/G = 1/G1 + 1/G2 (Mindlin 1949; Reissner and Sagoci 1944)"});
   rows.push_back({"ratio of both", display::none, {}, Uncertain{k * R * R / no_slip}, "a choice of the simulation: finite elements are not to be compared with it"});
