@@ -24,7 +24,7 @@ struct LoopRow {
   double lateral_force = 0;                                 ///< of the indenter on the particle along x [N]
   double normal_force = 0;                                  ///< that the indenter carries [N]
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();   ///< of the particle's centre [m]
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();       ///< of the particle: axis times angle [rad]
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();       ///< of the particle: axis times angle, up to pi [rad]
   std::vector<ContactRecord> contacts;
 };
 

@@ -10,7 +10,7 @@
 namespace asperity {
 
 struct QuasiStaticOptions {
-  double tolerance = 1e-11;  ///< of the imbalance over the scale of the normal force
+  double tolerance = 1e-11;  ///< of the imbalance over the normal force or the limit of the lateral one
   int most_halvings = 20;
 };
 

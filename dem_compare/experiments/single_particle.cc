@@ -100,7 +100,7 @@ double way_to_first_limit(const SingleParticle& particle, const ParticleState& r
     consider(model.torsion.limit(state.normal, state.lever), state.torsion.stiffness, state.lever);
   }
   if (!std::isfinite(way))
-    throw InputError("no contact of this experiment resists any motion; give a sliding or rolling coefficient and stiffness");
+    throw InputError("no contact of this experiment resists any motion under this load; give a larger load or a sliding coefficient");
   return way;
 }
 
