@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/quantity.h"
 
 namespace asperity {
 namespace {
@@ -19,30 +20,24 @@ const std::vector<std::pair<std::string, Type>>& type_names() {
   return names;
 }
 
-/// Springs that resist the rotation phi of the free sphere, and the angle at which the first of them yields.
+/// Springs that resist the rotation phi of the free sphere, and the angles at which the first and the last of them yield.
 struct RotationSprings {
   double stiffness = 0;    ///< [N m/rad]
   double limit = 0;        ///< torque when all have yielded [N m]
-  double first_yield = 0;  ///< [rad]
+  double first_yield = 0, last_yield = 0;  ///< [rad]
 };
 
 RotationSprings rotation_springs(const EngineExperiment& e) {
   const double c = e.rail_cosine(), s = std::sqrt(std::max(0.0, 1 - c * c));
   const double K_i = e.indenter.rolling_stiffness_at(e.indenter_load()), M_i = e.indenter.rolling_limit(e.indenter_load());
   const double K_s = e.substrate.rolling_stiffness_at(e.load), M_s = e.substrate.rolling_limit(e.load);
-  RotationSprings springs{K_i, M_i, M_i / K_i};
-  if (e.type == Type::rolling) {
-    springs.stiffness += K_s;
-    springs.limit += M_s;
-    springs.first_yield = std::min(springs.first_yield, M_s / K_s);
-    return springs;
-  }
+  const double yield_i = M_i / K_i, yield_s = M_s / (K_s * c);
+  if (e.type == Type::rolling) return {K_i + K_s, M_i + M_s, std::min(yield_i, yield_s), std::max(yield_i, yield_s)};
   // Each slope sees phi cos(theta) as rolling and phi sin(theta) as torsion; eq:torsion of the paper for the limits.
   const double K_t = e.substrate.torsion_stiffness_at(e.load), M_t = e.substrate.torsion_limit(e.load);
-  springs.stiffness += 2 * c * c * K_s + 2 * s * s * K_t;
-  springs.limit += 2 * c * M_s + 2 * s * M_t;
-  springs.first_yield = std::min({springs.first_yield, M_s / (K_s * c), M_t / (K_t * s)});
-  return springs;
+  const double yield_t = M_t / (K_t * s);
+  return {K_i + 2 * c * c * K_s + 2 * s * s * K_t, M_i + 2 * c * M_s + 2 * s * M_t, std::min({yield_i, yield_s, yield_t}),
+          std::max({yield_i, yield_s, yield_t})};
 }
 
 /// Free sphere: plate, rotation and substrate springs in series. With f the force at the plate, x the sphere's way and k the
@@ -52,11 +47,12 @@ ClosedForm free_sphere(const EngineExperiment& e) {
   const int slopes = e.type == Type::rail ? 2 : 1;
   const RotationSprings springs = rotation_springs(e);
   ClosedForm form;
-  const double compliance = lever * lever / springs.stiffness + 1 / (slopes * e.substrate.lateral_stiffness_at(e.load)) +
-                            1 / e.indenter.lateral_stiffness_at(e.indenter_load());
+  const double sliding = 1 / (slopes * e.substrate.lateral_stiffness_at(e.load)) + 1 / e.indenter.lateral_stiffness_at(e.indenter_load());
+  const double compliance = lever * lever / springs.stiffness + sliding;
   form.slope = 1 / compliance;
   form.first_yield = springs.stiffness * springs.first_yield / lever * compliance;
   form.plateau = springs.limit / lever;
+  form.full_yield = lever * springs.last_yield + sliding * form.plateau;
   form.rotation = 1 / lever;
   form.rolling_stiffness = springs.stiffness;
   return form;
@@ -110,6 +106,7 @@ ClosedForm closed_form(const EngineExperiment& e) {
     case Type::rolling:
     case Type::rail: form = free_sphere(e); break;
   }
+  if (form.full_yield == 0) form.full_yield = form.first_yield;
   form.approach = e.substrate.hertz().approach(e.load);
   return form;
 }
@@ -128,21 +125,26 @@ MotionPlan plan_motion(const EngineExperiment& e) {
 
   const bool is_free = e.type == Type::rolling || e.type == Type::rail;
   const double mass = e.mass(), R = e.substrate.particle.radius, inertia = 0.4 * mass * R * R;
+  const ClosedForm form = closed_form(e);
   const int slopes = e.type == Type::rail ? 2 : 1;
   double normal = slopes * e.substrate.normal_stiffness_at(e.load);
   double lateral = slopes * e.substrate.lateral_stiffness_at(e.load);
-  double shortest = std::sqrt(normal / mass);  // angular frequency
+  double shortest = std::sqrt(normal / mass);  // angular frequencies
   if (is_free) {
     normal += e.indenter.normal_stiffness_at(e.indenter_load());
     lateral += e.indenter.lateral_stiffness_at(e.indenter_load());
-    shortest = std::max(std::sqrt(normal / mass), std::sqrt((lateral * R * R + closed_form(e).rolling_stiffness) / inertia));
+    shortest = std::max(std::sqrt(normal / mass), std::sqrt((lateral * R * R + form.rolling_stiffness) / inertia));
+  }
+  double longest = std::sqrt(std::min(normal, lateral) / mass);
+  if (is_free) {  // pure rolling against the springs of rolling and torsion
+    const double lever = R * e.rail_cosine();
+    longest = std::min(longest, std::sqrt(form.rolling_stiffness / (inertia + mass * lever * lever)));
   }
   MotionPlan plan;
   plan.time_step = 2 * pi / shortest / steps_per_period;
   plan.damping = 2 * half_critical * std::sqrt(e.substrate.normal_stiffness_at(e.load) / mass);
 
-  const ClosedForm form = closed_form(e);
-  const double period = 2 * pi / std::sqrt(std::min(normal, lateral) / mass);
+  const double period = 2 * pi / longest;
   const double prescribed_steps = e.type == Type::twisting ? steps_to_twist : steps_to_yield;
   const double slow = e.haste * (is_free ? form.first_yield / (periods_to_yield * period)
                                          : form.first_yield / (prescribed_steps * plan.time_step));
@@ -166,9 +168,14 @@ MotionPlan plan_motion(const EngineExperiment& e) {
     return plan;
   }
   const double way = e.type == Type::rail ? 2 * e.amplitude : e.amplitude;
-  if (way < 2 * start)
-    throw InputError("the amplitude of " + std::to_string(e.amplitude * 1e9) + " nm does not reach sliding or rolling, which begins at " +
-                     std::to_string(form.first_yield * 1e9) + " nm; take at least " + std::to_string(2 * start * 1e9) + " nm");
+  // Before a reversal all limits must have been reached, and after it once more, over twice the travel.
+  const double least = std::max(2 * start, 2 * form.full_yield);
+  if (way < least) {
+    constexpr double rounding_up = 1.01;  // of the message
+    const double amplitude = rounding_up * least * e.amplitude / way;
+    throw InputError("an amplitude of " + format_quantity(e.amplitude, Dimension::length) +
+                     " does not reach all the limits of this contact; take at least " + format_quantity(amplitude, Dimension::length));
+  }
   add(Leg::Purpose::travel, way - 2 * start, std::max(slow, fast));
   add(Leg::Purpose::before_reversal, start, slow);
   if (e.type == Type::rail) return plan;

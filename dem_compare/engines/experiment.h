@@ -36,6 +36,7 @@ std::string engine_experiment_name(EngineExperiment::Type type);
 struct ClosedForm {
   double slope = 0;        ///< of response over drive, from rest and after each reversal [N/m], twisting: [N m/rad]
   double first_yield = 0;  ///< drive at which the first limit is reached [m], twisting: [rad]
+  double full_yield = 0;   ///< drive at which the last limit is reached
   double plateau = 0;      ///< response when all limits are reached [N], twisting: [N m]
   double approach = 0;     ///< at the substrate [m]
   double rotation = 0;     ///< rolling angle per drive beyond yield [rad/m]

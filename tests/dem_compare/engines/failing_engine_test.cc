@@ -11,6 +11,7 @@ namespace {
 
 using test::canonical_experiment;
 using test::message_of;
+using test::rail_experiment;
 using test::TemporaryFolder;
 using Type = EngineExperiment::Type;
 
@@ -85,7 +86,13 @@ TEST(FailingEngine, name_that_is_misspelt_is_corrected) {
 TEST(EnginePlan, refuses_an_amplitude_that_does_not_reach_sliding) {
   EngineExperiment e = canonical_experiment(Type::glued);
   e.amplitude = 1e-9;
-  EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "does not reach sliding or rolling");
+  EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "an amplitude of 1 nm does not reach all the limits");
+}
+
+TEST(EnginePlan, asks_for_a_rail_long_enough_for_soft_torsion_to_reach_its_limit) {
+  EngineExperiment e = rail_experiment(45);
+  e.substrate.torsion_stiffness->value = 1.37e-9;  // no slip, a thousandth of the canonical one
+  EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "does not reach all the limits of this contact; take at least");
 }
 
 TEST(EnginePlan, says_which_quantity_an_experiment_lacks) {

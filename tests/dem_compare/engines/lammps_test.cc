@@ -99,6 +99,18 @@ TEST(Lammps_other_code, rail_coefficients_are_those_of_the_torque_balance) {
   }
 }
 
+TEST(Lammps_other_code, soft_springs_of_rolling_and_torsion_are_measured_as_exactly_as_stiff_ones) {
+  const Lammps lammps;
+  ASPERITY_ENGINE_OR_SKIP(lammps);
+  EngineExperiment e = rail_experiment(45);
+  e.amplitude = 50e-9;
+  for (ContactParameters* contact : {&e.substrate, &e.indenter}) {
+    contact->rolling_stiffness->value = 1e-8;
+    contact->torsion_stiffness->value = 2e-8;
+  }
+  expect_closed_form(run(lammps, e), asked);
+}
+
 TEST(Lammps_other_code, twisting_sds_takes_stiffness_per_radian_and_a_limit_with_a_length_in_it) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
