@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "core/quantity.h"
 
 namespace asperity {
 namespace {
@@ -109,83 +108,6 @@ ClosedForm closed_form(const EngineExperiment& e) {
   if (form.full_yield == 0) form.full_yield = form.first_yield;
   form.approach = e.substrate.hertz().approach(e.load);
   return form;
-}
-
-MotionPlan plan_motion(const EngineExperiment& e) {
-  constexpr double steps_per_period = 30, half_critical = 0.5;
-  constexpr double steps_to_yield = 100;      // of sliding, which is prescribed: no inertia
-  constexpr double steps_to_twist = 1000;     // of spinning: cheap, and a limit laid on by a hook lags by one step
-  constexpr double periods_to_yield = 40;     // of a free sphere: 1/(2 pi 40) of the limit is inertia
-  constexpr double travel_haste = 10;         // speed between the stiffness measurements, prescribed motions
-  constexpr double start_over_yield = 3;      // a slow start or reversal goes on this far beyond the first yield
-  constexpr double settling_periods = 40;
-  constexpr long rows_per_leg = 400, rows_to_see_rest = 10;
-  if (!(e.load > 0)) throw InputError("the normal load must be above zero");
-  if (!(e.haste > 0)) throw InputError("the factor on the speed must be above zero");
-
-  const bool is_free = e.type == Type::rolling || e.type == Type::rail;
-  const double mass = e.mass(), R = e.substrate.particle.radius, inertia = 0.4 * mass * R * R;
-  const ClosedForm form = closed_form(e);
-  const int slopes = e.type == Type::rail ? 2 : 1;
-  double normal = slopes * e.substrate.normal_stiffness_at(e.load);
-  double lateral = slopes * e.substrate.lateral_stiffness_at(e.load);
-  double shortest = std::sqrt(normal / mass);  // angular frequencies
-  if (is_free) {
-    normal += e.indenter.normal_stiffness_at(e.indenter_load());
-    lateral += e.indenter.lateral_stiffness_at(e.indenter_load());
-    shortest = std::max(std::sqrt(normal / mass), std::sqrt((lateral * R * R + form.rolling_stiffness) / inertia));
-  }
-  double longest = std::sqrt(std::min(normal, lateral) / mass);
-  if (is_free) {  // pure rolling against the springs of rolling and torsion
-    const double lever = R * e.rail_cosine();
-    longest = std::min(longest, std::sqrt(form.rolling_stiffness / (inertia + mass * lever * lever)));
-  }
-  MotionPlan plan;
-  plan.time_step = 2 * pi / shortest / steps_per_period;
-  plan.damping = 2 * half_critical * std::sqrt(e.substrate.normal_stiffness_at(e.load) / mass);
-
-  const double period = 2 * pi / longest;
-  const double prescribed_steps = e.type == Type::twisting ? steps_to_twist : steps_to_yield;
-  const double slow = e.haste * (is_free ? form.first_yield / (periods_to_yield * period)
-                                         : form.first_yield / (prescribed_steps * plan.time_step));
-  // A free sphere that is taken along too fast slides: its momentum must stay far below what friction can give.
-  constexpr double share_of_friction = 0.01;
-  const double fast = is_free ? e.haste * share_of_friction *
-                                    std::min(e.substrate.sliding_limit(e.load), e.indenter.sliding_limit(e.indenter_load())) /
-                                    std::sqrt(lateral * mass)
-                              : travel_haste * slow;
-  const auto add = [&](Leg::Purpose purpose, double distance, double speed) {
-    const long steps = std::max(2L, std::lround(std::abs(distance) / (speed * plan.time_step)));
-    plan.legs.push_back({purpose, distance, steps, std::max(1L, steps / rows_per_leg)});
-  };
-  const double start = start_over_yield * form.first_yield, turn = 2 * start;
-  const long settling = std::lround(settling_periods * period / plan.time_step);
-  if (e.type != Type::twisting)
-    plan.legs.push_back({Leg::Purpose::settle, 0, settling, std::max(1L, settling / rows_to_see_rest)});
-  add(Leg::Purpose::start, start, slow);
-  if (e.type == Type::twisting) {
-    add(Leg::Purpose::reversal, -turn, slow);
-    return plan;
-  }
-  const double way = e.type == Type::rail ? 2 * e.amplitude : e.amplitude;
-  // Before a reversal all limits must have been reached, and after it once more, over twice the travel.
-  const double least = std::max(2 * start, 2 * form.full_yield);
-  if (way < least) {
-    constexpr double rounding_up = 1.01;  // of the message
-    const double amplitude = rounding_up * least * e.amplitude / way;
-    throw InputError("an amplitude of " + format_quantity(e.amplitude, Dimension::length) +
-                     " does not reach all the limits of this contact; take at least " + format_quantity(amplitude, Dimension::length));
-  }
-  add(Leg::Purpose::travel, way - 2 * start, std::max(slow, fast));
-  add(Leg::Purpose::before_reversal, start, slow);
-  if (e.type == Type::rail) return plan;
-  for (int half_loop = 0; half_loop < 2; ++half_loop) {
-    const double sign = half_loop == 0 ? -1 : 1;
-    add(Leg::Purpose::reversal, sign * turn, slow);
-    if (2 * way > turn + start) add(Leg::Purpose::travel, sign * (2 * way - turn - start), std::max(slow, fast));
-    add(Leg::Purpose::before_reversal, sign * start, slow);
-  }
-  return plan;
 }
 
 }  // namespace asperity
