@@ -40,8 +40,8 @@ struct LoopNumbers {
   double reversal_slope = 0;   ///< the same after the last reversal
   double plateau = 0;          ///< half the difference of the forces at the ends of the last two legs [N]
   double offset = 0;           ///< their mean [N]
-  double reversal_travel = 0;  ///< way after the last reversal to the end of the straight line that starts with the reversal slope: 2 plateau/slope [m]
-  double plateau_travel = 0;   ///< way after the last reversal until 99.9 % of the change to the next plateau is done [m]
+  double reversal_travel = 0;  ///< 2 plateau/reversal slope: way of an elastic contact to the next plateau [m]
+  double plateau_travel = 0;   ///< way after the last reversal until 99.9 % of the change of force is done [m]
   double dissipation = 0;      ///< work of the last full cycle [J]; NaN without a full cycle
 };
 LoopNumbers measure(const FrictionLoop& loop);

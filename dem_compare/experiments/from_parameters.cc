@@ -14,7 +14,8 @@ double sliding_modulus_of(const ContactParameters& parameters) {
   const bool known_at_load = parameters.lateral_stiffness && std::isfinite(parameters.lateral_stiffness->at_load);
   if (!known_at_load) {
     if (parameters.reduced_shear_modulus) return parameters.reduced_shear_modulus->value;
-    throw InputError(parameters.file + ": neither 'reduced_shear_modulus' nor 'lateral_stiffness' with its at_load is given; give one");
+    throw InputError(parameters.file +
+                     ": neither 'reduced_shear_modulus' nor 'lateral_stiffness' with its at_load is given; give one");
   }
   constexpr double mindlin = 8;
   return parameters.lateral_stiffness->value / (mindlin * parameters.contact_radius(parameters.lateral_stiffness->at_load));

@@ -9,7 +9,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "core/error.h"
 #include "dem_compare/laws/law_registry.h"
 #include "dem_compare/laws/normal_state.h"
 

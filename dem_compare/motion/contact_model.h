@@ -1,6 +1,7 @@
 // One contact of a particle: a law for each mode of motion, and what they exert together. Pure: advance() maps the state that
 // was accepted last and a motion to the next state; nothing is remembered elsewhere. The modes do not know of each other but
-// through the normal force and the contact radius (torsion takes nothing from sliding: Farkas et al. 2003 is left out).
+// through the normal force and the contact radius (torsion takes nothing from sliding: sliding_with_spin.h is left out). Nor
+// does rolling renew the contact: a lateral force stays in its spring, where a real one gives way over some 2 a (creep_force.h).
 // Signs: every law gives a resistance in the direction of its displacement, and the particle feels it against that direction,
 //   f = f_n n - q,   M = (-r n) x (-q) - M_ro - M_to n    (moment about the particle's centre). SI units.
 #pragma once

@@ -35,7 +35,8 @@ TEST(LawRegistry, manual_page_names_every_law_and_parameter) {
 
 TEST(LawRegistry, the_shipped_manual_page_is_the_present_one) {
   const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
-  EXPECT_EQ(read_file(root / "docs" / "reduced_laws.md"), reduced_laws_manual()) << "write it anew: asperity laws > docs/reduced_laws.md";
+  EXPECT_EQ(read_file(root / "docs" / "reduced_laws.md"), reduced_laws_manual())
+      << "write it anew: asperity laws > docs/reduced_laws.md";
 }
 
 TEST(LawRegistry, parameters_are_read_and_set_by_name_within_their_bounds) {

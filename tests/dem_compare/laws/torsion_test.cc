@@ -87,7 +87,8 @@ TEST(Torsion_other_code, stiffness_and_full_slip_moment_agree_with_the_reference
   int compared = 0;
   for (std::size_t i = 0; i < load.size(); ++i) {
     if (table.rows[i][0] != "borosilicate/Si") continue;
-    const double gt = torsion_modulus(sphere, silicon), a = Hertz{reduced_modulus(sphere, silicon), 8.5e-6}.contact_radius(load[i] * 1e-6);
+    const double gt = torsion_modulus(sphere, silicon);
+    const double a = Hertz{reduced_modulus(sphere, silicon), 8.5e-6}.contact_radius(load[i] * 1e-6);
     EXPECT_NEAR(no_slip_torsion_stiffness(gt, a) / k[i], 1, table_digits);
     EXPECT_NEAR(full_slip_torsion_moment(mu[i], load[i] * 1e-6, a) / full[i], 1, table_digits);
     const LubkinTorsion lubkin{gt, mu[i], load[i] * 1e-6, a};

@@ -71,7 +71,7 @@ TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_m
   Chance chance;
   for (int i = 0; i < 200; ++i) {
     const PlanePlacement plane{{chance.vector(1e-6), chance.rotation()}, chance.rotation() * Vector3d::UnitZ()};
-    const Placement sphere{plane.position + (radius - 1e-8) * (plane.orientation * plane.normal) , chance.rotation()};
+    const Placement sphere{plane.position + (radius - 1e-8) * (plane.orientation * plane.normal), chance.rotation()};
     const Placement sphere_after = chance.near(sphere, 1e-7, 0.3);
     const PlanePlacement plane_after{chance.near(plane, 1e-7, 0.3), plane.normal};
     const Observer before{chance.vector(1e-5), chance.rotation()}, after{chance.vector(1e-5), chance.rotation()};
@@ -198,9 +198,9 @@ double largest_difference(const ContactModel& model) {
   for (int i = 0; i < 200; ++i) {
     Placement sphere_after = chance.near(sphere, 0, 3e-5);
     sphere_after.position += 2e-10 * Vector3d(std::cos(0.1 * i), std::sin(0.07 * i), 0.3 * std::sin(0.2 * i));
-    const PlanePlacement plane_after{{plane.position + 1e-10 * Vector3d(std::sin(0.3 * i), 0, 0),
-                                      rotation_by(1e-5 * Vector3d(std::sin(0.1 * i), 0.5, std::cos(0.2 * i))) * plane.orientation},
-                                     plane.normal};
+    const Quaterniond tilt = rotation_by(1e-5 * Vector3d(std::sin(0.1 * i), 0.5, std::cos(0.2 * i)));
+    const PlanePlacement plane_after{
+        {plane.position + 1e-10 * Vector3d(std::sin(0.3 * i), 0, 0), tilt * plane.orientation}, plane.normal};
     const Observer observer_after{observer.shift + chance.vector(1e-6), chance.rotation()};
     const LeverArm lever = model.lever;
     rest = advance(model, rest, sphere_on_plane(sphere, sphere_after, radius, plane, plane_after, lever));
