@@ -20,23 +20,14 @@ constexpr double difference_over_increment = 1e-3, smallest_difference = 1e-9, l
 /// Motions softer than this, over the normal stiffness, resist nothing (a free spin without torsion law) and stay still.
 constexpr double softest = 1e-6;
 constexpr int most_iterations = 30, most_backtracks = 12;
-/// An imbalance that stops shrinking below this is rounding; partial slip that turns is resolved less finely.
+/// An imbalance that stops shrinking below this is rounding.
 constexpr double rounding = 1e-9;
-
-double resolution(const SingleParticle& particle, const ParticleState& state, double force) {
-  double coarsest = rounding;
-  for (std::size_t i = 0; i < particle.contacts.size(); ++i)
-    if (const auto* law = std::get_if<MindlinDeresiewicz>(&particle.contacts[i].model.sliding))
-      coarsest = std::max(coarsest, law->turning_error * law->friction.limit(state.contacts[i].normal.force) / force);
-  return coarsest;
-}
 
 /// One increment of the indenter from an accepted state.
 class Increment {
  public:
   Increment(const SingleParticle& particle, const ParticleState& from, double normal_load, double length, double force)
-      : particle_(particle), from_(from), load_(normal_load), length_(length), force_(force),
-        resolution_(resolution(particle, from, force)) {}
+      : particle_(particle), from_(from), load_(normal_load), length_(length), force_(force) {}
 
   int unknowns() const { return particle_.glued ? 1 : 7; }
 
@@ -109,7 +100,7 @@ class Increment {
         r = next_r;
         state = std::move(next_state);
       }
-      if (!shrinks) return size <= resolution_ ? std::optional<ParticleState>(state) : std::nullopt;
+      if (!shrinks) return size <= rounding ? std::optional<ParticleState>(state) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -117,7 +108,7 @@ class Increment {
  private:
   const SingleParticle& particle_;
   const ParticleState& from_;
-  double load_, length_, force_, resolution_;
+  double load_, length_, force_;
 };
 
 }  // namespace

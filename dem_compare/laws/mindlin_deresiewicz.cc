@@ -71,18 +71,22 @@ std::vector<double> crossings(const StripNode& one, const StripNode& other, doub
 Profile refined(const Profile& profile, double kappa, double approach) {
   Profile now;
   now.reserve(2 * profile.size() + 4);
-  const auto slips = [&](const StripNode& node) { return node.shift.norm() > kappa * (approach - node.depth); };
+  // Places where slip begins lie on the limit up to rounding, and count as slipping.
+  constexpr double on_the_limit = 1 - 1e-9;
+  const auto slips = [&](const StripNode& node) {
+    return node.shift.norm() >= on_the_limit * kappa * (approach - node.depth);
+  };
   const auto append = [&](const StripNode& next) {  // with the nodes that a turn of the slip needs
     if (!now.empty() && slips(now.back()) && slips(next)) {
       const StripNode last = now.back();
-      const double angle = std::atan2(last.shift.cross(next.shift).norm(), last.shift.dot(next.shift));
-      const int pieces = static_cast<int>(std::ceil(angle / largest_turn));
-      const bool opposed = last.shift.dot(next.shift) < 0 && last.shift.cross(next.shift).norm() == 0;
-      if (!opposed)
-        for (int i = 1; i < pieces; ++i) {
-          const double depth = last.depth + (next.depth - last.depth) * i / pieces;
-          now.push_back({depth, between(last, next, depth)});
-        }
+      const double across = last.shift.cross(next.shift).norm(), along = last.shift.dot(next.shift);
+      const double angle = std::atan2(across, along), from = last.shift.norm(), to = next.shift.norm();
+      const int pieces = along < 0 && across == 0 ? 1 : static_cast<int>(std::ceil(angle / largest_turn));
+      for (int i = 1; i < pieces; ++i) {  // of equal angle: the law of sines on the straight line from u to u'
+        const double turned = angle * i / pieces, one = from * std::sin(turned), other = to * std::sin(angle - turned);
+        const double depth = last.depth + (next.depth - last.depth) * one / (one + other);
+        now.push_back({depth, between(last, next, depth)});
+      }
     }
     now.push_back(next);
   };
