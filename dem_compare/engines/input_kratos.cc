@@ -1,4 +1,4 @@
-// Kratos DEMApplication: MaterialsDEM.json. JSON has no comments: the header is a list of texts that Kratos passes over.
+// Kratos DEMApplication: MaterialsDEM.json. JSON has no comments: the header is a list of texts under a key of its own.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +33,7 @@ std::string kratos_input(InputNotes& notes) {
   relation["DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME"] = "DEM_D_Hertz_viscous_Coulomb";
   nlohmann::ordered_json json;
   json["asperity_notes"] = notes.lines();
+  json["asperity_notes"].push_back("'asperity_notes' is no key of Kratos: take it out where it is in the way.");
   const auto material = [&](const char* name, int id, const ContactBody& body) {
     nlohmann::ordered_json variables;
     if (body.density > 0) variables["PARTICLE_DENSITY"] = body.density;
