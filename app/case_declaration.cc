@@ -188,9 +188,13 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
   entries.push_back(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading."));
   entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
-                             "Lateral path of sliding and rolling."));
+                             "Lateral path of sliding and rolling, one way."));
   entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-                             "Angle of torsion."));
+                             "Angle of torsion, one way."));
+  entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true", "Come back along the path: half a friction loop."));
+  entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
+                                 "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
+                                 "then half an interface spacing."));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {

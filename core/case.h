@@ -37,8 +37,10 @@ struct ExperimentInput {
   int unload_steps = 10;
   int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
   int hold_steps = 0;          ///< steps at the largest load before unloading
-  double distance = 0;         ///< lateral path of sliding and rolling [m]
-  double angle = 0;            ///< torsion angle [rad]
+  double distance = 0;         ///< lateral path of sliding and rolling, one way [m]
+  double angle = 0;            ///< torsion angle, one way [rad]
+  bool reverse = true;         ///< come back along the path
+  int motion_steps = 0;        ///< equal steps one way; 0: fine where slip begins, then half an interface spacing
 };
 
 struct MeshInput {

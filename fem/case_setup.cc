@@ -40,6 +40,18 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
   return roughness;
 }
 
+/// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
+/// and steps of half a spacing at the rim of contact.
+MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
+  const double a = setup.hertz_radius, area = M_PI * a * a;
+  const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
+  const double coulomb = input.interface.friction_coefficient * setup.largest_load, strength = input.interface.shear_strength * area;
+  const double friction = coulomb == 0 ? strength : strength == 0 ? coulomb : std::min(coulomb, strength);
+  const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) + (2 - input.substrate.poisson_ratio) / shear(input.substrate);
+  const double torsion = 1 / shear(input.particle) + 1 / shear(input.substrate);
+  return {3 * friction * lateral / (16 * a), 0.64 * friction * torsion / (a * a), spacing / 2, spacing / (2 * a)};
+}
+
 }  // namespace
 
 J2Material material_of(const BodyInput& body) {
@@ -109,9 +121,20 @@ CaseSetup set_up(const CaseInput& input) {
   sizes.spacing_particle = sizes.spacing_substrate = spacing;
   sizes.region_particle = region;
   sizes.region_substrate = region + 3 * spacing;
+  options.tilted_normals = input.experiment.type == ExperimentInput::Type::sliding;
+  if (input.experiment.type == ExperimentInput::Type::sliding) {
+    // The particle slides from the origin along x.
+    sizes.reach_substrate = sizes.offset_substrate_x = input.experiment.distance / 2;
+    const double longest = sizes.block_half_width / 2;
+    if (sizes.region_substrate + sizes.reach_substrate > longest)
+      throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
+                       " leaves the middle half of the substrate's block; set it to " +
+                       format_quantity(2 * (longest - sizes.region_substrate), Dimension::length) + " or less");
+  }
+  setup.motion = motion_scales(input, setup, spacing);
   options.mesh.layers = input.mesh.layers;
   const Roughness particle = roughness_of(upper, sizes.region_particle, spacing);
-  const Roughness substrate = roughness_of(lower, sizes.region_substrate, spacing);
+  const Roughness substrate = roughness_of(lower, sizes.region_substrate + 2 * sizes.reach_substrate, spacing);
   options.mesh.particle_height = particle.height;
   options.mesh.substrate_height = substrate.height;
   options.mesh.largest_height_particle = particle.largest;

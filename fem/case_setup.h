@@ -3,6 +3,7 @@
 
 #include "core/case.h"
 #include "fem/contact/contact_system.h"
+#include "fem/experiments/program.h"
 
 namespace asperity::fem {
 
@@ -12,6 +13,7 @@ struct CaseSetup {
   double hertz_approach = 0;    ///< its approach [m]
   double reduced_modulus = 0;   ///< E* [Pa]
   double largest_load = 0;      ///< given, or Hertz' at the largest approach [N]
+  MotionScales motion;          ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
 };
 

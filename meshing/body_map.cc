@@ -35,7 +35,8 @@ BodyMap::BodyMap(const BodySizes& sizes) : sizes_(sizes) {
   const double half = sizes.block_half_width;
   level_substrate_ = level_for(2 * half, sizes.spacing_substrate);
   const double cells_substrate = std::pow(2.0, level_substrate_);
-  block_lateral_ = Stretch(half, sizes.spacing_substrate * cells_substrate / 2, 1.5 * sizes.region_substrate);
+  block_lateral_ = Stretch(half, sizes.spacing_substrate * cells_substrate / 2,
+                           1.5 * sizes.region_substrate + sizes.reach_substrate);
   block_depth_ = Stretch(2 * half, sizes.spacing_substrate * cells_substrate, sizes.region_substrate);
 }
 

@@ -30,7 +30,8 @@ struct BodySizes {
   double spacing_substrate = 0;
   double region_particle = 0;   ///< half width of the uniformly spaced square around the axis
   double region_substrate = 0;
-  double offset_substrate_x = 0, offset_substrate_y = 0;  ///< shift of the substrate's lattice (non-matching meshes)
+  double reach_substrate = 0;   ///< by which the substrate's fine region is longer on both sides along x (sliding)
+  double offset_substrate_x = 0, offset_substrate_y = 0;  ///< place of the substrate's centre
 };
 
 class BodyMap {

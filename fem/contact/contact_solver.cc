@@ -143,6 +143,7 @@ void ContactSolver::step_with_held_rows(ContactState& state, double target, Tang
 SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion) {
   SolveReport report;
   const auto& level = system_.level();
+  system_.shift_particle(motion.x, motion.y, state.displacement);
   tractions_.begin_step(state);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
@@ -207,6 +208,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
     if (!closed) {
       // The update doubles what the penalty carried, which would make sticking rows slip for a moment.
       if (tractions_.has_friction()) tractions_.hold_sticking();
+      system_.follow_slopes(state.displacement);
       tractions_.update_multipliers(state);
       tractions_.update_limits(state);
       if (tractions_.has_friction()) step_with_held_rows(state, target, tangent, residual, direction, report);
@@ -233,13 +235,17 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     result.torsion_moment -= point[0] * ty - point[1] * tx;
     if (p <= 0) continue;
     const double force = p * system_.areas()[r];
+    const auto& slope = system_.interface().slope(static_cast<int>(r));
+    result.lateral_force[0] -= force * slope[0], result.lateral_force[1] -= force * slope[1];
+    result.torsion_moment -= force * (point[0] * slope[1] - point[1] * slope[0]);
     result.force += force;
     result.largest_pressure = std::max(result.largest_pressure, p);
     ++result.active;
     result.reaches_rim = result.reaches_rim || system_.on_rim()[r];
     system_.interface().for_row(static_cast<int>(r), [&](int node, double weight) {
-      moment_x += force * weight * system_.interface_points()[node][1];
-      moment_y += force * weight * system_.interface_points()[node][0];
+      const bool particle = system_.interface().nodes().site(node).body == 0;
+      moment_x += force * weight * (system_.interface_points()[node][1] + (particle ? system_.shift()[1] : 0.0));
+      moment_y += force * weight * (system_.interface_points()[node][0] + (particle ? system_.shift()[0] : 0.0));
     });
   }
   std::vector<std::array<double, 2>> points;

@@ -12,40 +12,19 @@ ContactSystem::ContactSystem(MPI_Comm communicator, const ContactSystemOptions& 
   level_ = std::make_unique<MeshLevel>(*forest_, options.control);
   positions_ = level_->node_positions(geometry_);
   bodies_ = std::make_unique<PlasticBodies>(*level_, positions_, options.materials);
+  find_faces();
   couple();
+  describe_rows();
 }
 
-void ContactSystem::couple() {
-  const InterfaceNodes nodes(*level_);
-  interface_points_.resize(nodes.count());
-  for (int c = 0; c < 3; ++c) {
-    const auto values = nodes.gather(positions_.begin(), c);
-    for (int k = 0; k < nodes.count(); ++k) interface_points_[k][c] = values[k];
-  }
-  const auto& sizes = options_.mesh.sizes;
-  const double region = sizes.region_particle;
-  std::array<std::vector<PlaneFace>, 2> faces;
-  for (const auto& f : level_->interface_faces()) {
-    PlaneFace face;
-    for (int v = 0; v < 4; ++v) face.node[v] = nodes.index(f.node[v]);
-    const auto& low = interface_points_[face.node[0]];
-    const auto& high = interface_points_[face.node[3]];
-    face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
-    const double reach = std::max({std::abs(face.x0), std::abs(face.x1), std::abs(face.y0), std::abs(face.y1)});
-    if (f.body == 0 && reach > region * (1 + 1e-9)) continue;
-    if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)
-      throw WorkError("the particle's contact region is not uniformly meshed; this is an error of the program");
-    faces[f.body].push_back(face);
-  }
-  if (faces[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
-  rows_ = couple_interfaces(faces[0], faces[1]);
-  std::vector<int> row_of_node(nodes.count(), -1);
+void ContactSystem::describe_rows() {
+  std::vector<int> row_of_node(interface_points_.size(), -1);
   for (std::size_t r = 0; r < rows_.size(); ++r) row_of_node[rows_[r].node] = static_cast<int>(r);
-  for (const auto& face : faces[0]) {
+  for (const auto& face : faces_[0]) {
     auto& quad = row_quads_.emplace_back();
     for (int v = 0; v < 4; ++v) quad[v] = row_of_node[face.node[v]];
   }
-  interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, nodes);
+  interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, InterfaceNodes(*level_));
   gaps_ = interface_->gaps(positions_.begin());
   double largest = 0;
   for (const auto& row : rows_) {
@@ -55,9 +34,67 @@ void ContactSystem::couple() {
   }
   for (const auto& row : rows_) {
     const auto& p = interface_points_[row.node];
-    on_rim_.push_back(std::max(std::abs(p[0]), std::abs(p[1])) > largest - 0.5 * sizes.spacing_particle);
+    on_rim_.push_back(std::max(std::abs(p[0]), std::abs(p[1])) > largest - 0.5 * options_.mesh.sizes.spacing_particle);
   }
   linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_, options_.mesh, geometry_, options_.control});
+}
+
+void ContactSystem::find_faces() {
+  const InterfaceNodes nodes(*level_);
+  interface_points_.resize(nodes.count());
+  for (int c = 0; c < 3; ++c) {
+    const auto values = nodes.gather(positions_.begin(), c);
+    for (int k = 0; k < nodes.count(); ++k) interface_points_[k][c] = values[k];
+  }
+  const auto& sizes = options_.mesh.sizes;
+  for (const auto& f : level_->interface_faces()) {
+    PlaneFace face;
+    for (int v = 0; v < 4; ++v) face.node[v] = nodes.index(f.node[v]);
+    const auto& low = interface_points_[face.node[0]];
+    const auto& high = interface_points_[face.node[3]];
+    face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
+    const double reach = std::max({std::abs(face.x0), std::abs(face.x1), std::abs(face.y0), std::abs(face.y1)});
+    if (f.body == 0 && reach > sizes.region_particle * (1 + 1e-9)) continue;
+    if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)
+      throw WorkError("the particle's contact region is not uniformly meshed; this is an error of the program");
+    faces_[f.body].push_back(face);
+  }
+  if (faces_[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
+}
+
+void ContactSystem::couple() {
+  std::vector<PlaneFace> particle = faces_[0];
+  for (auto& face : particle) face.x0 += shift_[0], face.x1 += shift_[0], face.y0 += shift_[1], face.y1 += shift_[1];
+  rows_ = couple_interfaces(particle, faces_[1]);
+}
+
+void ContactSystem::shift_particle(double x, double y, const Vector<double>& accepted) {
+  // Far below what any gap can notice.
+  const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
+  if (!options_.tilted_normals && std::hypot(x - shift_[0], y - shift_[1]) < unnoticed) return;
+  shift_ = {x, y};
+  couple();
+  if (options_.tilted_normals) tilt(accepted);
+  interface_->set_rows(rows_, InterfaceNodes(*level_));
+  gaps_ = interface_->jumps(positions_.begin(), 2);
+  linear_->recouple();
+}
+
+void ContactSystem::follow_slopes(const Vector<double>& displacement) {
+  if (!options_.tilted_normals) return;
+  tilt(displacement);
+  interface_->set_slopes(rows_);
+  linear_->follow_slopes();
+}
+
+void ContactSystem::tilt(const Vector<double>& displacement) {
+  std::vector<double> height = interface_->nodes().gather(displacement.begin(), 2);
+  for (std::size_t k = 0; k < height.size(); ++k) height[k] += interface_points_[k][2];
+  for (auto& row : rows_) {
+    row.slope = {};
+    for (const auto& [node, weights] : row.slope_entries)
+      for (int c = 0; c < 2; ++c) row.slope[c] -= weights[c] * height[node];
+  }
 }
 
 namespace {

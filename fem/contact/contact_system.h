@@ -15,6 +15,9 @@ struct ContactSystemOptions {
   std::array<J2Material, 2> materials;  ///< particle, substrate
   Control control = Control::force;
   std::string backend = "matrix-free";  ///< see make_linear_solver
+  /// Whether pressure acts along the normals of the substrate's deformed surface, as it must where bodies slide over asperities,
+  /// or along z. Without sliding the difference is of second order in slopes.
+  bool tilted_normals = false;
 };
 
 class ContactSystem {
@@ -29,14 +32,22 @@ class ContactSystem {
   const std::vector<GapRow>& rows() const { return rows_; }
   const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
   const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row before any motion [m]
+  /// Of the particle's frame relative to the substrate's [m].
+  const std::array<double, 2>& shift() const { return shift_; }
   const InterfaceOperator& interface() const { return *interface_; }
   InterfaceOperator& interface() { return *interface_; }
-  /// In-plane position and height of each interface node [m].
+  /// Place of each interface node in its body's frame [m].
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
   const LinearSolver& linear() const { return *linear_; }
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
+
+  /// Couples the interfaces anew with the particle's frame shifted by (x, y) [m]: the same rows with other weights, gaps, and,
+  /// with tilted normals, slopes, those of the substrate displaced by `accepted`. Collective.
+  void shift_particle(double x, double y, const Vector<double>& accepted);
+  /// With tilted normals: slopes of the substrate displaced by `displacement`. Collective.
+  void follow_slopes(const Vector<double>& displacement);
 
   /// Rows at the corners of each face of the particle's contact region, lexicographic.
   const std::vector<std::array<int, 4>>& row_quads() const { return row_quads_; }
@@ -51,7 +62,10 @@ class ContactSystem {
   const std::vector<char>& on_rim() const { return on_rim_; }
 
  private:
+  void find_faces();
   void couple();
+  void tilt(const Vector<double>& displacement);
+  void describe_rows();
 
   ContactSystemOptions options_;
   meshing::RoughGeometry geometry_;
@@ -61,6 +75,8 @@ class ContactSystem {
   std::unique_ptr<PlasticBodies> bodies_;
   std::unique_ptr<InterfaceOperator> interface_;
   std::unique_ptr<LinearSolver> linear_;
+  std::array<std::vector<PlaneFace>, 2> faces_;  ///< that can touch, each body's in its own frame
+  std::array<double, 2> shift_{};               ///< of the particle's frame
   std::vector<GapRow> rows_;
   std::vector<double> areas_, gaps_;
   std::vector<std::array<double, 3>> interface_points_;

@@ -80,8 +80,15 @@ void InterfaceNodes::scatter_add(std::vector<Number>& values, int component, Num
 
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes)
     : level_(level), nodes_(level) {
-  const FaceFinder finder(level.interface_faces());
-  start_.push_back(0);
+  set_rows(rows, fine_nodes);
+}
+
+void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
+  const FaceFinder finder(level_.interface_faces());
+  start_.assign(1, 0);
+  column_.clear();
+  weight_.clear();
+  active_.clear();
   std::vector<std::pair<int, double>> merged;
   for (const auto& row : rows) {
     merged.clear();
@@ -104,12 +111,22 @@ InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<G
     }
     start_.push_back(static_cast<int>(column_.size()));
   }
+  set_slopes(rows);
   const long count = static_cast<long>(rows.size());
-  const long ranks = dealii::Utilities::MPI::n_mpi_processes(level.communicator());
-  const long rank = dealii::Utilities::MPI::this_mpi_process(level.communicator());
+  const long ranks = dealii::Utilities::MPI::n_mpi_processes(level_.communicator());
+  const long rank = dealii::Utilities::MPI::this_mpi_process(level_.communicator());
   first_row_ = static_cast<int>(count * rank / ranks);
   last_row_ = static_cast<int>(count * (rank + 1) / ranks);
-  stiffness_.resize(rows.size());
+  stiffness_.assign(rows.size(), RowStiffness());
+}
+
+void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
+  slope_.clear();
+  tilted_ = false;
+  for (const auto& row : rows) {
+    slope_.push_back(row.slope);
+    tilted_ = tilted_ || row.slope[0] != 0 || row.slope[1] != 0;
+  }
 }
 
 void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness) {
@@ -122,7 +139,7 @@ void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness
 
 template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
-  const int first = resists_slip_ ? 0 : 2;
+  const int first = resists_slip_ || tilted_ ? 0 : 2;
   std::array<std::vector<Number>, 3> values, result;
   for (int c = first; c < 3; ++c) {
     values[c] = nodes_.gather(x, c);
@@ -133,9 +150,10 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
     Number jump[3] = {}, force[3] = {};
     for (int e = start_[row]; e < start_[row + 1]; ++e)
       for (int c = first; c < 3; ++c) jump[c] += static_cast<Number>(weight_[e]) * values[c][column_[e]];
-    force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1];
-    force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1];
-    force[2] = static_cast<Number>(k.normal) * jump[2];
+    const Number mx = static_cast<Number>(slope_[row][0]), my = static_cast<Number>(slope_[row][1]);
+    force[2] = static_cast<Number>(k.normal) * (jump[2] + mx * jump[0] + my * jump[1]);
+    force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1] + mx * force[2];
+    force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1] + my * force[2];
     for (int e = start_[row]; e < start_[row + 1]; ++e)
       for (int c = first; c < 3; ++c) result[c][column_[e]] += static_cast<Number>(weight_[e]) * force[c];
   }
@@ -146,11 +164,13 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
   std::array<std::vector<double>, 3> result;
   for (auto& component : result) component.assign(nodes_.count(), 0.0);
   for (const int row : active_) {
-    const double k[3] = {stiffness_[row].xx, stiffness_[row].yy, stiffness_[row].normal};
+    const auto& m = slope_[row];
+    const double normal = stiffness_[row].normal;
+    const double k[3] = {stiffness_[row].xx + m[0] * m[0] * normal, stiffness_[row].yy + m[1] * m[1] * normal, normal};
     for (int e = start_[row]; e < start_[row + 1]; ++e)
       for (int c = 0; c < 3; ++c) result[c][column_[e]] += k[c] * weight_[e] * weight_[e];
   }
-  for (int c = resists_slip_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
+  for (int c = resists_slip_ || tilted_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
 }
 
 std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
@@ -159,6 +179,26 @@ std::vector<double> InterfaceOperator::jumps(const double* x, int component) con
   for (int row = 0; row < rows(); ++row)
     for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight_[e] * values[column_[e]];
   return jumps;
+}
+
+std::vector<double> InterfaceOperator::gaps(const double* x) const {
+  std::vector<double> gaps = jumps(x, 2);
+  if (!tilted_) return gaps;
+  for (int c = 0; c < 2; ++c) {
+    const std::vector<double> slips = jumps(x, c);
+    for (std::size_t r = 0; r < gaps.size(); ++r) gaps[r] += slope_[r][c] * slips[r];
+  }
+  return gaps;
+}
+
+void InterfaceOperator::add_normal_forces(const std::vector<double>& row_forces, double* y) const {
+  add_forces(row_forces, y);
+  if (!tilted_) return;
+  std::vector<double> sideways(row_forces.size());
+  for (int c = 0; c < 2; ++c) {
+    for (std::size_t r = 0; r < sideways.size(); ++r) sideways[r] = slope_[r][c] * row_forces[r];
+    add_forces(sideways, y, c);
+  }
 }
 
 void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y, int component) const {

@@ -1,7 +1,8 @@
 // The gap operator G of the finest mesh seen from one mesh level, and its stiffness G^T E G.
 //
 // G maps displacements to what the particle's surface moves relative to the substrate's at each contact row: along z the
-// gap opens, along x and y it slips. The weights of a row are the same for the three components.
+// gap opens, along x and y it slips. The weights of a row are the same for the three components. Where the row has a slope
+// m, slip along m opens the gap too: the row's normal is n = (m_x, m_y, 1), to first order in slopes.
 // The rows are the contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
 // G_coarse = G P exactly and spares triple products when the active set changes. Interface values are gathered on all
 // ranks; each rank works on its share of the rows.
@@ -56,6 +57,12 @@ class InterfaceOperator {
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
   InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
 
+  /// Other rows, or the same ones with other weights.
+  void set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+
+  /// The slopes of the same rows.
+  void set_slopes(const std::vector<GapRow>& rows);
+
   int rows() const { return static_cast<int>(start_.size()) - 1; }
   const InterfaceNodes& nodes() const { return nodes_; }
   void set_stiffness(const std::vector<RowStiffness>& stiffness);
@@ -67,9 +74,14 @@ class InterfaceOperator {
 
   /// One component of G x: one value per row, on every rank.
   std::vector<double> jumps(const double* x, int component) const;
-  std::vector<double> gaps(const double* x) const { return jumps(x, 2); }
+  /// n . G x: by how much gaps open.
+  std::vector<double> gaps(const double* x) const;
   /// y += G^T f for forces along one component.
   void add_forces(const std::vector<double>& row_forces, double* y, int component = 2) const;
+  /// y += G^T n f for forces along the rows' normals.
+  void add_normal_forces(const std::vector<double>& row_forces, double* y) const;
+  /// m of a row.
+  const std::array<double, 2>& slope(int row) const { return slope_[row]; }
   /// Visits the entries (interface node, weight) of a row.
   template <typename Visit>
   void for_row(int row, const Visit& visit) const {
@@ -84,7 +96,8 @@ class InterfaceOperator {
   InterfaceNodes nodes_;
   std::vector<int> start_, column_, active_;
   std::vector<RowStiffness> stiffness_;
-  bool resists_slip_ = false;  ///< whether any row of any rank does
+  std::vector<std::array<double, 2>> slope_;
+  bool resists_slip_ = false, tilted_ = false;  ///< whether any row of any rank does, is
   std::vector<double> weight_;
   int first_row_ = 0, last_row_ = 0;  ///< this rank's share
 };

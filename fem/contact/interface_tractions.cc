@@ -84,7 +84,7 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
 void InterfaceTractions::add_forces(double* y) const {
   std::vector<double> forces(pressure_.size());
   for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = pressure_[r] * system_.areas()[r];
-  system_.interface().add_forces(forces, y);
+  system_.interface().add_normal_forces(forces, y);
   if (!friction_) return;
   for (int c = 0; c < 2; ++c) {
     for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = shear_[r].traction[c] * system_.areas()[r];

@@ -63,7 +63,7 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, co
 
   std::unordered_map<int, int> row_of_node;
   std::vector<GapRow> rows;
-  std::vector<std::map<int, double>> mortar;
+  std::vector<std::map<int, std::array<double, 3>>> mortar;  // integrals of psi N, psi dN/dx, psi dN/dy
   for (const auto& s : particle) {
     const double wx = s.x1 - s.x0, wy = s.y1 - s.y0, area = wx * wy;
     int row[4];
@@ -93,12 +93,17 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, co
       }
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b) {
-          double in_x = 0, in_y = 0;
+          double in_x = 0, in_y = 0, of_x = 0, of_y = 0;
           for (int q = 0; q < 2; ++q) {
             in_x += 0.5 * ix.length() * dual_x[a & 1][q] * shape_x[b & 1][q];
             in_y += 0.5 * iy.length() * dual_y[a >> 1][q] * shape_y[b >> 1][q];
+            of_x += 0.5 * ix.length() * dual_x[a & 1][q];
+            of_y += 0.5 * iy.length() * dual_y[a >> 1][q];
           }
-          mortar[row[a]][m.node[b]] += in_x * in_y;
+          auto& sum = mortar[row[a]][m.node[b]];
+          sum[0] += in_x * in_y;
+          sum[1] += (b & 1 ? 1 : -1) / (m.x1 - m.x0) * of_x * in_y;
+          sum[2] += (b >> 1 ? 1 : -1) / (m.y1 - m.y0) * in_x * of_y;
         }
     });
     if (std::abs(covered - area) > 1e-6 * area)
@@ -106,8 +111,10 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, co
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     rows[r].entries.emplace_back(rows[r].node, 1.0);
-    for (const auto& [node, integral] : mortar[r])
-      if (std::abs(integral) > 1e-12 * rows[r].area) rows[r].entries.emplace_back(node, -integral / rows[r].area);
+    for (const auto& [node, sum] : mortar[r]) {
+      if (std::abs(sum[0]) > 1e-12 * rows[r].area) rows[r].entries.emplace_back(node, -sum[0] / rows[r].area);
+      rows[r].slope_entries.push_back({node, {sum[1] / rows[r].area, sum[2] / rows[r].area}});
+    }
   }
   return rows;
 }

@@ -5,6 +5,8 @@
 //   g_a = z_a - sum_b (M_ab / D_a) z_b,   M_ab = integral of psi_a N_b over the overlap,
 // and a pressure p_a there loads both sides with p_a D_a G_a. Forces and moments balance exactly because the weights
 // reproduce linear functions; a uniform pressure passes the patch test on any pair of meshes.
+// When the particle slides by s the weights change: dg_a/ds = - (1/D_a) sum_b z_b integral of psi_a grad N_b, minus the mean
+// slope of the substrate. To first order in slopes the pressure then also acts along x and y, by that much.
 #pragma once
 
 #include <array>
@@ -22,6 +24,9 @@ struct GapRow {
   int node = -1;   ///< interface node of the particle's side
   double area = 0; ///< D_a [m^2]
   std::vector<std::pair<int, double>> entries;  ///< interface node, weight; the node itself has weight 1
+  /// Nodes of the substrate with the weights that make the mean slope of its surface of their heights [1/m].
+  std::vector<std::pair<int, std::array<double, 2>>> slope_entries;
+  std::array<double, 2> slope{};  ///< change of the gap by a shift of the particle along x and y; 0: pressure acts along z
 };
 
 /// Rows for all nodes of `particle` faces. Throws WorkError where the substrate's faces do not cover the particle's.

@@ -12,10 +12,13 @@ namespace asperity::fem {
 
 struct Checkpoint {
   int steps = 0;                       ///< accepted so far
-  double load = 0, far_field = 0, stiffness_at_peak = 0, wall_time = 0;
+  double load = 0, far_field = 0, lateral_far_field = 0, wall_time = 0;
+  double stiffness_at_peak = 0, lateral_stiffness = 0, torsion_stiffness = 0;
   std::vector<StepRecord> records;
   std::vector<double> displacement;    ///< locally owned
   std::vector<double> multiplier;
+  std::array<std::vector<double>, 2> shear;
+  RigidMotion motion;
   double approach = 0;
   std::vector<double> history;         ///< PlasticBodies::save_history
 };

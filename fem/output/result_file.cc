@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fem/output/steady_motion.h"
+
 namespace asperity::fem {
 namespace {
 
@@ -13,6 +15,15 @@ using nlohmann::json;
 
 json number(double value, const char* unit, double sd) {
   return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
+}
+
+const char* name_of(ExperimentInput::Type type) {
+  switch (type) {
+    case ExperimentInput::Type::sliding: return "sliding";
+    case ExperimentInput::Type::rolling: return "rolling";
+    case ExperimentInput::Type::torsion: return "torsion";
+    default: return "normal";
+  }
 }
 
 json body_inputs(const BodyInput& body) {
@@ -39,10 +50,14 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   for (const auto& r : records) {
     force = std::max(force, std::abs(r.force_error));
     moment = std::max(moment, std::abs(r.moment_error));
-    energy = std::max(energy, std::abs(r.work - r.elastic_energy - r.plastic_work) / largest_work);
+    energy = std::max(energy, std::abs(r.work - r.elastic_energy - r.plastic_work - r.friction_work) / largest_work);
   }
   json effective;
   if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);
+  if (s.lateral_stiffness > 0) effective["lateral_stiffness"] = number(s.lateral_stiffness, "N/m", relative * s.lateral_stiffness);
+  if (s.torsion_stiffness > 0) effective["torsion_stiffness"] = number(s.torsion_stiffness, "N m/rad", 3 * relative * s.torsion_stiffness);
+  if (const auto sliding = steady_sliding(records)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
+  if (const auto torsion = steady_torsion(records)) effective["torsion_moment"] = number(torsion->mean, "N m", torsion->sd);
   effective["contact_radius"] = number(peak->contact_radius, "m", radius_sd);
   effective["contact_area"] = number(peak->contact_area, "m^2", 2 * relative * peak->contact_area);
   effective["max_pressure"] = number(peak->max_pressure, "Pa", NAN);
@@ -53,7 +68,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   const json result{
       {"format", "asperity-result/1"},
       {"title", input.title},
-      {"experiment", "normal"},
+      {"experiment", name_of(input.experiment.type)},
       {"inputs",
        {{"case", input.file},
         {"particle", body_inputs(input.particle)},
@@ -63,6 +78,9 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"control", setup.system.control == Control::force ? "force" : "displacement"},
         {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
         {"far_field_compliance", s.far_field},
+        {"lateral_far_field_compliance", s.lateral_far_field},
+        {"friction_coefficient", input.interface.friction_coefficient},
+        {"shear_strength", input.interface.shear_strength},
         {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
                                 "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
         {"contact_radius", "of the Hertzian pressure with the same second moment"},

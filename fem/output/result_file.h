@@ -15,6 +15,8 @@ struct ResultSummary {
   unsigned threads = 1;
   long cells = 0, unknowns = 0, contact_nodes = 0;
   double far_field = 0;          ///< compliance of the finite bodies taken out of the approach [m/N]
+  double lateral_far_field = 0;  ///< the same of the shift [m/N]
+  double lateral_stiffness = 0, torsion_stiffness = 0;  ///< without slip, half-spaces [N/m], [N m/rad]; 0 if not known
   double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
 };
 

@@ -10,21 +10,23 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"time [s]", &StepRecord::time},
       {"normal_displacement [m]", &StepRecord::normal_displacement},
       {"normal_force [N]", &StepRecord::normal_force},
-      {"lateral_displacement [m]", nullptr},
-      {"lateral_force [N]", nullptr},
+      {"lateral_displacement [m]", &StepRecord::lateral_displacement},
+      {"lateral_force [N]", &StepRecord::lateral_force},
       {"rolling_angle [rad]", nullptr},
       {"rolling_moment [N m]", nullptr},
-      {"torsion_angle [rad]", nullptr},
-      {"torsion_moment [N m]", nullptr},
+      {"torsion_angle [rad]", &StepRecord::torsion_angle},
+      {"torsion_moment [N m]", &StepRecord::torsion_moment},
       {"contact_radius [m]", &StepRecord::contact_radius},
       {"contact_area [m^2]", &StepRecord::contact_area},
       {"max_pressure [Pa]", &StepRecord::max_pressure},
       {"plastic_volume [m^3]", &StepRecord::plastic_volume},
       {"dissipated_energy [J]", &StepRecord::dissipated_energy},
       {"driven_displacement [m]", &StepRecord::driven_displacement},
+      {"shift [m]", &StepRecord::shift},
       {"elastic_energy [J]", &StepRecord::elastic_energy},
       {"hardening_energy [J]", &StepRecord::hardening_energy},
       {"plastic_work [J]", &StepRecord::plastic_work},
+      {"friction_work [J]", &StepRecord::friction_work},
       {"work [J]", &StepRecord::work},
       {"mean_pressure [Pa]", &StepRecord::mean_pressure},
       {"largest_plastic_strain", &StepRecord::largest_plastic_strain},
@@ -36,7 +38,8 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"linear_iterations", &StepRecord::linear_iterations},
       {"penetration", &StepRecord::penetration},
       {"wall_time [s]", &StepRecord::wall_time},
-      {"reaches_rim", &StepRecord::reaches_rim}};
+      {"reaches_rim", &StepRecord::reaches_rim},
+      {"sticking_share", &StepRecord::sticking_share}};
   return columns;
 }
 

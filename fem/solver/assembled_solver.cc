@@ -37,7 +37,13 @@ std::string AssembledSolver::description() const {
   return std::to_string(trilinos_->matrix.n_nonzero_elements() / 1000000) + " million matrix entries, algebraic multigrid";
 }
 
+void AssembledSolver::recouple() {
+  resolve_rows();
+  make_pattern();
+}
+
 void AssembledSolver::resolve_rows() {
+  row_.clear();
   const MeshLevel& level = problem_.level;
   const InterfaceNodes& nodes = problem_.interface.nodes();
   // Rows reach over nodes of any rank, and only a node's owner is sure to know how it is constrained.
@@ -87,11 +93,9 @@ void AssembledSolver::make_pattern() {
     for (const auto& entry : other) columns.push_back(entry.first);
     for (const auto& entry : one) pattern.add_entries(entry.first, columns.begin(), columns.end(), true);
   };
-  for (const auto& jump : row_) {
-    couple(jump[2], jump[2]);
-    for (int c = 0; c < 2; ++c)
-      for (int d = 0; d < 2; ++d) couple(jump[c], jump[d]);
-  }
+  for (const auto& jump : row_)
+    for (const auto& one : jump)
+      for (const auto& other : jump) couple(one, other);
   if (level.owns_driven_dof()) pattern.add(level.driven_dof(), level.driven_dof());
   pattern.compress();
   trilinos_->matrix.reinit(pattern);
@@ -152,12 +156,10 @@ void AssembledSolver::assemble_interface(const std::vector<RowStiffness>& row_st
   };
   for (std::size_t r = 0; r < row_.size(); ++r) {
     const RowStiffness& k = row_stiffness[first + r];
-    const auto& [x, y, z] = row_[r];
-    add(z, z, k.normal);
-    add(x, x, k.xx);
-    add(x, y, k.xy);
-    add(y, x, k.xy);
-    add(y, y, k.yy);
+    const auto& m = problem_.interface.slope(first + static_cast<int>(r));
+    const double normal[3] = {m[0], m[1], 1}, slip[3][3] = {{k.xx, k.xy, 0}, {k.xy, k.yy, 0}, {0, 0, 0}};
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d) add(row_[r][c], row_[r][d], k.normal * normal[c] * normal[d] + slip[c][d]);
   }
 }
 

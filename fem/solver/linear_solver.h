@@ -20,6 +20,11 @@ class LinearSolver {
   /// must live until the next update. driven_spring: k, from the driven plane to the ground [N/m] (force control).
   virtual void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) = 0;
 
+  /// To be told that the rows and the interface have changed (sliding); an update follows.
+  virtual void recouple() = 0;
+  /// To be told that only the slopes of the rows have changed; an update follows.
+  virtual void follow_slopes() = 0;
+
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after 400 steps: an
   /// inexact direction is still one of descent). Constrained entries and ghosts of x are set. Returns the iterations.
   virtual int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const = 0;

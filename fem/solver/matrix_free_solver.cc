@@ -7,11 +7,14 @@ namespace asperity::fem {
 MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
     : level_(problem.level),
       interface_(problem.interface),
+      rows_(problem.rows),
       matrix_(problem.level, problem.positions, problem.materials),
       multigrid_(problem.mesh, problem.level, problem.control, problem.geometry, problem.materials) {
   multigrid_.set_interface_rows(problem.rows, interface_.nodes());
   matrix_.set_interface(&interface_);
 }
+
+void MatrixFreeSolver::recouple() { multigrid_.set_interface_rows(rows_, interface_.nodes()); }
 
 void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
   interface_.set_stiffness(row_stiffness);

@@ -33,6 +33,10 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
 
 void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
   for (auto& level : level_) {
+    if (level.interface) {
+      level.interface->set_rows(rows, fine_nodes);
+      continue;
+    }
     level.interface = std::make_unique<InterfaceOperator>(*level.mesh, rows, fine_nodes);
     level.matrix->set_interface(level.interface.get());
   }

@@ -21,8 +21,12 @@ class Multigrid {
   Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
             const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials);
 
-  /// Builds the interface on every level from the rows of the finest mesh.
+  /// Builds the interface on every level from the rows of the finest mesh, or builds it anew.
   void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+
+  void set_interface_slopes(const std::vector<GapRow>& rows) {
+    for (auto& level : level_) level.interface->set_slopes(rows);
+  }
 
   /// Adapts to a new active set (stiffness per row [N/m]), tangent of the finest level and driven spring.
   void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring);

@@ -72,7 +72,9 @@ TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_s
     EXPECT_EQ(misplaced, 0);
     std::printf("  traction differs by %.2f %% in the 2-norm\n", 100 * std::sqrt(difference / size));
     // The peak of the traction at the border of a thin slip ring is narrower than a spacing.
-    if (stick_radius < 0.6 * a) EXPECT_LT(std::sqrt(difference / size), 0.03);
+    if (stick_radius < 0.6 * a) {
+      EXPECT_LT(std::sqrt(difference / size), 0.03);
+    }
   }
   const Point p = shift_to(contact, 1.1);
   EXPECT_NEAR(p.force, 1, 1e-3);

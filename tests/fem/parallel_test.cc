@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/contact/contact_solver.h"
+#include "fem/interface/coulomb.h"
 #include "fem/solver/matrix_free_solver.h"
 #include "tests/fem/support/wavy_contact.h"
 
@@ -98,6 +99,48 @@ TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
   EXPECT_NEAR(all.peak / one.peak, 1, 1e-6);
   EXPECT_NEAR(all.plastic / one.plastic, 1, 1e-6);
   EXPECT_GT(one.plastic, 0);
+}
+
+TEST(Parallel, sliding_with_friction_gives_the_states_of_one_rank) {
+  struct Outcome {
+    double shear, spread, reaction, work;
+    int sticking;
+  };
+  const auto run = [](MPI_Comm communicator) {
+    ContactSystemOptions o = options();
+    o.tilted_normals = true;
+    ContactSystem system(communicator, o);
+    ContactSolverOptions accurate;
+    accurate.residual_tolerance = 1e-9;
+    accurate.penetration_tolerance = accurate.slip_tolerance = 1e-6;
+    accurate.largest_newton = accurate.largest_updates = 300;
+    accurate.friction = std::make_shared<Coulomb>(0.3);
+    ContactSolver solver(system, accurate);
+    ContactState state = solver.first_touch();
+    solver.push_rigidly(state, 8e-9);
+    Outcome outcome{};
+    for (const double shift : {0.0, 0.4e-9, 10e-9}) {
+      const Vector<double> before = state.displacement;
+      RigidMotion motion;
+      motion.x = shift;
+      const auto report = solver.solve(state, 60e-6, motion);
+      EXPECT_TRUE(report.converged);
+      system.bodies().accept(before, state.displacement);
+      outcome.work += report.friction_work;
+      if (shift == 0.4e-9) outcome.sticking = solver.resultants(state).sticking;
+    }
+    const auto r = solver.resultants(state);
+    outcome.shear = r.lateral_force[0], outcome.reaction = r.lateral_reaction[0];
+    for (std::size_t k = 0; k < state.shear[0].size(); ++k) outcome.spread += std::pow(state.shear[0][k] * system.areas()[k], 2);
+    return outcome;
+  };
+  const Outcome one = run(MPI_COMM_SELF), all = run(MPI_COMM_WORLD);
+  EXPECT_GT(one.sticking, 10);
+  EXPECT_EQ(all.sticking, one.sticking);
+  EXPECT_NEAR(all.shear / one.shear, 1, 1e-6);
+  EXPECT_NEAR(all.spread / one.spread, 1, 1e-5);
+  EXPECT_NEAR(all.work / one.work, 1, 1e-5);
+  EXPECT_NEAR(all.reaction / all.shear, 1, 1e-6);
 }
 
 }  // namespace

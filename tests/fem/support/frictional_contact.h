@@ -16,6 +16,7 @@ struct FrictionalContactOptions {
   double radius = 8.5e-6, load = 100e-6, friction = 0.5;
   double cells_per_radius = 12;  ///< of Hertz' contact
   double slip_tolerance = 3e-3;
+  bool tilted_normals = false;
 };
 
 struct FrictionalContact {
@@ -71,6 +72,7 @@ struct FrictionalContact {
     s.region_particle = 1.25 * a;
     s.region_substrate = s.region_particle + 3 * s.spacing_particle;
     for (int b = 0; b < 2; ++b) options.materials[b] = fem::J2Material::elastic(o.youngs[b], o.poisson[b]);
+    options.tilted_normals = o.tilted_normals;
     return options;
   }
   static fem::ContactSolverOptions solver_options(const FrictionalContactOptions& o) {

@@ -1,4 +1,4 @@
-#include "fem/experiments/normal_experiment.h"
+#include "fem/experiments/contact_experiment.h"
 
 #include <omp.h>
 #include <sys/resource.h>
@@ -19,10 +19,21 @@
 namespace asperity::fem {
 namespace {
 
-constexpr double smallest_fraction = 1e-3;
-
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What moves sideways at a step, for the log.
+std::string motion_of(const StepRecord& r) {
+  std::string text;
+  if (r.lateral_displacement != 0)
+    text += "  shift " + format_quantity(r.lateral_displacement, Dimension::length) + "  lateral force " + format_quantity(r.lateral_force, Dimension::force);
+  if (r.torsion_angle != 0) {
+    char moment[32];
+    std::snprintf(moment, sizeof moment, "%.4g N m", r.torsion_moment);
+    text += "  spin " + format_quantity(r.torsion_angle, Dimension::angle) + "  moment " + moment;
+  }
+  return text;
 }
 
 std::string duration(double s) {
@@ -34,30 +45,17 @@ std::string duration(double s) {
 
 }  // namespace
 
-std::vector<double> load_program(const ExperimentInput& e) {
-  std::vector<double> program;
-  const double power = e.control == ExperimentInput::Control::force ? 1.5 : 1.0;
-  for (int cycle = 0; cycle < e.cycles; ++cycle) {
-    for (int i = 1; i <= e.load_steps; ++i) program.push_back(std::pow(static_cast<double>(i) / e.load_steps, power));
-    for (int i = 0; i < e.hold_steps; ++i) program.push_back(1.0);
-    if (!e.unload) continue;
-    for (int i = e.unload_steps - 1; i >= 0; --i)
-      program.push_back(std::max(smallest_fraction, std::pow(static_cast<double>(i) / e.unload_steps, power)));
-  }
-  return program;
-}
-
-NormalExperiment::NormalExperiment(const CaseInput& input, const SolveOptions& options)
-    : input_(input), options_(options), setup_(set_up(input)), program_(load_program(input.experiment)) {
+ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions& options)
+    : input_(input), options_(options), setup_(set_up(input)), program_(make_program(input.experiment, setup_.motion)) {
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
 
-void NormalExperiment::say(const std::string& line) const {
+void ContactExperiment::say(const std::string& line) const {
   if (speaks() && options_.progress) options_.progress(line);
 }
 
-void NormalExperiment::start() {
+void ContactExperiment::start() {
   const auto& sizes = setup_.system.mesh.sizes;
   say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over +-" +
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
@@ -65,6 +63,7 @@ void NormalExperiment::start() {
   system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
   ContactSolverOptions solver_options;
   solver_options.residual_tolerance = input_.solver.tolerance;
+  solver_options.friction = make_friction_law(input_.interface);
   solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
   state_ = solver_->first_touch();
   require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
@@ -72,7 +71,7 @@ void NormalExperiment::start() {
       system_->linear().description() + " (" + duration(seconds() - started_) + ")");
 }
 
-bool NormalExperiment::resume() {
+bool ContactExperiment::resume() {
   const auto checkpoint = read_checkpoint(options_.output / "checkpoint", MPI_COMM_WORLD);
   if (!checkpoint) return false;
   if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() || checkpoint->multiplier.size() != state_.multiplier.size())
@@ -80,18 +79,24 @@ bool NormalExperiment::resume() {
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
+  state_.shear = checkpoint->shear;
   state_.approach = checkpoint->approach;
+  state_.motion = checkpoint->motion;
+  system_->shift_particle(state_.motion.x, state_.motion.y, state_.displacement);
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
   far_field_ = checkpoint->far_field;
+  lateral_far_field_ = checkpoint->lateral_far_field;
   stiffness_at_peak_ = checkpoint->stiffness_at_peak;
+  lateral_stiffness_ = checkpoint->lateral_stiffness;
+  torsion_stiffness_ = checkpoint->torsion_stiffness;
   time_before_ = checkpoint->wall_time;
   say("resuming after step " + std::to_string(checkpoint->steps));
   return true;
 }
 
-void NormalExperiment::run() {
+void ContactExperiment::run() {
   started_ = seconds();
   if (speaks()) std::filesystem::create_directories(options_.output);
   MPI_Barrier(MPI_COMM_WORLD);
@@ -101,6 +106,7 @@ void NormalExperiment::run() {
     const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                                    6 * setup_.system.mesh.sizes.spacing_particle);
     far_field_ = solver_->far_field_compliance(radius);
+    lateral_far_field_ = solver_->lateral_far_field_compliance(radius);
   }
   const auto steps = program_.size();
   for (std::size_t k = records_.size(); k < steps; ++k) {
@@ -108,7 +114,7 @@ void NormalExperiment::run() {
     step_to(program_[k], static_cast<int>(k) + 1);
     const auto& r = records_.back();
     const double left = (seconds() - started_) / (k + 1 - 0.0) * static_cast<double>(steps - k - 1);
-    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + "  load " + format_quantity(r.normal_force, Dimension::force) +
+    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + "  load " + format_quantity(r.normal_force, Dimension::force) + motion_of(r) +
         "  approach " + format_quantity(r.normal_displacement, Dimension::length) + "  area " +
         std::to_string(r.contact_area * 1e12).substr(0, 7) + " um^2  p_max " + format_quantity(r.max_pressure, Dimension::pressure) +
         "  newton " + std::to_string(static_cast<int>(r.newton_iterations)) + "  cg " +
@@ -117,7 +123,7 @@ void NormalExperiment::run() {
   write_result();
 }
 
-double NormalExperiment::expected_approach(double target) const {
+double ContactExperiment::expected_approach(double target) const {
   // Under a growing load: what Hertz would add from here, or the first touch of rough surfaces; unloading needs no guess.
   if (setup_.system.control != Control::force || target <= load_) return 0;
   const auto hertz = [&](double force) { return setup_.hertz_approach * std::pow(force / setup_.largest_load, 2.0 / 3); };
@@ -125,16 +131,21 @@ double NormalExperiment::expected_approach(double target) const {
   return 0.8 * (hertz(target) - hertz(load_)) + touch;
 }
 
-void NormalExperiment::solve_with_retries(double target) {
+void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
   // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
-  std::vector<double> pending{target};
+  struct Target {
+    double load;
+    RigidMotion motion;
+  };
+  std::vector<Target> pending{{target, motion}};
   int failures = 0;
   BodyEnergies energies;
   double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
+  double friction_work = records_.empty() ? 0 : records_.back().friction_work;
   while (!pending.empty()) {
     ContactState trial = state_;
-    solver_->push_rigidly(trial, expected_approach(pending.back()));
-    const SolveReport report = solver_->solve(trial, pending.back());
+    solver_->push_rigidly(trial, expected_approach(pending.back().load));
+    const SolveReport report = solver_->solve(trial, pending.back().load, pending.back().motion);
     last_report_.newton += report.newton;
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
@@ -143,14 +154,20 @@ void NormalExperiment::solve_with_retries(double target) {
       if (++failures > 6)
         throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
                         std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
-      pending.push_back(0.5 * (load_ + pending.back()));
+      const Target& failed = pending.back();
+      const RigidMotion& here = state_.motion;
+      pending.push_back({0.5 * (load_ + failed.load),
+                         {0.5 * (here.x + failed.motion.x), 0.5 * (here.y + failed.motion.y), 0.5 * (here.spin + failed.motion.spin)}});
       continue;
     }
-    load_ = pending.back();
+    load_ = pending.back().load;
     pending.pop_back();
     state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
     state_.multiplier = trial.multiplier;
+    state_.shear = trial.shear;
     state_.approach = trial.approach;
+    state_.motion = trial.motion;
+    friction_work += report.friction_work;
     energies = system_->bodies().accept(trial.displacement, state_.displacement);
     plastic_work += energies.plastic_work;
   }
@@ -158,7 +175,8 @@ void NormalExperiment::solve_with_retries(double target) {
   r.elastic_energy = energies.elastic;
   r.hardening_energy = energies.hardening;
   r.plastic_work = plastic_work;
-  r.dissipated_energy = r.plastic_work - r.hardening_energy;
+  r.friction_work = friction_work;
+  r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work;
   r.plastic_volume = energies.plastic_volume;
   r.largest_plastic_strain = energies.largest_plastic_strain;
   r.largest_von_mises = energies.largest_von_mises;
@@ -166,30 +184,46 @@ void NormalExperiment::solve_with_retries(double target) {
   balance_energy();
 }
 
-void NormalExperiment::balance_energy() {
+void ContactExperiment::balance_energy() {
   // All steps anew: a step's work becomes better known with the one that follows.
   std::vector<double> delta, force;
   for (const auto& r : records_) delta.push_back(r.driven_displacement), force.push_back(r.normal_force);
-  const std::vector<double> work = external_work(delta, force);
+  std::vector<double> work = external_work(delta, force);
+  // Shift and spin: trapezia over their steps.
+  double sideways = 0;
+  for (std::size_t k = 1; k < records_.size(); ++k) {
+    const StepRecord &a = records_[k - 1], &b = records_[k];
+    sideways += 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
+    work[k] += sideways;
+  }
   const double largest = std::max(*std::max_element(work.begin(), work.end()), std::numeric_limits<double>::min());
   for (std::size_t k = 0; k < records_.size(); ++k) {
     StepRecord& r = records_[k];
     r.work = work[k];
-    r.energy_error = (r.work - r.elastic_energy - r.plastic_work) / largest;
+    r.energy_error = (r.work - r.elastic_energy - r.plastic_work - r.friction_work) / largest;
   }
 }
 
-StepRecord NormalExperiment::record(int step, const SolveReport& report) {
+StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   const ContactResultants c = solver_->resultants(state_);
   StepRecord r;
   r.step = r.time = step;
   r.normal_force = c.force;
   r.driven_displacement = state_.approach;
   r.normal_displacement = state_.approach - far_field_ * c.force;
+  r.shift = state_.motion.x;
+  r.lateral_force = c.lateral_force[0];
+  r.lateral_displacement = r.shift - lateral_far_field_ * r.lateral_force;
+  r.torsion_angle = state_.motion.spin;
+  r.torsion_moment = c.torsion_moment;
+  r.sticking_share = c.active > 0 ? static_cast<double>(c.sticking) / c.active : 0;
   r.contact_area = c.area;
   r.max_pressure = c.largest_pressure;
   r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
-  r.force_error = c.force > 0 ? std::max(std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1)) : 0;
+  if (c.force > 0)
+    r.force_error = std::max({std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1),
+                              std::abs(c.lateral_reaction[0] - c.lateral_force[0]) / c.force,
+                              std::abs(c.lateral_reaction[1] - c.lateral_force[1]) / c.force});
   r.moment_error = c.moment_error;
   r.reaches_rim = c.reaches_rim;
   // Radius of the Hertzian pressure with the same second moment: the mean of r^2 under it is 2 a^2 / 5.
@@ -207,15 +241,20 @@ StepRecord NormalExperiment::record(int step, const SolveReport& report) {
   return r;
 }
 
-void NormalExperiment::step_to(double fraction, int index) {
+void ContactExperiment::measure_stiffness() {
+  const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
+  stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
+  if (input_.experiment.type == ExperimentInput::Type::sliding)
+    lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
+  if (input_.experiment.type == ExperimentInput::Type::torsion) torsion_stiffness_ = solver_->torsion_stiffness(state_);
+}
+
+void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
-  const double target = fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach);
-  solve_with_retries(target);
-  if (fraction == 1.0 && stiffness_at_peak_ == 0) {
-    const double with_far_field = solver_->elastic_stiffness(state_);
-    stiffness_at_peak_ = 1 / (1 / with_far_field - far_field_);
-  }
-  const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2] < 1.0);
+  const double fraction = station.load;
+  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), station.motion);
+  if (fraction == 1.0 && stiffness_at_peak_ == 0) measure_stiffness();
+  const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());
   const int every = input_.output.fields_every;
   if (input_.output.fields && (peak || last || (every > 0 && index % every == 0)))
@@ -223,23 +262,28 @@ void NormalExperiment::step_to(double fraction, int index) {
   write_step(index);
 }
 
-void NormalExperiment::write_step(int index) {
+void ContactExperiment::write_step(int index) {
   Checkpoint c;
   c.steps = index;
   c.load = load_;
   c.far_field = far_field_;
+  c.lateral_far_field = lateral_far_field_;
   c.stiffness_at_peak = stiffness_at_peak_;
+  c.lateral_stiffness = lateral_stiffness_;
+  c.torsion_stiffness = torsion_stiffness_;
   c.wall_time = time_before_ + seconds() - started_;
   c.records = records_;
   c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.multiplier = state_.multiplier;
+  c.shear = state_.shear;
   c.approach = state_.approach;
+  c.motion = state_.motion;
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
   if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));
 }
 
-void NormalExperiment::write_result() {
+void ContactExperiment::write_result() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   ResultSummary summary;
@@ -251,7 +295,10 @@ void NormalExperiment::write_result() {
   summary.unknowns = static_cast<long>(system_->level().size());
   summary.contact_nodes = static_cast<long>(system_->rows().size());
   summary.far_field = far_field_;
+  summary.lateral_far_field = lateral_far_field_;
   summary.stiffness_at_peak = stiffness_at_peak_;
+  summary.lateral_stiffness = lateral_stiffness_;
+  summary.torsion_stiffness = torsion_stiffness_;
   if (speaks()) write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say("wrote " + (options_.output / "result.json").string());
 }

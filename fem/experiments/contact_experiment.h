@@ -1,4 +1,4 @@
-// Pressing the particle on the substrate: loading, holding, unloading and reloading in accepted steps.
+// One experiment in accepted steps: pressing the particle on the substrate, holding, sliding or spinning it, unloading, cycles.
 #pragma once
 
 #include <memory>
@@ -6,47 +6,44 @@
 
 #include "fem/case_setup.h"
 #include "fem/contact/contact_solver.h"
+#include "fem/experiments/program.h"
 #include "fem/output/step_record.h"
 #include "fem/solve_case.h"
 
 namespace asperity::fem {
 
-/// Targets of the steps, as fractions of the largest load (force control) or approach (displacement control).
-/// Loading and unloading advance evenly in the approach of a Hertzian contact. The last unloading step keeps a
-/// thousandth of the load: without any contact nothing holds the particle.
-std::vector<double> load_program(const ExperimentInput& experiment);
-
-class NormalExperiment {
+class ContactExperiment {
  public:
-  NormalExperiment(const CaseInput& input, const SolveOptions& options);
+  ContactExperiment(const CaseInput& input, const SolveOptions& options);
   void run();
 
  private:
   void start();
   bool resume();
-  void step_to(double fraction, int index);
+  void step_to(const Station& station, int index);
   double expected_approach(double target) const;
-  void solve_with_retries(double target);
+  void solve_with_retries(double target, const RigidMotion& motion);
   void balance_energy();
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();
+  void measure_stiffness();
   bool speaks() const { return rank_ == 0; }
   void say(const std::string& line) const;
 
   const CaseInput& input_;
   SolveOptions options_;
   CaseSetup setup_;
-  std::vector<double> program_;
+  std::vector<Station> program_;
   int rank_, ranks_;
   std::unique_ptr<ContactSystem> system_;
   std::unique_ptr<ContactSolver> solver_;
   ContactState state_;
   std::vector<StepRecord> records_;
-  double far_field_ = 0;            ///< [m/N]
+  double far_field_ = 0, lateral_far_field_ = 0;  ///< [m/N]
   double load_ = 0;                 ///< of the accepted state: force [N] or approach [m]
   double started_ = 0, time_before_ = 0;  ///< wall time of this run's start and of earlier runs [s]
-  double stiffness_at_peak_ = 0;
+  double stiffness_at_peak_ = 0, lateral_stiffness_ = 0, torsion_stiffness_ = 0;  ///< 0: not known
   SolveReport last_report_;
 };
 

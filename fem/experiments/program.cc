@@ -1,0 +1,72 @@
+#include "fem/experiments/program.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::fem {
+namespace {
+
+constexpr double smallest_fraction = 1e-3;
+
+double hertz_power(const ExperimentInput& e) { return e.control == ExperimentInput::Control::force ? 1.5 : 1.0; }
+
+void load(const ExperimentInput& e, std::vector<Station>& program) {
+  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), {}});
+  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, {}});
+}
+
+void unload(const ExperimentInput& e, std::vector<Station>& program) {
+  const RigidMotion here = program.back().motion;
+  for (int i = e.unload_steps - 1; i >= 0; --i)
+    program.push_back({std::max(smallest_fraction, std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))), here});
+}
+
+std::vector<double> even_path(double length, int steps) {
+  std::vector<double> path;
+  for (int i = 1; i <= steps; ++i) path.push_back(length * i / steps);
+  return path;
+}
+
+void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Station>& program) {
+  const bool torsion = e.type == ExperimentInput::Type::torsion;
+  double RigidMotion::*const along = torsion ? &RigidMotion::spin : &RigidMotion::x;
+  const double length = torsion ? e.angle : e.distance;
+  const double onset = torsion ? scales.full_slip_angle : scales.full_slip_shift;
+  const double largest = torsion ? scales.largest_angle : scales.largest_shift;
+  const auto path = [&](double scale) { return e.motion_steps > 0 ? even_path(length, e.motion_steps) : graded_path(length, scale * onset, largest); };
+  const auto add = [&](double position) {
+    Station station{1.0, {}};
+    station.motion.*along = position;
+    program.push_back(station);
+  };
+  for (const double position : path(1)) add(position);
+  if (!e.reverse) return;
+  // Slip after a reversal begins over twice the way (Masing).
+  for (const double back : path(2)) add(length - back);
+}
+
+}  // namespace
+
+std::vector<double> graded_path(double length, double onset, double largest) {
+  constexpr double first = 0.1, growth = 1.4;
+  std::vector<double> path;
+  double step = onset > 0 ? std::min(first * onset, largest) : largest, position = 0;
+  while (length - position > 1.5 * step) {
+    path.push_back(position += step);
+    step = std::min(largest, step * growth);
+  }
+  path.push_back(length);
+  return path;
+}
+
+std::vector<Station> make_program(const ExperimentInput& e, const MotionScales& scales) {
+  std::vector<Station> program;
+  for (int cycle = 0; cycle < e.cycles; ++cycle) {
+    load(e, program);
+    if (e.type != ExperimentInput::Type::normal) move(e, scales, program);
+    if (e.unload) unload(e, program);
+  }
+  return program;
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,31 @@
+// The way of an experiment through loads and positions, in stations that are solved one after the other.
+#pragma once
+
+#include <vector>
+
+#include "core/case.h"
+#include "fem/contact/contact_state.h"
+
+namespace asperity::fem {
+
+struct Station {
+  double load = 0;     ///< fraction of the largest load (force control) or approach (displacement control)
+  RigidMotion motion;  ///< of the particle's frame
+};
+
+/// Lengths and angles that the steps of a motion follow from.
+struct MotionScales {
+  double full_slip_shift = 0;  ///< at which a smooth contact slips as a whole [m]; 0: frictionless
+  double full_slip_angle = 0;  ///< nearly the same of torsion [rad]
+  double largest_shift = 0;    ///< of one step [m]
+  double largest_angle = 0;    ///< of one step [rad]
+};
+
+/// Loading and unloading advance evenly in the approach of a Hertzian contact; the motion lies between them, at the largest
+/// load. The last unloading step keeps a thousandth of the load: without any contact nothing holds the particle.
+std::vector<Station> make_program(const ExperimentInput& experiment, const MotionScales& scales);
+
+/// Positions from 0 to `length`, without 0: steps grow from a tenth of `onset` to `largest`.
+std::vector<double> graded_path(double length, double onset, double largest);
+
+}  // namespace asperity::fem

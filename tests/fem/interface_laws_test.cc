@@ -1,0 +1,81 @@
+// The laws at a point of the interface, each on its own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/interface/capped_coulomb.h"
+#include "fem/interface/coulomb.h"
+#include "fem/interface/shear_strength.h"
+#include "fem/interface/slip.h"
+
+namespace {
+
+using namespace asperity;
+using namespace asperity::fem;
+
+TEST(FrictionLaws_analytic, limit_the_shear_as_their_equations_say) {
+  EXPECT_DOUBLE_EQ(Coulomb(0.3).limit(2e9), 0.6e9);
+  EXPECT_DOUBLE_EQ(Coulomb(0.3).limit(0), 0);
+  EXPECT_DOUBLE_EQ(ShearStrength(0.5e9).limit(1), 0.5e9);
+  EXPECT_DOUBLE_EQ(ShearStrength(0.5e9).limit(0), 0);
+  EXPECT_DOUBLE_EQ(CappedCoulomb(0.3, 0.5e9).limit(1e9), 0.3e9);
+  EXPECT_DOUBLE_EQ(CappedCoulomb(0.3, 0.5e9).limit(2e9), 0.5e9);
+}
+
+TEST(FrictionLaws, are_chosen_by_the_entries_of_a_case) {
+  EXPECT_EQ(make_friction_law({}), nullptr);
+  const auto limit = [](double coefficient, double strength) {
+    InterfaceInput input;
+    input.friction_coefficient = coefficient, input.shear_strength = strength;
+    return make_friction_law(input)->limit(10);
+  };
+  EXPECT_EQ(limit(0.5, 0), 5);
+  EXPECT_EQ(limit(0, 3), 3);
+  EXPECT_EQ(limit(0.5, 3), 3);
+  EXPECT_EQ(limit(0.5, 30), 5);
+  for (const auto& law : friction_laws()) EXPECT_FALSE(law.equation.empty() || law.source.empty() || law.parameters.empty() || law.validity.empty());
+}
+
+TEST(Slip_analytic, sticks_below_the_limit_and_slips_along_the_trial_beyond_it) {
+  const Shear stuck = return_to_limit({3, 4}, 6);
+  EXPECT_FALSE(stuck.slips);
+  EXPECT_EQ(stuck.traction[0], 3);
+  const Shear slipping = return_to_limit({3, 4}, 2);
+  EXPECT_TRUE(slipping.slips);
+  EXPECT_NEAR(slipping.traction[0], 1.2, 1e-15);
+  EXPECT_NEAR(slipping.traction[1], 1.6, 1e-15);
+  const Shear open = return_to_limit({0, 0}, 0);
+  EXPECT_EQ(open.xx + open.yy, 0);
+}
+
+TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative) {
+  const double step = 1e-6;
+  for (const PlaneVector trial : {PlaneVector{3, 4}, PlaneVector{-1, 0.2}, PlaneVector{0.1, -7}})
+    for (const double limit : {0.5, 2.0, 100.0}) {
+      const Shear here = return_to_limit(trial, limit);
+      const auto derivative = [&](int i, int j) {
+        PlaneVector up = trial, down = trial;
+        up[j] += step, down[j] -= step;
+        return (return_to_limit(up, limit).traction[i] - return_to_limit(down, limit).traction[i]) / (2 * step);
+      };
+      EXPECT_NEAR(here.xx, derivative(0, 0), 1e-8);
+      EXPECT_NEAR(here.xy, derivative(0, 1), 1e-8);
+      EXPECT_NEAR(here.xy, derivative(1, 0), 1e-8);
+      EXPECT_NEAR(here.yy, derivative(1, 1), 1e-8);
+      EXPECT_GE(here.xx * here.yy - here.xy * here.xy, -1e-12);
+      EXPECT_GE(here.xx, 0);
+    }
+}
+
+TEST(Slip_analytic, of_a_converged_step_is_against_its_traction) {
+  // Multipliers at their fixed point, t = lambda: what slips moves against t, what sticks does not move.
+  for (double angle = 0; angle < 6.3; angle += 0.1) {
+    const PlaneVector t{0.8 * std::cos(angle), 0.8 * std::sin(angle)}, slip{-3 * t[0], -3 * t[1]};
+    const Shear shear = return_to_limit({t[0] - slip[0], t[1] - slip[1]}, 0.8);
+    EXPECT_NEAR(shear.traction[0], t[0], 1e-15);
+    EXPECT_NEAR(shear.traction[1], t[1], 1e-15);
+    EXPECT_GT(-(shear.traction[0] * slip[0] + shear.traction[1] * slip[1]), 0);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// The experiments of sliding and torsion, as `asperity solve` runs them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/csv.h"
+#include "fem/case_setup.h"
+#include "fem/experiments/program.h"
+#include "fem/solve_case.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace asperity;
+using asperity::test::generated;
+using asperity::test::sphere_on_silicon;
+
+CaseInput sliding(const std::string& substrate, double spacing) {
+  CaseInput input = sphere_on_silicon("smooth", substrate, spacing, 300e-9);
+  input.interface.friction_coefficient = 0.3;
+  input.experiment.type = ExperimentInput::Type::sliding;
+  input.experiment.load_steps = 3;
+  input.experiment.unload = false;
+  input.output.fields = false;
+  return input;
+}
+
+struct Solved {
+  nlohmann::json result;
+  CsvTable history;
+};
+
+Solved solve(const CaseInput& input, const std::filesystem::path& folder, bool resume = false) {
+  SolveOptions options;
+  options.output = folder;
+  options.resume = resume;
+  solve_case(input, options);
+  return {nlohmann::json::parse(read_file(folder / "result.json")), read_csv(folder / "history.csv")};
+}
+
+TEST(Program, of_sliding_begins_finely_and_comes_back) {
+  ExperimentInput e;
+  e.type = ExperimentInput::Type::sliding;
+  e.load_steps = 2, e.unload_steps = 2, e.distance = 100;
+  const auto program = fem::make_program(e, {10, 0, 8, 0});
+  EXPECT_EQ(program[1].load, 1);
+  EXPECT_EQ(program[2].motion.x, 1);
+  double farthest = 0, longest = 0;
+  for (std::size_t k = 1; k < program.size(); ++k) {
+    farthest = std::max(farthest, program[k].motion.x);
+    longest = std::max(longest, std::abs(program[k].motion.x - program[k - 1].motion.x));
+  }
+  EXPECT_EQ(farthest, 100);
+  EXPECT_LE(longest, 1.5 * 8);
+  EXPECT_EQ(program.back().motion.x, 0);
+  EXPECT_EQ(program.back().load, 1e-3);
+}
+
+/// Friction tilts the interface by a strain, mu p / E = 3e-3, and pressure acts along its normal: mu P is met to that order.
+TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding("smooth", 24e-9);
+  input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
+  input.mesh.contact_region = 320e-9;
+  input.experiment.distance = 200e-9;
+  input.experiment.reverse = false;
+  const auto s = solve(input, folder.path);
+  EXPECT_NEAR(s.result["effective"]["sliding_friction"]["value"], 0.3, 0.01 * 0.3);
+  EXPECT_LT(s.result["effective"]["sliding_friction"]["sd"], 0.01 * 0.3);
+  const double expected = 8 * 8.2901e9 * 0.2593e-6;  // 8 G* a
+  EXPECT_NEAR(s.result["effective"]["lateral_stiffness"]["value"], expected, 0.02 * expected);
+  EXPECT_LT(s.result["balance"]["force"], 1e-6);
+  EXPECT_LT(s.result["balance"]["energy"], 0.01);
+}
+
+TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
+  input.particle.yield_stress = 2e9;
+  input.experiment.distance = 30e-9;
+  input.experiment.motion_steps = 4;
+  const auto whole = solve(input, folder.path / "whole");
+  EXPECT_LT(whole.result["balance"]["force"], 1e-5);
+  EXPECT_LT(whole.result["balance"]["energy"], 0.01);
+  const auto friction = whole.history.numbers("friction_work [J]"), plastic = whole.history.numbers("plastic_work [J]");
+  for (std::size_t k = 1; k < friction.size(); ++k) {
+    EXPECT_GE(friction[k], friction[k - 1] * (1 - 1e-9));
+    EXPECT_GE(plastic[k], plastic[k - 1] * (1 - 1e-9));
+  }
+  EXPECT_GT(plastic.back(), 0);
+  // Stopped after a few steps of sliding.
+  CaseInput cut = input;
+  SolveOptions options;
+  options.output = folder.path / "cut";
+  int steps = 0;
+  struct Stop {};
+  options.progress = [&](const std::string& line) {
+    if (line.rfind("step ", 0) == 0 && ++steps == 6) throw Stop();
+  };
+  EXPECT_THROW(solve_case(cut, options), Stop);
+  const auto resumed = solve(cut, folder.path / "cut", true);
+  const auto one = whole.history.numbers("lateral_force [N]"), other = resumed.history.numbers("lateral_force [N]");
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-6 * 0.3 * 100e-6) << k;
+}
+
+TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding("smooth", 20e-9);
+  input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
+  input.experiment.type = ExperimentInput::Type::torsion;
+  input.mesh.contact_region = 320e-9;
+  input.experiment.angle = 0.04;
+  input.experiment.reverse = false;
+  const auto s = solve(input, folder.path);
+  const double a = 0.2593e-6, full = 3 * M_PI / 16 * 0.3 * 100e-6 * a, stiffness = 16.0 / 3 * 15.171e9 * a * a * a;
+  EXPECT_NEAR(s.result["effective"]["torsion_moment"]["value"], full, 0.01 * full);
+  EXPECT_NEAR(s.result["effective"]["torsion_stiffness"]["value"], stiffness, 0.03 * stiffness);
+  EXPECT_LT(s.result["balance"]["energy"], 0.01);
+}
+
+TEST(SolveCase, refuses_motions_that_it_cannot_make) {
+  const auto message = [](const CaseInput& input) {
+    try {
+      solve_case(input, {});
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CaseInput input = sliding("smooth", 25e-9);
+  EXPECT_NE(message(input).find("Distance"), std::string::npos);
+  input.experiment.type = ExperimentInput::Type::torsion;
+  EXPECT_NE(message(input).find("Angle"), std::string::npos);
+  input.experiment.type = ExperimentInput::Type::sliding;
+  input.experiment.distance = 1e-3;
+  EXPECT_NE(message(input).find("Distance"), std::string::npos);
+}
+
+}  // namespace
