@@ -80,8 +80,7 @@ TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_ste
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
   input.particle.yield_stress = 2e9;
-  input.experiment.distance = 30e-9;
-  input.experiment.motion_steps = 4;
+  input.experiment.distance = 10e-9;
   const auto whole = solve(input, folder.path / "whole");
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_LT(whole.result["balance"]["energy"], 0.01);
