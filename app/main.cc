@@ -8,6 +8,7 @@
 
 #include "app/case_command.h"
 #include "app/compare_command.h"
+#include "app/derive_command.h"
 #include "app/engine_command.h"
 #include "app/experiment_command.h"
 #include "app/mesh_command.h"
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
   asperity::add_mesh_command(app);
   asperity::add_solve_command(app);
   asperity::add_study_command(app);
+  asperity::add_derive_command(app);
   asperity::add_compare_command(app);
   asperity::add_experiment_commands(app);
   asperity::add_engine_commands(app);

@@ -64,6 +64,7 @@ struct ContactParameters {
   std::optional<EffectiveQuantity> torsion_friction;       ///< mu_to, times lambda_to
   std::optional<EffectiveQuantity> torsion_offset;         ///< h_to [N]
   std::optional<EffectiveQuantity> pull_off_force;         ///< h_n [N]
+  nlohmann::ordered_json derivation;  ///< how the quantities were found (`asperity derive`); passed through, null if not said
 
   /// R_e = R1 R2/(R1 + R2), the radius that Hertz sees [m]; R for a plane.
   double effective_radius() const;

@@ -150,12 +150,13 @@ ContactParameters parse_contact_parameters(const Json& json, const std::string& 
   const std::string format = text_of(json, "format", "", file);
   if (format != format_name)
     refuse(file, "its format is '" + format + "'; this program reads '" + format_name + "'");
-  check_keys(json, {"format", "title", "particle", "target", "quantities"}, "the record", file);
+  check_keys(json, {"format", "title", "particle", "target", "quantities", "derivation"}, "the record", file);
   ContactParameters parameters;
   parameters.file = file;
   parameters.title = text_of(json, "title", "", file);
   parameters.particle = parse_body(json, "particle", false, file);
   parameters.target = parse_body(json, "target", true, file);
+  if (json.contains("derivation")) parameters.derivation = json["derivation"];
   if (!json.contains("quantities")) refuse(file, "'quantities' is missing");
   std::vector<std::string> known;
   for (const auto& entry : quantity_entries()) known.push_back(entry.key);
@@ -208,6 +209,7 @@ Json to_json(const ContactParameters& parameters) {
     if (std::isfinite(quantity->at_load)) object["at_load"] = quantity->at_load;
     if (!quantity->provenance.empty()) object["provenance"] = quantity->provenance;
   }
+  if (!parameters.derivation.is_null()) json["derivation"] = parameters.derivation;
   return json;
 }
 

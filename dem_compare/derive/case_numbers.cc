@@ -1,0 +1,88 @@
+#include "dem_compare/derive/case_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem_compare/statistics.h"
+
+namespace asperity {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// Indices of numbers that `same` says belong together.
+template <class Same>
+std::vector<Indices> families(const std::vector<CaseNumber>& numbers, const Same& same) {
+  std::vector<Indices> all;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Indices& family) { return same(numbers[family.front()], numbers[i]); });
+    if (found == all.end()) all.push_back({i});
+    else found->push_back(i);
+  }
+  return all;
+}
+
+bool same_contact(const CaseNumber& a, const CaseNumber& b) { return same_load(a.load, b.load) && a.realisation == b.realisation; }
+
+bool same_spacing(double a, double b) {
+  constexpr double same = 1e-3;
+  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= same * std::max(a, b);
+}
+
+}  // namespace
+
+bool same_load(double one, double other) {
+  constexpr double same = 1e-3;
+  return std::abs(one - other) <= same * std::max(one, other);
+}
+
+std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumber>& numbers) {
+  double squares = 0;
+  int freedom = 0;
+  RealisationScatter scatter;
+  for (const auto& family : families(numbers, [](const CaseNumber& a, const CaseNumber& b) {
+         return same_load(a.load, b.load) && same_spacing(a.spacing, b.spacing);
+       })) {
+    std::vector<double> values;
+    for (const auto i : family) values.push_back(numbers[i].value);
+    const Scatter here = scatter_of(values);
+    scatter.realisations = std::max(scatter.realisations, here.count);
+    if (here.count < 2) continue;
+    squares += (here.count - 1) * std::pow(here.sd / here.mean, 2);
+    freedom += here.count - 1;
+  }
+  if (freedom == 0) return std::nullopt;
+  scatter.relative = std::sqrt(squares / freedom);
+  return scatter;
+}
+
+std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers) {
+  MeshDoubt doubt;
+  for (const auto& family : families(numbers, same_contact)) {
+    std::vector<double> spacings, values;
+    for (const auto i : family) {
+      const double spacing = numbers[i].spacing;
+      if (std::isnan(spacing) || std::any_of(spacings.begin(), spacings.end(), [&](double h) { return same_spacing(h, spacing); })) continue;
+      spacings.push_back(spacing);
+      values.push_back(numbers[i].value);
+    }
+    if (spacings.size() < 2) continue;
+    doubt.relative_error += mesh_error(spacings, values).relative_error;
+    ++doubt.families;
+  }
+  if (doubt.families == 0) return std::nullopt;
+  doubt.relative_error /= doubt.families;
+  return doubt;
+}
+
+std::vector<std::size_t> finest(const std::vector<CaseNumber>& numbers) {
+  Indices chosen;
+  for (const auto& family : families(numbers, same_contact))
+    chosen.push_back(*std::min_element(family.begin(), family.end(), [&](std::size_t a, std::size_t b) {
+      const double one = numbers[a].spacing, other = numbers[b].spacing;
+      return std::isnan(other) ? !std::isnan(one) : one < other;
+    }));
+  return chosen;
+}
+
+}  // namespace asperity

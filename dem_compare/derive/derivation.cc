@@ -1,0 +1,112 @@
+#include "dem_compare/derive/derivation.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "dem_compare/derive/motion_derivation.h"
+#include "dem_compare/derive/normal_derivation.h"
+#include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/shear_moduli.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ContactBody body_of(const ElasticBody& body, double radius) {
+  ContactBody contact;
+  contact.radius = radius;
+  contact.youngs_modulus = body.youngs_modulus;
+  contact.poissons_ratio = body.poisson_ratio;
+  return contact;
+}
+
+std::string elastic_text(const ElasticBody& body) {
+  return "E " + format_quantity(body.youngs_modulus, Dimension::pressure) + ", nu " + format_quantity(body.poisson_ratio, Dimension::none);
+}
+
+Json cases_json(const ParameterSet& set) {
+  Json cases = Json::array();
+  for (const auto& solved : set.cases) {
+    double load = 0;
+    for (const double force : solved.history.normal_force) load = std::max(load, force);
+    Json entry{{"folder", solved.folder.string()}, {"experiment", experiment_of(solved)}, {"load", load}, {"realisation", realisation_of(solved)}};
+    if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
+    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity")) entry["asperity"] = solved.result["versions"]["asperity"];
+    cases.push_back(std::move(entry));
+  }
+  return cases;
+}
+
+/// G* of the materials where no sliding case told one: an engine's laws need it.
+void complete_shear_modulus(const SolvedCase& solved, ContactParameters& parameters, LawReport& sliding) {
+  const double mindlin = sliding_modulus(solved.particle(), solved.substrate());
+  if (parameters.reduced_shear_modulus) {
+    sliding.findings.push_back("G* of k_l = 8 G* a: " + with_error(parameters.reduced_shear_modulus->value, parameters.reduced_shear_modulus->sd, Dimension::pressure) +
+                               " (materials, Mindlin 1949: " + format_quantity(mindlin, Dimension::pressure, 4) + ")");
+    return;
+  }
+  parameters.reduced_shear_modulus.emplace();
+  parameters.reduced_shear_modulus->value = mindlin;
+  parameters.reduced_shear_modulus->provenance = "of the materials (Mindlin 1949, 2 - nu): no sliding case told it";
+  sliding.not_told.push_back("G*: that of the materials is written, " + format_quantity(mindlin, Dimension::pressure, 4));
+}
+
+/// What sliding friction alone would make of torsion.
+void compare_torsion_with_sliding(const ContactParameters& parameters, LawReport& torsion) {
+  if (!parameters.sliding_friction || !parameters.torsion_friction ||
+      parameters.torsion_friction->length_scale != LengthScale::contact_radius) return;
+  const double expected = full_slip_torsion_coefficient(parameters.sliding_friction->value);
+  torsion.findings.push_back("mu of torsion over that of sliding friction spread as Hertz' pressure, 3 pi/16 mu_l (Lubkin 1951): " +
+                             with_error(parameters.torsion_friction->value / expected, std::numeric_limits<double>::quiet_NaN(), ""));
+}
+
+}  // namespace
+
+Derivation derive_parameters(const ParameterSet& set) {
+  const SolvedCase& first = set.cases.front();
+  Derivation derivation;
+  ContactParameters& parameters = derivation.parameters;
+  parameters.particle = body_of(first.particle(), first.hertz().radius);
+  parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
+  const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" + elastic_text(first.particle()) + ")";
+  parameters.title = "Derived from " + std::to_string(set.cases.size()) + (set.cases.size() == 1 ? " solved case: " : " solved cases: ") + particle +
+                     " on plane (" + elastic_text(first.substrate()) + ")";
+  derivation.heading = parameters.title;
+  for (const auto& [entry, value] : set.inputs) {
+    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "inf Pa" || value == "inf" || value.rfind("0", 0) == 0;
+    const bool is_said = entry.find("Radius") != std::string::npos || entry.find("Young") != std::string::npos || entry.find("Poisson") != std::string::npos;
+    if (!is_said && (!says_nothing || entry == "Interface/Friction coefficient")) derivation.heading += "\n  " + entry + " = " + value;
+  }
+  derivation.laws.push_back(derive_normal(set, parameters));
+  derivation.laws.push_back(derive_motion(set, sliding_mode(), parameters));
+  complete_shear_modulus(first, parameters, derivation.laws.back());
+  derivation.laws.push_back(derive_motion(set, torsion_mode(), parameters));
+  compare_torsion_with_sliding(parameters, derivation.laws.back());
+  derivation.laws.push_back(derive_motion(set, rolling_mode(), parameters));
+
+  Json& record = parameters.derivation;
+  for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
+  record["cases"] = cases_json(set);
+  const char* names[] = {"normal", "sliding", "torsion", "rolling"};
+  for (std::size_t i = 0; i < derivation.laws.size(); ++i) {
+    Json law = derivation.laws[i].details;
+    law["findings"] = derivation.laws[i].findings;
+    law["not_told"] = derivation.laws[i].not_told;
+    record[names[i]] = std::move(law);
+  }
+  return derivation;
+}
+
+std::string to_text(const Derivation& derivation) {
+  std::string text = derivation.heading + "\n";
+  for (const auto& law : derivation.laws) {
+    text += "\n" + law.title + "\n";
+    for (const auto& finding : law.findings) text += "  " + finding + "\n";
+    for (const auto& open : law.not_told) text += "  not told: " + open + "\n";
+  }
+  return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,70 @@
+#include "dem_compare/derive/law_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace asperity {
+namespace {
+
+constexpr int value_digits = 4, error_digits = 2;
+
+std::string digits_of(double value, int digits) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  return buffer;
+}
+
+}  // namespace
+
+std::string with_error(double value, double sd, Dimension dimension) {
+  const std::string text = format_quantity(value, dimension, value_digits);
+  return std::isfinite(sd) ? text + " +- " + format_quantity(sd, dimension, error_digits) : text;
+}
+
+std::string with_error(double value, double sd, const std::string& unit) {
+  std::string text = digits_of(value, value_digits);
+  if (std::isfinite(sd)) text += " +- " + digits_of(sd, error_digits);
+  return unit.empty() ? text : text + " " + unit;
+}
+
+std::string percent(double share) { return digits_of(100 * share, error_digits) + " %"; }
+
+std::string extent_of(const std::vector<CaseNumber>& numbers) {
+  std::set<std::string> realisations, spacings;
+  double low = numbers.front().load, high = low;
+  for (const auto& number : numbers) {
+    realisations.insert(number.realisation);
+    if (std::isfinite(number.spacing)) spacings.insert(format_quantity(number.spacing, Dimension::length));
+    low = std::min(low, number.load), high = std::max(high, number.load);
+  }
+  std::string text = numbers.size() == 1 ? "1 case" : std::to_string(numbers.size()) + " cases";
+  text += ", load " + format_quantity(low, Dimension::force);
+  if (!same_load(low, high)) text += " to " + format_quantity(high, Dimension::force);
+  text += realisations.size() == 1 ? ", 1 realisation" : ", " + std::to_string(realisations.size()) + " realisations";
+  std::string list;
+  for (const auto& spacing : spacings) list += (list.empty() ? "" : ", ") + spacing;
+  return list.empty() ? text : text + ", spacing " + list;
+}
+
+void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report) {
+  const bool smooth = all.front().realisation == "smoothonsmooth";
+  if (const auto scatter = realisation_scatter(all)) {
+    report.findings.push_back("scatter between realisations (" + what + "): " + percent(scatter->relative) + " of one, from up to " +
+                              std::to_string(scatter->realisations) + " at a load");
+    report.details["realisation_scatter"] = scatter->relative;
+  } else if (!smooth) {
+    report.not_told.push_back("scatter of " + what + " between realisations: solve the same case with two or more seeds of its roughness");
+  }
+  if (const auto doubt = mesh_doubt(all)) {
+    report.findings.push_back("error of the finest mesh (" + what + "): " + percent(doubt->relative_error) +
+                              (doubt->families > 1 ? ", mean of " + std::to_string(doubt->families) + " contacts" : "") +
+                              "; not part of the uncertainty above");
+    report.details["mesh_error"] = doubt->relative_error;
+  } else {
+    report.not_told.push_back("error of the mesh in " + what + ": solve one case again with twice the Mesh/Interface spacing");
+  }
+}
+
+}  // namespace asperity

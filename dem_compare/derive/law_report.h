@@ -1,0 +1,32 @@
+// What was found on one law, for people and for programs, and what the cases could not tell.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/quantity.h"
+#include "dem_compare/derive/case_numbers.h"
+
+namespace asperity {
+
+struct LawReport {
+  std::string title;
+  std::vector<std::string> findings;
+  std::vector<std::string> not_told;  ///< each with the cases that would tell it
+  nlohmann::ordered_json details;
+};
+
+/// "1.21 +- 0.03 GPa"; the error is left out where it is not known.
+std::string with_error(double value, double sd, Dimension dimension);
+/// The same for units without a prefix ("N m").
+std::string with_error(double value, double sd, const std::string& unit);
+std::string percent(double share);
+
+/// "4 cases, 100 uN to 3 mN, 2 realisations, spacing 22 nm".
+std::string extent_of(const std::vector<CaseNumber>& numbers);
+
+/// Scatter between realisations and error of the mesh in words, apart; adds to `not_told` what would show them.
+void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report);
+
+}  // namespace asperity

@@ -1,0 +1,246 @@
+#include "dem_compare/derive/motion_derivation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "dem_compare/derive/power_law.h"
+#include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/shear_moduli.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// One case of the mode.
+struct MotionCase {
+  const SolvedCase* solved = nullptr;
+  double load = 0, contact_radius = unknown;
+  SteadyResistance steady;
+  ReversalStiffness reversal;
+  double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
+
+  CaseNumber number(double value, double sd) const {
+    return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
+  }
+};
+
+MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
+  MotionCase seen;
+  seen.solved = &solved;
+  const auto &position = solved.history.*mode.position, &resistance = solved.history.*mode.resistance;
+  const auto& force = solved.history.normal_force;
+  seen.steady = steady_resistance(position, resistance, force);
+  const auto peak = static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
+  seen.load = seen.steady.reached ? seen.steady.load : force[peak];
+  seen.contact_radius = solved.history.contact_radius[peak];
+  if (seen.steady.reached) seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
+  if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
+    const Json& entry = solved.result["effective"][mode.stiffness_key];
+    if (entry.contains("value") && entry["value"].is_number()) seen.probed_stiffness = entry["value"].get<double>();
+    if (entry.contains("sd") && entry["sd"].is_number()) seen.probed_sd = entry["sd"].get<double>();
+  }
+  return seen;
+}
+
+std::string law_text(const MotionMode& mode, const ResistanceLaw& law, const char* length) {
+  std::string text = "mu = " + with_error(law.coefficient, law.coefficient_sd(), "");
+  text += law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force) : ", h = 0 (not told)";
+  if (mode.has_length) text = std::string("lambda = ") + length + ": " + text;
+  return text;
+}
+
+Json law_json(const ResistanceLaw& law) {
+  return {{"coefficient", law.coefficient},
+          {"offset", law.offset},
+          {"covariance", {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
+          {"offset_is_told", law.has_offset},
+          {"case_scatter", law.case_scatter},
+          {"realisation_scatter", law.realisation_scatter},
+          {"relative_misfit", law.misfit},
+          {"degrees_of_freedom", law.degrees_of_freedom}};
+}
+
+void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
+  if (!law.has_offset)
+    report.not_told.push_back("h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
+  else if (law.degrees_of_freedom == 0)
+    report.not_told.push_back("whether the law holds: it passes through two cases whatever they are, and its uncertainty is that of their "
+                              "ways alone; solve a third load");
+  else
+    report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " + std::to_string(law.degrees_of_freedom + 2) +
+                              " cases)");
+}
+
+/// The length of mu lambda (f + h), in words.
+void tell_choice(const LengthChoice& choice, LawReport& report) {
+  char odds[96];
+  const bool contact_is_likelier = choice.log_odds >= 0;
+  const double most_that_matters = 6;  // powers of ten
+  const double tens = std::abs(choice.log_odds) / std::log(10.0);
+  if (tens > most_that_matters) std::snprintf(odds, sizeof odds, "more than 10^6");
+  else std::snprintf(odds, sizeof odds, "%.3g", std::exp(std::abs(choice.log_odds)));
+  std::string text = std::string("odds ") + odds + " to 1 for lambda = " + (contact_is_likelier ? "a" : "r");
+  if (std::isfinite(choice.contact_error))
+    text += "; a load predicted from the others is off by " + percent(choice.contact_error) + " with a, " + percent(choice.radius_error) + " with r";
+  report.findings.push_back(text);
+  if (!choice.is_told())
+    report.not_told.push_back("the length lambda: odds below 20 to 1; lambda = a is written, as friction over the contact demands. Loads "
+                              "from 0.1 to 3 mN, four or more, or other radii of the particle would tell");
+}
+
+void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
+  std::vector<CaseNumber> probed, reversed;
+  for (const auto& item : seen) {
+    if (item.probed_stiffness > 0) probed.push_back(item.number(item.probed_stiffness, item.probed_sd));
+    if (item.reversal.value > 0) reversed.push_back(item.number(item.reversal.value, item.reversal.error));
+  }
+  const auto radius = [&](double load) { return parameters.contact_radius(load); };
+  const auto law_of = [&](const std::vector<CaseNumber>& all) {
+    std::vector<CaseNumber> used;
+    for (const auto i : finest(all)) used.push_back(all[i]);
+    return fit_power(used, radius, mode.stiffness_exponent);
+  };
+  if (probed.empty() && reversed.empty()) {
+    report.not_told.push_back("the stiffness: no case was reversed after full slip; set Experiment/Reverse = true");
+    return;
+  }
+  const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
+  const PowerLaw law = law_of(written);
+  const char* source = probed.empty() ? "slope after the reversal" : "without slip";
+  report.findings.push_back(std::string("stiffness ") + source + ": " + with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
+                            format_quantity(law.at_load, Dimension::force) + "; " + extent_of(written));
+  if (!probed.empty() && !reversed.empty()) {
+    const PowerLaw reversal = law_of(reversed);
+    report.findings.push_back("slope after the reversal, partial slip taken out: " + with_error(reversal.value, reversal.sd, mode.stiffness_unit) +
+                              " at " + format_quantity(reversal.at_load, Dimension::force));
+    report.details["reversal_stiffness"] = {{"value", reversal.value}, {"sd", reversal.sd}, {"at_load", reversal.at_load}};
+  }
+  tell_exponent(law, mode.stiffness_exponent, "the stiffness", report);
+  tell_scatter_and_mesh(written, "the stiffness", report);
+  std::string provenance = std::string(source) + "; " + extent_of(written);
+  if (mode.stiffness_exponent != 1)
+    provenance += "; of a smooth contact it grows as a^" + with_error(mode.stiffness_exponent, unknown, "") + ", not as a";
+  parameters.*mode.stiffness = EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load, provenance};
+  if (&mode != &sliding_mode()) return;
+  constexpr double mindlin = 8;
+  const double to_modulus = 1 / (mindlin * radius(law.at_load));
+  parameters.reduced_shear_modulus = EffectiveQuantity{law.value * to_modulus, law.sd * to_modulus, law.loads, LengthScale::none, unknown,
+                                                       "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + extent_of(written)};
+}
+
+void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
+  std::vector<CaseNumber> all;
+  std::vector<const MotionCase*> steady;
+  for (const auto& item : seen) {
+    if (!item.steady.reached) {
+      report.not_told.push_back(item.solved->folder.string() + ": did not slip fully, or for fewer than five steps; set " + mode.way_entry + " to more");
+      continue;
+    }
+    all.push_back(item.number(item.steady.mean, item.steady.standard_error));
+    steady.push_back(&item);
+  }
+  if (all.empty()) return;
+  std::vector<ResistancePoint> points;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto i : finest(all)) {
+    const MotionCase& item = *steady[i];
+    points.push_back({item.load, item.steady.mean, item.steady.standard_error, all[i].realisation});
+    report.details["resistance"].push_back({{"folder", item.solved->folder.string()},
+                                            {"load", item.load},
+                                            {"mean", item.steady.mean},
+                                            {"standard_error", item.steady.standard_error},
+                                            {"fluctuation", item.steady.fluctuation},
+                                            {"independent_stretches", item.steady.independent},
+                                            {"way", item.steady.way},
+                                            {"drift", item.steady.drift}});
+    report.findings.push_back("at " + format_quantity(item.load, Dimension::force) + ": " +
+                              with_error(item.steady.mean, item.steady.standard_error, mode.resistance_unit) + ", fluctuation " +
+                              percent(item.steady.fluctuation / item.steady.mean) + ", " + with_error(std::round(item.steady.independent), unknown, "") +
+                              " independent stretches");
+    if (item.steady.still_changes())
+      report.not_told.push_back(item.solved->folder.string() + ": the resistance still changes, by " + percent(item.steady.drift) +
+                                " from the first half of the way to the second; a longer " + mode.way_entry + " would show where it ends");
+    shortest = std::min(shortest, item.steady.way / (2 * item.contact_radius));
+  }
+  constexpr double diameters_wanted = 2;
+  if (&mode != &torsion_mode() && shortest < diameters_wanted)
+    report.not_told.push_back("fluctuation over long ways: the shortest steady way is " + with_error(std::round(10 * shortest) / 10, unknown, "") +
+                              " contact diameters, two or more are wanted; lengthen " + mode.way_entry);
+
+  EffectiveQuantity friction, offset;
+  ResistanceLaw law;
+  const std::string provenance = "steady resistance after full slip; " + extent_of(all);
+  if (mode.has_length) {
+    const LengthChoice choice = choose_length(points, parameters.particle.radius, [&](double load) { return parameters.contact_radius(load); });
+    law = choice.law();
+    friction.length_scale = choice.scale();
+    report.findings.push_back(law_text(mode, choice.with_radius, "r"));
+    report.findings.push_back(law_text(mode, choice.with_contact, "a"));
+    tell_choice(choice, report);
+    report.details["lambda_r"] = law_json(choice.with_radius);
+    report.details["lambda_a"] = law_json(choice.with_contact);
+    report.details["log_odds_a_over_r"] = choice.log_odds;
+    report.details["leave_one_load_out"] = {{"r", choice.radius_error}, {"a", choice.contact_error}};
+    char odds[64];
+    std::snprintf(odds, sizeof odds, "; ln of the odds for a over r: %.3g", choice.log_odds);
+    friction.provenance = provenance + odds;
+  } else {
+    law = fit_resistance(points, [](double) { return 1.0; });
+    report.findings.push_back(law_text(mode, law, ""));
+    report.details["law"] = law_json(law);
+    friction.provenance = provenance;
+  }
+  tell_test_of_law(law, report);
+  tell_scatter_and_mesh(all, "the resistance", report);
+  friction.value = law.coefficient;
+  friction.sd = law.coefficient_sd();
+  offset.value = law.offset;
+  if (law.has_offset) offset.sd = law.offset_sd();
+  friction.load_range = offset.load_range = law.loads;
+  offset.provenance = law.has_offset ? provenance : "one load cannot tell it; zero is assumed";
+  parameters.*mode.friction = friction;
+  parameters.*mode.offset = offset;
+}
+
+}  // namespace
+
+const MotionMode& sliding_mode() {
+  static const MotionMode mode{"sliding", "Sliding, f_l = mu (f + h)", &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, "N",
+                               "lateral_stiffness", "N/m", "Experiment/Distance", false, 1, sliding_partial_slip,
+                               &ContactParameters::sliding_friction, &ContactParameters::sliding_offset, &ContactParameters::lateral_stiffness};
+  return mode;
+}
+
+const MotionMode& torsion_mode() {
+  static const MotionMode mode{"torsion", "Torsion, M = mu lambda (f + h)", &ContactHistory::torsion_angle, &ContactHistory::torsion_moment, "N m",
+                               "torsion_stiffness", "N m/rad", "Experiment/Angle", true, 3, torsion_partial_slip,
+                               &ContactParameters::torsion_friction, &ContactParameters::torsion_offset, &ContactParameters::torsion_stiffness};
+  return mode;
+}
+
+const MotionMode& rolling_mode() {
+  static const MotionMode mode{"rolling", "Rolling, M = mu lambda (f + h)", &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, "N m",
+                               "rolling_stiffness", "N m/rad", "Experiment/Distance", true, 1, no_partial_slip,
+                               &ContactParameters::rolling_friction, &ContactParameters::rolling_offset, &ContactParameters::rolling_stiffness};
+  return mode;
+}
+
+LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters) {
+  LawReport report;
+  report.title = mode.title;
+  std::vector<MotionCase> seen;
+  for (const auto& solved : set.cases)
+    if (experiment_of(solved) == mode.experiment) seen.push_back(observe(solved, mode));
+  if (seen.empty()) {
+    report.not_told.push_back(std::string("all of it: there is no case with Experiment/Type = ") + mode.experiment);
+    return report;
+  }
+  derive_resistance(mode, seen, parameters, report);
+  derive_stiffness(mode, seen, parameters, report);
+  return report;
+}
+
+}  // namespace asperity

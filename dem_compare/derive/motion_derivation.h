@@ -1,0 +1,55 @@
+// Laws of one mode of motion (sliding, torsion, rolling) from the cases of that experiment: steady resistance after full slip,
+// R = mu lambda (f + h), its length lambda where it has one, and the stiffness without slip. SI units.
+// A resistance holds for constant load and for ways beyond full slip; see steady_motion.h and resistance_law.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_compare/derive/law_report.h"
+#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/derive/resistance_law.h"
+#include "dem_compare/derive/steady_motion.h"
+
+namespace asperity {
+
+/// What tells the modes apart.
+struct MotionMode {
+  const char* experiment;  ///< of the case file
+  const char* title;
+  std::vector<double> ContactHistory::*position;
+  std::vector<double> ContactHistory::*resistance;
+  const char* resistance_unit;
+  const char* stiffness_key;   ///< in `effective` of result.json
+  const char* stiffness_unit;
+  const char* way_entry;       ///< of the case file, for advice
+  bool has_length;             ///< mu lambda (f + h) instead of mu (f + h)
+  double stiffness_exponent;   ///< of the contact radius, smooth elastic contact
+  PartialSlip partial_slip;
+  std::optional<EffectiveQuantity> ContactParameters::*friction;
+  std::optional<EffectiveQuantity> ContactParameters::*offset;
+  std::optional<EffectiveQuantity> ContactParameters::*stiffness;
+};
+const MotionMode& sliding_mode();
+const MotionMode& torsion_mode();
+const MotionMode& rolling_mode();
+
+/// Sets the quantities of the mode (for sliding, reduced_shear_modulus too); `parameters` must have E* already.
+LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters);
+
+/// The two lengths that mu lambda (f + h) can have, and what tells them apart.
+struct LengthChoice {
+  ResistanceLaw with_radius, with_contact;    ///< lambda = r, lambda = a(f)
+  double log_odds = 0;                        ///< natural logarithm of p(data | a) / p(data | r)
+  double radius_error = 0, contact_error = 0; ///< leave one load out, relative; NaN for fewer than three loads
+
+  /// Odds above this one count as an answer ("strong", Jeffreys 1961).
+  static constexpr double telling_odds = 20;
+  bool is_told() const;
+  /// Where the cases cannot tell, the contact radius: what friction over the contact demands (Lubkin 1951).
+  LengthScale scale() const;
+  const ResistanceLaw& law() const;
+};
+LengthChoice choose_length(const std::vector<ResistancePoint>& points, double radius, const LengthOfLoad& contact_radius);
+
+}  // namespace asperity

@@ -1,0 +1,193 @@
+#include "dem_compare/derive/resistance_law.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+using Points = std::vector<ResistancePoint>;
+
+/// Scatters tried: none, or equally spaced logarithms.
+std::vector<double> scatters(double low, double high, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, i / (count - 1.0)));
+  return values;
+}
+
+std::size_t realisations_of(const Points& points) {
+  std::set<std::string> names;
+  for (const auto& point : points) names.insert(point.realisation);
+  return names.size();
+}
+
+/// A realisation's common scatter shows only if there are several, and is apart from the cases' own if one has several.
+bool has_common_scatter(const Points& points) {
+  const std::size_t count = realisations_of(points);
+  return count > 1 && count < points.size();
+}
+
+Eigen::MatrixXd covariance_of(const Points& points, double case_scatter, double realisation_scatter) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd V(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const ResistancePoint &p = points[static_cast<std::size_t>(i)], &q = points[static_cast<std::size_t>(j)];
+      V(i, j) = p.realisation == q.realisation ? realisation_scatter * realisation_scatter * p.value * q.value : 0;
+      if (i == j) V(i, i) += p.sd * p.sd + case_scatter * case_scatter * p.value * p.value;
+    }
+  return V;
+}
+
+Eigen::VectorXd values_of(const Points& points) {
+  Eigen::VectorXd y(static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) y[static_cast<Eigen::Index>(i)] = points[i].value;
+  return y;
+}
+
+/// Columns of mu and mu h; one column where h cannot be told.
+Eigen::MatrixXd design(const Points& points, const LengthOfLoad& length, bool with_offset) {
+  Eigen::MatrixXd X(static_cast<Eigen::Index>(points.size()), with_offset ? 2 : 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    X(row, 0) = length(points[i].load) * points[i].load;
+    if (with_offset) X(row, 1) = length(points[i].load);
+  }
+  return X;
+}
+
+double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
+  return 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+struct GeneralisedFit {
+  Eigen::VectorXd parameters;
+  Eigen::MatrixXd covariance;
+  double log_likelihood = 0;  ///< restricted
+};
+
+GeneralisedFit generalised_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::MatrixXd& V) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(V);
+  const Eigen::MatrixXd A = factor.matrixL().solve(X);
+  const Eigen::VectorXd b = factor.matrixL().solve(y);
+  const Eigen::MatrixXd normal = A.transpose() * A;
+  const Eigen::LLT<Eigen::MatrixXd> normal_factor(normal);
+  GeneralisedFit fit;
+  fit.parameters = normal_factor.solve(A.transpose() * b);
+  fit.covariance = normal_factor.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
+  fit.log_likelihood = -0.5 * (log_determinant(factor) + log_determinant(normal_factor) + (b - A * fit.parameters).squaredNorm());
+  return fit;
+}
+
+// A solved case repeats to about this share whatever else it is uncertain by; it keeps weights finite where nothing fluctuates.
+constexpr double solver_share = 1e-6;
+constexpr double largest_scatter = 1;
+
+}  // namespace
+
+std::vector<double> distinct_loads(const Points& points) {
+  constexpr double same = 1e-3;
+  std::vector<double> loads;
+  for (const auto& point : points) loads.push_back(point.load);
+  std::sort(loads.begin(), loads.end());
+  loads.erase(std::unique(loads.begin(), loads.end(), [](double a, double b) { return b - a <= same * b; }), loads.end());
+  return loads;
+}
+
+ResistanceLaw fit_resistance(const Points& points, const LengthOfLoad& length) {
+  if (points.empty()) throw InputError("a law of resistance needs a case that slips fully");
+  const std::vector<double> loads = distinct_loads(points);
+  ResistanceLaw law;
+  law.loads = {loads.front(), loads.back()};
+  law.has_offset = loads.size() > 1;
+  // In units of a load and a resistance of order one.
+  const double load = loads.back(), unit = values_of(points).cwiseAbs().maxCoeff(), longest = length(load);
+  Points scaled = points;
+  for (auto& point : scaled) point.load /= load, point.value /= unit, point.sd /= unit;
+  const auto scaled_length = [&](double f) { return length(f * load) / longest; };
+  const Eigen::MatrixXd X = design(scaled, scaled_length, law.has_offset);
+  const Eigen::VectorXd y = values_of(scaled);
+  law.degrees_of_freedom = static_cast<int>(y.size() - X.cols());
+
+  double best = -std::numeric_limits<double>::infinity();
+  GeneralisedFit fit;
+  constexpr int steps = 41;
+  const std::vector<double> tried = law.degrees_of_freedom > 0 ? scatters(solver_share, largest_scatter, steps) : std::vector{solver_share};
+  const std::vector<double> common = has_common_scatter(points) && law.degrees_of_freedom > 0 ? tried : std::vector{0.0};
+  for (const double shared : common)
+    for (const double own : tried) {
+      GeneralisedFit candidate = generalised_fit(X, y, covariance_of(scaled, own, shared));
+      if (!(candidate.log_likelihood > best)) continue;
+      best = candidate.log_likelihood;
+      fit = std::move(candidate);
+      law.case_scatter = own, law.realisation_scatter = shared;
+    }
+  const double mu = fit.parameters[0], mu_h = law.has_offset ? fit.parameters[1] : 0;
+  law.coefficient = mu * unit / (load * longest);
+  law.covariance(0, 0) = fit.covariance(0, 0) * std::pow(unit / (load * longest), 2);
+  if (law.has_offset) {
+    law.offset = mu_h / mu * load;
+    Eigen::Matrix2d slopes;  // of (mu, h) with respect to (mu, mu h)
+    slopes << unit / (load * longest), 0, -mu_h / (mu * mu) * load, load / mu;
+    law.covariance = slopes * fit.covariance * slopes.transpose();
+  }
+  law.misfit = std::sqrt(((X * fit.parameters - y).array() / y.array()).square().mean());
+  return law;
+}
+
+double log_evidence(const Points& points, const LengthOfLoad& length) {
+  double log_load = 0, log_value = 0;
+  for (const auto& point : points) {
+    log_load += std::log(point.load) / static_cast<double>(points.size());
+    log_value += std::log(point.value) / static_cast<double>(points.size());
+  }
+  const double load = std::exp(log_load), unit = std::exp(log_value), middle = length(load);
+  Points scaled = points;
+  for (auto& point : scaled) point.load /= load, point.value /= unit, point.sd /= unit;
+  const Eigen::MatrixXd X = design(scaled, [&](double f) { return length(f * load) / middle; }, true);
+  const Eigen::VectorXd y = values_of(scaled);
+  const Eigen::MatrixXd prior = X * X.transpose();  // sd one for both numbers
+
+  constexpr double smallest = 1e-3;
+  constexpr int steps = 31;
+  const std::vector<double> own_scatters = scatters(smallest, largest_scatter, steps);
+  const std::vector<double> common = has_common_scatter(points) ? own_scatters : std::vector{0.0};
+  std::vector<double> logs;
+  for (const double shared : common)
+    for (const double own : own_scatters) {
+      const Eigen::LLT<Eigen::MatrixXd> factor(covariance_of(scaled, own, shared) + prior);
+      const Eigen::VectorXd white = factor.matrixL().solve(y);
+      logs.push_back(-0.5 * (white.squaredNorm() + log_determinant(factor) +
+                             static_cast<double>(y.size()) * std::log(boost::math::double_constants::two_pi)));
+    }
+  const double largest = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (const double value : logs) sum += std::exp(value - largest);
+  return largest + std::log(sum / static_cast<double>(logs.size()));
+}
+
+double leave_one_load_out(const Points& points, const LengthOfLoad& length) {
+  const std::vector<double> loads = distinct_loads(points);
+  constexpr std::size_t fewest = 3;
+  if (loads.size() < fewest) return std::numeric_limits<double>::quiet_NaN();
+  double squares = 0;
+  for (const double left_out : loads) {
+    Points others, here;
+    for (const auto& point : points) {
+      const auto nearest = std::min_element(loads.begin(), loads.end(), [&](double a, double b) {
+        return std::abs(a - point.load) < std::abs(b - point.load);
+      });
+      (*nearest == left_out ? here : others).push_back(point);
+    }
+    const ResistanceLaw law = fit_resistance(others, length);
+    for (const auto& point : here) squares += std::pow(law.at(point.load, length) / point.value - 1, 2) / static_cast<double>(points.size());
+  }
+  return std::sqrt(squares);
+}
+
+}  // namespace asperity
