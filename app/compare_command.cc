@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/atomic_file.h"
+#include "core/error.h"
+#include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
 
 namespace asperity {
@@ -18,33 +20,62 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string output;
+  std::string output, engine, parameters, indenter, program;
+  std::string published = ASPERITY_RUNS "/paper/published";
   double tolerance = 0.05;
+  int time_limit = 600;
   bool json = false;
 };
 
 void run(const Arguments& arguments) {
   const CaseCollection collection = collect_cases({arguments.folders.begin(), arguments.folders.end()});
   const Comparison comparison = compare_with_hertz(collection, arguments.tolerance);
-  const std::string json = to_json(comparison).dump(1) + "\n", markdown = to_markdown(comparison);
   const fs::path output = arguments.output.empty() ? arguments.folders.front() : arguments.output;
+
+  SideBySideInput input{collection, comparison};
+  if (!arguments.parameters.empty()) input.parameters = read_contact_parameters(arguments.parameters);
+  if (!arguments.indenter.empty()) input.indenter = read_contact_parameters(arguments.indenter);
+  EngineRunOptions options;
+  options.program = arguments.program;
+  options.time_limit = std::chrono::seconds(arguments.time_limit);
+  EngineColumn engine(arguments.engine, output / "engine", options);
+  const SideBySide columns =
+      compare_side_by_side(input, PublishedColumn(read_published(arguments.published)), engine, arguments.tolerance);
+
+  auto object = to_json(comparison);
+  object["side_by_side"] = to_json(columns);
+  const std::string json = object.dump(1) + "\n", markdown = to_markdown(comparison) + "\n" + to_markdown(columns);
   fs::create_directories(output);
   write_file_atomically(output / "comparison.json", json);
   write_file_atomically(output / "comparison.md", markdown);
   write_file_atomically(output / "comparison.csv", to_csv(comparison));
+  write_file_atomically(output / "side_by_side.csv", to_csv(columns));
   std::cout << (arguments.json ? json : markdown) << std::flush;
+  // The other columns are worth having without it.
+  if (!columns.engine_failure.empty()) throw WorkError(columns.engine_failure);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("compare", "Compare solved cases with Hertz: where rough, yielding contact departs");
+  CLI::App* command = app.add_subcommand(
+      "compare", "Set solved cases beside Hertz, the reduced laws, a live engine and the published measurement");
   command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")->required()->check(CLI::ExistingDirectory);
   command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--output", arguments->output, "Folder for comparison.json, .csv and .md (default: the first DIR)");
+  command->add_option("--parameters", arguments->parameters,
+                      "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json)");
+  command->add_option("--indenter", arguments->indenter, "The same for particle and moving plate (default: as with the substrate)");
+  command->add_option("--engine", arguments->engine, "Run lammps or yade with each law's numbers");
+  command->add_option("--program", arguments->program, "The engine's executable (default: lmp, yade)");
+  command->add_option("--time-limit", arguments->time_limit, "Seconds after which one run of the engine is stopped")
+      ->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--published", arguments->published, "Folder of the published numbers")->capture_default_str();
+  command->add_option("--output", arguments->output,
+                      "Folder for comparison.json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
+  command->footer("Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -42,6 +42,7 @@ struct ContactBody {
   double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< [Pa]
   double poissons_ratio = std::numeric_limits<double>::quiet_NaN();
   double density = std::numeric_limits<double>::quiet_NaN();         ///< [kg/m^3]
+  double rms = std::numeric_limits<double>::quiet_NaN();             ///< roughness of its surface [m]; 0: smooth
 
   bool is_plane() const { return std::isinf(radius); }
   bool has_elasticity() const { return std::isfinite(youngs_modulus) && std::isfinite(poissons_ratio); }

@@ -55,14 +55,15 @@ double body_number(const Json& object, const char* key, Dimension dimension, con
   } else {
     value = finite_number(object[key], path, file);
   }
-  if (!(value > 0) && dimension != Dimension::none) refuse(file, "'" + path + "' must be above zero");
+  const bool may_be_zero = dimension == Dimension::none || std::string(key) == "rms";  // a smooth surface
+  if (!(value > 0) && !(may_be_zero && value == 0)) refuse(file, "'" + path + "' must be above zero");
   return value;
 }
 
 ContactBody parse_body(const Json& json, const char* name, bool is_target, const std::string& file) {
   if (!json.contains(name)) refuse(file, std::string("'") + name + "' is missing");
   const Json& object = json[name];
-  std::vector<std::string> known{"material", "radius", "youngs_modulus", "poissons_ratio", "density"};
+  std::vector<std::string> known{"material", "radius", "youngs_modulus", "poissons_ratio", "density", "rms"};
   if (is_target) known.insert(known.begin(), "geometry");
   check_keys(object, known, name, file);
   ContactBody body;
@@ -70,6 +71,7 @@ ContactBody parse_body(const Json& json, const char* name, bool is_target, const
   body.youngs_modulus = body_number(object, "youngs_modulus", Dimension::pressure, name, file);
   body.poissons_ratio = body_number(object, "poissons_ratio", Dimension::none, name, file);
   body.density = body_number(object, "density", Dimension::none, name, file);
+  body.rms = body_number(object, "rms", Dimension::length, name, file);
   body.radius = body_number(object, "radius", Dimension::length, name, file);
   const std::string geometry = is_target ? text_of(object, "geometry", name, file) : "sphere";
   if (geometry == "plane")
@@ -140,6 +142,7 @@ Json body_json(const ContactBody& body, bool is_target) {
   put("youngs_modulus", body.youngs_modulus);
   put("poissons_ratio", body.poissons_ratio);
   put("density", body.density);
+  put("rms", body.rms);
   return json;
 }
 

@@ -1,0 +1,256 @@
+#include "dem_compare/compare/law_column.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/paper/rail_balance.h"
+
+namespace asperity {
+namespace {
+
+using Type = EngineExperiment::Type;
+constexpr double mindlin = 8;
+constexpr double equal_work = 5.0 / 6;  // Mindlin & Deresiewicz over Mindlin without slip: finite_element_column.h
+
+std::string file_of(const ComparedContact& contact) { return std::filesystem::path(contact.record->file).filename().string(); }
+
+EffectiveQuantity constant(double value, LengthScale scale = LengthScale::none) {
+  EffectiveQuantity quantity;
+  quantity.value = value;
+  quantity.length_scale = scale;
+  return quantity;
+}
+
+/// The record, or one made from the bodies. Quasi-static: the density sets the time step of the engine and no result.
+ContactParameters engine_contact(const ComparedContact& contact) {
+  constexpr double density_of_silica = 2200;
+  ContactParameters p;
+  if (contact.record) {
+    p = *contact.record;
+  } else {
+    p.file = contact.label;
+    p.particle.radius = contact.radius;
+    p.target.radius = std::numeric_limits<double>::infinity();
+    p.reduced_modulus = constant(contact.hertz().reduced_modulus);
+    p.reduced_shear_modulus = constant(contact.sliding_modulus());
+    if (contact.friction > 0) p.sliding_friction = constant(contact.friction);
+  }
+  if (!std::isfinite(p.particle.density)) p.particle.density = density_of_silica;
+  return p;
+}
+
+/// An amplitude that reaches every limit with room to spare.
+EngineExperiment experiment_of(Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
+                               double rail_angle = 0) {
+  EngineExperiment experiment;
+  experiment.type = type;
+  experiment.substrate = substrate;
+  experiment.indenter = indenter;
+  if (!std::isfinite(experiment.indenter.particle.density)) experiment.indenter.particle.density = substrate.particle.density;
+  experiment.load = load;
+  experiment.rail_angle = rail_angle;
+  if (type == Type::twisting) return experiment;  // goes by its limit, not by an amplitude
+  const ClosedForm form = closed_form(experiment);
+  constexpr double room = 10;
+  experiment.amplitude = room * std::max(form.first_yield, form.full_yield);
+  return experiment;
+}
+
+LawValue law(const std::string& name, double value, double sd = NAN) {
+  LawValue result;
+  result.value = value;
+  result.sd = sd;
+  result.source = name;
+  return result;
+}
+
+LawValue no_law(const std::string& reason) {
+  LawValue result;
+  result.reason = result.no_engine = reason;
+  return result;
+}
+
+/// The glued sphere's loop. The approach is asked for where the case has no friction, too: it does not depend on it.
+EngineExperiment glued(const ComparedContact& contact, double load) {
+  constexpr double any_friction = 0.1;
+  ContactParameters p = engine_contact(contact);
+  if (!p.sliding_friction || p.sliding_friction->value <= 0) p.sliding_friction = constant(any_friction);
+  return experiment_of(Type::glued, p, p, load);
+}
+
+std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& contact, double load) {
+  const Hertz hertz = contact.hertz();
+  if (quantity == Quantity::approach) {
+    LawValue value = law("Hertz", hertz.approach(load));
+    value.engine = EngineRequest{glued(contact, load), "approach"};
+    return {value};
+  }
+  constexpr double load_step = 0.02;
+  LawValue value = law("Hertz", hertz.normal_stiffness(load));
+  value.engine = EngineRequest{glued(contact, load), "approach", 1, load_step};
+  std::vector<LawValue> laws{value};
+  if (contact.record && contact.record->normal_stiffness) {
+    laws.push_back(law("k_n as given", contact.record->normal_stiffness_at(load)));
+    laws.back().no_engine = "the engine's normal law is Hertz";
+  }
+  return laws;
+}
+
+/// 8 G* a with `share`, and the engine with that spring.
+LawValue lateral_spring(const std::string& name, double share, const ComparedContact& contact, double load) {
+  const double k = share * mindlin * contact.sliding_modulus() * contact.hertz().contact_radius(load);
+  LawValue value = law(name, k);
+  EngineExperiment experiment = glued(contact, load);
+  experiment.substrate.lateral_stiffness = constant(k, LengthScale::contact_radius);
+  experiment.substrate.lateral_stiffness->at_load = load;
+  value.engine = EngineRequest{experiment, "slope after reversal"};
+  return value;
+}
+
+std::vector<LawValue> sliding_laws(Quantity quantity, const ComparedContact& contact, double load) {
+  if (quantity == Quantity::sliding_friction) {
+    LawValue value;
+    if (contact.record && contact.record->sliding_friction) {
+      const EffectiveQuantity& mu = *contact.record->sliding_friction;
+      const Uncertain offset = contact.record->sliding_offset
+                                   ? Uncertain{contact.record->sliding_offset->value, contact.record->sliding_offset->sd}
+                                   : Uncertain{0};
+      const Uncertain over_load =
+          propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); }, {{mu.value, mu.sd}, offset});
+      value = law("Coulomb with offset", over_load.value, over_load.sd);
+    } else if (contact.friction > 0) {
+      value = law("Coulomb, mu of the case", contact.friction);
+    } else {
+      return {no_law("the case has no friction and no parameters were given (--parameters)")};
+    }
+    value.engine = EngineRequest{glued(contact, load), "plateau", load};
+    return {value};
+  }
+  std::vector<LawValue> laws{lateral_spring("Mindlin without slip", 1, contact, load)};
+  if (quantity == Quantity::lateral_stiffness_to_sliding)
+    laws.push_back(lateral_spring("Mindlin-Deresiewicz with equal work", equal_work, contact, load));
+  if (contact.record && contact.record->lateral_stiffness) {
+    laws.push_back(law("k_l as given", contact.record->lateral_stiffness_at(load)));
+    laws.back().engine = EngineRequest{glued(contact, load), "slope after reversal"};
+  }
+  return laws;
+}
+
+std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& contact, double load) {
+  if (!contact.record || !contact.record->rolling_friction)
+    return {no_law("no rolling numbers were given (--parameters)")};
+  const ContactParameters &substrate = *contact.record, &plate = contact.plate();
+  if (!plate.rolling_friction) return {no_law("the parameters of the plate have no rolling numbers")};
+  const double weight = load * contact.radius;
+  const std::string mean = contact.indenter ? ", mean with the plate" : "";
+  const bool has_stiffness = substrate.rolling_stiffness && plate.rolling_stiffness;
+  LawValue value;
+  if (quantity == Quantity::rolling_stiffness) {
+    if (!has_stiffness) return {no_law(file_of(contact) + " has no rolling_stiffness")};
+    value = law("k_ro as given" + mean, (substrate.rolling_stiffness_at(load) + plate.rolling_stiffness_at(load)) / 2);
+  } else {
+    const EffectiveQuantity& mu = *substrate.rolling_friction;
+    const double offset = substrate.rolling_offset ? substrate.rolling_offset->value : 0;
+    const double offset_sd = substrate.rolling_offset ? substrate.rolling_offset->sd : NAN;
+    const Uncertain own = propagate([&](const std::vector<double>& x) {
+      return x[0] * substrate.length(mu.length_scale, load) * (load + x[1]) / weight; }, {{mu.value, mu.sd}, {offset, offset_sd}});
+    value = law("slider with offset" + mean,
+                (substrate.rolling_limit(load) + plate.rolling_limit(load)) / 2 / weight, own.sd);
+  }
+  if (!has_stiffness) {
+    value.no_engine = file_of(contact) + " has no rolling_stiffness";
+    return {value};
+  }
+  const EngineExperiment experiment = experiment_of(Type::rolling, engine_contact(contact), plate, load);
+  // The plate's force acts over the diameter: M_s + M_i = 2 r f. Both contacts resist the rotation.
+  value.engine = quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
+                                                         : EngineRequest{experiment, "plateau", load};
+  return {value};
+}
+
+/// Twisting in the engine with a spring k [N m/rad] and a limit [N m].
+EngineExperiment twisting(const ComparedContact& contact, double load, double stiffness, double limit) {
+  ContactParameters p = engine_contact(contact);
+  p.torsion_stiffness = constant(stiffness, LengthScale::particle_radius);
+  p.torsion_friction = constant(limit / (load * contact.radius), LengthScale::particle_radius);
+  p.torsion_offset.reset();
+  if (!p.sliding_friction) p.sliding_friction = constant(contact.friction);
+  return experiment_of(Type::twisting, p, p, load);
+}
+
+std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& contact, double load) {
+  const double a = contact.hertz().contact_radius(load), r = contact.radius;
+  const bool has_limit = contact.record && contact.record->torsion_friction;
+  const double no_slip = no_slip_torsion_stiffness(contact.torsion_modulus(), a);
+  const double full_slip = full_slip_torsion_moment(contact.friction, load, a);
+  const double limit = has_limit ? contact.record->torsion_limit(load) : full_slip;
+  const std::string no_friction = "the case has no friction and no parameters were given (--parameters)";
+  const auto with_engine = [&](LawValue value, double stiffness, double moment) {
+    if (!(moment > 0)) value.no_engine = no_friction;
+    else if (quantity == Quantity::torsion_stiffness)
+      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope after reversal"};
+    else value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "plateau", load * r};
+    return value;
+  };
+  std::vector<LawValue> laws;
+  if (quantity == Quantity::torsion_stiffness) {
+    const double assumed = mindlin * contact.sliding_modulus() * a * r * r;
+    laws.push_back(with_engine(law("Reissner-Sagoci without slip", no_slip), no_slip, limit));
+    laws.push_back(with_engine(law("8 G* a r^2, the paper's assumption", assumed), assumed, limit));
+    constexpr double same = 0.01;
+    if (contact.record && contact.record->torsion_stiffness) {
+      const double own = contact.record->torsion_stiffness_at(load);
+      if (std::abs(own / assumed - 1) > same && std::abs(own / no_slip - 1) > same)
+        laws.push_back(with_engine(law("k_to as given", own), own, limit));
+    }
+    return laws;
+  }
+  if (full_slip > 0) laws.push_back(with_engine(law("full slip, (3 pi/16) mu a/r", full_slip / (load * r)), no_slip, full_slip));
+  if (has_limit) {
+    const EffectiveQuantity& mu = *contact.record->torsion_friction;
+    const double value = limit / (load * r);
+    const double stiffness = contact.record->torsion_stiffness ? contact.record->torsion_stiffness_at(load) : no_slip;
+    laws.push_back(with_engine(law("slider as given", value, value * mu.sd / mu.value), stiffness, limit));
+  }
+  if (laws.empty()) laws.push_back(no_law(no_friction));
+  return laws;
+}
+
+std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, const RailCase& rail) {
+  if (!contact.record || !contact.record->torsion_friction || !contact.record->rolling_friction)
+    return {no_law("no rolling and torsion numbers were given (--parameters)")};
+  const EffectiveQuantity& mu = *contact.record->torsion_friction;
+  const double torsion_scale = contact.record->length(mu.length_scale, load) / contact.radius;
+  const Uncertain balance = propagate(
+      [&](const std::vector<double>& x) { return rail_friction(rail.angle, {x[0], x[1] * torsion_scale, 0, 0}); },
+      {rail.rolling, {mu.value, mu.sd}});
+  LawValue value = law("eq:murail", balance.value, balance.sd);
+  if (!contact.record->rolling_stiffness || !contact.record->torsion_stiffness || !contact.record->sliding_friction) {
+    value.no_engine = file_of(contact) + " lacks rolling_stiffness, torsion_stiffness or sliding_friction";
+    return {value};
+  }
+  ContactParameters p = engine_contact(contact);
+  p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
+  p.torsion_friction = constant(mu.value * torsion_scale, LengthScale::particle_radius);
+  p.rolling_offset.reset();
+  p.torsion_offset.reset();
+  value.engine = EngineRequest{experiment_of(Type::rail, p, p, load, rail.angle), "rail coefficient"};
+  return {value};
+}
+
+}  // namespace
+
+std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load, const RailCase* rail) {
+  switch (display_of(quantity).mode) {
+    case Mode::normal: return normal_laws(quantity, contact, load);
+    case Mode::sliding: return sliding_laws(quantity, contact, load);
+    case Mode::rolling: return rolling_laws(quantity, contact, load);
+    case Mode::torsion: return torsion_laws(quantity, contact, load);
+    case Mode::rail: break;
+  }
+  if (!rail) return {no_law("no rail was named")};
+  return rail_laws(contact, load, *rail);
+}
+
+}  // namespace asperity

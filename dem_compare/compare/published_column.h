@@ -1,0 +1,29 @@
+// What was measured (Fuchs, Weinhart et al. 2014, Tables 1 and 2, sec. 4): the last column of the comparison. Only where the
+// contact is the paper's own: its sphere, its materials, a substrate whose RMS is that of a measured surface within its sd,
+// and a load within those measured. SI units.
+#pragma once
+
+#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/compare/law_column.h"
+#include "dem_compare/compare/row.h"
+#include "dem_compare/paper/published.h"
+
+namespace asperity {
+
+class PublishedColumn {
+ public:
+  explicit PublishedColumn(Published published) : published_(std::move(published)) {}
+
+  ComparedValue value(Quantity quantity, const ComparedContact& contact, double load) const;
+  ComparedValue rail(const ComparedContact& contact, double angle) const;
+  /// Rails of the paper, rolling at their own roughness by its eq:murofit.
+  std::vector<RailCase> rails() const;
+  double rail_rms(double angle) const;
+  /// Sphere and plane are the paper's; the plane's name, "" if not.
+  std::string plane_of(const ComparedContact& contact) const;
+
+ private:
+  Published published_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,209 @@
+#include "dem_compare/compare/side_by_side.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "dem_compare/compare/finite_element_column.h"
+
+namespace asperity {
+namespace {
+
+constexpr double same_load = 1e-3;  // steps of a solver end on a load but for its tolerance
+
+bool is_load(double one, double other) { return std::abs(one - other) <= same_load * other; }
+
+/// Loads without those that are the same.
+std::vector<double> distinct(std::vector<double> loads) {
+  std::sort(loads.begin(), loads.end());
+  loads.erase(std::unique(loads.begin(), loads.end(), is_load), loads.end());
+  return loads;
+}
+
+/// All that decides a group's contact, without its experiment.
+std::string contact_key(const CaseGroup& group) {
+  std::istringstream lines(group.physics());
+  std::string key;
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("Experiment/", 0) != 0) key += line + "\n";
+  return key;
+}
+
+/// What labels such as "300 uN, untreated 0.3 nm" have in common; the first where that is nothing.
+std::string common_label(const std::vector<std::string>& labels) {
+  const auto parts = [](const std::string& label) {
+    std::vector<std::string> found{""};
+    for (std::size_t i = 0; i < label.size(); ++i) {
+      if (label.compare(i, 2, ", ") == 0) found.push_back(""), ++i;
+      else found.back() += label[i];
+    }
+    return found;
+  };
+  std::string common;
+  for (const auto& part : parts(labels.front())) {
+    const bool in_all = std::all_of(labels.begin(), labels.end(), [&](const auto& label) {
+      const auto others = parts(label);
+      return std::find(others.begin(), others.end(), part) != others.end();
+    });
+    if (in_all) common += (common.empty() ? "" : ", ") + part;
+  }
+  return common.empty() ? labels.front() : common;
+}
+
+class Assembly {
+ public:
+  Assembly(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine)
+      : input_(input), published_(published), engine_(engine), points_(finite_element_points(input.collection, input.with_hertz)) {
+    std::map<std::string, std::vector<std::string>> labels;
+    for (const auto& group : input.collection.groups) {
+      contacts_.push_back(contact_of(group));
+      labels[contact_key(group)].push_back(group.label);
+    }
+    for (const auto& group : input.collection.groups) labels_.push_back(common_label(labels[contact_key(group)]));
+    if (!input.parameters) return;
+    record_ = contact_of(*input.parameters, input.indenter);
+    // Numbers for an engine belong to the contact they were found on.
+    for (auto& contact : contacts_)
+      if (is_record(contact)) {
+        contact.record = record_->record;
+        contact.indenter = record_->indenter;
+      }
+  }
+
+  std::vector<ComparisonRow> rows() {
+    for (std::size_t g = 0; g < contacts_.size(); ++g)
+      for (const auto& point : points_)
+        if (point.group == g) add_solved(point);
+    if (record_) add_record();
+    return std::move(rows_);
+  }
+
+  std::vector<std::string> remarks() const {
+    std::vector<std::string> remarks;
+    std::string unsolved;
+    for (const Mode mode : {Mode::normal, Mode::sliding, Mode::rolling, Mode::torsion})
+      if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
+    if (!unsolved.empty()) remarks.push_back("Not among the folders, so without finite elements: " + unsolved + ".");
+    if (!record_) remarks.push_back("Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
+    if (is_solved(Mode::sliding))
+      remarks.push_back("Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
+                        "both start from the same coefficient.");
+    if (record_ && std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return is_record(c); }))
+      remarks.push_back("None of the solved cases is the contact of " + record_->record->file +
+                        " (its bodies, and the RMS of its target): its finite-element column is empty.");
+    return remarks;
+  }
+
+ private:
+  void add_solved(const FiniteElementPoint& point) {
+    ComparedContact contact = contacts_[point.group];
+    if (display_of(point.quantity).mode != Mode::normal) {
+      // The record's own table has it.
+      if (solved_point(point.quantity, point.load) == &point) return;
+      // A loading path has its loads in itself; other modes have theirs in several cases of one contact.
+      contact.label = labels_[point.group];
+    }
+    add_rows(contact, point.quantity, point.load, point.value);
+  }
+
+  /// Same bodies and roughness; a record that does not say its roughness stands for all.
+  bool is_record(const ComparedContact& contact) const {
+    return record_ && same_bodies(contact, *record_) && (std::isnan(record_->rms) || same_roughness(contact, *record_));
+  }
+
+  void add_rows(const ComparedContact& contact, Quantity quantity, double load, const FiniteElementValue& finite_elements,
+                const RailCase* rail = nullptr) {
+    for (const LawValue& law : law_values(quantity, contact, load, rail)) {
+      ComparisonRow row;
+      row.contact = contact.label;
+      row.quantity = quantity;
+      row.load = load;
+      row.rms = rail ? published_.rail_rms(rail->angle) : contact.rms;
+      if (rail) row.rail_angle = rail->angle;
+      row.finite_elements = finite_elements;
+      row.reduced_law = law;
+      row.engine = engine_.value(law);
+      row.published = rail ? published_.rail(contact, rail->angle) : published_.value(quantity, contact, load);
+      rows_.push_back(std::move(row));
+    }
+  }
+
+  /// The record's contact at a load; of several groups the first.
+  const FiniteElementPoint* solved_point(Quantity quantity, double load) const {
+    for (const auto& point : points_)
+      if (point.quantity == quantity && is_load(point.load, load) && is_record(contacts_[point.group])) return &point;
+    return nullptr;
+  }
+
+  FiniteElementValue solved_value(Quantity quantity, double load) const {
+    if (const auto* point = solved_point(quantity, load)) return point->value;
+    FiniteElementValue none;
+    const Mode mode = display_of(quantity).mode;
+    none.reason = is_solved(mode) ? "no case of this contact at this load is among the folders"
+                                  : std::string("not solved by finite elements yet: no case of ") + mode_name(mode) + " is among the folders";
+    return none;
+  }
+
+  bool is_solved(Mode mode) const {
+    return std::any_of(points_.begin(), points_.end(), [&](const auto& point) { return display_of(point.quantity).mode == mode; });
+  }
+
+  /// Ends of the fitted loads, and the loads that were solved.
+  std::vector<double> loads_of(Mode mode) const {
+    const ContactParameters& record = *record_->record;
+    std::vector<double> loads;
+    const auto add = [&](const std::optional<EffectiveQuantity>& quantity) {
+      if (!quantity || !quantity->load_range) return;
+      loads.push_back(quantity->load_range->low);
+      loads.push_back(quantity->load_range->high);
+    };
+    if (mode == Mode::sliding) add(record.sliding_friction);
+    if (mode == Mode::rolling || mode == Mode::normal) add(record.rolling_friction);
+    if (mode == Mode::torsion) add(record.torsion_friction);
+    for (const auto& point : points_)
+      if (display_of(point.quantity).mode == mode && is_record(contacts_[point.group]) &&
+          is_load(point.load, input_.with_hertz.groups[point.group].numbers.force))
+        loads.push_back(point.load);
+    constexpr double otherwise = 1e-4;  // the paper's loop
+    if (loads.empty()) loads.push_back(otherwise);
+    return distinct(loads);
+  }
+
+  void add_record() {
+    for (const Quantity quantity : {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness,
+                                    Quantity::lateral_stiffness_to_sliding, Quantity::sliding_friction, Quantity::rolling_stiffness,
+                                    Quantity::rolling_friction, Quantity::torsion_stiffness, Quantity::torsion_friction})
+      for (const double load : loads_of(display_of(quantity).mode)) add_rows(*record_, quantity, load, solved_value(quantity, load));
+    FiniteElementValue none;
+    none.reason = "a rail is an experiment with three contacts, which finite elements do not solve here";
+    constexpr double rail_load = 5e-4;  // within the measured loads; without offsets the coefficient does not depend on it
+    for (const RailCase& rail : published_.rails()) add_rows(*record_, Quantity::rail_friction, rail_load, none, &rail);
+  }
+
+  const SideBySideInput& input_;
+  const PublishedColumn& published_;
+  EngineColumn& engine_;
+  std::vector<FiniteElementPoint> points_;
+  std::vector<ComparedContact> contacts_;  ///< of each group
+  std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
+  std::optional<ComparedContact> record_;
+  std::vector<ComparisonRow> rows_;
+};
+
+}  // namespace
+
+SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine,
+                                double tolerance) {
+  Assembly assembly(input, published, engine);
+  SideBySide result;
+  result.tolerance = tolerance;
+  result.rows = assembly.rows();
+  for (auto& row : result.rows) row.verdict = row_verdict(row, tolerance);
+  result.verdicts = verdicts(result.rows, tolerance);
+  result.remarks = assembly.remarks();
+  result.engine = engine.engine();
+  result.engine_failure = engine.failure();
+  return result;
+}
+
+}  // namespace asperity

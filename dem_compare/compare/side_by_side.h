@@ -1,0 +1,40 @@
+// Finite elements, reduced law, live engine and published measurement side by side: per mode, load and roughness, with ratios,
+// verdicts in words, and the loads on which each simplification is good enough.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "dem_compare/compare/engine_column.h"
+#include "dem_compare/compare/published_column.h"
+#include "dem_compare/compare/row.h"
+#include "dem_compare/compare/verdict.h"
+#include "dem_compare/comparison.h"
+
+namespace asperity {
+
+struct SideBySide {
+  double tolerance = 0;
+  std::string engine;                 ///< "LAMMPS"; "" if none was asked for
+  std::string engine_failure;         ///< one sentence; "" if it did not fail
+  std::vector<ComparisonRow> rows;    ///< of one contact after the other
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> remarks;   ///< what is missing, in words
+};
+
+struct SideBySideInput {
+  const CaseCollection& collection;
+  const Comparison& with_hertz;
+  std::optional<ContactParameters> parameters{};  ///< numbers for an engine; adds rolling, torsion and rails
+  std::optional<ContactParameters> indenter{};    ///< contact of particle and moving plate
+};
+
+SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine,
+                                double tolerance);
+
+std::string to_csv(const SideBySide& comparison);
+nlohmann::ordered_json to_json(const SideBySide& comparison);
+std::string to_markdown(const SideBySide& comparison);
+
+}  // namespace asperity

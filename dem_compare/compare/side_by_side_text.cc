@@ -1,0 +1,217 @@
+// The four columns as markdown for people, as JSON and CSV for programs.
+#include <algorithm>
+#include <cstdio>
+
+#include "dem_compare/compare/side_by_side.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json ratio_json(const Uncertain& ratio) { return {{"value", number(ratio.value)}, {"sd", number(ratio.sd)}}; }
+
+Json value_json(const ComparedValue& value) {
+  if (!value.known()) return {{"value", nullptr}, {"reason", value.reason}};
+  return {{"value", value.value}, {"sd", number(value.sd)}, {"source", value.source}};
+}
+
+Json row_json(const ComparisonRow& row) {
+  const QuantityDisplay& display = display_of(row.quantity);
+  Json object{{"contact", row.contact}, {"mode", mode_name(row.mode())}, {"quantity", display.key}, {"unit", display.si},
+              {"load_N", row.load},     {"rms_m", number(row.rms)},     {"rail_angle_rad", number(row.rail_angle)}};
+  object["finite_elements"] = value_json(row.finite_elements);
+  if (row.finite_elements.known()) {
+    object["finite_elements"]["realisations"] = row.finite_elements.realisations;
+    object["finite_elements"]["relative_mesh_error"] = number(row.finite_elements.mesh_error);
+  }
+  object["reduced_law"] = value_json(row.reduced_law);
+  object["engine"] = value_json(row.engine);
+  object["published"] = value_json(row.published);
+  object["ratios"] = {{"law_over_finite_elements", ratio_json(ratio(row.reduced_law, row.finite_elements))},
+                      {"law_over_published", ratio_json(ratio(row.reduced_law, row.published))},
+                      {"finite_elements_over_published", ratio_json(ratio(row.finite_elements, row.published))},
+                      {"engine_over_law", number(engine_over_law(row))}};
+  object["verdict"] = row.verdict;
+  return object;
+}
+
+/// Reasons for dashes, numbered in the order they come up.
+class Notes {
+ public:
+  std::string mark(const std::string& reason) {
+    auto found = std::find(reasons_.begin(), reasons_.end(), reason);
+    if (found == reasons_.end()) found = reasons_.insert(found, reason);
+    return "[" + std::to_string(found - reasons_.begin() + 1) + "]";
+  }
+  std::string text() const {
+    std::string lines;
+    for (std::size_t i = 0; i < reasons_.size(); ++i) lines += "- [" + std::to_string(i + 1) + "] " + reasons_[i] + "\n";
+    return lines;
+  }
+
+ private:
+  std::vector<std::string> reasons_;
+};
+
+std::string cell(const ComparedValue& value, const QuantityDisplay& display, Notes& notes) {
+  if (!value.known()) return value.reason.empty() ? "–" : "– " + notes.mark(value.reason);
+  constexpr double least_shown = 5e-5;  // of the table's unit: below it, "± 0.0000" says nothing
+  const double sd = value.sd / display.factor >= least_shown ? value.sd : NAN;
+  return plus_minus(Scatter{1, value.value, sd, NAN}, display.factor);
+}
+
+/// Of a ratio: three decimals, two where its sd makes more pointless.
+std::string cell(const Uncertain& ratio) {
+  if (!std::isfinite(ratio.value)) return "–";
+  constexpr double coarse = 0.01, large = 10, least_shown = 5e-4;
+  const int decimals = ratio.sd >= coarse || ratio.value >= large ? 2 : 3;
+  char text[64];
+  if (ratio.sd >= least_shown) std::snprintf(text, sizeof text, "%.*f ± %.*f", decimals, ratio.value, decimals, ratio.sd);
+  else std::snprintf(text, sizeof text, "%.*f", decimals, ratio.value);
+  return text;
+}
+
+std::string roughness(const ComparisonRow& row) {
+  if (std::isnan(row.rms)) return "–";
+  if (row.rms == 0) return "smooth";
+  constexpr double nm = 1e-9;  // for all, so that rows can be compared at a glance
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g nm", row.rms / nm);
+  return text;
+}
+
+std::string quantity_cell(const ComparisonRow& row) {
+  const QuantityDisplay& display = display_of(row.quantity);
+  std::string text = display.words;
+  if (std::isfinite(row.rail_angle))
+    text += " at " + std::to_string(std::lround(row.rail_angle / unit_factor("deg", Dimension::angle))) + " deg";
+  return *display.unit ? text + " [" + display.unit + "]" : text;
+}
+
+std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& notes) {
+  std::string text =
+      "| mode | quantity | load | RMS | finite elements | reduced law | | law / FE | engine | engine / law | published | law / published |\n"
+      "| --- | --- | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  for (const ComparisonRow* row : rows) {
+    const QuantityDisplay& display = display_of(row->quantity);
+    text += std::string("| ") + mode_name(row->mode()) + " | " + quantity_cell(*row) + " | " + format_quantity(row->load, Dimension::force) + " | " +
+            roughness(*row) + " | " + cell(row->finite_elements, display, notes) + " | " +
+            (row->reduced_law.known() ? row->reduced_law.source : "") + " | " + cell(row->reduced_law, display, notes) + " | " +
+            cell(ratio(row->reduced_law, row->finite_elements)) + " | " + cell(row->engine, display, notes) + " | " +
+            cell({engine_over_law(*row), NAN}) + " | " + cell(row->published, display, notes) + " | " +
+            cell(ratio(row->reduced_law, row->published)) + " |\n";
+  }
+  return text;
+}
+
+/// How closely the engine does what the law says, over all lines of both.
+std::string engine_sentence(const SideBySide& comparison) {
+  if (comparison.engine.empty() || !comparison.engine_failure.empty()) return "";
+  double worst = 0;
+  int count = 0;
+  const ComparisonRow* where = nullptr;
+  for (const auto& row : comparison.rows) {
+    const double departure = std::abs(engine_over_law(row) - 1);
+    if (!std::isfinite(departure)) continue;
+    ++count;
+    if (departure >= worst) worst = departure, where = &row;
+  }
+  if (!where) return comparison.engine + " was asked for nothing that it could be compared in.\n";
+  char text[200];
+  std::snprintf(text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s).\n",
+                comparison.engine.c_str(), 100 * worst, count, display_of(where->quantity).words,
+                format_quantity(where->load, Dimension::force).c_str());
+  return text;
+}
+
+Json verdict_json(const Verdict& verdict) {
+  Json object{{"contact", verdict.contact}, {"mode", mode_name(display_of(verdict.quantity).mode)},
+              {"quantity", display_of(verdict.quantity).key}, {"rail_angle_rad", number(verdict.rail_angle)},
+              {"law", verdict.law}, {"against", verdict.reference}, {"text", verdict.text}};
+  object["good_enough"] = Json::array();
+  for (const auto& range : verdict.good)
+    object["good_enough"].push_back({{"from_N", range.low}, {"to_N", range.high},
+                                     {"from_lowest_compared", range.reaches_lowest}, {"to_highest_compared", range.reaches_highest}});
+  return object;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+}  // namespace
+
+std::string to_csv(const SideBySide& comparison) {
+  const auto number_cell = [](double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    return std::isfinite(value) ? std::string(buffer) : std::string();
+  };
+  std::string text =
+      "contact,mode,quantity,unit,load [N],rms [m],rail_angle [rad],finite_elements,finite_elements_sd,realisations,mesh_error,law,"
+      "reduced_law,reduced_law_sd,engine,published,published_sd,published_source,law_over_finite_elements,law_over_finite_elements_sd,"
+      "law_over_published,law_over_published_sd,engine_over_law,verdict\n";
+  for (const auto& row : comparison.rows) {
+    const QuantityDisplay& display = display_of(row.quantity);
+    const Uncertain of_finite = ratio(row.reduced_law, row.finite_elements), of_published = ratio(row.reduced_law, row.published);
+    text += quoted(row.contact) + "," + mode_name(row.mode()) + "," + display.key + "," + display.si;
+    for (const double value : {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
+      text += "," + number_cell(value);
+    text += "," + std::to_string(row.finite_elements.realisations) + "," + number_cell(row.finite_elements.mesh_error) + "," + quoted(row.reduced_law.source);
+    for (const double value : {row.reduced_law.value, row.reduced_law.sd, row.engine.value, row.published.value, row.published.sd})
+      text += "," + number_cell(value);
+    text += "," + quoted(row.published.source);
+    for (const double value : {of_finite.value, of_finite.sd, of_published.value, of_published.sd, engine_over_law(row)})
+      text += "," + number_cell(value);
+    text += "," + quoted(row.verdict) + "\n";
+  }
+  return text;
+}
+
+Json to_json(const SideBySide& comparison) {
+  Json object{{"engine", comparison.engine.empty() ? Json(nullptr) : Json(comparison.engine)},
+              {"engine_failure", comparison.engine_failure.empty() ? Json(nullptr) : Json(comparison.engine_failure)},
+              {"remarks", comparison.remarks}};
+  object["rows"] = Json::array();
+  for (const auto& row : comparison.rows) object["rows"].push_back(row_json(row));
+  object["verdicts"] = Json::array();
+  for (const auto& verdict : comparison.verdicts) object["verdicts"].push_back(verdict_json(verdict));
+  return object;
+}
+
+std::string to_markdown(const SideBySide& comparison) {
+  std::vector<std::string> contacts;
+  for (const auto& row : comparison.rows)
+    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end()) contacts.push_back(row.contact);
+  char buffer[300];
+  std::snprintf(buffer, sizeof buffer,
+                "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
+                "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise the solver's own.\n",
+                100 * comparison.tolerance);
+  std::string text = buffer;
+  Notes notes;
+  for (const auto& contact : contacts) {
+    std::vector<const ComparisonRow*> rows;
+    for (const auto& row : comparison.rows)
+      if (row.contact == contact) rows.push_back(&row);
+    text += "\n## " + contact + "\n\n" + contact_table(rows, notes);
+    for (const char* reference : {"finite elements", "measurement"}) {
+      std::string lines;
+      for (const auto& verdict : comparison.verdicts)
+        if (verdict.contact == contact && verdict.reference == reference) lines += "- " + verdict.text + "\n";
+      if (!lines.empty()) text += std::string("\nAgainst ") + (*reference == 'm' ? "the " : "") + reference + ":\n" + lines;
+    }
+  }
+  text += "\n## What is missing, and why\n\n" + notes.text();
+  for (const auto& remark : comparison.remarks) text += "- " + remark + "\n";
+  const std::string engine = engine_sentence(comparison);
+  if (!engine.empty()) text += "\n" + engine;
+  return text;
+}
+
+}  // namespace asperity

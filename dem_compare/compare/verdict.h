@@ -1,0 +1,43 @@
+// From ratios to words: by how much a simplification misses, at which loads, and where it is good enough.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_compare/compare/row.h"
+
+namespace asperity {
+
+/// A law's departure at one load: law over reference, minus one.
+struct Departure {
+  double load = 0;   ///< [N]
+  double value = 0;
+  double sd = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Loads on which a simplification stays within the tolerance [N].
+struct GoodRange {
+  double low = 0, high = 0;
+  bool reaches_lowest = false, reaches_highest = false;  ///< of the loads compared: what is beyond was not looked at
+};
+
+struct Verdict {
+  std::string contact, law, reference;  ///< "finite elements" or "measurement"
+  Quantity quantity = Quantity::approach;
+  double rail_angle = std::numeric_limits<double>::quiet_NaN();
+  std::vector<GoodRange> good;
+  std::string text;
+};
+
+/// "overstates the lateral stiffness by 12 ± 3 % below 300 uN; within 5 % above". Departures in order of load.
+/// Between two loads the tolerance is crossed where the straight line over the logarithm of load crosses it.
+std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity, double tolerance);
+std::vector<GoodRange> good_ranges(const std::vector<Departure>& departures, double tolerance);
+
+/// One for each law, quantity and reference of each contact.
+std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance);
+
+/// The law against finite elements, otherwise against the measurement, at this row's load; "" where neither is known.
+std::string row_verdict(const ComparisonRow& row, double tolerance);
+
+}  // namespace asperity
