@@ -7,6 +7,7 @@
 #include "dem_compare/comparison.h"
 #include "report/axis.h"
 #include "report/curves.h"
+#include "report/motion_figures.h"
 #include "report/page.h"
 #include "report/result_tables.h"
 #include "report/surface_maps.h"
@@ -134,6 +135,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += tiles_html(tiles_of(group.numbers));
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);
+  body += motion_figure(solved);
   body += section_html("Pressure and gap in the contact", contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += section_html("Against Hertz, load by load",

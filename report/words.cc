@@ -66,10 +66,16 @@ std::string what_was_asked(const SolvedCase& solved) {
   else
     words += " until they have approached each other by " +
              in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
+  const std::string type = entries.text("Experiment/Type", "normal");
+  const std::string back = entries.text("Experiment/Reverse", "true") == "true" ? " and back" : "";
+  if (type == "sliding") words += ", slid by " + in_units(entries.quantity("Experiment/Distance", Dimension::length, NAN), Dimension::length) + back;
+  if (type == "torsion") words += ", spun by " + in_units(entries.quantity("Experiment/Angle", Dimension::angle, NAN), Dimension::angle) + back;
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");
     words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
   }
+  if (type != "normal")
+    words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
   return words + ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), and what stays "
                  "behind when the load has gone?";
 }
