@@ -39,6 +39,17 @@ Json cases_json(const ParameterSet& set) {
   return cases;
 }
 
+/// Which versions solved the cases, for the provenance of what they told.
+std::string versions_of(const ParameterSet& set) {
+  std::set<std::string> versions;
+  for (const auto& solved : set.cases)
+    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
+      versions.insert(solved.result["versions"]["asperity"].get<std::string>());
+  std::string text;
+  for (const auto& version : versions) text += (text.empty() ? "asperity " : ", ") + version;
+  return text.empty() ? "a version that is not said" : text;
+}
+
 /// G* of the materials where no sliding case told one: an engine's laws need it.
 void complete_shear_modulus(const SolvedCase& solved, ContactParameters& parameters, LawReport& sliding) {
   const double mindlin = sliding_modulus(solved.particle(), solved.substrate());
@@ -86,6 +97,10 @@ Derivation derive_parameters(const ParameterSet& set) {
   compare_torsion_with_sliding(parameters, derivation.laws.back());
   derivation.laws.push_back(derive_motion(set, rolling_mode(), parameters));
 
+  const std::string solver = versions_of(set);
+  for (const auto& entry : quantity_entries())
+    if (auto& quantity = parameters.*entry.member; quantity && quantity->load_range)
+      quantity->provenance += "; solved by " + solver + ", folders in derivation/cases";
   Json& record = parameters.derivation;
   for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(set);

@@ -5,8 +5,6 @@
 #include <cstdio>
 
 #include "dem_compare/derive/power_law.h"
-#include "dem_compare/laws/hertzian_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -67,8 +65,8 @@ void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
   if (!law.has_offset)
     report.not_told.push_back("h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
   else if (law.degrees_of_freedom == 0)
-    report.not_told.push_back("whether the law holds: it passes through two cases whatever they are, and its uncertainty is that of their "
-                              "ways alone; solve a third load");
+    report.not_told.push_back("whether the law holds: it passes through two cases whatever they are, and its uncertainty takes each for "
+                              "good to a thousandth; solve a third load");
   else
     report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " + std::to_string(law.degrees_of_freedom + 2) +
                               " cases)");
@@ -136,7 +134,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   std::vector<const MotionCase*> steady;
   for (const auto& item : seen) {
     if (!item.steady.reached) {
-      report.not_told.push_back(item.solved->folder.string() + ": did not slip fully, or for fewer than five steps; set " + mode.way_entry + " to more");
+      report.not_told.push_back(item.solved->folder.string() + ": did not slip fully, or for fewer than three steps; set " + mode.way_entry + " to more");
       continue;
     }
     all.push_back(item.number(item.steady.mean, item.steady.standard_error));
@@ -234,6 +232,7 @@ LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, Contact
   std::vector<MotionCase> seen;
   for (const auto& solved : set.cases)
     if (experiment_of(solved) == mode.experiment) seen.push_back(observe(solved, mode));
+  std::stable_sort(seen.begin(), seen.end(), [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {
     report.not_told.push_back(std::string("all of it: there is no case with Experiment/Type = ") + mode.experiment);
     return report;

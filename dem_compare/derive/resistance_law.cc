@@ -7,13 +7,14 @@
 #include <set>
 
 #include "core/error.h"
+#include "dem_compare/derive/case_numbers.h"
 
 namespace asperity {
 namespace {
 
 using Points = std::vector<ResistancePoint>;
 
-/// Scatters tried: none, or equally spaced logarithms.
+/// Scatters tried, at equal distances of their logarithms.
 std::vector<double> scatters(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, i / (count - 1.0)));
@@ -32,14 +33,16 @@ bool has_common_scatter(const Points& points) {
   return count > 1 && count < points.size();
 }
 
-Eigen::MatrixXd covariance_of(const Points& points, double case_scatter, double realisation_scatter) {
+/// Relative scatters are of `level`, the resistance expected of each case: taken of the measured values themselves, a common
+/// scatter would pull the fit below all of them (Peelle's puzzle; Fröhner 1997).
+Eigen::MatrixXd covariance_of(const Points& points, const Eigen::VectorXd& level, double case_scatter, double realisation_scatter) {
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd V(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
       const ResistancePoint &p = points[static_cast<std::size_t>(i)], &q = points[static_cast<std::size_t>(j)];
-      V(i, j) = p.realisation == q.realisation ? realisation_scatter * realisation_scatter * p.value * q.value : 0;
-      if (i == j) V(i, i) += p.sd * p.sd + case_scatter * case_scatter * p.value * p.value;
+      V(i, j) = p.realisation == q.realisation ? realisation_scatter * realisation_scatter * level[i] * level[j] : 0;
+      if (i == j) V(i, i) += p.sd * p.sd + case_scatter * case_scatter * level[i] * level[i];
     }
   return V;
 }
@@ -84,18 +87,30 @@ GeneralisedFit generalised_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& 
   return fit;
 }
 
-// A solved case repeats to about this share whatever else it is uncertain by; it keeps weights finite where nothing fluctuates.
-constexpr double solver_share = 1e-6;
-constexpr double largest_scatter = 1;
+/// Mean resistance at the load of each case: what is expected whatever the law.
+Eigen::VectorXd mean_of_load(const Points& points) {
+  Eigen::VectorXd means(static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& other : points)
+      if (same_load(other.load, points[i].load)) sum += other.value, ++count;
+    means[static_cast<Eigen::Index>(i)] = sum / count;
+  }
+  return means;
+}
+
+/// What a solved case is good for (balances, mesh), whatever its way says, and the most that is tried.
+constexpr double smallest_scatter = 1e-3, largest_scatter = 1;
+constexpr int scatter_steps = 31;
 
 }  // namespace
 
 std::vector<double> distinct_loads(const Points& points) {
-  constexpr double same = 1e-3;
   std::vector<double> loads;
   for (const auto& point : points) loads.push_back(point.load);
   std::sort(loads.begin(), loads.end());
-  loads.erase(std::unique(loads.begin(), loads.end(), [](double a, double b) { return b - a <= same * b; }), loads.end());
+  loads.erase(std::unique(loads.begin(), loads.end(), same_load), loads.end());
   return loads;
 }
 
@@ -114,14 +129,16 @@ ResistanceLaw fit_resistance(const Points& points, const LengthOfLoad& length) {
   const Eigen::VectorXd y = values_of(scaled);
   law.degrees_of_freedom = static_cast<int>(y.size() - X.cols());
 
+  const Eigen::VectorXd level = mean_of_load(scaled);
+  const Eigen::VectorXd expected = X * generalised_fit(X, y, covariance_of(scaled, level, largest_scatter, 0)).parameters;
   double best = -std::numeric_limits<double>::infinity();
   GeneralisedFit fit;
-  constexpr int steps = 41;
-  const std::vector<double> tried = law.degrees_of_freedom > 0 ? scatters(solver_share, largest_scatter, steps) : std::vector{solver_share};
+  const std::vector<double> tried =
+      law.degrees_of_freedom > 0 ? scatters(smallest_scatter, largest_scatter, scatter_steps) : std::vector{smallest_scatter};
   const std::vector<double> common = has_common_scatter(points) && law.degrees_of_freedom > 0 ? tried : std::vector{0.0};
   for (const double shared : common)
     for (const double own : tried) {
-      GeneralisedFit candidate = generalised_fit(X, y, covariance_of(scaled, own, shared));
+      GeneralisedFit candidate = generalised_fit(X, y, covariance_of(scaled, expected, own, shared));
       if (!(candidate.log_likelihood > best)) continue;
       best = candidate.log_likelihood;
       fit = std::move(candidate);
@@ -153,14 +170,13 @@ double log_evidence(const Points& points, const LengthOfLoad& length) {
   const Eigen::VectorXd y = values_of(scaled);
   const Eigen::MatrixXd prior = X * X.transpose();  // sd one for both numbers
 
-  constexpr double smallest = 1e-3;
-  constexpr int steps = 31;
-  const std::vector<double> own_scatters = scatters(smallest, largest_scatter, steps);
+  const Eigen::VectorXd level = mean_of_load(scaled);
+  const std::vector<double> own_scatters = scatters(smallest_scatter, largest_scatter, scatter_steps);
   const std::vector<double> common = has_common_scatter(points) ? own_scatters : std::vector{0.0};
   std::vector<double> logs;
   for (const double shared : common)
     for (const double own : own_scatters) {
-      const Eigen::LLT<Eigen::MatrixXd> factor(covariance_of(scaled, own, shared) + prior);
+      const Eigen::LLT<Eigen::MatrixXd> factor(covariance_of(scaled, level, own, shared) + prior);
       const Eigen::VectorXd white = factor.matrixL().solve(y);
       logs.push_back(-0.5 * (white.squaredNorm() + log_determinant(factor) +
                              static_cast<double>(y.size()) * std::log(boost::math::double_constants::two_pi)));

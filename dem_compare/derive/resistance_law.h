@@ -1,7 +1,8 @@
 // The yield limit of a mode of motion, R = mu lambda(f) (f + h) (Luding 2008; Fuchs, Weinhart et al. 2014, sec. 3.2), fitted to
 // the steady resistances of solved cases, and how well they tell two lengths lambda apart. Linear in (mu, mu h). SI units.
 // Variance of a case: what the way leaves open, plus a relative scatter from case to case, plus one that all cases of a
-// realisation share; both are estimated by restricted maximum likelihood (Patterson & Thompson 1971).
+// realisation share; both are estimated by restricted maximum likelihood (Patterson & Thompson 1971), from a thousandth (what
+// a solved case is good for) to one.
 #pragma once
 
 #include <Eigen/Dense>
@@ -49,7 +50,7 @@ ResistanceLaw fit_resistance(const std::vector<ResistancePoint>& points, const L
 
 /// Natural logarithm of the marginal likelihood of the law with that length. Priors, the same for every length: at the
 /// geometric mean load f0, mu lambda f0 and mu lambda h are normal about zero with the sd of the mean resistance (so h is of the
-/// order of f0 or less); both relative scatters are log-uniform between a thousandth (what a solved case is good for) and one.
+/// order of f0 or less); both relative scatters are log-uniform between a thousandth and one.
 double log_evidence(const std::vector<ResistancePoint>& points, const LengthOfLoad& length);
 
 /// Root mean square relative error when each load in turn is predicted from the others; NaN for fewer than three loads.

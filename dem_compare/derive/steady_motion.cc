@@ -15,7 +15,7 @@ using Values = std::vector<double>;
 /// Slope that counts as none, over the first one of the leg.
 constexpr double flat_share = 0.02;
 /// Steps that a steady stretch must have for a mean with an error.
-constexpr std::size_t fewest_steady_rows = 5;
+constexpr std::size_t fewest_steady_rows = 3;
 
 double slope_to(const Values& x, const Values& y, std::size_t row) { return (y[row] - y[row - 1]) / (x[row] - x[row - 1]); }
 

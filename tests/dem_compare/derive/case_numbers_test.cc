@@ -1,0 +1,53 @@
+#include "dem_compare/derive/case_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dem_compare/derive/power_law.h"
+#include "dem_compare/laws/hertz.h"
+
+namespace asperity {
+namespace {
+
+// Value = truth (1 + shift of the realisation + h): linear convergence.
+CaseNumber number(double load, const std::string& realisation, double spacing, double shift) {
+  return {load, realisation, spacing, 5 * load * (1 + shift + spacing), 0};
+}
+
+TEST(CaseNumbers_analytic, scatter_between_realisations_and_error_of_the_mesh_do_not_mix) {
+  std::vector<CaseNumber> numbers;
+  for (const double load : {1.0, 2.0})
+    for (const auto& [name, shift] : {std::pair{"a", -0.1}, std::pair{"b", 0.0}, std::pair{"c", 0.1}})
+      for (const double spacing : {0.01, 0.02}) numbers.push_back(number(load, name, spacing, shift));
+  const auto scatter = realisation_scatter(numbers);
+  ASSERT_TRUE(scatter);
+  EXPECT_NEAR(scatter->relative, 0.1, 0.002);
+  EXPECT_EQ(scatter->realisations, 3);
+  const auto doubt = mesh_doubt(numbers);
+  ASSERT_TRUE(doubt);
+  EXPECT_EQ(doubt->families, 6);
+  EXPECT_NEAR(doubt->relative_error, 0.01, 2e-4);
+  const auto chosen = finest(numbers);
+  EXPECT_EQ(chosen.size(), 6u);
+  for (const auto i : chosen) EXPECT_EQ(numbers[i].spacing, 0.01);
+}
+
+TEST(CaseNumbers, of_one_realisation_on_one_mesh_know_neither) {
+  const std::vector<CaseNumber> numbers{number(1, "a", 0.01, 0), number(2, "a", 0.01, 0)};
+  EXPECT_FALSE(realisation_scatter(numbers));
+  EXPECT_FALSE(mesh_doubt(numbers));
+}
+
+TEST(PowerLaw_analytic, finds_stiffness_and_power_of_torsion_without_slip) {
+  const Hertz hertz{52.87e9, 8.5e-6};
+  std::vector<CaseNumber> numbers;
+  for (const double load : {1e-4, 3e-4, 1e-3}) numbers.push_back({load, "", 0, 2e9 * std::pow(hertz.contact_radius(load), 3), 0});
+  const PowerLaw law = fit_power(numbers, [&](double load) { return hertz.contact_radius(load); }, 3);
+  EXPECT_NEAR(law.value / (2e9 * std::pow(hertz.contact_radius(law.at_load), 3)), 1, 1e-12);
+  EXPECT_NEAR(law.exponent, 3, 1e-9);
+  EXPECT_NEAR(fit_power(numbers, [&](double load) { return hertz.contact_radius(load); }, 1).exponent, 3, 1e-9);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,201 @@
+// Histories made from the reduced laws with known numbers and correlated noise: `derive` must give the numbers back.
+#include "dem_compare/derive/derivation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+#include "dem_compare/laws/lubkin_torsion.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::TemporaryFolder;
+
+const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
+const Hertz hertz{reduced_modulus(glass, silicon), 8.5e-6};
+
+struct Truth {
+  double mu = 0.23, offset = 12e-6;                      ///< sliding
+  double torsion_coefficient = 0.12, torsion_offset = 12e-6;
+  bool torsion_with_contact = true;                      ///< lambda = a, else r
+  double noise = 0.02;                                   ///< of the resistance along the way, relative
+  double realisation_scatter = 0;                        ///< relative
+};
+
+/// A way of sliding or torsion there and back, as `solve` writes it; noise correlated over about two steps.
+SolvedCase make_case(const Truth& truth, const std::string& type, double load, int seed, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const bool sliding = type == "sliding";
+  const double a = hertz.contact_radius(load);
+  const double length = sliding ? 1 : truth.torsion_with_contact ? a : hertz.radius;
+  const double mu = sliding ? truth.mu : truth.torsion_coefficient, offset = sliding ? truth.offset : truth.torsion_offset;
+  const double limit = mu * length * (load + offset);
+  const double stiffness = sliding ? 8 * sliding_modulus(glass, silicon) * a : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
+  // Virgin curve: bilinear is enough, the stiffness has tests of its own.
+  const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
+  ContactHistory history;
+  double correlated = 0;
+  const auto add = [&](double force, double position, double resistance) {
+    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    history.normal_force.back() = force;
+    history.normal_displacement.back() = hertz.approach(force);
+    history.contact_radius.back() = hertz.contact_radius(force);
+    history.contact_area.back() = hertz.contact_area(force);
+    (sliding ? history.lateral_displacement : history.torsion_angle).back() = position;
+    (sliding ? history.lateral_force : history.torsion_moment).back() = resistance;
+  };
+  constexpr int load_steps = 8;
+  for (int i = 1; i <= load_steps; ++i) add(load * i / load_steps, 0, 0);
+  const double slip_way = limit / stiffness, way = 40 * slip_way;
+  const auto noisy = [&](double resistance) {
+    correlated = 0.5 * correlated + std::sqrt(0.75) * normal(random);
+    return resistance * (1 + truth.noise * correlated);
+  };
+  std::vector<double> ways{0.5 * slip_way, slip_way};
+  constexpr int steps = 150;
+  for (int i = 1; i <= steps; ++i) ways.push_back(slip_way + (way - slip_way) * i / steps);
+  std::normal_distribution<double> scatter(1, truth.realisation_scatter);
+  std::mt19937 of_seed(static_cast<unsigned>(seed * 7919) + static_cast<unsigned>(random()));
+  const double common = truth.realisation_scatter > 0 ? scatter(of_seed) : 1;
+  for (const double w : ways) add(load, w, w > slip_way ? common * noisy(virgin(w)) : common * virgin(w));
+  for (const double w : ways) add(load, way - w, w > 2 * slip_way ? -common * noisy(limit) : common * (limit - 2 * virgin(w / 2)));
+  std::map<std::string, std::string> entries{
+      {"Particle/Radius", "8.5 um"}, {"Particle/Young modulus", "71 GPa"}, {"Particle/Poisson ratio", "0.17"},
+      {"Substrate/Young modulus", "179 GPa"}, {"Substrate/Poisson ratio", "0.25"}, {"Interface/Friction coefficient", "0.2"},
+      {"Experiment/Type", type}, {"Substrate/Topography", "generated(rms=1.5 nm, seed=" + std::to_string(seed) + ")"}};
+  SolvedCase solved;
+  solved.folder = type + "_" + std::to_string(load) + "_" + std::to_string(seed);
+  solved.entries = CaseEntries(entries);
+  solved.result = {{"format", "asperity-result/1"}, {"experiment", type}, {"mesh", {{"interface_spacing", 1e-8}}}, {"versions", {{"asperity", "0.1.0"}}}};
+  solved.history = history;
+  return solved;
+}
+
+ParameterSet make_set(const Truth& truth, const std::vector<double>& loads, int realisations, std::mt19937& random) {
+  ParameterSet set;
+  for (const double load : loads)
+    for (int seed = 1; seed <= realisations; ++seed)
+      for (const char* type : {"sliding", "torsion"}) set.cases.push_back(make_case(truth, type, load, seed, random));
+  return set;
+}
+
+const std::vector<double> wide{1e-4, 3e-4, 1e-3, 3e-3};
+
+TEST(Derivation_analytic, gives_back_the_laws_that_histories_were_made_from) {
+  std::mt19937 random(1);
+  Truth exact;
+  exact.noise = 0;
+  const ContactParameters p = derive_parameters(make_set(exact, wide, 1, random)).parameters;
+  EXPECT_NEAR(p.reduced_modulus->value / hertz.reduced_modulus, 1, 1e-6);
+  EXPECT_NEAR(p.sliding_friction->value, exact.mu, 1e-6);
+  EXPECT_NEAR(p.sliding_offset->value / exact.offset, 1, 1e-3);
+  EXPECT_EQ(p.torsion_friction->length_scale, LengthScale::contact_radius);
+  EXPECT_NEAR(p.torsion_friction->value, exact.torsion_coefficient, 1e-5);
+  EXPECT_NEAR(p.torsion_offset->value / exact.torsion_offset, 1, 1e-3);
+  EXPECT_NEAR(p.sliding_friction->load_range->low, 1e-4, 1e-12);
+  EXPECT_NEAR(p.sliding_friction->load_range->high, 3e-3, 1e-12);
+  EXPECT_FALSE(p.rolling_friction);
+  EXPECT_FALSE(p.pull_off_force);
+}
+
+TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in_three_and_finds_the_length) {
+  std::mt19937 random(2);
+  constexpr int repetitions = 60;
+  int mu = 0, offset = 0, torsion = 0, right_length = 0, told = 0;
+  for (int i = 0; i < repetitions; ++i) {
+    Truth truth;
+    truth.torsion_with_contact = i % 2 == 0;
+    if (!truth.torsion_with_contact) truth.torsion_coefficient = 0.0056;
+    const ContactParameters p = derive_parameters(make_set(truth, wide, 2, random)).parameters;
+    mu += std::abs(p.sliding_friction->value - truth.mu) < p.sliding_friction->sd;
+    offset += std::abs(p.sliding_offset->value - truth.offset) < p.sliding_offset->sd;
+    torsion += std::abs(p.torsion_friction->value - truth.torsion_coefficient) < p.torsion_friction->sd;
+    const double log_odds = p.derivation["torsion"]["log_odds_a_over_r"];
+    right_length += (p.torsion_friction->length_scale == LengthScale::contact_radius) == truth.torsion_with_contact;
+    told += (truth.torsion_with_contact ? log_odds : -log_odds) > std::log(20);
+  }
+  // 60 draws of a share of 0.683 scatter by 0.060.
+  constexpr double share = 0.683, three_sigma = 0.18;
+  EXPECT_NEAR(mu / double(repetitions), share, three_sigma);
+  EXPECT_NEAR(offset / double(repetitions), share, three_sigma);
+  EXPECT_NEAR(torsion / double(repetitions), share, three_sigma);
+  EXPECT_EQ(right_length, repetitions);
+  EXPECT_EQ(told, repetitions);
+}
+
+TEST(Derivation, says_what_one_load_cannot_tell) {
+  std::mt19937 random(3);
+  const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
+  EXPECT_EQ(derivation.parameters.sliding_offset->value, 0);
+  EXPECT_TRUE(std::isnan(derivation.parameters.sliding_offset->sd));
+  const std::string text = to_text(derivation);
+  EXPECT_NE(text.find("not told: h: one load cannot part mu f from mu h"), std::string::npos) << text;
+  EXPECT_NE(text.find("not told: the length lambda"), std::string::npos) << text;
+  EXPECT_NE(text.find("there is no case with Experiment/Type = rolling"), std::string::npos) << text;
+  EXPECT_NE(text.find("scatter between realisations"), std::string::npos) << text;
+}
+
+TEST(Derivation, is_read_back_as_it_was_written) {
+  std::mt19937 random(4);
+  const TemporaryFolder folder;
+  const ContactParameters written = derive_parameters(make_set({}, wide, 1, random)).parameters;
+  write_contact_parameters(written, folder.path / "parameters.json");
+  const ContactParameters read = read_contact_parameters(folder.path / "parameters.json");
+  for (const auto& entry : quantity_entries()) {
+    const auto &before = written.*entry.member, &after = read.*entry.member;
+    ASSERT_EQ(before.has_value(), after.has_value()) << entry.key;
+    if (!before) continue;
+    EXPECT_EQ(before->value, after->value) << entry.key;
+    EXPECT_EQ(before->provenance, after->provenance) << entry.key;
+  }
+  EXPECT_EQ(read.derivation["cases"].size(), 8u);
+  EXPECT_EQ(read.torsion_limit(1e-3), written.torsion_limit(1e-3));
+}
+
+/// A folder as `solve` leaves it.
+void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius, bool finished = true) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "history.csv") << format_history(solved.history);
+  std::ofstream(folder / "case.prm") << "subsection Particle\n  set Radius = " << radius
+                                     << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
+                                        "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
+                                     << solved.entries.text("Substrate/Topography") << "\nend\n";
+  nlohmann::ordered_json result = solved.result;
+  result["inputs"] = {{"friction_coefficient", 0.2}};
+  if (finished) std::ofstream(folder / "result.json") << result.dump();
+}
+
+TEST(ParameterSets, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
+  std::mt19937 random(5);
+  const TemporaryFolder folder;
+  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
+  write_case(folder.path / "b", make_case({}, "torsion", 1e-3, 2, random), "8.5 um");
+  write_case(folder.path / "c", make_case({}, "sliding", 1e-4, 1, random), "5 um");
+  write_case(folder.path / "d", make_case({}, "sliding", 1e-4, 1, random), "5 um", false);
+  const ParameterSets found = collect_parameter_sets({folder.path, folder.path / "a"});
+  ASSERT_EQ(found.sets.size(), 2u);
+  EXPECT_EQ(found.sets[0].cases.size(), 2u);
+  EXPECT_EQ(found.sets[1].cases.size(), 1u);
+  EXPECT_EQ(differences(found.sets), "Particle/Radius: 8.5 um, 5 um");
+  ASSERT_EQ(found.left_out.size(), 2u);
+  EXPECT_NE(found.left_out[0].find("d: not finished"), std::string::npos) << found.left_out[0];
+  EXPECT_NE(found.left_out[1].find("a: named twice"), std::string::npos) << found.left_out[1];
+}
+
+TEST(ParameterSets, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
+  std::mt19937 random(6);
+  const TemporaryFolder folder;
+  EXPECT_NE(test::message_of<InputError>([&] { collect_parameter_sets({folder.path}); }).find("neither a solved case"), std::string::npos);
+  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um", false);
+  const std::string message = test::message_of<InputError>([&] { collect_parameter_sets({folder.path}); });
+  EXPECT_NE(message.find("no case is complete"), std::string::npos) << message;
+  EXPECT_NE(message.find("--resume"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,139 @@
+#include "dem_compare/derive/resistance_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dem_compare/derive/motion_derivation.h"
+
+namespace asperity {
+namespace {
+
+const Hertz hertz{52.87e9, 8.5e-6};
+const LengthOfLoad contact_radius = [](double load) { return hertz.contact_radius(load); };
+const LengthOfLoad particle_radius = [](double) { return hertz.radius; };
+const LengthOfLoad none = [](double) { return 1.0; };
+
+struct Truth {
+  double mu = 0.11, offset = 2e-5;
+  double way_scatter = 0.01, case_scatter = 0.02, realisation_scatter = 0.03;
+};
+
+std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<double>& loads, int realisations, const LengthOfLoad& length,
+                                     std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  std::vector<ResistancePoint> points;
+  for (int r = 0; r < realisations; ++r) {
+    const double common = 1 + truth.realisation_scatter * normal(random);
+    for (const double load : loads) {
+      const double exact = truth.mu * length(load) * (load + truth.offset);
+      const double value = exact * common * (1 + truth.case_scatter * normal(random) + truth.way_scatter * normal(random));
+      points.push_back({load, value, truth.way_scatter * exact, std::to_string(r)});
+    }
+  }
+  return points;
+}
+
+const std::vector<double> wide{1e-4, 3e-4, 1e-3, 3e-3};
+
+TEST(ResistanceLaw_analytic, passes_through_exact_resistances) {
+  std::mt19937 random(1);
+  const Truth exact{0.23, 1.2e-5, 0, 0, 0};
+  const ResistanceLaw law = fit_resistance(measure(exact, wide, 1, none, random), none);
+  EXPECT_NEAR(law.coefficient, 0.23, 1e-9);
+  EXPECT_NEAR(law.offset, 1.2e-5, 1e-12);
+  EXPECT_LT(law.misfit, 1e-9);
+  EXPECT_EQ(law.degrees_of_freedom, 2);
+  EXPECT_EQ(law.loads.low, 1e-4);
+  EXPECT_EQ(law.loads.high, 3e-3);
+}
+
+TEST(ResistanceLaw, from_one_load_has_no_offset) {
+  std::mt19937 random(1);
+  const ResistanceLaw law = fit_resistance(measure({0.23, 0, 0.01, 0, 0}, {1e-4}, 1, none, random), none);
+  EXPECT_FALSE(law.has_offset);
+  EXPECT_EQ(law.offset, 0);
+  EXPECT_NEAR(law.coefficient, 0.23, 0.01);
+  EXPECT_NEAR(law.coefficient_sd() / 0.23, std::hypot(0.01, 0.001), 1e-4);  // of the way, and of any solved case
+}
+
+/// Share of many repetitions in which a fitted number lies within its sd of the truth.
+struct Coverage {
+  double coefficient = 0, offset = 0;
+};
+Coverage coverage(const Truth& truth, int realisations, const LengthOfLoad& length) {
+  std::mt19937 random(3);
+  constexpr int repetitions = 200;
+  Coverage share;
+  for (int i = 0; i < repetitions; ++i) {
+    const ResistanceLaw law = fit_resistance(measure(truth, wide, realisations, length, random), length);
+    share.coefficient += (std::abs(law.coefficient - truth.mu) < law.coefficient_sd()) / double(repetitions);
+    share.offset += (std::abs(law.offset - truth.offset) < law.offset_sd()) / double(repetitions);
+  }
+  return share;
+}
+
+// 200 draws of a share of 0.683 scatter by 0.033. Few realisations make an sd that is itself uncertain: Student's t with four
+// degrees of freedom puts 0.626 within one sd.
+constexpr double normal_share = 0.683, student_share_of_4 = 0.626, three_sigma = 0.1;
+
+TEST(ResistanceLaw_analytic, states_an_uncertainty_that_covers_the_truth_two_times_in_three) {
+  const Coverage share = coverage({0.11, 2e-5, 0.01, 0, 0}, 3, contact_radius);
+  EXPECT_NEAR(share.coefficient, normal_share, three_sigma);
+  EXPECT_NEAR(share.offset, normal_share, three_sigma);
+}
+
+TEST(ResistanceLaw_analytic, covers_the_truth_when_realisations_differ_more_than_their_ways_tell) {
+  const Coverage share = coverage({}, 5, contact_radius);
+  EXPECT_NEAR(share.coefficient, student_share_of_4, three_sigma);
+  EXPECT_NEAR(share.offset, normal_share, three_sigma);
+}
+
+TEST(LengthChoice_analytic, finds_the_length_the_moments_were_made_with_when_loads_span_a_factor_of_thirty) {
+  std::mt19937 random(4);
+  int right_contact = 0, right_radius = 0;
+  constexpr int repetitions = 30;
+  for (int i = 0; i < repetitions; ++i) {
+    const Truth truth{0.11, 2e-5, 0.01, 0.01, 0.01};
+    right_contact += choose_length(measure(truth, wide, 3, contact_radius, random), hertz.radius, contact_radius).log_odds > std::log(20);
+    right_radius += choose_length(measure(truth, wide, 3, particle_radius, random), hertz.radius, contact_radius).log_odds < -std::log(20);
+  }
+  EXPECT_GE(right_contact, 29);
+  EXPECT_GE(right_radius, 29);
+}
+
+TEST(LengthChoice_analytic, finds_it_from_one_smooth_case_per_load) {
+  std::mt19937 random(5);
+  const Truth smooth{0.177, 0, 1e-3, 0, 0};
+  const LengthChoice contact = choose_length(measure(smooth, wide, 1, contact_radius, random), hertz.radius, contact_radius);
+  EXPECT_GT(contact.log_odds, std::log(20));
+  EXPECT_EQ(contact.scale(), LengthScale::contact_radius);
+  EXPECT_LT(contact.contact_error, 0.01);
+  EXPECT_GT(contact.radius_error, 0.03);
+  const LengthChoice radius = choose_length(measure(smooth, wide, 1, particle_radius, random), hertz.radius, contact_radius);
+  EXPECT_LT(radius.log_odds, -std::log(20));
+  EXPECT_EQ(radius.scale(), LengthScale::particle_radius);
+}
+
+TEST(LengthChoice_analytic, does_not_pretend_to_know_when_loads_span_little) {
+  std::mt19937 random(6);
+  double largest = 0;
+  for (int i = 0; i < 30; ++i)
+    for (const auto& length : {contact_radius, particle_radius}) {
+      const LengthChoice choice = choose_length(measure({}, {1e-3, 1.1e-3, 1.2e-3}, 3, length, random), hertz.radius, contact_radius);
+      largest = std::max(largest, std::abs(choice.log_odds));
+      EXPECT_FALSE(choice.is_told());
+    }
+  EXPECT_LT(largest, std::log(3.0));
+}
+
+TEST(LengthChoice_analytic, has_even_odds_from_a_single_load) {
+  std::mt19937 random(7);
+  const LengthChoice choice = choose_length(measure({}, {1e-3}, 3, contact_radius, random), hertz.radius, contact_radius);
+  EXPECT_EQ(choice.log_odds, 0);
+  EXPECT_TRUE(std::isnan(choice.contact_error));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,135 @@
+#include "dem_compare/derive/steady_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dem_compare/laws/lubkin_torsion.h"
+#include "dem_compare/laws/mindlin_deresiewicz.h"
+
+namespace asperity {
+namespace {
+
+/// There and back through a contact with partial slip, steps growing from each turn.
+struct Loop {
+  std::vector<double> position, resistance, load;
+};
+
+/// `virgin`: resistance of the virgin curve at a way; branches after Masing.
+template <class Virgin>
+Loop loop(const Virgin& virgin, double first_step, double way, double growth = 1.3) {
+  Loop result;
+  const auto add = [&](double x, double y) {
+    result.position.push_back(x), result.resistance.push_back(y), result.load.push_back(1e-4);
+  };
+  add(0, 0);
+  std::vector<double> ways;
+  double x = 0;
+  for (double step = first_step; x < way; step = std::min(step * growth, way / 40)) ways.push_back(x = std::min(x + step, way));
+  for (const double w : ways) add(w, virgin(w));
+  const double turn = virgin(way);
+  for (const double w : ways) add(way - w, turn - 2 * virgin(w / 2));
+  return result;
+}
+
+/// Mindlin & Deresiewicz: Q = mu P (1 - (1 - x/x_slip)^(3/2)), initial slope 3 mu P/(2 x_slip).
+struct Sliding {
+  double limit = 3e-5, stiffness = 17200;
+  double slip_way() const { return 1.5 * limit / stiffness; }
+  double operator()(double x) const { return x >= slip_way() ? limit : limit * (1 - std::pow(1 - x / slip_way(), 1.5)); }
+};
+
+TEST(SteadyMotion_analytic, of_sliding_with_partial_slip_gives_the_limit_and_the_stiffness_without_slip) {
+  const Sliding law;
+  const Loop data = loop(law, law.slip_way() / 10, 60e-9);
+  const SteadyResistance steady = steady_resistance(data.position, data.resistance, data.load);
+  ASSERT_TRUE(steady.reached);
+  EXPECT_NEAR(steady.mean / law.limit, 1, 1e-6);
+  EXPECT_LT(steady.fluctuation, 1e-6 * law.limit);
+  EXPECT_DOUBLE_EQ(steady.load, 1e-4);
+  const ReversalStiffness reversal = reversal_stiffness(data.position, data.resistance, steady.mean, sliding_partial_slip);
+  EXPECT_NEAR(reversal.value / law.stiffness, 1, 1e-6);
+}
+
+TEST(SteadyMotion_analytic, of_torsion_with_partial_slip_gives_full_slip_and_the_stiffness_without_slip) {
+  const LubkinTorsion law{15e9, 0.3, 1e-4, 0.26e-6};
+  const Loop data = loop([&](double angle) { return law.moment(angle); }, 1e-3, 0.08);
+  const SteadyResistance steady = steady_resistance(data.position, data.resistance, data.load);
+  ASSERT_TRUE(steady.reached);
+  EXPECT_NEAR(steady.mean / law.full_slip_moment(), 1, 2e-3);  // full slip takes an infinite angle
+  const ReversalStiffness reversal = reversal_stiffness(data.position, data.resistance, steady.mean, torsion_partial_slip);
+  EXPECT_NEAR(reversal.value / no_slip_torsion_stiffness(15e9, 0.26e-6), 1, 2e-3);
+}
+
+TEST(SteadyMotion, that_never_slips_fully_has_no_steady_resistance) {
+  const Sliding law;
+  const Loop data = loop(law, law.slip_way() / 20, 0.5 * law.slip_way(), 1);
+  EXPECT_FALSE(steady_resistance(data.position, data.resistance, data.load).reached);
+  EXPECT_TRUE(std::isnan(reversal_stiffness(data.position, data.resistance, law.limit, sliding_partial_slip).value));
+}
+
+TEST(SteadyMotion, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
+  const auto legs = motion_legs({0, 1e-12, -1e-12, 1, 2, 3, 2.5, 2.5, 1, 1.5});
+  ASSERT_EQ(legs.size(), 3u);
+  EXPECT_EQ(legs[0].first, 2u);
+  EXPECT_EQ(legs[0].last, 5u);
+  EXPECT_EQ(legs[0].direction, 1);
+  EXPECT_EQ(legs[1].first, 5u);
+  EXPECT_EQ(legs[1].last, 8u);
+  EXPECT_EQ(legs[1].direction, -1);
+  EXPECT_EQ(legs[2].last, 9u);
+}
+
+TEST(SteadyMotion, that_counts_resistance_with_the_other_sign_has_the_same_mean) {
+  const Sliding law;
+  Loop data = loop(law, law.slip_way() / 10, 60e-9);
+  const double mean = steady_resistance(data.position, data.resistance, data.load).mean;
+  for (double& value : data.resistance) value = -value;
+  EXPECT_DOUBLE_EQ(steady_resistance(data.position, data.resistance, data.load).mean, mean);
+}
+
+TEST(SteadyMotion, that_still_rises_is_said_to_change) {
+  const Sliding law;
+  const Loop data = loop([&](double x) { return law(x) * (1 + 0.1 * x / 60e-9); }, law.slip_way() / 10, 60e-9);
+  Loop forward;
+  for (std::size_t i = 0; i <= data.position.size() / 2; ++i)
+    forward.position.push_back(data.position[i]), forward.resistance.push_back(data.resistance[i]), forward.load.push_back(1e-4);
+  const SteadyResistance steady = steady_resistance(forward.position, forward.resistance, forward.load);
+  EXPECT_TRUE(steady.still_changes());
+  EXPECT_NEAR(steady.drift, 0.05, 0.01);
+}
+
+/// First-order autoregression, rho the correlation of neighbours.
+std::vector<double> correlated_series(std::mt19937& random, double rho, int count) {
+  std::normal_distribution<double> normal;
+  std::vector<double> values{normal(random)};
+  for (int i = 1; i < count; ++i) values.push_back(rho * values.back() + std::sqrt(1 - rho * rho) * normal(random));
+  return values;
+}
+
+TEST(CorrelatedMean_analytic, counts_the_independent_stretches_of_an_autoregression) {
+  std::mt19937 random(1);
+  constexpr double rho = 0.8;
+  double independent = 0;
+  constexpr int series = 100, count = 2000;
+  for (int s = 0; s < series; ++s) independent += correlated_mean(correlated_series(random, rho, count)).independent / series;
+  // N_eff = N (1 - rho)/(1 + rho); the sum that stops at the first zero is a few percent off.
+  EXPECT_NEAR(independent / (count * (1 - rho) / (1 + rho)), 1, 0.08);
+}
+
+TEST(CorrelatedMean_analytic, is_within_its_standard_error_in_two_thirds_of_series) {
+  std::mt19937 random(2);
+  for (const double rho : {0.0, 0.5, 0.8}) {
+    int within = 0;
+    constexpr int series = 1000, count = 200;
+    for (int s = 0; s < series; ++s) {
+      const CorrelatedMean mean = correlated_mean(correlated_series(random, rho, count));
+      within += std::abs(mean.mean) < mean.standard_error;
+    }
+    EXPECT_NEAR(within / double(series), 0.683, 0.06) << rho;
+  }
+}
+
+}  // namespace
+}  // namespace asperity
