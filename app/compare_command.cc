@@ -28,6 +28,8 @@ struct Arguments {
 };
 
 void run(const Arguments& arguments) {
+  if (!arguments.indenter.empty() && arguments.parameters.empty())
+    throw InputError("--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
   const CaseCollection collection = collect_cases({arguments.folders.begin(), arguments.folders.end()});
   const Comparison comparison = compare_with_hertz(collection, arguments.tolerance);
   const fs::path output = arguments.output.empty() ? arguments.folders.front() : arguments.output;

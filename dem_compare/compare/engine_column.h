@@ -24,6 +24,7 @@ class EngineColumn {
   /// The engine's first failure, one sentence; "" if there was none.
   const std::string& failure() const { return failure_; }
   std::string engine() const { return engine_ ? engine_->name() : ""; }
+  std::string version() const { return done_.empty() ? "" : done_.begin()->second.version; }
   std::size_t runs() const { return done_.size(); }
 
  private:

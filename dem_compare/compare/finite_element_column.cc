@@ -3,8 +3,20 @@
 #include <algorithm>
 #include <functional>
 
+#include "dem_compare/derive/steady_motion.h"
+
 namespace asperity {
 namespace {
+
+/// Steady lateral force or moment over its divisor, both ways: there and back the slopes of asperities push in opposite
+/// directions. Where the history has no steady stretch, what the solver says.
+ComparedValue steady(const SolvedCase& solved, std::vector<double> ContactHistory::*position,
+                     std::vector<double> ContactHistory::*resistance, double divisor, const ComparedValue& otherwise) {
+  if (solved.history.size() == 0 || !otherwise.known()) return otherwise;
+  const SteadyResistance found = steady_resistance(solved.history.*position, solved.history.*resistance, solved.history.normal_force);
+  if (!found.reached) return otherwise;
+  return {found.mean / divisor, found.standard_error / divisor};
+}
 
 /// An entry of "effective" in result.json; absent where the case has none.
 ComparedValue effective(const SolvedCase& solved, const char* name) {
@@ -59,7 +71,7 @@ void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const Ca
   }
 }
 
-/// Of each case of a group, over `unit` of it.
+/// Of each case of a group.
 void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group, Quantity quantity, double load,
          const std::function<ComparedValue(const SolvedCase&)>& number) {
   std::vector<ComparedValue> cases;
@@ -107,9 +119,6 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
     add_normal(points, g, group, compared);
     const double load = compared.numbers.force, radius = compared.numbers.hertz.radius;
     const auto plain = [](const char* name) { return [name](const SolvedCase& solved) { return effective(solved, name); }; };
-    const auto over_load_and_radius = [&](const char* name) {
-      return [=](const SolvedCase& solved) { return scaled(effective(solved, name), 1 / (load * radius)); };
-    };
     add(points, g, group, Quantity::lateral_stiffness, load, plain("lateral_stiffness"));
     add(points, g, group, Quantity::lateral_stiffness_to_sliding, load, [&](const SolvedCase& solved) -> ComparedValue {
       const ComparedValue friction = effective(solved, "sliding_friction"), tangent = effective(solved, "lateral_stiffness");
@@ -118,11 +127,20 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
       // The doubt about the contact's radius is the tangent's too.
       return {k, k * tangent.sd / tangent.value};
     });
-    add(points, g, group, Quantity::sliding_friction, load, plain("sliding_friction"));
+    add(points, g, group, Quantity::sliding_friction, load, [&](const SolvedCase& solved) {
+      return steady(solved, &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, load,
+                    effective(solved, "sliding_friction"));
+    });
     add(points, g, group, Quantity::rolling_stiffness, load, plain("rolling_stiffness"));
-    add(points, g, group, Quantity::rolling_friction, load, over_load_and_radius("rolling_moment"));
+    add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) {
+      return steady(solved, &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, load * radius,
+                    scaled(effective(solved, "rolling_moment"), 1 / (load * radius)));
+    });
     add(points, g, group, Quantity::torsion_stiffness, load, plain("torsion_stiffness"));
-    add(points, g, group, Quantity::torsion_friction, load, over_load_and_radius("torsion_moment"));
+    add(points, g, group, Quantity::torsion_friction, load, [&](const SolvedCase& solved) {
+      return steady(solved, &ContactHistory::torsion_angle, &ContactHistory::torsion_moment, load * radius,
+                    scaled(effective(solved, "torsion_moment"), 1 / (load * radius)));
+    });
   }
   return points;
 }

@@ -225,7 +225,7 @@ std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, con
   const Uncertain balance = propagate(
       [&](const std::vector<double>& x) { return rail_friction(rail.angle, {x[0], x[1] * torsion_scale, 0, 0}); },
       {rail.rolling, {mu.value, mu.sd}});
-  LawValue value = law("eq:murail", balance.value, balance.sd);
+  LawValue value = law("rail balance (eq:murail)", balance.value, balance.sd);
   if (!contact.record->rolling_stiffness || !contact.record->torsion_stiffness || !contact.record->sliding_friction) {
     value.no_engine = file_of(contact) + " lacks rolling_stiffness, torsion_stiffness or sliding_friction";
     return {value};

@@ -18,7 +18,9 @@ std::string loads_text(const LoadRange& range) {
   return format_quantity(range.low, Dimension::force) + " to " + format_quantity(range.high, Dimension::force);
 }
 
-ComparedValue measured(const Uncertain& number, const std::string& source) { return {number.value, number.sd, source, ""}; }
+ComparedValue measured(const Uncertain& number, const std::string& source) {
+  return {number.value, number.sd, "Fuchs, Weinhart et al. 2014, " + source, ""};
+}
 
 /// mu (1 + h/f)
 Uncertain over_load(const Uncertain& coefficient, const Uncertain& offset, double load) {
@@ -45,7 +47,7 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
     if (plane == "silicon") return absent("the paper shows normal loading on silica only");
     const Hertz fit{published_.hertz(plane).reduced_modulus, published_.quoted("hertz_fit_radius", Dimension::length).value};
     return measured({quantity == Quantity::approach ? fit.approach(load) : fit.normal_stiffness(load)},
-                    "Hertz with the fitted R = 9 um, sec. 4.2");
+                    "sec. 4.2: Hertz with the fitted R = 9 um");
   }
   if (plane != "silicon") return absent("the paper measured this mode on silicon");
   if (quantity == Quantity::rolling_stiffness || quantity == Quantity::torsion_stiffness)
@@ -68,7 +70,7 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
       constexpr double same_load = 0.01;
       if (surface != &published_.surfaces.front() || std::abs(load / loop - 1) > same_load)
         return absent("measured at " + format_quantity(loop, Dimension::force) + " on untreated silicon only");
-      return measured(published_.quoted("fitted_lateral_stiffness", Dimension::stiffness), "slope fitted to the loop, sec. 4.4");
+      return measured(published_.quoted("fitted_lateral_stiffness", Dimension::stiffness), "sec. 4.4: slope fitted to the loop");
     }
     case Quantity::sliding_friction:
       return within(load, sliding_loads) ? measured(over_load(surface->sliding, surface->sliding_offset, load), "Table 2, " + surface->name)

@@ -62,6 +62,14 @@ class Assembly {
     for (const auto& group : input.collection.groups) labels_.push_back(common_label(labels[contact_key(group)]));
     if (!input.parameters) return;
     record_ = contact_of(*input.parameters, input.indenter);
+    // A record that does not say its roughness stands for all, if all are alike.
+    if (std::isnan(record_->rms))
+      for (const auto& contact : contacts_)
+        if (same_bodies(contact, *record_)) {
+          roughness_is_open_ = roughness_is_open_ || (!std::isnan(record_->rms) && !same_roughness(contact, *record_));
+          record_->rms = contact.rms;
+        }
+    if (roughness_is_open_) record_->rms = NAN;
     // Numbers for an engine belong to the contact they were found on.
     for (auto& contact : contacts_)
       if (is_record(contact)) {
@@ -88,7 +96,9 @@ class Assembly {
     if (is_solved(Mode::sliding))
       remarks.push_back("Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
                         "both start from the same coefficient.");
-    if (record_ && std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return is_record(c); }))
+    if (roughness_is_open_)
+      remarks.push_back(record_->record->file + " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
+    else if (record_ && std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return is_record(c); }))
       remarks.push_back("None of the solved cases is the contact of " + record_->record->file +
                         " (its bodies, and the RMS of its target): its finite-element column is empty.");
     return remarks;
@@ -96,19 +106,21 @@ class Assembly {
 
  private:
   void add_solved(const FiniteElementPoint& point) {
+    const bool is_path = std::count_if(points_.begin(), points_.end(), [&](const auto& other) {
+      return other.group == point.group && other.quantity == point.quantity; }) > 1;
     ComparedContact contact = contacts_[point.group];
-    if (display_of(point.quantity).mode != Mode::normal) {
+    if (!is_path) {
       // The record's own table has it.
       if (solved_point(point.quantity, point.load) == &point) return;
-      // A loading path has its loads in itself; other modes have theirs in several cases of one contact.
+      // A loading path has its loads in itself; other numbers have theirs in several cases of one contact.
       contact.label = labels_[point.group];
     }
     add_rows(contact, point.quantity, point.load, point.value);
   }
 
-  /// Same bodies and roughness; a record that does not say its roughness stands for all.
+  /// Same bodies and roughness.
   bool is_record(const ComparedContact& contact) const {
-    return record_ && same_bodies(contact, *record_) && (std::isnan(record_->rms) || same_roughness(contact, *record_));
+    return record_ && same_bodies(contact, *record_) && same_roughness(contact, *record_);
   }
 
   void add_rows(const ComparedContact& contact, Quantity quantity, double load, const FiniteElementValue& finite_elements,
@@ -159,6 +171,7 @@ class Assembly {
     };
     if (mode == Mode::sliding) add(record.sliding_friction);
     if (mode == Mode::rolling || mode == Mode::normal) add(record.rolling_friction);
+    if (mode == Mode::normal && loads.empty()) add(record.sliding_friction);
     if (mode == Mode::torsion) add(record.torsion_friction);
     for (const auto& point : points_)
       if (display_of(point.quantity).mode == mode && is_record(contacts_[point.group]) &&
@@ -187,6 +200,7 @@ class Assembly {
   std::vector<ComparedContact> contacts_;  ///< of each group
   std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
   std::optional<ComparedContact> record_;
+  bool roughness_is_open_ = false;
   std::vector<ComparisonRow> rows_;
 };
 
@@ -202,6 +216,7 @@ SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedCol
   result.verdicts = verdicts(result.rows, tolerance);
   result.remarks = assembly.remarks();
   result.engine = engine.engine();
+  result.engine_version = engine.version();
   result.engine_failure = engine.failure();
   return result;
 }

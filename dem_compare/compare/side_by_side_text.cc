@@ -38,7 +38,7 @@ Json row_json(const ComparisonRow& row) {
   return object;
 }
 
-/// Reasons for dashes, numbered in the order they come up.
+/// Reasons for dashes and sources of numbers, numbered in the order they come up.
 class Notes {
  public:
   std::string mark(const std::string& reason) {
@@ -85,9 +85,7 @@ std::string roughness(const ComparisonRow& row) {
 
 std::string quantity_cell(const ComparisonRow& row) {
   const QuantityDisplay& display = display_of(row.quantity);
-  std::string text = display.words;
-  if (std::isfinite(row.rail_angle))
-    text += " at " + std::to_string(std::lround(row.rail_angle / unit_factor("deg", Dimension::angle))) + " deg";
+  const std::string text = display.words + rail_words(row.rail_angle);
   return *display.unit ? text + " [" + display.unit + "]" : text;
 }
 
@@ -101,9 +99,20 @@ std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& 
             roughness(*row) + " | " + cell(row->finite_elements, display, notes) + " | " +
             (row->reduced_law.known() ? row->reduced_law.source : "") + " | " + cell(row->reduced_law, display, notes) + " | " +
             cell(ratio(row->reduced_law, row->finite_elements)) + " | " + cell(row->engine, display, notes) + " | " +
-            cell({engine_over_law(*row), NAN}) + " | " + cell(row->published, display, notes) + " | " +
-            cell(ratio(row->reduced_law, row->published)) + " |\n";
+            cell({engine_over_law(*row), NAN}) + " | " + cell(row->published, display, notes) +
+            (row->published.known() ? " " + notes.mark(row->published.source) : "") + " | " + cell(ratio(row->reduced_law, row->published)) + " |\n";
   }
+  return text;
+}
+
+std::string good_table(const std::vector<Verdict>& verdicts) {
+  std::string text = "| simplification | quantity | contact | judged by | good enough |\n| --- | --- | --- | --- | --- |\n";
+  std::vector<const Verdict*> sorted;
+  for (const auto& verdict : verdicts) sorted.push_back(&verdict);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) { return a->quantity < b->quantity; });
+  for (const auto* verdict : sorted)
+    text += "| " + verdict->law + " | " + display_of(verdict->quantity).words + rail_words(verdict->rail_angle) + " | " + verdict->contact + " | " + verdict->reference +
+            " | " + good_words(*verdict) + " |\n";
   return text;
 }
 
@@ -121,8 +130,8 @@ std::string engine_sentence(const SideBySide& comparison) {
   }
   if (!where) return comparison.engine + " was asked for nothing that it could be compared in.\n";
   char text[200];
-  std::snprintf(text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s).\n",
-                comparison.engine.c_str(), 100 * worst, count, display_of(where->quantity).words,
+  const std::string name = comparison.engine + (comparison.engine_version.empty() ? "" : " (" + comparison.engine_version + ")");
+  std::snprintf(text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s).\n", name.c_str(), 100 * worst, count, display_of(where->quantity).words,
                 format_quantity(where->load, Dimension::force).c_str());
   return text;
 }
@@ -130,7 +139,8 @@ std::string engine_sentence(const SideBySide& comparison) {
 Json verdict_json(const Verdict& verdict) {
   Json object{{"contact", verdict.contact}, {"mode", mode_name(display_of(verdict.quantity).mode)},
               {"quantity", display_of(verdict.quantity).key}, {"rail_angle_rad", number(verdict.rail_angle)},
-              {"law", verdict.law}, {"against", verdict.reference}, {"text", verdict.text}};
+              {"law", verdict.law}, {"against", verdict.reference}, {"text", verdict.text},
+              {"compared_from_N", verdict.compared.low}, {"compared_to_N", verdict.compared.high}};
   object["good_enough"] = Json::array();
   for (const auto& range : verdict.good)
     object["good_enough"].push_back({{"from_N", range.low}, {"to_N", range.high},
@@ -175,6 +185,7 @@ std::string to_csv(const SideBySide& comparison) {
 
 Json to_json(const SideBySide& comparison) {
   Json object{{"engine", comparison.engine.empty() ? Json(nullptr) : Json(comparison.engine)},
+              {"engine_version", comparison.engine_version},
               {"engine_failure", comparison.engine_failure.empty() ? Json(nullptr) : Json(comparison.engine_failure)},
               {"remarks", comparison.remarks}};
   object["rows"] = Json::array();
@@ -188,10 +199,12 @@ std::string to_markdown(const SideBySide& comparison) {
   std::vector<std::string> contacts;
   for (const auto& row : comparison.rows)
     if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end()) contacts.push_back(row.contact);
-  char buffer[300];
+  char buffer[600];
   std::snprintf(buffer, sizeof buffer,
                 "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
-                "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise the solver's own.\n",
+                "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise the solver's own.\n"
+                "RMS is the substrate's; the load is the substrate's, in a rail that of each slope. Each engine run got the law's number\n"
+                "beside it. Numbers in [ ] are notes at the end.\n",
                 100 * comparison.tolerance);
   std::string text = buffer;
   Notes notes;
@@ -207,7 +220,8 @@ std::string to_markdown(const SideBySide& comparison) {
       if (!lines.empty()) text += std::string("\nAgainst ") + (*reference == 'm' ? "the " : "") + reference + ":\n" + lines;
     }
   }
-  text += "\n## What is missing, and why\n\n" + notes.text();
+  text += "\n## Where each simplification is good enough\n\n" + good_table(comparison.verdicts);
+  text += "\n## Notes\n\n" + notes.text();
   for (const auto& remark : comparison.remarks) text += "- " + remark + "\n";
   const std::string engine = engine_sentence(comparison);
   if (!engine.empty()) text += "\n" + engine;

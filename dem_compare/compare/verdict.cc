@@ -27,17 +27,17 @@ std::string percent(double value, double sd) {
   return text;
 }
 
-/// "by 12 ± 3 %"; beyond a factor of two "9.8 times".
+/// "12 ± 3 %"; beyond a factor of two "a factor of 9.8".
 std::string amount(const Departure& departure) {
   const double over = 1 + departure.value;
   if (over > 2 || (over > 0 && over < 0.5)) {
     const double factor = over > 1 ? over : 1 / over, sd = departure.sd * (over > 1 ? 1 : factor * factor);
     char text[64];
-    if (std::isfinite(sd)) std::snprintf(text, sizeof text, "by a factor of %.3g ± %.1g", factor, sd);
-    else std::snprintf(text, sizeof text, "by a factor of %.3g", factor);
+    if (std::isfinite(sd)) std::snprintf(text, sizeof text, "a factor of %.3g ± %.1g", factor, sd);
+    else std::snprintf(text, sizeof text, "a factor of %.3g", factor);
     return text;
   }
-  return "by " + percent(departure.value, departure.sd);
+  return percent(departure.value, departure.sd);
 }
 
 /// Neighbouring loads with the same judgement.
@@ -73,17 +73,19 @@ double mean(const std::vector<Departure>& departures, const Stretch& stretch, do
   return sum / static_cast<double>(stretch.last - stretch.first + 1);
 }
 
-/// Mean over the stretch, or both ends where it changes by more than its uncertainty and a quarter of itself.
-std::string stretch_amount(const std::vector<Departure>& departures, const Stretch& stretch) {
+/// Mean over the stretch, or both ends where it changes by more than its uncertainty and a quarter of itself; and where.
+std::string amount_and_place(const std::vector<Departure>& departures, const Stretch& stretch, const std::string& place) {
   const auto [low, high] = std::minmax_element(departures.begin() + static_cast<std::ptrdiff_t>(stretch.first),
                                                departures.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1,
                                                [](const auto& a, const auto& b) { return a.value < b.value; });
   const Departure average{0, mean(departures, stretch, &Departure::value), mean(departures, stretch, &Departure::sd)};
   const double spread = high->value - low->value, doubt = std::isfinite(average.sd) ? 2 * average.sd : 0;
   constexpr double even = 0.25;
-  if (spread <= std::max(doubt, even * std::abs(average.value))) return amount(average);
+  if (spread <= std::max(doubt, even * std::abs(average.value))) return "by " + amount(average) + " " + place;
   const Departure &first = departures[stretch.first], &last = departures[stretch.last];
-  return amount(first) + " at " + force(first.load) + " to " + amount(last) + " at " + force(last.load);
+  const bool is_everywhere = stretch.first == 0 && stretch.last + 1 == departures.size();
+  return (is_everywhere ? "" : place + ", ") + "by " + amount(first) + " at " + force(first.load) + " and " + amount(last) + " at " +
+         force(last.load);
 }
 
 /// Where a stretch lies among all loads.
@@ -143,12 +145,12 @@ bool is_its_own_fit(const std::vector<Departure>& departures) {
                      [](const auto& departure) { return std::abs(departure.value) < rounding_of_records; });
 }
 
+}  // namespace
+
 std::string rail_words(double angle) {
   if (std::isnan(angle)) return "";
   return " at " + std::to_string(std::lround(angle / unit_factor("deg", Dimension::angle))) + " deg";
 }
-
-}  // namespace
 
 std::string departure_words(const std::vector<Departure>& compared, const std::string& quantity, double tolerance) {
   const std::vector<Departure> departures = with_zeros(compared, tolerance);
@@ -163,7 +165,7 @@ std::string departure_words(const std::vector<Departure>& compared, const std::s
       text += (s ? "" : "gives the " + quantity + " ") + within_text(tolerance) + " " + where;
     } else {
       text += std::string(stretch.sign > 0 ? "overstates" : "understates") + (s && !verb.empty() ? " it " : " the " + quantity + " ") +
-              stretch_amount(departures, stretch) + " " + where;
+              amount_and_place(departures, stretch, where);
       if (std::abs(mean(departures, stretch, &Departure::value)) < 2 * mean(departures, stretch, &Departure::sd))
         text += " (less than two standard deviations)";
     }
@@ -211,14 +213,32 @@ std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tol
                other.reference == reference && (std::isnan(first.rail_angle) || other.rail_angle == first.rail_angle);
       });
       if (departures.empty() || said) continue;
+      const bool own_fit = reference == "measurement" && is_its_own_fit(departures);
       const std::string quantity = display_of(first.quantity).words + rail_words(first.rail_angle) + " of the " + reference;
-      found.push_back({first.contact, judged, reference, first.quantity, first.rail_angle, good_ranges(departures, tolerance),
-                       judged + " " + (reference == "measurement" && is_its_own_fit(departures)
-                                           ? "repeats the " + quantity + ": its numbers were fitted to it."
-                                           : departure_words(departures, quantity, tolerance) + ".")});
+      found.push_back({first.contact, judged, reference, first.quantity, first.rail_angle,
+                       {departures.front().load, departures.back().load}, good_ranges(departures, tolerance), own_fit,
+                       judged + " " + (own_fit ? "repeats the " + quantity + ": its numbers were fitted to it."
+                                               : departure_words(departures, quantity, tolerance) + ".")});
     }
   }
   return found;
+}
+
+std::string good_words(const Verdict& verdict) {
+  const LoadRange& all = verdict.compared;
+  if (verdict.is_own_fit) return "its numbers were fitted to it";
+  if (all.low == all.high) return (verdict.good.empty() ? "not at " : "at ") + force(all.low) + ", the only load compared";
+  const std::string compared = force(all.low) + " to " + force(all.high);
+  if (verdict.good.empty()) return "at no load compared (" + compared + ")";
+  std::string words;
+  for (const auto& range : verdict.good) {
+    if (range.reaches_lowest && range.reaches_highest) return "at all loads compared (" + compared + ")";
+    words += words.empty() ? "" : ", and ";
+    if (range.reaches_lowest) words += "up to " + force(range.high);
+    else if (range.reaches_highest) words += "from " + force(range.low) + " on";
+    else words += force(range.low) + " to " + force(range.high);
+  }
+  return words + " (compared: " + compared + ")";
 }
 
 std::string row_verdict(const ComparisonRow& row, double tolerance) {
@@ -228,7 +248,7 @@ std::string row_verdict(const ComparisonRow& row, double tolerance) {
     const Departure departure{row.load, over.value - 1, over.sd};
     const std::string of = reference == &row.published ? " against the measurement" : " against finite elements";
     if (judgement(departure, tolerance) == 0) return "good " + within_text(tolerance) + of;
-    return (departure.value > 0 ? "overstates " : "understates ") + amount(departure) + of;
+    return (departure.value > 0 ? "overstates by " : "understates by ") + amount(departure) + of;
   }
   return "";
 }

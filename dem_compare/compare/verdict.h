@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem_compare/compare/row.h"
+#include "dem_compare/contact_parameters.h"
 
 namespace asperity {
 
@@ -15,9 +16,8 @@ struct Departure {
   double sd = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Loads on which a simplification stays within the tolerance [N].
-struct GoodRange {
-  double low = 0, high = 0;
+/// Loads on which a simplification stays within the tolerance.
+struct GoodRange : LoadRange {
   bool reaches_lowest = false, reaches_highest = false;  ///< of the loads compared: what is beyond was not looked at
 };
 
@@ -25,7 +25,9 @@ struct Verdict {
   std::string contact, law, reference;  ///< "finite elements" or "measurement"
   Quantity quantity = Quantity::approach;
   double rail_angle = std::numeric_limits<double>::quiet_NaN();
-  std::vector<GoodRange> good;
+  LoadRange compared;           ///< lowest and highest load [N]
+  std::vector<GoodRange> good;  ///< within them
+  bool is_own_fit = false;      ///< the law's numbers were fitted to this very measurement: it judges nothing
   std::string text;
 };
 
@@ -33,6 +35,12 @@ struct Verdict {
 /// Between two loads the tolerance is crossed where the straight line over the logarithm of load crosses it.
 std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity, double tolerance);
 std::vector<GoodRange> good_ranges(const std::vector<Departure>& departures, double tolerance);
+
+/// " at 25 deg"; "" for NaN.
+std::string rail_words(double angle);
+
+/// "from 135 uN on", "at all loads compared", ...
+std::string good_words(const Verdict& verdict);
 
 /// One for each law, quantity and reference of each contact.
 std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance);
