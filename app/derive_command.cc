@@ -33,7 +33,7 @@ void run(const Arguments& arguments) {
   if (output.has_parent_path()) fs::create_directories(output.parent_path());
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const auto& sentence : found.left_out) text += sentence + "\n";
+  for (const auto& sentence : found.remarks) text += sentence + "\n";
   if (found.sets.size() > 1)
     text += std::to_string(found.sets.size()) + " parameter sets, one file each; they differ in " + differences(found.sets) + "\n";
   for (std::size_t i = 0; i < found.sets.size(); ++i) {

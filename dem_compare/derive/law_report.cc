@@ -10,9 +10,12 @@ namespace {
 
 constexpr int value_digits = 4, error_digits = 2;
 
+/// 460, not 4.6e+02.
 std::string digits_of(double value, int digits) {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  constexpr double large = 1e5;
+  if (std::abs(value) >= std::pow(10.0, digits - 1) && std::abs(value) < large) std::snprintf(buffer, sizeof buffer, "%.0f", value);
+  else std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
   return buffer;
 }
 
@@ -20,10 +23,14 @@ std::string digits_of(double value, int digits) {
 
 std::string with_error(double value, double sd, Dimension dimension) {
   const std::string text = format_quantity(value, dimension, value_digits);
-  return std::isfinite(sd) ? text + " +- " + format_quantity(sd, dimension, error_digits) : text;
+  const auto blank = text.find(' ');
+  if (!std::isfinite(sd) || blank == std::string::npos) return text;
+  const std::string unit = text.substr(blank + 1);
+  return text.substr(0, blank) + " +- " + digits_of(sd / unit_factor(unit, dimension), error_digits) + " " + unit;
 }
 
 std::string with_error(double value, double sd, const std::string& unit) {
+  if (!unit.empty() && unit.front() == 'N') return with_error(value, sd, Dimension::force) + unit.substr(1);
   std::string text = digits_of(value, value_digits);
   if (std::isfinite(sd)) text += " +- " + digits_of(sd, error_digits);
   return unit.empty() ? text : text + " " + unit;
@@ -44,7 +51,7 @@ std::string extent_of(const std::vector<CaseNumber>& numbers) {
   if (!same_load(low, high)) text += " to " + format_quantity(high, Dimension::force);
   text += realisations.size() == 1 ? ", 1 realisation" : ", " + std::to_string(realisations.size()) + " realisations";
   std::string list;
-  for (const auto& spacing : spacings) list += (list.empty() ? "" : ", ") + spacing;
+  for (const auto& spacing : spacings) list += (list.empty() ? "" : " and ") + spacing;
   return list.empty() ? text : text + ", spacing " + list;
 }
 

@@ -19,7 +19,7 @@ struct LawReport {
 
 /// "1.21 +- 0.03 GPa"; the error is left out where it is not known.
 std::string with_error(double value, double sd, Dimension dimension);
-/// The same for units without a prefix ("N m").
+/// The same for a unit that begins with N ("pN m"), or without prefix.
 std::string with_error(double value, double sd, const std::string& unit);
 std::string percent(double share);
 

@@ -129,44 +129,83 @@ void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& see
                                                        "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + extent_of(written)};
 }
 
+/// One line per load.
+void tell_resistances(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
+  for (std::size_t i = 0; i < used.size();) {
+    std::size_t end = i;
+    double mean = 0, variance = 0, fluctuation = 0, independent = 0;
+    while (end < used.size() && same_load(used[end]->load, used[i]->load)) ++end;
+    const auto count = static_cast<double>(end - i);
+    for (std::size_t k = i; k < end; ++k) {
+      const SteadyResistance& steady = used[k]->steady;
+      mean += steady.mean / count;
+      variance += steady.standard_error * steady.standard_error / (count * count);
+      fluctuation += steady.fluctuation / steady.mean / count;
+      independent += steady.independent;
+    }
+    report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " + with_error(mean, std::sqrt(variance), mode.resistance_unit) +
+                              (count > 1 ? ", mean of " + std::to_string(end - i) + " realisations" : "") + "; fluctuation along the way " +
+                              percent(fluctuation) + ", " + with_error(std::round(independent), unknown, "") + " independent stretches");
+    i = end;
+  }
+}
+
+std::string folders_of(const std::vector<const MotionCase*>& cases) {
+  std::string text;
+  for (const MotionCase* item : cases) text += (text.empty() ? "" : ", ") + item->solved->folder.string();
+  return text;
+}
+
+/// What the ways of the cases were too short for.
+void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
+  std::vector<const MotionCase*> changing;
+  double shortest = std::numeric_limits<double>::infinity(), largest_drift = 0;
+  for (const MotionCase* item : used) {
+    shortest = std::min(shortest, item->steady.way / (2 * item->contact_radius));
+    if (!item->steady.still_changes()) continue;
+    changing.push_back(item);
+    largest_drift = std::max(largest_drift, std::abs(item->steady.drift));
+  }
+  if (!changing.empty())
+    report.not_told.push_back("where the resistance ends: it still changes, by up to " + percent(largest_drift) +
+                              " from the first half of the way to the second (" + folders_of(changing) + "); set " + mode.way_entry + " to more");
+  constexpr double diameters_wanted = 2;
+  if (mode.way_is_length && shortest < diameters_wanted)
+    report.not_told.push_back("fluctuation over long ways: the shortest steady way, there and back, is " +
+                              with_error(std::round(10 * shortest) / 10, unknown, "") + " contact diameters, two or more are wanted; set " + mode.way_entry +
+                              " to more");
+}
+
+Json resistance_json(const MotionCase& item) {
+  return {{"folder", item.solved->folder.string()},
+          {"load", item.load},
+          {"mean", item.steady.mean},
+          {"standard_error", item.steady.standard_error},
+          {"fluctuation", item.steady.fluctuation},
+          {"independent_stretches", item.steady.independent},
+          {"way", item.steady.way},
+          {"drift", item.steady.drift}};
+}
+
 void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
   std::vector<CaseNumber> all;
-  std::vector<const MotionCase*> steady;
+  std::vector<const MotionCase*> steady, sticking, used;
   for (const auto& item : seen) {
-    if (!item.steady.reached) {
-      report.not_told.push_back(item.solved->folder.string() + ": did not slip fully, or for fewer than three steps; set " + mode.way_entry + " to more");
-      continue;
-    }
-    all.push_back(item.number(item.steady.mean, item.steady.standard_error));
-    steady.push_back(&item);
+    (item.steady.reached ? steady : sticking).push_back(&item);
+    if (item.steady.reached) all.push_back(item.number(item.steady.mean, item.steady.standard_error));
   }
+  if (!sticking.empty())
+    report.not_told.push_back("the resistance of cases that did not slip fully, or for fewer than three steps (" + folders_of(sticking) + "): set " +
+                              mode.way_entry + " to more");
   if (all.empty()) return;
   std::vector<ResistancePoint> points;
-  double shortest = std::numeric_limits<double>::infinity();
   for (const auto i : finest(all)) {
-    const MotionCase& item = *steady[i];
-    points.push_back({item.load, item.steady.mean, item.steady.standard_error, all[i].realisation});
-    report.details["resistance"].push_back({{"folder", item.solved->folder.string()},
-                                            {"load", item.load},
-                                            {"mean", item.steady.mean},
-                                            {"standard_error", item.steady.standard_error},
-                                            {"fluctuation", item.steady.fluctuation},
-                                            {"independent_stretches", item.steady.independent},
-                                            {"way", item.steady.way},
-                                            {"drift", item.steady.drift}});
-    report.findings.push_back("at " + format_quantity(item.load, Dimension::force) + ": " +
-                              with_error(item.steady.mean, item.steady.standard_error, mode.resistance_unit) + ", fluctuation " +
-                              percent(item.steady.fluctuation / item.steady.mean) + ", " + with_error(std::round(item.steady.independent), unknown, "") +
-                              " independent stretches");
-    if (item.steady.still_changes())
-      report.not_told.push_back(item.solved->folder.string() + ": the resistance still changes, by " + percent(item.steady.drift) +
-                                " from the first half of the way to the second; a longer " + mode.way_entry + " would show where it ends");
-    shortest = std::min(shortest, item.steady.way / (2 * item.contact_radius));
+    used.push_back(steady[i]);
+    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation});
+    report.details["resistance"].push_back(resistance_json(*steady[i]));
   }
-  constexpr double diameters_wanted = 2;
-  if (&mode != &torsion_mode() && shortest < diameters_wanted)
-    report.not_told.push_back("fluctuation over long ways: the shortest steady way is " + with_error(std::round(10 * shortest) / 10, unknown, "") +
-                              " contact diameters, two or more are wanted; lengthen " + mode.way_entry);
+  tell_resistances(mode, used, report);
+  tell_ways(mode, used, report);
 
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
@@ -207,21 +246,21 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 
 const MotionMode& sliding_mode() {
   static const MotionMode mode{"sliding", "Sliding, f_l = mu (f + h)", &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, "N",
-                               "lateral_stiffness", "N/m", "Experiment/Distance", false, 1, sliding_partial_slip,
+                               "lateral_stiffness", "N/m", "Experiment/Distance", true, false, 1, sliding_partial_slip,
                                &ContactParameters::sliding_friction, &ContactParameters::sliding_offset, &ContactParameters::lateral_stiffness};
   return mode;
 }
 
 const MotionMode& torsion_mode() {
   static const MotionMode mode{"torsion", "Torsion, M = mu lambda (f + h)", &ContactHistory::torsion_angle, &ContactHistory::torsion_moment, "N m",
-                               "torsion_stiffness", "N m/rad", "Experiment/Angle", true, 3, torsion_partial_slip,
+                               "torsion_stiffness", "N m/rad", "Experiment/Angle", false, true, 3, torsion_partial_slip,
                                &ContactParameters::torsion_friction, &ContactParameters::torsion_offset, &ContactParameters::torsion_stiffness};
   return mode;
 }
 
 const MotionMode& rolling_mode() {
   static const MotionMode mode{"rolling", "Rolling, M = mu lambda (f + h)", &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, "N m",
-                               "rolling_stiffness", "N m/rad", "Experiment/Distance", true, 1, no_partial_slip,
+                               "rolling_stiffness", "N m/rad", "Experiment/Distance", false, true, 1, no_partial_slip,
                                &ContactParameters::rolling_friction, &ContactParameters::rolling_offset, &ContactParameters::rolling_stiffness};
   return mode;
 }

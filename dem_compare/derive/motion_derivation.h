@@ -23,6 +23,7 @@ struct MotionMode {
   const char* stiffness_key;   ///< in `effective` of result.json
   const char* stiffness_unit;
   const char* way_entry;       ///< of the case file, for advice
+  bool way_is_length;          ///< to be counted in contact diameters
   bool has_length;             ///< mu lambda (f + h) instead of mu (f + h)
   double stiffness_exponent;   ///< of the contact radius, smooth elastic contact
   PartialSlip partial_slip;

@@ -85,7 +85,7 @@ class Collector {
     if (is_study_folder(folder)) {
       CaseCollection study = collect_cases({folder});
       for (const auto& missing : study.missing)
-        found_.left_out.push_back((folder / missing.name).string() + ": not solved (" + missing.state + "); left out");
+        found_.remarks.push_back((folder / missing.name).string() + ": not solved (" + missing.state + "); left out");
       for (auto& group : study.groups)
         for (auto& solved : group.cases) add_case(std::move(solved));
     } else if (is_case_folder(folder)) {
@@ -98,14 +98,48 @@ class Collector {
   ParameterSets finish() {
     if (found_.sets.empty()) {
       std::string reasons;
-      for (const auto& sentence : found_.left_out) reasons += (reasons.empty() ? "" : "; ") + sentence;
+      for (const auto& sentence : found_.remarks) reasons += (reasons.empty() ? "" : "; ") + sentence;
       throw InputError("no case is complete" + (reasons.empty() ? "" : ": " + reasons) +
                        "; finish them with 'asperity solve --resume' or 'asperity study --resume'");
     }
+    share_frictionless_cases();
     return std::move(found_);
   }
 
  private:
+  static bool is_friction(const std::string& entry) {
+    return entry == "Interface/Friction coefficient" || entry == "Interface/Shear strength";
+  }
+  static bool same_but_for_friction(const ParameterSet& one, const ParameterSet& other) {
+    for (std::size_t i = 0; i < one.inputs.size(); ++i)
+      if (!is_friction(one.inputs[i].first) && one.inputs[i] != other.inputs[i]) return false;
+    return true;
+  }
+  static bool is_frictionless_loading(const ParameterSet& set) {
+    for (const auto& [entry, value] : set.inputs)
+      if (is_friction(entry) && value.find_first_of("123456789") != std::string::npos) return false;
+    return std::all_of(set.cases.begin(), set.cases.end(), [](const SolvedCase& solved) { return experiment_of(solved) == "normal"; });
+  }
+
+  void share_frictionless_cases() {
+    auto& sets = found_.sets;
+    for (std::size_t i = 0; i < sets.size();) {
+      std::size_t shared = 0;
+      if (is_frictionless_loading(sets[i]))
+        for (std::size_t k = 0; k < sets.size(); ++k)
+          if (k != i && same_but_for_friction(sets[i], sets[k])) {
+            sets[k].cases.insert(sets[k].cases.end(), sets[i].cases.begin(), sets[i].cases.end());
+            ++shared;
+          }
+      if (shared == 0) {
+        ++i;
+        continue;
+      }
+      found_.remarks.push_back(std::to_string(sets[i].cases.size()) + " frictionless case(s) of experiment normal count for the set(s) with friction of the same bodies");
+      sets.erase(sets.begin() + static_cast<long>(i));
+    }
+  }
+
   void add_folders_within(const fs::path& folder) {
     std::vector<fs::path> inside;
     if (fs::is_directory(folder))
@@ -121,15 +155,15 @@ class Collector {
   void add_case(SolvedCase solved) {
     const std::string name = solved.folder.string();
     if (!known_.insert(fs::canonical(solved.folder).string()).second) {
-      found_.left_out.push_back(name + ": named twice; counted once");
+      found_.remarks.push_back(name + ": named twice; counted once");
       return;
     }
     if (!solved.finished()) {
-      found_.left_out.push_back(name + ": not finished (result.json is missing or not complete); left out");
+      found_.remarks.push_back(name + ": not finished (result.json is missing or not complete); left out");
       return;
     }
     if (solved.history.size() == 0) {
-      found_.left_out.push_back(name + ": its history.csv has no rows; left out");
+      found_.remarks.push_back(name + ": its history.csv has no rows; left out");
       return;
     }
     auto inputs = inputs_of(solved);

@@ -1,5 +1,6 @@
 // Solved cases sorted into parameter sets: cases of one set share the bodies (materials, radius, roughness but for the seeds of
 // generated surfaces) and the laws at a point of the interface; they may differ by load, experiment, realisation and mesh.
+// Frictionless cases of experiment normal count for every set of the same bodies: friction hardly changes a normal load.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +20,7 @@ struct ParameterSet {
 
 struct ParameterSets {
   std::vector<ParameterSet> sets;
-  std::vector<std::string> left_out;  ///< sentences on cases that are not complete, or named twice
+  std::vector<std::string> remarks;  ///< sentences on cases that are left out, or count for several sets
 };
 
 /// Folders are cases, studies, or hold such. Throws InputError for a folder with neither, and where no case is complete.

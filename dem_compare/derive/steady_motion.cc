@@ -121,7 +121,7 @@ SteadyResistance steady_resistance(const Values& x, const Values& y, const Value
     steady.independent += here.independent;
   }
   steady.way = weights;
-  steady.reached = weights > 0 && mean != 0;
+  steady.reached = weights > 0 && std::isfinite(mean) && mean != 0;
   if (!steady.reached) return steady;
   steady.mean = std::abs(mean) / weights;  // whichever sign the column counts as against the motion
   steady.fluctuation = std::sqrt(square / weights);

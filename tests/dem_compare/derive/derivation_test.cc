@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "dem_compare/engines/engine_input.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "tests/support/temporary_folder.h"
@@ -27,10 +28,10 @@ struct Truth {
   double realisation_scatter = 0;                        ///< relative
 };
 
-/// A way of sliding or torsion there and back, as `solve` writes it; noise correlated over about two steps.
+/// A way of sliding, torsion or rolling there and back, as `solve` writes it; noise correlated over about two steps.
 SolvedCase make_case(const Truth& truth, const std::string& type, double load, int seed, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  const bool sliding = type == "sliding";
+  const bool sliding = type == "sliding", rolling = type == "rolling";
   const double a = hertz.contact_radius(load);
   const double length = sliding ? 1 : truth.torsion_with_contact ? a : hertz.radius;
   const double mu = sliding ? truth.mu : truth.torsion_coefficient, offset = sliding ? truth.offset : truth.torsion_offset;
@@ -46,8 +47,8 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
     history.normal_displacement.back() = hertz.approach(force);
     history.contact_radius.back() = hertz.contact_radius(force);
     history.contact_area.back() = hertz.contact_area(force);
-    (sliding ? history.lateral_displacement : history.torsion_angle).back() = position;
-    (sliding ? history.lateral_force : history.torsion_moment).back() = resistance;
+    (sliding ? history.lateral_displacement : rolling ? history.rolling_angle : history.torsion_angle).back() = position;
+    (sliding ? history.lateral_force : rolling ? history.rolling_moment : history.torsion_moment).back() = resistance;
   };
   constexpr int load_steps = 8;
   for (int i = 1; i <= load_steps; ++i) add(load * i / load_steps, 0, 0);
@@ -128,6 +129,36 @@ TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in
   EXPECT_EQ(told, repetitions);
 }
 
+TEST(Derivation_analytic, treats_rolling_as_torsion) {
+  std::mt19937 random(8);
+  Truth truth;
+  truth.noise = 0;
+  ParameterSet set;
+  for (const double load : wide) set.cases.push_back(make_case(truth, "rolling", load, 1, random));
+  const ContactParameters p = derive_parameters(set).parameters;
+  EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::contact_radius);
+  EXPECT_NEAR(p.rolling_friction->value, truth.torsion_coefficient, 1e-5);
+  EXPECT_NEAR(p.rolling_offset->value / truth.torsion_offset, 1, 1e-3);
+  EXPECT_FALSE(p.torsion_friction);
+  EXPECT_FALSE(p.sliding_friction);
+  EXPECT_NEAR(p.reduced_shear_modulus->value / sliding_modulus(glass, silicon), 1, 1e-12);
+}
+
+TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apart) {
+  std::mt19937 random(9);
+  ParameterSet set;
+  set.cases.push_back(make_case({}, "normal", 1e-3, 1, random));
+  ContactHistory& history = set.cases.front().history;
+  for (const double force : {5e-4, 1e-4, -3e-6, -2e-6}) {
+    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    history.normal_force.back() = force;
+    history.normal_displacement.back() = hertz.approach(std::max(force, 0.0));
+  }
+  const ContactParameters p = derive_parameters(set).parameters;
+  ASSERT_TRUE(p.pull_off_force);
+  EXPECT_DOUBLE_EQ(p.pull_off_force->value, 3e-6);
+}
+
 TEST(Derivation, says_what_one_load_cannot_tell) {
   std::mt19937 random(3);
   const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
@@ -155,10 +186,11 @@ TEST(Derivation, is_read_back_as_it_was_written) {
   }
   EXPECT_EQ(read.derivation["cases"].size(), 8u);
   EXPECT_EQ(read.torsion_limit(1e-3), written.torsion_limit(1e-3));
+  EXPECT_NE(engine_input("lammps", read, {}).find("mindlin/force"), std::string::npos);
 }
 
 /// A folder as `solve` leaves it.
-void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius, bool finished = true) {
+void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius, bool finished = true, double friction = 0.2) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "history.csv") << format_history(solved.history);
   std::ofstream(folder / "case.prm") << "subsection Particle\n  set Radius = " << radius
@@ -166,7 +198,7 @@ void write_case(const std::filesystem::path& folder, const SolvedCase& solved, c
                                         "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
                                      << solved.entries.text("Substrate/Topography") << "\nend\n";
   nlohmann::ordered_json result = solved.result;
-  result["inputs"] = {{"friction_coefficient", 0.2}};
+  result["inputs"] = {{"friction_coefficient", friction}};
   if (finished) std::ofstream(folder / "result.json") << result.dump();
 }
 
@@ -182,9 +214,24 @@ TEST(ParameterSets, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
   EXPECT_EQ(found.sets[0].cases.size(), 2u);
   EXPECT_EQ(found.sets[1].cases.size(), 1u);
   EXPECT_EQ(differences(found.sets), "Particle/Radius: 8.5 um, 5 um");
-  ASSERT_EQ(found.left_out.size(), 2u);
-  EXPECT_NE(found.left_out[0].find("d: not finished"), std::string::npos) << found.left_out[0];
-  EXPECT_NE(found.left_out[1].find("a: named twice"), std::string::npos) << found.left_out[1];
+  ASSERT_EQ(found.remarks.size(), 2u);
+  EXPECT_NE(found.remarks[0].find("d: not finished"), std::string::npos) << found.remarks[0];
+  EXPECT_NE(found.remarks[1].find("a: named twice"), std::string::npos) << found.remarks[1];
+}
+
+TEST(ParameterSets, with_friction_take_frictionless_cases_of_the_same_bodies_for_their_normal_law) {
+  std::mt19937 random(7);
+  const TemporaryFolder folder;
+  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
+  SolvedCase normal = make_case({}, "sliding", 1e-3, 1, random);
+  normal.result["experiment"] = "normal";
+  write_case(folder.path / "b", normal, "8.5 um", true, 0);
+  write_case(folder.path / "c", normal, "5 um", true, 0);
+  const ParameterSets found = collect_parameter_sets({folder.path});
+  ASSERT_EQ(found.sets.size(), 2u);
+  EXPECT_EQ(found.sets[0].cases.size(), 2u);
+  EXPECT_EQ(found.sets[1].cases.size(), 1u);
+  ASSERT_EQ(found.remarks.size(), 1u);
 }
 
 TEST(ParameterSets, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
