@@ -36,13 +36,16 @@ void run(const Arguments& arguments) {
   for (const auto& sentence : found.remarks) text += sentence + "\n";
   if (found.sets.size() > 1)
     text += std::to_string(found.sets.size()) + " parameter sets, one file each; they differ in " + differences(found.sets) + "\n";
-  for (std::size_t i = 0; i < found.sets.size(); ++i) {
-    const Derivation derivation = derive_parameters(found.sets[i]);
-    const fs::path file = file_of(output, i, found.sets.size());
-    write_contact_parameters(derivation.parameters, file);
-    text += (text.empty() ? "" : "\n") + to_text(derivation) + "\nwrote " + file.string() + "\n";
-    all.push_back(to_json(derivation.parameters));
+  std::vector<Derivation> derivations;
+  for (const auto& set : found.sets) derivations.push_back(derive_parameters(set));
+  const std::vector<LawReport> over_radii = compare_radii(found.sets, derivations);
+  for (std::size_t i = 0; i < derivations.size(); ++i) {
+    const fs::path file = file_of(output, i, derivations.size());
+    write_contact_parameters(derivations[i].parameters, file);
+    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + "\nwrote " + file.string() + "\n";
+    all.push_back(to_json(derivations[i].parameters));
   }
+  for (const auto& report : over_radii) text += "\n" + to_text(report);
   if (arguments.json) std::cout << (all.size() == 1 ? all[0] : all).dump(1) << "\n" << std::flush;
   else std::cout << text << std::flush;
 }

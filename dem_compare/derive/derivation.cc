@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "dem_compare/compare/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
 #include "dem_compare/laws/hertzian_torsion.h"
@@ -81,6 +82,8 @@ Derivation derive_parameters(const ParameterSet& set) {
   ContactParameters& parameters = derivation.parameters;
   parameters.particle = body_of(first.particle(), first.hertz().radius);
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
+  parameters.particle.rms = rms_of_topography(first.entries.text("Particle/Topography", "smooth"));
+  parameters.target.rms = rms_of_topography(first.entries.text("Substrate/Topography", "smooth"));
   const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" + elastic_text(first.particle()) + ")";
   parameters.title = "Derived from " + std::to_string(set.cases.size()) + (set.cases.size() == 1 ? " solved case: " : " solved cases: ") + particle +
                      " on plane (" + elastic_text(first.substrate()) + ")";
@@ -114,13 +117,16 @@ Derivation derive_parameters(const ParameterSet& set) {
   return derivation;
 }
 
+std::string to_text(const LawReport& report) {
+  std::string text = report.title + "\n";
+  for (const auto& finding : report.findings) text += "  " + finding + "\n";
+  for (const auto& open : report.not_told) text += "  not told: " + open + "\n";
+  return text;
+}
+
 std::string to_text(const Derivation& derivation) {
   std::string text = derivation.heading + "\n";
-  for (const auto& law : derivation.laws) {
-    text += "\n" + law.title + "\n";
-    for (const auto& finding : law.findings) text += "  " + finding + "\n";
-    for (const auto& open : law.not_told) text += "  not told: " + open + "\n";
-  }
+  for (const auto& law : derivation.laws) text += "\n" + to_text(law);
   return text;
 }
 

@@ -12,13 +12,20 @@ namespace asperity {
 
 struct Derivation {
   ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
-  std::vector<LawReport> laws;
+  enum Law { normal, sliding, torsion, rolling };
+  std::vector<LawReport> laws;   ///< in that order
   std::string heading;           ///< bodies and cases in words
 };
 
 Derivation derive_parameters(const ParameterSet& set);
 
+/// Torsion and rolling of sets that differ by the particle's radius alone, their contacts taken for one law with the same mu and
+/// h: radius and load part lambda = r from lambda = a better than loads do. Empty for fewer than two radii; the choice is
+/// added to the record of each of these sets.
+std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets, std::vector<Derivation>& derivations);
+
 /// For people: each law with its numbers, then what could not be told.
 std::string to_text(const Derivation& derivation);
+std::string to_text(const LawReport& report);
 
 }  // namespace asperity

@@ -21,6 +21,22 @@ std::string digits_of(double value, int digits) {
 
 }  // namespace
 
+std::string to_text(const ResistanceLaw& law) {
+  return "mu = " + with_error(law.coefficient, law.coefficient_sd(), "") +
+         (law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force) : ", h = 0 (not told)");
+}
+
+nlohmann::ordered_json to_json(const ResistanceLaw& law) {
+  return {{"coefficient", law.coefficient},
+          {"offset", law.offset},
+          {"covariance", {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
+          {"offset_is_told", law.has_offset},
+          {"case_scatter", law.case_scatter},
+          {"realisation_scatter", law.realisation_scatter},
+          {"relative_misfit", law.misfit},
+          {"degrees_of_freedom", law.degrees_of_freedom}};
+}
+
 std::string with_error(double value, double sd, Dimension dimension) {
   const std::string text = format_quantity(value, dimension, value_digits);
   const auto blank = text.find(' ');

@@ -7,6 +7,7 @@
 
 #include "core/quantity.h"
 #include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/derive/resistance_law.h"
 
 namespace asperity {
 
@@ -15,7 +16,12 @@ struct LawReport {
   std::vector<std::string> findings;
   std::vector<std::string> not_told;  ///< each with the cases that would tell it
   nlohmann::ordered_json details;
+  std::vector<ResistancePoint> points;  ///< of a resistance: what its law was fitted to
 };
+
+/// "mu = 0.230 +- 0.002, h = 12 +- 1 uN".
+std::string to_text(const ResistanceLaw& law);
+nlohmann::ordered_json to_json(const ResistanceLaw& law);
 
 /// "1.21 +- 0.03 GPa"; the error is left out where it is not known.
 std::string with_error(double value, double sd, Dimension dimension);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
 
 namespace asperity {
@@ -43,24 +44,6 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   return seen;
 }
 
-std::string law_text(const MotionMode& mode, const ResistanceLaw& law, const char* length) {
-  std::string text = "mu = " + with_error(law.coefficient, law.coefficient_sd(), "");
-  text += law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force) : ", h = 0 (not told)";
-  if (mode.has_length) text = std::string("lambda = ") + length + ": " + text;
-  return text;
-}
-
-Json law_json(const ResistanceLaw& law) {
-  return {{"coefficient", law.coefficient},
-          {"offset", law.offset},
-          {"covariance", {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
-          {"offset_is_told", law.has_offset},
-          {"case_scatter", law.case_scatter},
-          {"realisation_scatter", law.realisation_scatter},
-          {"relative_misfit", law.misfit},
-          {"degrees_of_freedom", law.degrees_of_freedom}};
-}
-
 void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
   if (!law.has_offset)
     report.not_told.push_back("h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
@@ -70,23 +53,6 @@ void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
   else
     report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " + std::to_string(law.degrees_of_freedom + 2) +
                               " cases)");
-}
-
-/// The length of mu lambda (f + h), in words.
-void tell_choice(const LengthChoice& choice, LawReport& report) {
-  char odds[96];
-  const bool contact_is_likelier = choice.log_odds >= 0;
-  const double most_that_matters = 6;  // powers of ten
-  const double tens = std::abs(choice.log_odds) / std::log(10.0);
-  if (tens > most_that_matters) std::snprintf(odds, sizeof odds, "more than 10^6");
-  else std::snprintf(odds, sizeof odds, "%.3g", std::exp(std::abs(choice.log_odds)));
-  std::string text = std::string("odds ") + odds + " to 1 for lambda = " + (contact_is_likelier ? "a" : "r");
-  if (std::isfinite(choice.contact_error))
-    text += "; a load predicted from the others is off by " + percent(choice.contact_error) + " with a, " + percent(choice.radius_error) + " with r";
-  report.findings.push_back(text);
-  if (!choice.is_told())
-    report.not_told.push_back("the length lambda: odds below 20 to 1; lambda = a is written, as friction over the contact demands. Loads "
-                              "from 0.1 to 3 mN, four or more, or other radii of the particle would tell");
 }
 
 void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
@@ -201,7 +167,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   std::vector<ResistancePoint> points;
   for (const auto i : finest(all)) {
     used.push_back(steady[i]);
-    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation});
+    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius, parameters.contact_radius(all[i].load)});
     report.details["resistance"].push_back(resistance_json(*steady[i]));
   }
   tell_resistances(mode, used, report);
@@ -211,25 +177,21 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   ResistanceLaw law;
   const std::string provenance = "steady resistance after full slip; " + extent_of(all);
   if (mode.has_length) {
-    const LengthChoice choice = choose_length(points, parameters.particle.radius, [&](double load) { return parameters.contact_radius(load); });
+    const LengthChoice choice = choose_length(points);
     law = choice.law();
     friction.length_scale = choice.scale();
-    report.findings.push_back(law_text(mode, choice.with_radius, "r"));
-    report.findings.push_back(law_text(mode, choice.with_contact, "a"));
     tell_choice(choice, report);
-    report.details["lambda_r"] = law_json(choice.with_radius);
-    report.details["lambda_a"] = law_json(choice.with_contact);
-    report.details["log_odds_a_over_r"] = choice.log_odds;
-    report.details["leave_one_load_out"] = {{"r", choice.radius_error}, {"a", choice.contact_error}};
+    report.details["length"] = to_json(choice);
     char odds[64];
     std::snprintf(odds, sizeof odds, "; ln of the odds for a over r: %.3g", choice.log_odds);
     friction.provenance = provenance + odds;
   } else {
-    law = fit_resistance(points, [](double) { return 1.0; });
-    report.findings.push_back(law_text(mode, law, ""));
-    report.details["law"] = law_json(law);
+    law = fit_resistance(points, LengthScale::none);
+    report.findings.push_back(to_text(law));
+    report.details["law"] = to_json(law);
     friction.provenance = provenance;
   }
+  report.points = points;
   tell_test_of_law(law, report);
   tell_scatter_and_mesh(all, "the resistance", report);
   friction.value = law.coefficient;

@@ -8,7 +8,6 @@
 
 #include "dem_compare/derive/law_report.h"
 #include "dem_compare/derive/parameter_sets.h"
-#include "dem_compare/derive/resistance_law.h"
 #include "dem_compare/derive/steady_motion.h"
 
 namespace asperity {
@@ -37,20 +36,5 @@ const MotionMode& rolling_mode();
 
 /// Sets the quantities of the mode (for sliding, reduced_shear_modulus too); `parameters` must have E* already.
 LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters);
-
-/// The two lengths that mu lambda (f + h) can have, and what tells them apart.
-struct LengthChoice {
-  ResistanceLaw with_radius, with_contact;    ///< lambda = r, lambda = a(f)
-  double log_odds = 0;                        ///< natural logarithm of p(data | a) / p(data | r)
-  double radius_error = 0, contact_error = 0; ///< leave one load out, relative; NaN for fewer than three loads
-
-  /// Odds above this one count as an answer ("strong", Jeffreys 1961).
-  static constexpr double telling_odds = 20;
-  bool is_told() const;
-  /// Where the cases cannot tell, the contact radius: what friction over the contact demands (Lubkin 1951).
-  LengthScale scale() const;
-  const ResistanceLaw& law() const;
-};
-LengthChoice choose_length(const std::vector<ResistancePoint>& points, double radius, const LengthOfLoad& contact_radius);
 
 }  // namespace asperity

@@ -54,12 +54,12 @@ Eigen::VectorXd values_of(const Points& points) {
 }
 
 /// Columns of mu and mu h; one column where h cannot be told.
-Eigen::MatrixXd design(const Points& points, const LengthOfLoad& length, bool with_offset) {
+Eigen::MatrixXd design(const Points& points, LengthScale scale, bool with_offset) {
   Eigen::MatrixXd X(static_cast<Eigen::Index>(points.size()), with_offset ? 2 : 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    X(row, 0) = length(points[i].load) * points[i].load;
-    if (with_offset) X(row, 1) = length(points[i].load);
+    X(row, 0) = points[i].length(scale) * points[i].load;
+    if (with_offset) X(row, 1) = points[i].length(scale);
   }
   return X;
 }
@@ -87,14 +87,28 @@ GeneralisedFit generalised_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& 
   return fit;
 }
 
-/// Mean resistance at the load of each case: what is expected whatever the law.
-Eigen::VectorXd mean_of_load(const Points& points) {
+bool same_contact(const ResistancePoint& one, const ResistancePoint& other) {
+  return same_load(one.load, other.load) && one.particle_radius == other.particle_radius;
+}
+
+/// In units of a load, a resistance and a length of order one.
+Points in_units(Points points, double load, double value, double length) {
+  for (auto& point : points) {
+    point.load /= load;
+    point.value /= value, point.sd /= value;
+    point.particle_radius /= length, point.contact_radius /= length;
+  }
+  return points;
+}
+
+/// Mean resistance of the contact of each case: what is expected whatever the law.
+Eigen::VectorXd mean_of_contact(const Points& points) {
   Eigen::VectorXd means(static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     double sum = 0;
     int count = 0;
     for (const auto& other : points)
-      if (same_load(other.load, points[i].load)) sum += other.value, ++count;
+      if (same_contact(other, points[i])) sum += other.value, ++count;
     means[static_cast<Eigen::Index>(i)] = sum / count;
   }
   return means;
@@ -106,6 +120,15 @@ constexpr int scatter_steps = 31;
 
 }  // namespace
 
+double ResistancePoint::length(LengthScale scale) const {
+  switch (scale) {
+    case LengthScale::particle_radius: return particle_radius;
+    case LengthScale::contact_radius: return contact_radius;
+    case LengthScale::none: break;
+  }
+  return 1;
+}
+
 std::vector<double> distinct_loads(const Points& points) {
   std::vector<double> loads;
   for (const auto& point : points) loads.push_back(point.load);
@@ -114,22 +137,21 @@ std::vector<double> distinct_loads(const Points& points) {
   return loads;
 }
 
-ResistanceLaw fit_resistance(const Points& points, const LengthOfLoad& length) {
+ResistanceLaw fit_resistance(const Points& points, LengthScale scale) {
   if (points.empty()) throw InputError("a law of resistance needs a case that slips fully");
   const std::vector<double> loads = distinct_loads(points);
   ResistanceLaw law;
   law.loads = {loads.front(), loads.back()};
   law.has_offset = loads.size() > 1;
-  // In units of a load and a resistance of order one.
-  const double load = loads.back(), unit = values_of(points).cwiseAbs().maxCoeff(), longest = length(load);
-  Points scaled = points;
-  for (auto& point : scaled) point.load /= load, point.value /= unit, point.sd /= unit;
-  const auto scaled_length = [&](double f) { return length(f * load) / longest; };
-  const Eigen::MatrixXd X = design(scaled, scaled_length, law.has_offset);
+  const double load = loads.back(), unit = values_of(points).cwiseAbs().maxCoeff();
+  double longest = 0;
+  for (const auto& point : points) longest = std::max(longest, point.length(scale));
+  const Points scaled = in_units(points, load, unit, longest);
+  const Eigen::MatrixXd X = design(scaled, scale, law.has_offset);
   const Eigen::VectorXd y = values_of(scaled);
   law.degrees_of_freedom = static_cast<int>(y.size() - X.cols());
 
-  const Eigen::VectorXd level = mean_of_load(scaled);
+  const Eigen::VectorXd level = mean_of_contact(scaled);
   const Eigen::VectorXd expected = X * generalised_fit(X, y, covariance_of(scaled, level, largest_scatter, 0)).parameters;
   double best = -std::numeric_limits<double>::infinity();
   GeneralisedFit fit;
@@ -157,20 +179,19 @@ ResistanceLaw fit_resistance(const Points& points, const LengthOfLoad& length) {
   return law;
 }
 
-double log_evidence(const Points& points, const LengthOfLoad& length) {
-  double log_load = 0, log_value = 0;
+double log_evidence(const Points& points, LengthScale scale) {
+  double log_load = 0, log_value = 0, log_length = 0;
   for (const auto& point : points) {
     log_load += std::log(point.load) / static_cast<double>(points.size());
     log_value += std::log(point.value) / static_cast<double>(points.size());
+    log_length += std::log(point.length(scale)) / static_cast<double>(points.size());
   }
-  const double load = std::exp(log_load), unit = std::exp(log_value), middle = length(load);
-  Points scaled = points;
-  for (auto& point : scaled) point.load /= load, point.value /= unit, point.sd /= unit;
-  const Eigen::MatrixXd X = design(scaled, [&](double f) { return length(f * load) / middle; }, true);
+  const Points scaled = in_units(points, std::exp(log_load), std::exp(log_value), std::exp(log_length));
+  const Eigen::MatrixXd X = design(scaled, scale, true);
   const Eigen::VectorXd y = values_of(scaled);
   const Eigen::MatrixXd prior = X * X.transpose();  // sd one for both numbers
 
-  const Eigen::VectorXd level = mean_of_load(scaled);
+  const Eigen::VectorXd level = mean_of_contact(scaled);
   const std::vector<double> own_scatters = scatters(smallest_scatter, largest_scatter, scatter_steps);
   const std::vector<double> common = has_common_scatter(points) ? own_scatters : std::vector{0.0};
   std::vector<double> logs;
@@ -187,21 +208,15 @@ double log_evidence(const Points& points, const LengthOfLoad& length) {
   return largest + std::log(sum / static_cast<double>(logs.size()));
 }
 
-double leave_one_load_out(const Points& points, const LengthOfLoad& length) {
-  const std::vector<double> loads = distinct_loads(points);
+double leave_one_out(const Points& points, LengthScale scale) {
   constexpr std::size_t fewest = 3;
-  if (loads.size() < fewest) return std::numeric_limits<double>::quiet_NaN();
+  if (distinct_loads(points).size() < fewest) return std::numeric_limits<double>::quiet_NaN();
   double squares = 0;
-  for (const double left_out : loads) {
-    Points others, here;
-    for (const auto& point : points) {
-      const auto nearest = std::min_element(loads.begin(), loads.end(), [&](double a, double b) {
-        return std::abs(a - point.load) < std::abs(b - point.load);
-      });
-      (*nearest == left_out ? here : others).push_back(point);
-    }
-    const ResistanceLaw law = fit_resistance(others, length);
-    for (const auto& point : here) squares += std::pow(law.at(point.load, length) / point.value - 1, 2) / static_cast<double>(points.size());
+  for (const auto& left_out : points) {
+    Points others;
+    for (const auto& point : points)
+      if (!same_contact(point, left_out)) others.push_back(point);
+    squares += std::pow(fit_resistance(others, scale).at(left_out, scale) / left_out.value - 1, 2) / static_cast<double>(points.size());
   }
   return std::sqrt(squares);
 }

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -17,14 +16,16 @@ namespace asperity {
 
 /// Steady resistance of one case.
 struct ResistancePoint {
-  double load = 0;          ///< f [N]
-  double value = 0;         ///< [N] or [N m]
-  double sd = 0;            ///< of the mean over the way
-  std::string realisation;  ///< the same for the same surfaces
-};
+  double load = 0;            ///< f [N]
+  double value = 0;           ///< [N] or [N m]
+  double sd = 0;              ///< of the mean over the way
+  std::string realisation;    ///< the same for the same surfaces
+  double particle_radius = 0; ///< r [m]
+  double contact_radius = 0;  ///< a(f) [m]
 
-/// lambda(f) [m]; 1 for sliding.
-using LengthOfLoad = std::function<double(double)>;
+  /// lambda; 1 for sliding (LengthScale::none).
+  double length(LengthScale scale) const;
+};
 
 struct ResistanceLaw {
   double coefficient = 0;                                ///< mu
@@ -39,21 +40,24 @@ struct ResistanceLaw {
 
   double coefficient_sd() const { return std::sqrt(covariance(0, 0)); }
   double offset_sd() const { return std::sqrt(covariance(1, 1)); }
-  double at(double load, const LengthOfLoad& length) const { return coefficient * length(load) * (load + offset); }
+  double at(const ResistancePoint& point, LengthScale scale) const {
+    return coefficient * point.length(scale) * (point.load + offset);
+  }
 };
 
 /// Different loads, ascending; closer than a thousandth counts as one.
 std::vector<double> distinct_loads(const std::vector<ResistancePoint>& points);
 
 /// Throws InputError without a point.
-ResistanceLaw fit_resistance(const std::vector<ResistancePoint>& points, const LengthOfLoad& length);
+ResistanceLaw fit_resistance(const std::vector<ResistancePoint>& points, LengthScale scale);
 
 /// Natural logarithm of the marginal likelihood of the law with that length. Priors, the same for every length: at the
 /// geometric mean load f0, mu lambda f0 and mu lambda h are normal about zero with the sd of the mean resistance (so h is of the
 /// order of f0 or less); both relative scatters are log-uniform between a thousandth and one.
-double log_evidence(const std::vector<ResistancePoint>& points, const LengthOfLoad& length);
+double log_evidence(const std::vector<ResistancePoint>& points, LengthScale scale);
 
-/// Root mean square relative error when each load in turn is predicted from the others; NaN for fewer than three loads.
-double leave_one_load_out(const std::vector<ResistancePoint>& points, const LengthOfLoad& length);
+/// Root mean square relative error when each contact (load and radius) in turn is predicted from the others; NaN for fewer than
+/// three loads.
+double leave_one_out(const std::vector<ResistancePoint>& points, LengthScale scale);
 
 }  // namespace asperity

@@ -116,7 +116,7 @@ TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in
     mu += std::abs(p.sliding_friction->value - truth.mu) < p.sliding_friction->sd;
     offset += std::abs(p.sliding_offset->value - truth.offset) < p.sliding_offset->sd;
     torsion += std::abs(p.torsion_friction->value - truth.torsion_coefficient) < p.torsion_friction->sd;
-    const double log_odds = p.derivation["torsion"]["log_odds_a_over_r"];
+    const double log_odds = p.derivation["torsion"]["length"]["log_odds_a_over_r"];
     right_length += (p.torsion_friction->length_scale == LengthScale::contact_radius) == truth.torsion_with_contact;
     told += (truth.torsion_with_contact ? log_odds : -log_odds) > std::log(20);
   }

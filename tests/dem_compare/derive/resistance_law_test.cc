@@ -5,31 +5,31 @@
 #include <cmath>
 #include <random>
 
-#include "dem_compare/derive/motion_derivation.h"
+#include "dem_compare/derive/length_choice.h"
 
 namespace asperity {
 namespace {
 
 const Hertz hertz{52.87e9, 8.5e-6};
-const LengthOfLoad contact_radius = [](double load) { return hertz.contact_radius(load); };
-const LengthOfLoad particle_radius = [](double) { return hertz.radius; };
-const LengthOfLoad none = [](double) { return 1.0; };
+constexpr auto contact_radius = LengthScale::contact_radius, particle_radius = LengthScale::particle_radius, none = LengthScale::none;
 
 struct Truth {
   double mu = 0.11, offset = 2e-5;
   double way_scatter = 0.01, case_scatter = 0.02, realisation_scatter = 0.03;
 };
 
-std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<double>& loads, int realisations, const LengthOfLoad& length,
-                                     std::mt19937& random) {
+std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<double>& loads, int realisations, LengthScale scale,
+                                     std::mt19937& random, const Hertz& sphere = hertz) {
   std::normal_distribution<double> normal;
   std::vector<ResistancePoint> points;
   for (int r = 0; r < realisations; ++r) {
     const double common = 1 + truth.realisation_scatter * normal(random);
     for (const double load : loads) {
-      const double exact = truth.mu * length(load) * (load + truth.offset);
-      const double value = exact * common * (1 + truth.case_scatter * normal(random) + truth.way_scatter * normal(random));
-      points.push_back({load, value, truth.way_scatter * exact, std::to_string(r)});
+      ResistancePoint point{load, 0, 0, std::to_string(r), sphere.radius, sphere.contact_radius(load)};
+      const double exact = truth.mu * point.length(scale) * (load + truth.offset);
+      point.value = exact * common * (1 + truth.case_scatter * normal(random) + truth.way_scatter * normal(random));
+      point.sd = truth.way_scatter * exact;
+      points.push_back(point);
     }
   }
   return points;
@@ -62,12 +62,12 @@ TEST(ResistanceLaw, from_one_load_has_no_offset) {
 struct Coverage {
   double coefficient = 0, offset = 0;
 };
-Coverage coverage(const Truth& truth, int realisations, const LengthOfLoad& length) {
+Coverage coverage(const Truth& truth, int realisations, LengthScale scale) {
   std::mt19937 random(3);
   constexpr int repetitions = 200;
   Coverage share;
   for (int i = 0; i < repetitions; ++i) {
-    const ResistanceLaw law = fit_resistance(measure(truth, wide, realisations, length, random), length);
+    const ResistanceLaw law = fit_resistance(measure(truth, wide, realisations, scale, random), scale);
     share.coefficient += (std::abs(law.coefficient - truth.mu) < law.coefficient_sd()) / double(repetitions);
     share.offset += (std::abs(law.offset - truth.offset) < law.offset_sd()) / double(repetitions);
   }
@@ -96,8 +96,8 @@ TEST(LengthChoice_analytic, finds_the_length_the_moments_were_made_with_when_loa
   constexpr int repetitions = 30;
   for (int i = 0; i < repetitions; ++i) {
     const Truth truth{0.11, 2e-5, 0.01, 0.01, 0.01};
-    right_contact += choose_length(measure(truth, wide, 3, contact_radius, random), hertz.radius, contact_radius).log_odds > std::log(20);
-    right_radius += choose_length(measure(truth, wide, 3, particle_radius, random), hertz.radius, contact_radius).log_odds < -std::log(20);
+    right_contact += choose_length(measure(truth, wide, 3, contact_radius, random)).log_odds > std::log(20);
+    right_radius += choose_length(measure(truth, wide, 3, particle_radius, random)).log_odds < -std::log(20);
   }
   EXPECT_GE(right_contact, 29);
   EXPECT_GE(right_radius, 29);
@@ -106,12 +106,12 @@ TEST(LengthChoice_analytic, finds_the_length_the_moments_were_made_with_when_loa
 TEST(LengthChoice_analytic, finds_it_from_one_smooth_case_per_load) {
   std::mt19937 random(5);
   const Truth smooth{0.177, 0, 1e-3, 0, 0};
-  const LengthChoice contact = choose_length(measure(smooth, wide, 1, contact_radius, random), hertz.radius, contact_radius);
+  const LengthChoice contact = choose_length(measure(smooth, wide, 1, contact_radius, random));
   EXPECT_GT(contact.log_odds, std::log(20));
   EXPECT_EQ(contact.scale(), LengthScale::contact_radius);
   EXPECT_LT(contact.contact_error, 0.01);
   EXPECT_GT(contact.radius_error, 0.03);
-  const LengthChoice radius = choose_length(measure(smooth, wide, 1, particle_radius, random), hertz.radius, contact_radius);
+  const LengthChoice radius = choose_length(measure(smooth, wide, 1, particle_radius, random));
   EXPECT_LT(radius.log_odds, -std::log(20));
   EXPECT_EQ(radius.scale(), LengthScale::particle_radius);
 }
@@ -120,17 +120,34 @@ TEST(LengthChoice_analytic, does_not_pretend_to_know_when_loads_span_little) {
   std::mt19937 random(6);
   double largest = 0;
   for (int i = 0; i < 30; ++i)
-    for (const auto& length : {contact_radius, particle_radius}) {
-      const LengthChoice choice = choose_length(measure({}, {1e-3, 1.1e-3, 1.2e-3}, 3, length, random), hertz.radius, contact_radius);
+    for (const auto length : {contact_radius, particle_radius}) {
+      const LengthChoice choice = choose_length(measure({}, {1e-3, 1.1e-3, 1.2e-3}, 3, length, random));
       largest = std::max(largest, std::abs(choice.log_odds));
       EXPECT_FALSE(choice.is_told());
     }
   EXPECT_LT(largest, std::log(3.0));
 }
 
+TEST(LengthChoice_analytic, is_told_by_two_radii_where_loads_alone_cannot) {
+  std::mt19937 random(8);
+  const Hertz small{hertz.reduced_modulus, 2.5e-6};
+  for (const auto length : {contact_radius, particle_radius}) {
+    const Truth truth{0.11, 0, 0.01, 0.01, 0.01};
+    std::vector<ResistancePoint> points = measure(truth, {0.9e-3, 1e-3}, 3, length, random);
+    EXPECT_FALSE(choose_length(points).is_told());
+    for (auto point : measure(truth, {0.9e-3, 1e-3}, 3, length, random, small)) {
+      point.realisation += " of the small sphere";
+      points.push_back(point);
+    }
+    const LengthChoice choice = choose_length(points);
+    EXPECT_TRUE(choice.is_told());
+    EXPECT_EQ(choice.scale(), length);
+  }
+}
+
 TEST(LengthChoice_analytic, has_even_odds_from_a_single_load) {
   std::mt19937 random(7);
-  const LengthChoice choice = choose_length(measure({}, {1e-3}, 3, contact_radius, random), hertz.radius, contact_radius);
+  const LengthChoice choice = choose_length(measure({}, {1e-3}, 3, contact_radius, random));
   EXPECT_EQ(choice.log_odds, 0);
   EXPECT_TRUE(std::isnan(choice.contact_error));
 }
