@@ -24,11 +24,7 @@ ElasticBody elasticity_of(const ContactBody& body, const std::string& file, cons
 
 }  // namespace
 
-Hertz ComparedContact::hertz() const { return record ? record->hertz() : Hertz{reduced_modulus(particle, plane), radius}; }
-
-double ComparedContact::sliding_modulus() const {
-  return record && record->reduced_shear_modulus ? record->reduced_shear_modulus->value : asperity::sliding_modulus(particle, plane);
-}
+double ComparedContact::sliding_modulus() const { return asperity::sliding_modulus(particle, plane); }
 double ComparedContact::torsion_modulus() const { return asperity::torsion_modulus(particle, plane); }
 
 double rms_of_topography(const std::string& topography) {

@@ -18,8 +18,8 @@ struct ComparedContact {
   std::optional<ContactParameters> record;    ///< where a file was given for this contact
   std::optional<ContactParameters> indenter;  ///< contact with the moving plate; the record's own where not given
 
-  /// Moduli of the record where there is one, otherwise those of the bodies.
-  Hertz hertz() const;
+  // Of the bodies, smooth and elastic, whatever a record says.
+  Hertz hertz() const { return {reduced_modulus(particle, plane), radius}; }
   double sliding_modulus() const;  ///< G* [Pa]
   double torsion_modulus() const;  ///< Gt [Pa]
   const ContactParameters& plate() const { return indenter ? *indenter : *record; }

@@ -22,22 +22,37 @@ EffectiveQuantity constant(double value, LengthScale scale = LengthScale::none) 
   return quantity;
 }
 
-/// The record, or one made from the bodies. Quasi-static: the density sets the time step of the engine and no result.
-ContactParameters engine_contact(const ComparedContact& contact) {
+/// Quasi-static: the density sets the time step of the engine and no result.
+ContactParameters with_density(ContactParameters p) {
   constexpr double density_of_silica = 2200;
+  if (!std::isfinite(p.particle.density)) p.particle.density = density_of_silica;
+  return p;
+}
+
+/// Moduli of the smooth, elastic bodies, whatever a record says; friction of the record, otherwise of the case.
+ContactParameters of_bodies(const ComparedContact& contact) {
   ContactParameters p;
   if (contact.record) {
     p = *contact.record;
+    p.normal_stiffness.reset();
+    p.lateral_stiffness.reset();
   } else {
     p.file = contact.label;
     p.particle.radius = contact.radius;
     p.target.radius = std::numeric_limits<double>::infinity();
-    p.reduced_modulus = constant(contact.hertz().reduced_modulus);
-    p.reduced_shear_modulus = constant(contact.sliding_modulus());
     if (contact.friction > 0) p.sliding_friction = constant(contact.friction);
   }
-  if (!std::isfinite(p.particle.density)) p.particle.density = density_of_silica;
-  return p;
+  p.reduced_modulus = constant(contact.hertz().reduced_modulus);
+  p.reduced_shear_modulus = constant(contact.sliding_modulus());
+  return with_density(p);
+}
+
+ContactParameters as_given(const ComparedContact& contact) { return with_density(*contact.record); }
+
+/// Another number than the law of the bodies has, beyond the rounding of moduli in a file.
+bool differs(double one, double other) {
+  constexpr double rounding = 1e-3;
+  return std::abs(one / other - 1) > rounding;
 }
 
 /// An amplitude that reaches every limit with room to spare.
@@ -72,25 +87,25 @@ LawValue no_law(const std::string& reason) {
 }
 
 /// The glued sphere's loop. The approach is asked for where the case has no friction, too: it does not depend on it.
-EngineExperiment glued(const ComparedContact& contact, double load) {
+EngineExperiment glued(ContactParameters p, double load) {
   constexpr double any_friction = 0.1;
-  ContactParameters p = engine_contact(contact);
   if (!p.sliding_friction || p.sliding_friction->value <= 0) p.sliding_friction = constant(any_friction);
   return experiment_of(Type::glued, p, p, load);
 }
 
 std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& contact, double load) {
-  const Hertz hertz = contact.hertz();
-  if (quantity == Quantity::approach) {
-    LawValue value = law("Hertz", hertz.approach(load));
-    value.engine = EngineRequest{glued(contact, load), "approach"};
-    return {value};
-  }
-  constexpr double load_step = 0.02;
-  LawValue value = law("Hertz", hertz.normal_stiffness(load));
-  value.engine = EngineRequest{glued(contact, load), "approach", 1, load_step};
-  std::vector<LawValue> laws{value};
-  if (contact.record && contact.record->normal_stiffness) {
+  constexpr double difference = 0.02;
+  const bool is_approach = quantity == Quantity::approach;
+  const auto with_engine = [&](LawValue value, const ContactParameters& p) {
+    value.engine = EngineRequest{glued(p, load), "approach", 1, is_approach ? 0 : difference};
+    return value;
+  };
+  const auto number = [&](const Hertz& hertz) { return is_approach ? hertz.approach(load) : hertz.normal_stiffness(load); };
+  std::vector<LawValue> laws{with_engine(law("Hertz", number(contact.hertz())), of_bodies(contact))};
+  if (!contact.record) return laws;
+  const double given = number(contact.record->hertz());
+  if (differs(given, laws[0].value)) laws.push_back(with_engine(law("Hertz with E* as given", given), as_given(contact)));
+  if (!is_approach && contact.record->normal_stiffness) {
     laws.push_back(law("k_n as given", contact.record->normal_stiffness_at(load)));
     laws.back().no_engine = "the engine's normal law is Hertz";
   }
@@ -101,7 +116,7 @@ std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& cont
 LawValue lateral_spring(const std::string& name, double share, const ComparedContact& contact, double load) {
   const double k = share * mindlin * contact.sliding_modulus() * contact.hertz().contact_radius(load);
   LawValue value = law(name, k);
-  EngineExperiment experiment = glued(contact, load);
+  EngineExperiment experiment = glued(of_bodies(contact), load);
   experiment.substrate.lateral_stiffness = constant(k, LengthScale::contact_radius);
   experiment.substrate.lateral_stiffness->at_load = load;
   value.engine = EngineRequest{experiment, "slope after reversal"};
@@ -124,22 +139,22 @@ std::vector<LawValue> sliding_laws(Quantity quantity, const ComparedContact& con
     } else {
       return {no_law("the case has no friction and no parameters were given (--parameters)")};
     }
-    value.engine = EngineRequest{glued(contact, load), "plateau", load};
+    value.engine = EngineRequest{glued(contact.record ? as_given(contact) : of_bodies(contact), load), "plateau", load};
     return {value};
   }
   std::vector<LawValue> laws{lateral_spring("Mindlin without slip", 1, contact, load)};
   if (quantity == Quantity::lateral_stiffness_to_sliding)
     laws.push_back(lateral_spring("Mindlin-Deresiewicz with equal work", equal_work, contact, load));
-  if (contact.record && contact.record->lateral_stiffness) {
+  if (contact.record && differs(contact.record->lateral_stiffness_at(load), laws[0].value)) {
     laws.push_back(law("k_l as given", contact.record->lateral_stiffness_at(load)));
-    laws.back().engine = EngineRequest{glued(contact, load), "slope after reversal"};
+    laws.back().engine = EngineRequest{glued(as_given(contact), load), "slope after reversal"};
   }
   return laws;
 }
 
 std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& contact, double load) {
-  if (!contact.record || !contact.record->rolling_friction)
-    return {no_law("no rolling numbers were given (--parameters)")};
+  if (!contact.record) return {no_law("no parameters were given (--parameters)")};
+  if (!contact.record->rolling_friction) return {no_law(file_of(contact) + " has no rolling_friction")};
   const ContactParameters &substrate = *contact.record, &plate = contact.plate();
   if (!plate.rolling_friction) return {no_law("the parameters of the plate have no rolling numbers")};
   const double weight = load * contact.radius;
@@ -162,7 +177,7 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
     value.no_engine = file_of(contact) + " has no rolling_stiffness";
     return {value};
   }
-  const EngineExperiment experiment = experiment_of(Type::rolling, engine_contact(contact), plate, load);
+  const EngineExperiment experiment = experiment_of(Type::rolling, as_given(contact), plate, load);
   // The plate's force acts over the diameter: M_s + M_i = 2 r f. Both contacts resist the rotation.
   value.engine = quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
                                                          : EngineRequest{experiment, "plateau", load};
@@ -171,7 +186,7 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
 
 /// Twisting in the engine with a spring k [N m/rad] and a limit [N m].
 EngineExperiment twisting(const ComparedContact& contact, double load, double stiffness, double limit) {
-  ContactParameters p = engine_contact(contact);
+  ContactParameters p = of_bodies(contact);
   p.torsion_stiffness = constant(stiffness, LengthScale::particle_radius);
   p.torsion_friction = constant(limit / (load * contact.radius), LengthScale::particle_radius);
   p.torsion_offset.reset();
@@ -188,8 +203,8 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   const std::string no_friction = "the case has no friction and no parameters were given (--parameters)";
   const auto with_engine = [&](LawValue value, double stiffness, double moment) {
     if (!(moment > 0)) value.no_engine = no_friction;
-    else if (quantity == Quantity::torsion_stiffness)
-      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope after reversal"};
+    else if (quantity == Quantity::torsion_stiffness)  // at the start: LAMMPS may jump through the limit where the twist turns
+      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope at the start"};
     else value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "plateau", load * r};
     return value;
   };
@@ -198,10 +213,9 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
     const double assumed = mindlin * contact.sliding_modulus() * a * r * r;
     laws.push_back(with_engine(law("Reissner-Sagoci without slip", no_slip), no_slip, limit));
     laws.push_back(with_engine(law("8 G* a r^2, the paper's assumption", assumed), assumed, limit));
-    constexpr double same = 0.01;
     if (contact.record && contact.record->torsion_stiffness) {
       const double own = contact.record->torsion_stiffness_at(load);
-      if (std::abs(own / assumed - 1) > same && std::abs(own / no_slip - 1) > same)
+      if (differs(own, assumed) && differs(own, no_slip))
         laws.push_back(with_engine(law("k_to as given", own), own, limit));
     }
     return laws;
@@ -218,8 +232,9 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
 }
 
 std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, const RailCase& rail) {
-  if (!contact.record || !contact.record->torsion_friction || !contact.record->rolling_friction)
-    return {no_law("no rolling and torsion numbers were given (--parameters)")};
+  if (!contact.record) return {no_law("no parameters were given (--parameters)")};
+  if (!contact.record->torsion_friction || !contact.record->rolling_friction)
+    return {no_law(file_of(contact) + " lacks rolling_friction or torsion_friction")};
   const EffectiveQuantity& mu = *contact.record->torsion_friction;
   const double torsion_scale = contact.record->length(mu.length_scale, load) / contact.radius;
   const Uncertain balance = propagate(
@@ -230,7 +245,7 @@ std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, con
     value.no_engine = file_of(contact) + " lacks rolling_stiffness, torsion_stiffness or sliding_friction";
     return {value};
   }
-  ContactParameters p = engine_contact(contact);
+  ContactParameters p = as_given(contact);
   p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
   p.torsion_friction = constant(mu.value * torsion_scale, LengthScale::particle_radius);
   p.rolling_offset.reset();
