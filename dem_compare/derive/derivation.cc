@@ -1,5 +1,6 @@
 #include "dem_compare/derive/derivation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -29,12 +29,17 @@ struct MotionCase {
 MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   MotionCase seen;
   seen.solved = &solved;
-  const auto &position = solved.history.*mode.position, &resistance = solved.history.*mode.resistance;
-  const auto& force = solved.history.normal_force;
+  const ContactHistory& history = solved.history;
+  std::vector<double> position, resistance, force;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const double x = (history.*mode.position)[i], y = (history.*mode.resistance)[i], f = history.normal_force[i];
+    if (!std::isfinite(x + y + f)) continue;  // cells that are not known
+    position.push_back(x), resistance.push_back(y), force.push_back(f);
+  }
+  if (force.empty()) return seen;
   seen.steady = steady_resistance(position, resistance, force);
-  const auto peak = static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
-  seen.load = seen.steady.reached ? seen.steady.load : force[peak];
-  seen.contact_radius = solved.history.contact_radius[peak];
+  seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
+  seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
   if (seen.steady.reached) seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
   if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
     const Json& entry = solved.result["effective"][mode.stiffness_key];

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <tuple>
 
 #include "dem_compare/derive/derivation.h"
 #include "dem_compare/derive/length_choice.h"

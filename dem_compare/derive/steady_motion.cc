@@ -1,7 +1,5 @@
 #include "dem_compare/derive/steady_motion.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 

@@ -129,6 +129,15 @@ TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in
   EXPECT_EQ(told, repetitions);
 }
 
+TEST(Derivation, passes_over_cells_that_are_not_known) {
+  std::mt19937 random(10);
+  Truth exact;
+  exact.noise = 0;
+  ParameterSet set = make_set(exact, wide, 1, random);
+  set.cases.front().history.lateral_force[50] = std::nan("");
+  EXPECT_NEAR(derive_parameters(set).parameters.sliding_friction->value, exact.mu, 1e-6);
+}
+
 TEST(Derivation_analytic, treats_rolling_as_torsion) {
   std::mt19937 random(8);
   Truth truth;
