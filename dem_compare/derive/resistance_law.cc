@@ -157,7 +157,8 @@ ResistanceLaw fit_resistance(const Points& points, LengthScale scale) {
   GeneralisedFit fit;
   const std::vector<double> tried =
       law.degrees_of_freedom > 0 ? scatters(smallest_scatter, largest_scatter, scatter_steps) : std::vector{smallest_scatter};
-  const std::vector<double> common = has_common_scatter(points) && law.degrees_of_freedom > 0 ? tried : std::vector{0.0};
+  std::vector<double> common{0.0};
+  if (has_common_scatter(points) && law.degrees_of_freedom > 0) common.insert(common.end(), tried.begin(), tried.end());
   for (const double shared : common)
     for (const double own : tried) {
       GeneralisedFit candidate = generalised_fit(X, y, covariance_of(scaled, expected, own, shared));

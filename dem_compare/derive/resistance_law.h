@@ -1,8 +1,8 @@
 // The yield limit of a mode of motion, R = mu lambda(f) (f + h) (Luding 2008; Fuchs, Weinhart et al. 2014, sec. 3.2), fitted to
 // the steady resistances of solved cases, and how well they tell two lengths lambda apart. Linear in (mu, mu h). SI units.
 // Variance of a case: what the way leaves open, plus a relative scatter from case to case, plus one that all cases of a
-// realisation share; both are estimated by restricted maximum likelihood (Patterson & Thompson 1971), from a thousandth (what
-// a solved case is good for) to one.
+// realisation share; both are estimated by restricted maximum likelihood (Patterson & Thompson 1971), the first to be a
+// thousandth (what a solved case is good for) at least. Where ways tell more than that, the uncertainty is on the large side.
 #pragma once
 
 #include <Eigen/Dense>
