@@ -29,7 +29,8 @@ struct Arguments {
 
 void run(const Arguments& arguments) {
   if (!arguments.indenter.empty() && arguments.parameters.empty())
-    throw InputError("--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
+    throw InputError(
+        "--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
   const CaseCollection collection = collect_cases({arguments.folders.begin(), arguments.folders.end()});
   const Comparison comparison = compare_with_hertz(collection, arguments.tolerance);
   const fs::path output = arguments.output.empty() ? arguments.folders.front() : arguments.output;
@@ -63,19 +64,26 @@ void add_compare_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "compare", "Set solved cases beside Hertz, the reduced laws, a live engine and the published measurement");
-  command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")->required()->check(CLI::ExistingDirectory);
-  command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")->capture_default_str()
+  command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")
+      ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--parameters", arguments->parameters,
-                      "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json)");
-  command->add_option("--indenter", arguments->indenter, "The same for particle and moving plate (default: as with the substrate)");
+  command->add_option(
+      "--parameters", arguments->parameters,
+      "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json)");
+  command->add_option("--indenter", arguments->indenter,
+                      "The same for particle and moving plate (default: as with the substrate)");
   command->add_option("--engine", arguments->engine, "Run lammps or yade with each law's numbers");
   command->add_option("--program", arguments->program, "The engine's executable (default: lmp, yade)");
   command->add_option("--time-limit", arguments->time_limit, "Seconds after which one run of the engine is stopped")
-      ->capture_default_str()->check(CLI::PositiveNumber);
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command->add_option("--published", arguments->published, "Folder of the published numbers")->capture_default_str();
-  command->add_option("--output", arguments->output,
-                      "Folder for comparison.json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
+  command->add_option(
+      "--output", arguments->output,
+      "Folder for comparison.json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
   command->footer("Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps");
   command->callback([arguments] { run(*arguments); });

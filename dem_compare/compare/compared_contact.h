@@ -12,11 +12,11 @@ namespace asperity {
 struct ComparedContact {
   std::string label;
   ElasticBody particle, plane;
-  double radius = 0;    ///< [m]
+  double radius = 0;                                      ///< [m]
   double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the substrate [m]; 0: smooth; NaN: not known
-  double friction = 0;  ///< coefficient at the interface of the solved case; 0: none
-  std::optional<ContactParameters> record;    ///< where a file was given for this contact
-  std::optional<ContactParameters> indenter;  ///< contact with the moving plate; the record's own where not given
+  double friction = 0;                                    ///< coefficient at the interface of the solved case; 0: none
+  std::optional<ContactParameters> record;                ///< where a file was given for this contact
+  std::optional<ContactParameters> indenter;              ///< contact with the moving plate; the record's own where not given
 
   // Of the bodies, smooth and elastic, whatever a record says.
   Hertz hertz() const { return {reduced_modulus(particle, plane), radius}; }

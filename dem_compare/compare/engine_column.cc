@@ -16,12 +16,13 @@ const EngineRun& EngineColumn::run(const EngineExperiment& experiment) {
 }
 
 double EngineColumn::measured(const EngineRequest& request) {
-  if (!(request.load_step > 0)) return named(run(request.experiment).measurements, request.measurement).measured / request.divisor;
+  if (!(request.load_step > 0))
+    return named(run(request.experiment).measurements, request.measurement).measured / request.divisor;
   EngineExperiment low = request.experiment, high = request.experiment;
   low.load *= 1 - request.load_step;
   high.load *= 1 + request.load_step;
-  return (high.load - low.load) /
-         (named(run(high).measurements, request.measurement).measured - named(run(low).measurements, request.measurement).measured);
+  return (high.load - low.load) / (named(run(high).measurements, request.measurement).measured -
+                                   named(run(low).measurements, request.measurement).measured);
 }
 
 ComparedValue EngineColumn::value(const LawValue& law) {

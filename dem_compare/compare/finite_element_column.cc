@@ -13,7 +13,8 @@ namespace {
 ComparedValue steady(const SolvedCase& solved, std::vector<double> ContactHistory::*position,
                      std::vector<double> ContactHistory::*resistance, double divisor, const ComparedValue& otherwise) {
   if (solved.history.size() == 0 || !otherwise.known()) return otherwise;
-  const SteadyResistance found = steady_resistance(solved.history.*position, solved.history.*resistance, solved.history.normal_force);
+  const SteadyResistance found =
+      steady_resistance(solved.history.*position, solved.history.*resistance, solved.history.normal_force);
   if (!found.reached) return otherwise;
   return {found.mean / divisor, found.standard_error / divisor};
 }
@@ -22,7 +23,9 @@ ComparedValue steady(const SolvedCase& solved, std::vector<double> ContactHistor
 ComparedValue effective(const SolvedCase& solved, const char* name) {
   if (!solved.finished() || !solved.result.contains("effective") || !solved.result["effective"].contains(name)) return {};
   const auto& entry = solved.result["effective"][name];
-  const auto number = [&](const char* key) { return entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : NAN; };
+  const auto number = [&](const char* key) {
+    return entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : NAN;
+  };
   return {number("value"), number("sd")};
 }
 
@@ -58,7 +61,8 @@ std::string experiment_of(const SolvedCase& solved) {
   return solved.finished() ? solved.result.value("experiment", otherwise) : otherwise;
 }
 
-void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group, const GroupComparison& compared) {
+void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group,
+                const GroupComparison& compared) {
   if (compared.loads.empty()) return;
   const bool is_normal = experiment_of(group.first()) == "normal";
   for (std::size_t i = is_normal ? 0 : compared.loads.size() - 1; i < compared.loads.size(); ++i) {
@@ -101,8 +105,8 @@ double stiffness_to_sliding(const ContactHistory& history, double sliding_force)
   for (std::size_t i = first; i + 1 < size; ++i) {
     const double way = std::abs(history.lateral_displacement[i + 1] - history.lateral_displacement[i]);
     const double from = power(i), to = power(i + 1);
-    const double mean = std::abs(from - to) < 1e-9 * from ? std::pow(from, 1.5)
-                                                          : 0.4 * (std::pow(from, 2.5) - std::pow(to, 2.5)) / (from - to);
+    const double mean =
+        std::abs(from - to) < 1e-9 * from ? std::pow(from, 1.5) : 0.4 * (std::pow(from, 2.5) - std::pow(to, 2.5)) / (from - to);
     deficit_work += mean * way;
     if (std::abs(history.lateral_force[i + 1]) >= sliding * sliding_force)
       return sliding_force * sliding_force / (2 * deficit_work);

@@ -12,11 +12,12 @@ namespace asperity {
 struct FiniteElementPoint {
   std::size_t group = 0;  ///< in the collection
   Quantity quantity = Quantity::approach;
-  double load = 0;        ///< [N]
+  double load = 0;  ///< [N]
   FiniteElementValue value;
 };
 
-/// Of the finest mesh of each contact. A case of sliding, rolling or torsion gives its normal numbers at its largest load alone.
+/// Of the finest mesh of each contact. A case of sliding, rolling or torsion gives its normal numbers at its largest load
+/// alone.
 std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& collection, const Comparison& comparison);
 
 /// Stiffness of the spring that, with a slider at the largest lateral force F, takes the same work on the way to sliding:

@@ -137,7 +137,7 @@ std::vector<LawValue> sliding_laws(Quantity quantity, const ComparedContact& con
     } else if (contact.friction > 0) {
       value = law("Coulomb, mu of the case", contact.friction);
     } else {
-      return {no_law("the case has no friction and no parameters were given (--parameters)")};
+      return {no_law("the case has no friction coefficient and no parameters were given (--parameters)")};
     }
     value.engine = EngineRequest{glued(contact.record ? as_given(contact) : of_bodies(contact), load), "plateau", load};
     return {value};
@@ -168,10 +168,10 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
     const EffectiveQuantity& mu = *substrate.rolling_friction;
     const double offset = substrate.rolling_offset ? substrate.rolling_offset->value : 0;
     const double offset_sd = substrate.rolling_offset ? substrate.rolling_offset->sd : NAN;
-    const Uncertain own = propagate([&](const std::vector<double>& x) {
-      return x[0] * substrate.length(mu.length_scale, load) * (load + x[1]) / weight; }, {{mu.value, mu.sd}, {offset, offset_sd}});
-    value = law("slider with offset" + mean,
-                (substrate.rolling_limit(load) + plate.rolling_limit(load)) / 2 / weight, own.sd);
+    const Uncertain own = propagate(
+        [&](const std::vector<double>& x) { return x[0] * substrate.length(mu.length_scale, load) * (load + x[1]) / weight; },
+        {{mu.value, mu.sd}, {offset, offset_sd}});
+    value = law("slider with offset" + mean, (substrate.rolling_limit(load) + plate.rolling_limit(load)) / 2 / weight, own.sd);
   }
   if (!has_stiffness) {
     value.no_engine = file_of(contact) + " has no rolling_stiffness";
@@ -200,12 +200,14 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   const double no_slip = no_slip_torsion_stiffness(contact.torsion_modulus(), a);
   const double full_slip = full_slip_torsion_moment(contact.friction, load, a);
   const double limit = has_limit ? contact.record->torsion_limit(load) : full_slip;
-  const std::string no_friction = "the case has no friction and no parameters were given (--parameters)";
+  const std::string no_friction = "the case has no friction coefficient and no parameters were given (--parameters)";
   const auto with_engine = [&](LawValue value, double stiffness, double moment) {
-    if (!(moment > 0)) value.no_engine = no_friction;
+    if (!(moment > 0))
+      value.no_engine = no_friction;
     else if (quantity == Quantity::torsion_stiffness)  // at the start: LAMMPS may jump through the limit where the twist turns
       value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope at the start"};
-    else value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "plateau", load * r};
+    else
+      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "plateau", load * r};
     return value;
   };
   std::vector<LawValue> laws;
@@ -215,12 +217,12 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
     laws.push_back(with_engine(law("8 G* a r^2, the paper's assumption", assumed), assumed, limit));
     if (contact.record && contact.record->torsion_stiffness) {
       const double own = contact.record->torsion_stiffness_at(load);
-      if (differs(own, assumed) && differs(own, no_slip))
-        laws.push_back(with_engine(law("k_to as given", own), own, limit));
+      if (differs(own, assumed) && differs(own, no_slip)) laws.push_back(with_engine(law("k_to as given", own), own, limit));
     }
     return laws;
   }
-  if (full_slip > 0) laws.push_back(with_engine(law("full slip, (3 pi/16) mu a/r", full_slip / (load * r)), no_slip, full_slip));
+  if (full_slip > 0)
+    laws.push_back(with_engine(law("full slip, (3 pi/16) mu a/r", full_slip / (load * r)), no_slip, full_slip));
   if (has_limit) {
     const EffectiveQuantity& mu = *contact.record->torsion_friction;
     const double value = limit / (load * r);
@@ -238,7 +240,9 @@ std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, con
   const EffectiveQuantity& mu = *contact.record->torsion_friction;
   const double torsion_scale = contact.record->length(mu.length_scale, load) / contact.radius;
   const Uncertain balance = propagate(
-      [&](const std::vector<double>& x) { return rail_friction(rail.angle, {x[0], x[1] * torsion_scale, 0, 0}); },
+      [&](const std::vector<double>& x) {
+        return rail_friction(rail.angle, {x[0], x[1] * torsion_scale, 0, 0});
+      },
       {rail.rolling, {mu.value, mu.sd}});
   LawValue value = law("rail balance (eq:murail)", balance.value, balance.sd);
   if (!contact.record->rolling_stiffness || !contact.record->torsion_stiffness || !contact.record->sliding_friction) {
@@ -258,11 +262,16 @@ std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, con
 
 std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load, const RailCase* rail) {
   switch (display_of(quantity).mode) {
-    case Mode::normal: return normal_laws(quantity, contact, load);
-    case Mode::sliding: return sliding_laws(quantity, contact, load);
-    case Mode::rolling: return rolling_laws(quantity, contact, load);
-    case Mode::torsion: return torsion_laws(quantity, contact, load);
-    case Mode::rail: break;
+    case Mode::normal:
+      return normal_laws(quantity, contact, load);
+    case Mode::sliding:
+      return sliding_laws(quantity, contact, load);
+    case Mode::rolling:
+      return rolling_laws(quantity, contact, load);
+    case Mode::torsion:
+      return torsion_laws(quantity, contact, load);
+    case Mode::rail:
+      break;
   }
   if (!rail) return {no_law("no rail was named")};
   return rail_laws(contact, load, *rail);

@@ -1,4 +1,5 @@
-// What reduced laws say: the second column of the comparison; and what an engine is asked to do with the same numbers. SI units.
+// What reduced laws say: the second column of the comparison; and what an engine is asked to do with the same numbers. SI
+// units.
 //   normal   Hertz 1882: delta(F), k_n = 2 E* a
 //   sliding  Mindlin 1949 without slip: k_l = 8 G* a; Mindlin & Deresiewicz 1953 with equal work up to sliding: (5/6) 8 G* a;
 //            Coulomb with offset: mu (1 + h/F)
@@ -21,7 +22,7 @@ struct EngineRequest {
   EngineExperiment experiment;
   std::string measurement;  ///< as measure() names it
   double divisor = 1;
-  double load_step = 0;     ///< above zero: load over approach, differenced between loads apart by this share to both sides
+  double load_step = 0;  ///< above zero: load over approach, differenced between loads apart by this share to both sides
 };
 
 struct LawValue : ComparedValue {
@@ -31,11 +32,12 @@ struct LawValue : ComparedValue {
 
 /// Friction of the rail's slopes and plate without offsets.
 struct RailCase {
-  double angle = 0;           ///< [rad]
-  Uncertain rolling;          ///< mu_ro lambda/r at the rail's roughness
+  double angle = 0;   ///< [rad]
+  Uncertain rolling;  ///< mu_ro lambda/r at the rail's roughness
 };
 
 /// One or more laws; one without a value says why. `rail` is needed for rail_friction alone.
-std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load, const RailCase* rail = nullptr);
+std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load,
+                                 const RailCase* rail = nullptr);
 
 }  // namespace asperity

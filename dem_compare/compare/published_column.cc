@@ -6,7 +6,7 @@ namespace asperity {
 namespace {
 
 constexpr double micro = 1e-6;
-constexpr LoadRange sliding_loads{3 * micro, 100 * micro};   // sec. 2.3
+constexpr LoadRange sliding_loads{3 * micro, 100 * micro};     // sec. 2.3
 constexpr LoadRange rolling_loads{100 * micro, 3000 * micro};  // sec. 2.4
 
 bool within(double load, const LoadRange& range) {
@@ -53,33 +53,40 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
   if (quantity == Quantity::rolling_stiffness || quantity == Quantity::torsion_stiffness)
     return absent("not measured in the paper");
   if (quantity == Quantity::torsion_friction)
-    return within(load, rolling_loads) ? measured(published_.quoted("torsion_r"), "Table 2, from the rails (RMS 2.5 to 4.8 nm), lambda = r")
-                                       : absent("measured at loads of " + loads_text(rolling_loads));
-  if (quantity == Quantity::lateral_stiffness_to_sliding) return absent("the paper fits one stiffness to its loop: see that from rest");
+    return within(load, rolling_loads)
+               ? measured(published_.quoted("torsion_r"), "Table 2, from the rails (RMS 2.5 to 4.8 nm), lambda = r")
+               : absent("measured at loads of " + loads_text(rolling_loads));
+  if (quantity == Quantity::lateral_stiffness_to_sliding)
+    return absent("the paper fits one stiffness to its loop: see that from rest");
 
   const PublishedSurface* surface = nullptr;
   for (const auto& one : published_.surfaces)
     if (std::abs(one.rms.value - contact.rms) <= one.rms.sd) surface = &one;
   if (!surface)
     return absent(std::isnan(contact.rms) ? "the substrate's RMS is not known"
-                                          : "no surface of " + (contact.rms > 0 ? "RMS " + format_quantity(contact.rms, Dimension::length)
-                                                                                : std::string("zero roughness")) + " was measured");
+                                          : "no surface of " +
+                                                (contact.rms > 0 ? "RMS " + format_quantity(contact.rms, Dimension::length)
+                                                                 : std::string("zero roughness")) +
+                                                " was measured");
   switch (quantity) {
     case Quantity::lateral_stiffness: {
       const double loop = published_.quoted("loop_load", Dimension::force).value;
       constexpr double same_load = 0.01;
       if (surface != &published_.surfaces.front() || std::abs(load / loop - 1) > same_load)
         return absent("measured at " + format_quantity(loop, Dimension::force) + " on untreated silicon only");
-      return measured(published_.quoted("fitted_lateral_stiffness", Dimension::stiffness), "sec. 4.4: slope fitted to the loop");
+      return measured(published_.quoted("fitted_lateral_stiffness", Dimension::stiffness),
+                      "sec. 4.4: slope fitted to the loop");
     }
     case Quantity::sliding_friction:
-      return within(load, sliding_loads) ? measured(over_load(surface->sliding, surface->sliding_offset, load), "Table 2, " + surface->name)
-                                         : absent("sliding was measured at " + loads_text(sliding_loads));
+      return within(load, sliding_loads)
+                 ? measured(over_load(surface->sliding, surface->sliding_offset, load), "Table 2, " + surface->name)
+                 : absent("sliding was measured at " + loads_text(sliding_loads));
     case Quantity::rolling_friction:
-      return within(load, rolling_loads)
-                 ? measured(over_load(surface->rolling_r, surface->rolling_r_offset, load), "Table 2, " + surface->name + ", lambda = r")
-                 : absent("rolling was measured at " + loads_text(rolling_loads));
-    default: return absent("not measured in the paper");
+      return within(load, rolling_loads) ? measured(over_load(surface->rolling_r, surface->rolling_r_offset, load),
+                                                    "Table 2, " + surface->name + ", lambda = r")
+                                         : absent("rolling was measured at " + loads_text(rolling_loads));
+    default:
+      return absent("not measured in the paper");
   }
 }
 

@@ -22,10 +22,10 @@ enum class Quantity {
   lateral_stiffness_to_sliding,  ///< of the spring that stores as much as the contact does on its way to sliding
   sliding_friction,              ///< largest lateral force over the load
   rolling_stiffness,
-  rolling_friction,              ///< largest moment over load and particle's radius
+  rolling_friction,  ///< largest moment over load and particle's radius
   torsion_stiffness,
-  torsion_friction,              ///< largest moment over load and particle's radius
-  rail_friction,                 ///< eq:murail: lateral over normal force of one slope, without offsets
+  torsion_friction,  ///< largest moment over load and particle's radius
+  rail_friction,     ///< eq:murail: lateral over normal force of one slope, without offsets
 };
 
 /// How a quantity is named and shown.
@@ -35,8 +35,8 @@ struct QuantityDisplay {
   const char* key;    ///< in files
   const char* words;  ///< in tables and sentences
   const char* si;
-  const char* unit;   ///< in tables
-  double factor;      ///< SI per that unit
+  const char* unit;  ///< in tables
+  double factor;     ///< SI per that unit
 };
 const QuantityDisplay& display_of(Quantity quantity);
 
@@ -44,8 +44,8 @@ const QuantityDisplay& display_of(Quantity quantity);
 struct ComparedValue {
   double value = std::numeric_limits<double>::quiet_NaN();
   double sd = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
-  std::string source{};  ///< name of the law, engine and version, place in the paper
-  std::string reason{};  ///< where the value is not known
+  std::string source{};                                  ///< name of the law, engine and version, place in the paper
+  std::string reason{};                                  ///< where the value is not known
 
   bool known() const { return std::isfinite(value); }
 };
@@ -59,7 +59,7 @@ struct FiniteElementValue : ComparedValue {
 struct ComparisonRow {
   std::string contact;
   Quantity quantity = Quantity::approach;
-  double load = 0;  ///< on the substrate, in a rail on each slope [N]
+  double load = 0;                                               ///< on the substrate, in a rail on each slope [N]
   double rms = std::numeric_limits<double>::quiet_NaN();         ///< of the substrate [m]; 0: smooth
   double rail_angle = std::numeric_limits<double>::quiet_NaN();  ///< of a rail [rad]
   FiniteElementValue finite_elements;

@@ -34,8 +34,10 @@ std::string common_label(const std::vector<std::string>& labels) {
   const auto parts = [](const std::string& label) {
     std::vector<std::string> found{""};
     for (std::size_t i = 0; i < label.size(); ++i) {
-      if (label.compare(i, 2, ", ") == 0) found.push_back(""), ++i;
-      else found.back() += label[i];
+      if (label.compare(i, 2, ", ") == 0)
+        found.push_back(""), ++i;
+      else
+        found.back() += label[i];
     }
     return found;
   };
@@ -53,7 +55,10 @@ std::string common_label(const std::vector<std::string>& labels) {
 class Assembly {
  public:
   Assembly(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine)
-      : input_(input), published_(published), engine_(engine), points_(finite_element_points(input.collection, input.with_hertz)) {
+      : input_(input),
+        published_(published),
+        engine_(engine),
+        points_(finite_element_points(input.collection, input.with_hertz)) {
     std::map<std::string, std::vector<std::string>> labels;
     for (const auto& group : input.collection.groups) {
       contacts_.push_back(contact_of(group));
@@ -92,12 +97,16 @@ class Assembly {
     for (const Mode mode : {Mode::normal, Mode::sliding, Mode::rolling, Mode::torsion})
       if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
     if (!unsolved.empty()) remarks.push_back("Not among the folders, so without finite elements: " + unsolved + ".");
-    if (!record_) remarks.push_back("Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
+    if (!record_)
+      remarks.push_back(
+          "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
     if (is_solved(Mode::sliding))
-      remarks.push_back("Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
-                        "both start from the same coefficient.");
+      remarks.push_back(
+          "Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
+          "both start from the same coefficient.");
     if (roughness_is_open_)
-      remarks.push_back(record_->record->file + " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
+      remarks.push_back(record_->record->file +
+                        " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
     else if (record_ && std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return is_record(c); }))
       remarks.push_back("None of the solved cases is the contact of " + record_->record->file +
                         " (its bodies, and the RMS of its target): its finite-element column is empty.");
@@ -107,7 +116,8 @@ class Assembly {
  private:
   void add_solved(const FiniteElementPoint& point) {
     const bool is_path = std::count_if(points_.begin(), points_.end(), [&](const auto& other) {
-      return other.group == point.group && other.quantity == point.quantity; }) > 1;
+                           return other.group == point.group && other.quantity == point.quantity;
+                         }) > 1;
     ComparedContact contact = contacts_[point.group];
     if (!is_path) {
       // The record's own table has it.
@@ -152,12 +162,14 @@ class Assembly {
     FiniteElementValue none;
     const Mode mode = display_of(quantity).mode;
     none.reason = is_solved(mode) ? "no case of this contact at this load is among the folders"
-                                  : std::string("not solved by finite elements yet: no case of ") + mode_name(mode) + " is among the folders";
+                                  : std::string("not solved by finite elements yet: no case of ") + mode_name(mode) +
+                                        " is among the folders";
     return none;
   }
 
   bool is_solved(Mode mode) const {
-    return std::any_of(points_.begin(), points_.end(), [&](const auto& point) { return display_of(point.quantity).mode == mode; });
+    return std::any_of(points_.begin(), points_.end(),
+                       [&](const auto& point) { return display_of(point.quantity).mode == mode; });
   }
 
   /// Ends of the fitted loads, and the loads that were solved.
@@ -183,10 +195,12 @@ class Assembly {
   }
 
   void add_record() {
-    for (const Quantity quantity : {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness,
-                                    Quantity::lateral_stiffness_to_sliding, Quantity::sliding_friction, Quantity::rolling_stiffness,
-                                    Quantity::rolling_friction, Quantity::torsion_stiffness, Quantity::torsion_friction})
-      for (const double load : loads_of(display_of(quantity).mode)) add_rows(*record_, quantity, load, solved_value(quantity, load));
+    for (const Quantity quantity :
+         {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness, Quantity::lateral_stiffness_to_sliding,
+          Quantity::sliding_friction, Quantity::rolling_stiffness, Quantity::rolling_friction, Quantity::torsion_stiffness,
+          Quantity::torsion_friction})
+      for (const double load : loads_of(display_of(quantity).mode))
+        add_rows(*record_, quantity, load, solved_value(quantity, load));
     FiniteElementValue none;
     none.reason = "a rail is an experiment with three contacts, which finite elements do not solve here";
     constexpr double rail_load = 5e-4;  // within the measured loads; without offsets the coefficient does not depend on it

@@ -16,12 +16,12 @@ namespace asperity {
 
 struct SideBySide {
   double tolerance = 0;
-  std::string engine;                 ///< "LAMMPS"; "" if none was asked for
+  std::string engine;  ///< "LAMMPS"; "" if none was asked for
   std::string engine_version;
-  std::string engine_failure;         ///< one sentence; "" if it did not fail
-  std::vector<ComparisonRow> rows;    ///< of one contact after the other
+  std::string engine_failure;       ///< one sentence; "" if it did not fail
+  std::vector<ComparisonRow> rows;  ///< of one contact after the other
   std::vector<Verdict> verdicts;
-  std::vector<std::string> remarks;   ///< what is missing, in words
+  std::vector<std::string> remarks;  ///< what is missing, in words
 };
 
 struct SideBySideInput {

@@ -22,8 +22,10 @@ std::string percent(double value, double sd) {
   char text[64];
   constexpr double whole_percents_from = 9.95;
   const int decimals = number < whole_percents_from && !(doubt >= whole_percents_from) ? 1 : 0;
-  if (std::isfinite(sd)) std::snprintf(text, sizeof text, "%.*f ± %.*f %%", decimals, number, decimals, doubt);
-  else std::snprintf(text, sizeof text, "%.*f %%", decimals, number);
+  if (std::isfinite(sd))
+    std::snprintf(text, sizeof text, "%.*f ± %.*f %%", decimals, number, decimals, doubt);
+  else
+    std::snprintf(text, sizeof text, "%.*f %%", decimals, number);
   return text;
 }
 
@@ -33,8 +35,10 @@ std::string amount(const Departure& departure) {
   if (over > 2 || (over > 0 && over < 0.5)) {
     const double factor = over > 1 ? over : 1 / over, sd = departure.sd * (over > 1 ? 1 : factor * factor);
     char text[64];
-    if (std::isfinite(sd)) std::snprintf(text, sizeof text, "a factor of %.3g ± %.1g", factor, sd);
-    else std::snprintf(text, sizeof text, "a factor of %.3g", factor);
+    if (std::isfinite(sd))
+      std::snprintf(text, sizeof text, "a factor of %.3g ± %.1g", factor, sd);
+    else
+      std::snprintf(text, sizeof text, "a factor of %.3g", factor);
     return text;
   }
   return percent(departure.value, departure.sd);
@@ -54,8 +58,10 @@ std::vector<Stretch> stretches(const std::vector<Departure>& departures, double 
   std::vector<Stretch> found;
   for (std::size_t i = 0; i < departures.size(); ++i) {
     const int sign = judgement(departures[i], tolerance);
-    if (found.empty() || found.back().sign != sign) found.push_back({sign, i, i});
-    else found.back().last = i;
+    if (found.empty() || found.back().sign != sign)
+      found.push_back({sign, i, i});
+    else
+      found.back().last = i;
   }
   return found;
 }
@@ -84,8 +90,8 @@ std::string amount_and_place(const std::vector<Departure>& departures, const Str
   if (spread <= std::max(doubt, even * std::abs(average.value))) return "by " + amount(average) + " " + place;
   const Departure &first = departures[stretch.first], &last = departures[stretch.last];
   const bool is_everywhere = stretch.first == 0 && stretch.last + 1 == departures.size();
-  return (is_everywhere ? "" : place + ", ") + "by " + amount(first) + " at " + force(first.load) + " and " + amount(last) + " at " +
-         force(last.load);
+  return (is_everywhere ? "" : place + ", ") + "by " + amount(first) + " at " + force(first.load) + " and " + amount(last) +
+         " at " + force(last.load);
 }
 
 /// Where a stretch lies among all loads.
@@ -140,6 +146,17 @@ std::vector<Departure> departures_of(const std::vector<const ComparisonRow*>& ro
 
 constexpr double rounding_of_records = 1e-4;
 
+/// A sentence where the mesh alone is worth more than the tolerance.
+std::string mesh_sentence(const std::vector<const ComparisonRow*>& rows, double tolerance) {
+  const ComparisonRow* worst = nullptr;
+  for (const ComparisonRow* row : rows)
+    if (std::abs(row->finite_elements.mesh_error) > (worst ? std::abs(worst->finite_elements.mesh_error) : tolerance))
+      worst = row;
+  if (!worst) return "";
+  return " The mesh alone leaves " + percent(worst->finite_elements.mesh_error, NAN) + " in doubt at " + force(worst->load) +
+         ".";
+}
+
 bool is_its_own_fit(const std::vector<Departure>& departures) {
   return std::all_of(departures.begin(), departures.end(),
                      [](const auto& departure) { return std::abs(departure.value) < rounding_of_records; });
@@ -164,8 +181,8 @@ std::string departure_words(const std::vector<Departure>& compared, const std::s
     if (stretch.sign == 0) {
       text += (s ? "" : "gives the " + quantity + " ") + within_text(tolerance) + " " + where;
     } else {
-      text += std::string(stretch.sign > 0 ? "overstates" : "understates") + (s && !verb.empty() ? " it " : " the " + quantity + " ") +
-              amount_and_place(departures, stretch, where);
+      text += std::string(stretch.sign > 0 ? "overstates" : "understates") +
+              (s && !verb.empty() ? " it " : " the " + quantity + " ") + amount_and_place(departures, stretch, where);
       if (std::abs(mean(departures, stretch, &Departure::value)) < 2 * mean(departures, stretch, &Departure::sd))
         text += " (less than two standard deviations)";
     }
@@ -201,24 +218,37 @@ std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tol
     std::vector<const ComparisonRow*> same, others;
     for (const ComparisonRow* row : left) {
       const bool same_rail = std::isnan(first.rail_angle) || row->rail_angle == first.rail_angle;
-      (row->contact == first.contact && row->quantity == first.quantity && row->reduced_law.source == first.reduced_law.source && same_rail
-           ? same : others).push_back(row);
+      (row->contact == first.contact && row->quantity == first.quantity &&
+               row->reduced_law.source == first.reduced_law.source && same_rail
+           ? same
+           : others)
+          .push_back(row);
     }
     left = others;
     for (const Judgement& judgement : judgements) {
       const std::vector<Departure> departures = departures_of(same, judgement);
-      const std::string judged = *judgement.judged ? judgement.judged : first.reduced_law.source, reference = judgement.reference;
+      const std::string judged = *judgement.judged ? judgement.judged : first.reduced_law.source,
+                        reference = judgement.reference;
       const bool said = std::any_of(found.begin(), found.end(), [&](const Verdict& other) {
         return other.contact == first.contact && other.quantity == first.quantity && other.law == judged &&
                other.reference == reference && (std::isnan(first.rail_angle) || other.rail_angle == first.rail_angle);
       });
       if (departures.empty() || said) continue;
+      const bool involves_finite_elements = *judgement.judged || reference == "finite elements";
       const bool own_fit = reference == "measurement" && is_its_own_fit(departures);
       const std::string quantity = display_of(first.quantity).words + rail_words(first.rail_angle) + " of the " + reference;
-      found.push_back({first.contact, judged, reference, first.quantity, first.rail_angle,
-                       {departures.front().load, departures.back().load}, good_ranges(departures, tolerance), own_fit,
-                       judged + " " + (own_fit ? "repeats the " + quantity + ": its numbers were fitted to it."
-                                               : departure_words(departures, quantity, tolerance) + ".")});
+      found.push_back({first.contact,
+                       judged,
+                       reference,
+                       first.quantity,
+                       first.rail_angle,
+                       {departures.front().load, departures.back().load},
+                       good_ranges(departures, tolerance),
+                       own_fit,
+                       judged + " " +
+                           (own_fit ? "repeats the " + quantity + ": its numbers were fitted to it."
+                                    : departure_words(departures, quantity, tolerance) + ".") +
+                           (involves_finite_elements ? mesh_sentence(same, tolerance) : "")});
     }
   }
   return found;
@@ -234,9 +264,12 @@ std::string good_words(const Verdict& verdict) {
   for (const auto& range : verdict.good) {
     if (range.reaches_lowest && range.reaches_highest) return "at all loads compared (" + compared + ")";
     words += words.empty() ? "" : ", and ";
-    if (range.reaches_lowest) words += "up to " + force(range.high);
-    else if (range.reaches_highest) words += "from " + force(range.low) + " on";
-    else words += force(range.low) + " to " + force(range.high);
+    if (range.reaches_lowest)
+      words += "up to " + force(range.high);
+    else if (range.reaches_highest)
+      words += "from " + force(range.low) + " on";
+    else
+      words += force(range.low) + " to " + force(range.high);
   }
   return words + " (compared: " + compared + ")";
 }

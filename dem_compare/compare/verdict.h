@@ -11,7 +11,7 @@ namespace asperity {
 
 /// A law's departure at one load: law over reference, minus one.
 struct Departure {
-  double load = 0;   ///< [N]
+  double load = 0;  ///< [N]
   double value = 0;
   double sd = std::numeric_limits<double>::quiet_NaN();
 };

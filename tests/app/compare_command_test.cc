@@ -46,7 +46,8 @@ TEST(CompareCommand, keeps_the_comparison_with_hertz_and_adds_the_columns) {
   const Outcome outcome = call(solved.string() + with_parameters);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_CONTAINS(outcome.output, "comparison with Hertz");
-  EXPECT_CONTAINS(outcome.output, "overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN");
+  EXPECT_CONTAINS(outcome.output,
+                  "overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN");
   EXPECT_CONTAINS(outcome.output, "## Where each simplification is good enough");
   for (const char* name : {"comparison.json", "comparison.csv", "comparison.md", "side_by_side.csv"})
     EXPECT_TRUE(std::filesystem::exists(solved / name)) << name;

@@ -18,10 +18,13 @@ using test::write_solved;
 
 constexpr double load = 1e-4, last_digit = 5e-6;
 
-ComparedContact paper_contact() { return contact_of(read_contact_parameters(paper_run("parameters_silicon.json")), std::nullopt); }
+ComparedContact paper_contact() {
+  return contact_of(read_contact_parameters(paper_run("parameters_silicon.json")), std::nullopt);
+}
 PublishedColumn paper() { return PublishedColumn(read_published(paper_run("published"))); }
 
-LawValue named_law(Quantity quantity, const std::string& name, const ComparedContact& contact = paper_contact(), const RailCase* rail = nullptr) {
+LawValue named_law(Quantity quantity, const std::string& name, const ComparedContact& contact = paper_contact(),
+                   const RailCase* rail = nullptr) {
   for (const auto& law : law_values(quantity, contact, rail ? 5 * load : load, rail))
     if (law.source.find(name) != std::string::npos) return law;
   ADD_FAILURE() << "no law " << name;
@@ -103,7 +106,8 @@ TEST(LawColumn_other_code, rail_coefficients_are_those_of_eq_murail) {
   ASSERT_EQ(rails.size(), 3u);
   const double expected[] = {1.58399e-3, 2.58022e-3, 3.43049e-3};
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(named_law(Quantity::rail_friction, "rail balance", paper_contact(), &rails[i]).value, expected[i], 3e-4 * expected[i]);
+    EXPECT_NEAR(named_law(Quantity::rail_friction, "rail balance", paper_contact(), &rails[i]).value, expected[i],
+                3e-4 * expected[i]);
 }
 
 TEST(LawColumn, textbook_laws_keep_the_bodies_moduli_and_numbers_as_given_stand_beside_them) {
@@ -148,7 +152,9 @@ TEST(PublishedColumn_other_code, gives_table_2_at_the_case_s_roughness_and_load_
 }
 
 TEST(PublishedColumn, has_a_reason_where_the_case_is_not_the_papers) {
-  const auto reason = [](Quantity quantity, const ComparedContact& contact, double at) { return paper().value(quantity, contact, at).reason; };
+  const auto reason = [](Quantity quantity, const ComparedContact& contact, double at) {
+    return paper().value(quantity, contact, at).reason;
+  };
   ComparedContact contact = paper_contact();
   EXPECT_EQ(reason(Quantity::sliding_friction, contact, 1e-3), "sliding was measured at 3 uN to 100 uN");
   EXPECT_EQ(reason(Quantity::rolling_friction, contact, 1e-5), "rolling was measured at 100 uN to 3 mN");
@@ -181,15 +187,16 @@ TEST(EngineColumn_other_code, lammps_gives_the_number_of_every_law_within_one_pe
       ++count;
     }
   };
-  for (const Quantity quantity : {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness,
-                                  Quantity::lateral_stiffness_to_sliding, Quantity::sliding_friction, Quantity::rolling_stiffness,
-                                  Quantity::rolling_friction, Quantity::torsion_stiffness, Quantity::torsion_friction})
+  for (const Quantity quantity :
+       {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness, Quantity::lateral_stiffness_to_sliding,
+        Quantity::sliding_friction, Quantity::rolling_stiffness, Quantity::rolling_friction, Quantity::torsion_stiffness,
+        Quantity::torsion_friction})
     check(quantity, load);
   const auto rails = paper().rails();
   for (const auto& rail : rails) check(Quantity::rail_friction, 5 * load, &rail);
   EXPECT_EQ(count, 15);
-  // 15 laws and 2 loads for the tangent of the normal stiffness ask for 17 runs; what several ask for is run once: the loop with
-  // the moduli of the bodies serves four, rolling two, a twist two.
+  // 15 laws and 2 loads for the tangent of the normal stiffness ask for 17 runs; what several ask for is run once: the loop
+  // with the moduli of the bodies serves four, rolling two, a twist two.
   EXPECT_EQ(column.runs(), 13u);
   EXPECT_EQ(column.failure(), "");
 }
@@ -204,8 +211,9 @@ TEST(EngineColumn, that_is_missing_says_so_once_and_gives_no_numbers) {
     EXPECT_FALSE(value.known());
     EXPECT_EQ(value.reason, "LAMMPS failed: see the message at the end");
   }
-  EXPECT_EQ(column.failure(), "LAMMPS is missing: there is no program 'no-such-lmp'; install it with 'apt-get install lammps' or "
-                              "'./quickstart --engines', or name it with --program");
+  EXPECT_EQ(column.failure(),
+            "LAMMPS is missing: there is no program 'no-such-lmp'; install it with 'apt-get install lammps' or "
+            "'./quickstart --engines', or name it with --program");
 }
 
 TEST(EngineColumn, that_was_not_asked_for_says_how_to_ask) {

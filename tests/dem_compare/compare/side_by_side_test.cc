@@ -40,12 +40,14 @@ const ComparisonRow* row_of(const SideBySide& result, Quantity quantity, double 
 
 std::string verdict_of(const SideBySide& result, Quantity quantity, const std::string& law) {
   for (const auto& verdict : result.verdicts)
-    if (verdict.quantity == quantity && verdict.law.find(law) != std::string::npos && verdict.reference == "finite elements") return verdict.text;
+    if (verdict.quantity == quantity && verdict.law.find(law) != std::string::npos && verdict.reference == "finite elements")
+      return verdict.text;
   return "";
 }
 
 bool says(const SideBySide& result, const std::string& part) {
-  return std::any_of(result.remarks.begin(), result.remarks.end(), [&](const auto& text) { return text.find(part) != std::string::npos; });
+  return std::any_of(result.remarks.begin(), result.remarks.end(),
+                     [&](const auto& text) { return text.find(part) != std::string::npos; });
 }
 
 TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
@@ -64,8 +66,10 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   ASSERT_TRUE(rolling);
   EXPECT_TRUE(rolling->reduced_law.known() && rolling->engine.known() && rolling->published.known());
   EXPECT_NE(rolling->finite_elements.reason.find("not solved by finite elements yet"), std::string::npos);
-  EXPECT_EQ(std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
-                          [](const auto& row) { return row.mode() == Mode::rail && row.engine.known() && row.published.known(); }), 3);
+  EXPECT_EQ(
+      std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
+                    [](const auto& row) { return row.mode() == Mode::rail && row.engine.known() && row.published.known(); }),
+      3);
   const std::string markdown = to_markdown(compared.result);
   EXPECT_NE(markdown.find("LAMMPS ("), std::string::npos);
   EXPECT_EQ(markdown.find("nan"), std::string::npos);
@@ -74,10 +78,12 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
 TEST(SideBySide_analytic, the_no_slip_law_overstates_partial_slip_by_a_fifth) {
   Compared compared;
   compare(compared, {SolvedFolder{}}, false);
-  EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
-            "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN.");
+  EXPECT_EQ(
+      verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
+      "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN.");
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Deresiewicz"),
-            "Mindlin-Deresiewicz with equal work gives the lateral stiffness up to sliding of the finite elements within 5 % at 100 uN.");
+            "Mindlin-Deresiewicz with equal work gives the lateral stiffness up to sliding of the finite elements within 5 % "
+            "at 100 uN.");
 }
 
 TEST(SideBySide, cases_at_several_loads_make_one_verdict_with_the_load_from_which_on_a_law_holds) {
@@ -89,7 +95,8 @@ TEST(SideBySide, cases_at_several_loads_make_one_verdict_with_the_load_from_whic
   compare(compared, {low, high}, false);
   // 12 % at 100 uN, none at 400 uN: 5 % at 100 * 4^(7/12) = 224 uN.
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness, "Mindlin"),
-            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % below 224 uN; within 5 % "
+            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % below 224 uN; "
+            "within 5 % "
             "above 224 uN.");
   EXPECT_NE(to_markdown(compared.result).find("from 224 uN on (compared: 100 uN to 400 uN)"), std::string::npos);
 }
@@ -99,9 +106,11 @@ TEST(SideBySide_analytic, the_papers_torsion_stiffness_is_a_thousand_times_that_
   torsion.experiment = "torsion";
   Compared compared;
   compare(compared, {torsion}, true);
-  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1.14e+03"), std::string::npos)
+  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1.14e+03"),
+            std::string::npos)
       << verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2");
-  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "Reissner").find("within 5 % at 100 uN"), std::string::npos);
+  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "Reissner").find("within 5 % at 100 uN"),
+            std::string::npos);
 }
 
 TEST(SideBySide, a_contact_of_other_roughness_does_not_borrow_the_records_numbers) {
@@ -112,7 +121,8 @@ TEST(SideBySide, a_contact_of_other_roughness_does_not_borrow_the_records_number
   compare(compared, {rough}, true);
   const auto& rows = compared.result.rows;
   const auto own = std::find_if(rows.begin(), rows.end(), [](const auto& row) {
-    return row.quantity == Quantity::sliding_friction && row.finite_elements.known(); });
+    return row.quantity == Quantity::sliding_friction && row.finite_elements.known();
+  });
   ASSERT_NE(own, rows.end());
   EXPECT_DOUBLE_EQ(own->reduced_law.value, 0.4);
   EXPECT_NEAR(own->published.value, 0.53 * (1 + 4.45 / 100), 1e-9);  // Table 2, etched 1600 W

@@ -1,5 +1,5 @@
-// Folders as `asperity solve` writes them, whose contact is known in closed form: Hertz under load, Mindlin and Deresiewicz under
-// shear at constant load, stiffnesses times a factor of the test's own.
+// Folders as `asperity solve` writes them, whose contact is known in closed form: Hertz under load, Mindlin and Deresiewicz
+// under shear at constant load, stiffnesses times a factor of the test's own.
 #pragma once
 
 #include <cmath>
@@ -52,18 +52,22 @@ inline ContactHistory history_of(const SolvedFolder& solved) {
 
 inline std::filesystem::path write_solved(const std::filesystem::path& folder, const SolvedFolder& solved) {
   const auto body = [](const ElasticBody& elastic) {
-    return " set Young modulus = " + std::to_string(elastic.youngs_modulus / 1e9) + " GPa\n set Poisson ratio = " +
-           std::to_string(elastic.poisson_ratio) + "\n";
+    return " set Young modulus = " + std::to_string(elastic.youngs_modulus / 1e9) +
+           " GPa\n set Poisson ratio = " + std::to_string(elastic.poisson_ratio) + "\n";
   };
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "case.prm",
-                        "subsection Particle\n set Radius = 8.5 um\n" + body(solved.particle) + "end\nsubsection Substrate\n" + body(solved.plane) +
-                            " set Topography = " + solved.roughness + "\nend\nsubsection Interface\n set Friction coefficient = " +
-                            std::to_string(solved.friction) + "\nend\nsubsection Experiment\n set Type = " + solved.experiment +
-                            "\n set Normal load = " + std::to_string(solved.load * 1e6) + " uN\nend\nsubsection Mesh\n set Interface spacing = 10 nm\nend\n");
+                        "subsection Particle\n set Radius = 8.5 um\n" + body(solved.particle) + "end\nsubsection Substrate\n" +
+                            body(solved.plane) + " set Topography = " + solved.roughness +
+                            "\nend\nsubsection Interface\n set Friction coefficient = " + std::to_string(solved.friction) +
+                            "\nend\nsubsection Experiment\n set Type = " + solved.experiment +
+                            "\n set Normal load = " + std::to_string(solved.load * 1e6) +
+                            " uN\nend\nsubsection Mesh\n set Interface spacing = 10 nm\nend\n");
   write_file_atomically(folder / "history.csv", format_history(history_of(solved)));
   nlohmann::json result{{"format", "asperity-result/1"}, {"experiment", solved.experiment}};
-  const auto number = [](double value, double relative_sd) { return nlohmann::json{{"value", value}, {"sd", relative_sd * value}}; };
+  const auto number = [](double value, double relative_sd) {
+    return nlohmann::json{{"value", value}, {"sd", relative_sd * value}};
+  };
   auto& effective = result["effective"];
   effective["normal_stiffness"] = number(solved.hertz().normal_stiffness(solved.load), 0.01);
   if (solved.experiment == "sliding") {
@@ -72,8 +76,8 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
   }
   if (solved.experiment == "torsion") {
     effective["torsion_stiffness"] = number(solved.torsion_stiffness(), 0.03);
-    effective["torsion_moment"] = number(
-        full_slip_torsion_moment(solved.friction, solved.load, solved.hertz().contact_radius(solved.load)), 0);
+    effective["torsion_moment"] =
+        number(full_slip_torsion_moment(solved.friction, solved.load, solved.hertz().contact_radius(solved.load)), 0);
   }
   write_file_atomically(folder / "result.json", result.dump());
   return folder;

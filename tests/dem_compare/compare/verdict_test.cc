@@ -37,14 +37,16 @@ TEST(Verdict, speaks_of_factors_beyond_two) {
 }
 
 TEST(Verdict, admits_that_a_departure_is_not_told_from_its_uncertainty) {
-  EXPECT_EQ(words({{100 * uN, 0.08, 0.1}}), "overstates the stiffness by 8 ± 10 % at 100 uN (less than two standard deviations)");
+  EXPECT_EQ(words({{100 * uN, 0.08, 0.1}}),
+            "overstates the stiffness by 8 ± 10 % at 100 uN (less than two standard deviations)");
 }
 
 TEST(Verdict, finds_the_loads_between_too_much_and_too_little) {
   // -20 % at 100 uN, +20 % at 400 uN: zero at 200 uN, 5 % away from it at 200 * 2^(-+1/4).
   const std::vector<Departure> departures{{100 * uN, -0.2, NAN}, {400 * uN, 0.2, NAN}};
-  EXPECT_EQ(words(departures),
-            "understates the stiffness by 20 % below 168 uN; within 5 % from 168 uN to 238 uN; overstates it by 20 % above 238 uN");
+  EXPECT_EQ(
+      words(departures),
+      "understates the stiffness by 20 % below 168 uN; within 5 % from 168 uN to 238 uN; overstates it by 20 % above 238 uN");
   const std::vector<GoodRange> good = good_ranges(departures, 0.05);
   ASSERT_EQ(good.size(), 1u);
   EXPECT_NEAR(good[0].low, 200 * uN * std::pow(2, -0.25), 1e-9);
@@ -79,9 +81,13 @@ ComparisonRow row(double load, double finite_elements, double law, double publis
 TEST(Verdict, is_given_against_finite_elements_and_against_the_measurement) {
   const auto found = verdicts({row(100 * uN, 1, 1.12, 0.5), row(200 * uN, 1, 1.12, NAN)}, 0.05);
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].text, "The no-slip law overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % from 100 uN to 200 uN.");
-  EXPECT_EQ(found[1].text, "The no-slip law overstates the lateral stiffness from rest of the measurement by a factor of 2.24 at 100 uN.");
-  EXPECT_EQ(found[2].text, "The finite-element model overstates the lateral stiffness from rest of the measurement by 100 ± 6 % at 100 uN.");
+  EXPECT_EQ(
+      found[0].text,
+      "The no-slip law overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % from 100 uN to 200 uN.");
+  EXPECT_EQ(found[1].text,
+            "The no-slip law overstates the lateral stiffness from rest of the measurement by a factor of 2.24 at 100 uN.");
+  EXPECT_EQ(found[2].text,
+            "The finite-element model overstates the lateral stiffness from rest of the measurement by 100 ± 6 % at 100 uN.");
   EXPECT_TRUE(found[0].good.empty());
 }
 
@@ -89,8 +95,20 @@ TEST(Verdict, does_not_praise_a_law_for_the_measurement_it_was_fitted_to) {
   const auto found = verdicts({row(100 * uN, NAN, 0.5, 0.5)}, 0.05);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].is_own_fit);
-  EXPECT_EQ(found[0].text, "The no-slip law repeats the lateral stiffness from rest of the measurement: its numbers were fitted to it.");
+  EXPECT_EQ(found[0].text,
+            "The no-slip law repeats the lateral stiffness from rest of the measurement: its numbers were fitted to it.");
   EXPECT_EQ(good_words(found[0]), "its numbers were fitted to it");
+}
+
+TEST(Verdict, says_where_the_mesh_alone_is_worth_more_than_the_tolerance) {
+  ComparisonRow coarse = row(100 * uN, 1, 1.02, NAN);
+  coarse.finite_elements.mesh_error = -0.08;
+  EXPECT_EQ(verdicts({coarse}, 0.05).front().text,
+            "The no-slip law gives the lateral stiffness from rest of the finite elements within 5 % at 100 uN. The mesh alone "
+            "leaves "
+            "8.0 % in doubt at 100 uN.");
+  coarse.finite_elements.mesh_error = 0.03;
+  EXPECT_EQ(verdicts({coarse}, 0.05).front().text.find("mesh"), std::string::npos);
 }
 
 TEST(Verdict, of_one_row_prefers_finite_elements) {
