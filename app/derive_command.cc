@@ -24,7 +24,8 @@ struct Arguments {
 /// parameters.json; parameters_1.json, parameters_2.json, ... of several sets.
 fs::path file_of(const fs::path& output, std::size_t set, std::size_t sets) {
   if (sets == 1) return output;
-  return output.parent_path() / (output.stem().string() + "_" + std::to_string(set + 1) + output.extension().string());
+  return output.parent_path() /
+         (output.stem().string() + "_" + std::to_string(set + 1) + output.extension().string());
 }
 
 void run(const Arguments& arguments) {
@@ -35,7 +36,8 @@ void run(const Arguments& arguments) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& sentence : found.remarks) text += sentence + "\n";
   if (found.sets.size() > 1)
-    text += std::to_string(found.sets.size()) + " parameter sets, one file each; they differ in " + differences(found.sets) + "\n";
+    text += std::to_string(found.sets.size()) + " parameter sets, one file each; they differ in " +
+            differences(found.sets) + "\n";
   std::vector<Derivation> derivations;
   for (const auto& set : found.sets) derivations.push_back(derive_parameters(set));
   const std::vector<LawReport> over_radii = compare_radii(found.sets, derivations);
@@ -46,22 +48,31 @@ void run(const Arguments& arguments) {
     all.push_back(to_json(derivations[i].parameters));
   }
   for (const auto& report : over_radii) text += "\n" + to_text(report);
-  if (arguments.json) std::cout << (all.size() == 1 ? all[0] : all).dump(1) << "\n" << std::flush;
-  else std::cout << text << std::flush;
+  if (arguments.json)
+    std::cout << (all.size() == 1 ? all[0] : all).dump(1) << "\n" << std::flush;
+  else
+    std::cout << text << std::flush;
 }
 
 }  // namespace
 
 void add_derive_command(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("derive", "Derive the laws of a discrete element model from solved cases: parameters.json");
-  command->add_option("DIR", arguments->folders, "Folders that solve or study wrote, or folders of such")->required()->check(CLI::ExistingDirectory);
-  command->add_option("--output", arguments->output,
-                      "File to write; cases of different bodies, roughness or interface give parameters_1.json, parameters_2.json, ...")
+  CLI::App* command = app.add_subcommand(
+      "derive", "Derive the laws of a discrete element model from solved cases: parameters.json");
+  command->add_option("DIR", arguments->folders, "Folders that solve or study wrote, or folders of such")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command
+      ->add_option("--output", arguments->output,
+                   "File to write; cases of different bodies, roughness or interface give parameters_1.json, "
+                   "parameters_2.json, ...")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print what is written instead of a summary");
-  command->footer("Example: asperity derive output/sliding output/torsion --output parameters.json\n"
-                  "Cases of one set share bodies, roughness (but for its seed) and interface; they may differ by load, experiment, mesh.");
+  command->footer(
+      "Example: asperity derive output/sliding output/torsion --output parameters.json\n"
+      "Cases of one set share bodies, roughness (but for its seed) and interface; they may differ by load, "
+      "experiment, mesh.");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -15,14 +15,20 @@ template <class Same>
 std::vector<Indices> families(const std::vector<CaseNumber>& numbers, const Same& same) {
   std::vector<Indices> all;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Indices& family) { return same(numbers[family.front()], numbers[i]); });
-    if (found == all.end()) all.push_back({i});
-    else found->push_back(i);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Indices& family) {
+      return same(numbers[family.front()], numbers[i]);
+    });
+    if (found == all.end())
+      all.push_back({i});
+    else
+      found->push_back(i);
   }
   return all;
 }
 
-bool same_contact(const CaseNumber& a, const CaseNumber& b) { return same_load(a.load, b.load) && a.realisation == b.realisation; }
+bool same_contact(const CaseNumber& a, const CaseNumber& b) {
+  return same_load(a.load, b.load) && a.realisation == b.realisation;
+}
 
 bool same_spacing(double a, double b) {
   constexpr double same = 1e-3;
@@ -40,7 +46,7 @@ std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumb
   double squares = 0;
   int freedom = 0;
   RealisationScatter scatter;
-  for (const auto& family : families(numbers, [](const CaseNumber& a, const CaseNumber& b) {
+  for (const auto& family : families(numbers, [](const CaseNumber&a, const CaseNumber&b) {
          return same_load(a.load, b.load) && same_spacing(a.spacing, b.spacing);
        })) {
     std::vector<double> values;
@@ -62,7 +68,9 @@ std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers) {
     std::vector<double> spacings, values;
     for (const auto i : family) {
       const double spacing = numbers[i].spacing;
-      if (std::isnan(spacing) || std::any_of(spacings.begin(), spacings.end(), [&](double h) { return same_spacing(h, spacing); })) continue;
+      if (std::isnan(spacing) ||
+          std::any_of(spacings.begin(), spacings.end(), [&](double h) { return same_spacing(h, spacing); }))
+        continue;
       spacings.push_back(spacing);
       values.push_back(numbers[i].value);
     }

@@ -1,5 +1,5 @@
-// A number of each of several cases with what tells them apart, and what their comparison says: scatter between realisations
-// and error of the mesh, two numbers that are never mixed.
+// A number of each of several cases with what tells them apart, and what their comparison says: scatter
+// between realisations and error of the mesh, two numbers that are never mixed.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 namespace asperity {
 
 struct CaseNumber {
-  double load = 0;          ///< [N]
-  std::string realisation;  ///< the same for the same surfaces
-  double spacing = 0;       ///< of the interface mesh [m]; NaN if it is not known
-  double value = 0, sd = 0; ///< sd of the case alone
+  double load = 0;           ///< [N]
+  std::string realisation;   ///< the same for the same surfaces
+  double spacing = 0;        ///< of the interface mesh [m]; NaN if it is not known
+  double value = 0, sd = 0;  ///< sd of the case alone
 };
 
 bool same_load(double one, double other);

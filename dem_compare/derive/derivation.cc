@@ -25,7 +25,8 @@ ContactBody body_of(const ElasticBody& body, double radius) {
 }
 
 std::string elastic_text(const ElasticBody& body) {
-  return "E " + format_quantity(body.youngs_modulus, Dimension::pressure) + ", nu " + format_quantity(body.poisson_ratio, Dimension::none);
+  return "E " + format_quantity(body.youngs_modulus, Dimension::pressure) + ", nu " +
+         format_quantity(body.poisson_ratio, Dimension::none);
 }
 
 Json cases_json(const ParameterSet& set) {
@@ -33,9 +34,13 @@ Json cases_json(const ParameterSet& set) {
   for (const auto& solved : set.cases) {
     double load = 0;
     for (const double force : solved.history.normal_force) load = std::max(load, force);
-    Json entry{{"folder", solved.folder.string()}, {"experiment", experiment_of(solved)}, {"load", load}, {"realisation", realisation_of(solved)}};
+    Json entry{{"folder", solved.folder.string()},
+               {"experiment", experiment_of(solved)},
+               {"load", load},
+               {"realisation", realisation_of(solved)}};
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
-    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity")) entry["asperity"] = solved.result["versions"]["asperity"];
+    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
+      entry["asperity"] = solved.result["versions"]["asperity"];
     cases.push_back(std::move(entry));
   }
   return cases;
@@ -56,23 +61,31 @@ std::string versions_of(const ParameterSet& set) {
 void complete_shear_modulus(const SolvedCase& solved, ContactParameters& parameters, LawReport& sliding) {
   const double mindlin = sliding_modulus(solved.particle(), solved.substrate());
   if (parameters.reduced_shear_modulus) {
-    sliding.findings.push_back("G* of k_l = 8 G* a: " + with_error(parameters.reduced_shear_modulus->value, parameters.reduced_shear_modulus->sd, Dimension::pressure) +
-                               " (materials, Mindlin 1949: " + format_quantity(mindlin, Dimension::pressure, 4) + ")");
+    sliding.findings.push_back(
+        "G* of k_l = 8 G* a: " +
+        with_error(parameters.reduced_shear_modulus->value, parameters.reduced_shear_modulus->sd,
+                   Dimension::pressure) +
+        " (materials, Mindlin 1949: " + format_quantity(mindlin, Dimension::pressure, 4) + ")");
     return;
   }
   parameters.reduced_shear_modulus.emplace();
   parameters.reduced_shear_modulus->value = mindlin;
-  parameters.reduced_shear_modulus->provenance = "of the materials (Mindlin 1949, 2 - nu): no sliding case told it";
-  sliding.not_told.push_back("G*: that of the materials is written, " + format_quantity(mindlin, Dimension::pressure, 4));
+  parameters.reduced_shear_modulus->provenance =
+      "of the materials (Mindlin 1949, 2 - nu): no sliding case told it";
+  sliding.not_told.push_back("G*: that of the materials is written, " +
+                             format_quantity(mindlin, Dimension::pressure, 4));
 }
 
 /// What sliding friction alone would make of torsion.
 void compare_torsion_with_sliding(const ContactParameters& parameters, LawReport& torsion) {
   if (!parameters.sliding_friction || !parameters.torsion_friction ||
-      parameters.torsion_friction->length_scale != LengthScale::contact_radius) return;
+      parameters.torsion_friction->length_scale != LengthScale::contact_radius)
+    return;
   const double expected = full_slip_torsion_coefficient(parameters.sliding_friction->value);
-  torsion.findings.push_back("mu of torsion over that of sliding friction spread as Hertz' pressure, 3 pi/16 mu_l (Lubkin 1951): " +
-                             with_error(parameters.torsion_friction->value / expected, std::numeric_limits<double>::quiet_NaN(), ""));
+  torsion.findings.push_back(
+      "mu of torsion over that of sliding friction spread as Hertz' pressure, 3 pi/16 mu_l (Lubkin 1951): " +
+      with_error(parameters.torsion_friction->value / expected, std::numeric_limits<double>::quiet_NaN(),
+                 ""));
 }
 
 }  // namespace
@@ -85,14 +98,20 @@ Derivation derive_parameters(const ParameterSet& set) {
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
   parameters.particle.rms = rms_of_topography(first.entries.text("Particle/Topography", "smooth"));
   parameters.target.rms = rms_of_topography(first.entries.text("Substrate/Topography", "smooth"));
-  const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" + elastic_text(first.particle()) + ")";
-  parameters.title = "Derived from " + std::to_string(set.cases.size()) + (set.cases.size() == 1 ? " solved case: " : " solved cases: ") + particle +
+  const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" +
+                               elastic_text(first.particle()) + ")";
+  parameters.title = "Derived from " + std::to_string(set.cases.size()) +
+                     (set.cases.size() == 1 ? " solved case: " : " solved cases: ") + particle +
                      " on plane (" + elastic_text(first.substrate()) + ")";
   derivation.heading = parameters.title;
   for (const auto& [entry, value] : set.inputs) {
-    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "inf Pa" || value == "inf" || value.rfind("0", 0) == 0;
-    const bool is_said = entry.find("Radius") != std::string::npos || entry.find("Young") != std::string::npos || entry.find("Poisson") != std::string::npos;
-    if (!is_said && (!says_nothing || entry == "Interface/Friction coefficient")) derivation.heading += "\n  " + entry + " = " + value;
+    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "inf Pa" ||
+                              value == "inf" || value.rfind("0", 0) == 0;
+    const bool is_said = entry.find("Radius") != std::string::npos ||
+                         entry.find("Young") != std::string::npos ||
+                         entry.find("Poisson") != std::string::npos;
+    if (!is_said && (!says_nothing || entry == "Interface/Friction coefficient"))
+      derivation.heading += "\n  " + entry + " = " + value;
   }
   derivation.laws.push_back(derive_normal(set, parameters));
   derivation.laws.push_back(derive_motion(set, sliding_mode(), parameters));

@@ -1,4 +1,5 @@
-// Everything a discrete element model needs of one parameter set, derived from its solved cases: `asperity derive`.
+// Everything a discrete element model needs of one parameter set, derived from its solved cases: `asperity
+// derive`.
 #pragma once
 
 #include <string>
@@ -13,16 +14,18 @@ namespace asperity {
 struct Derivation {
   ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
   enum Law { normal, sliding, torsion, rolling };
-  std::vector<LawReport> laws;   ///< in that order
-  std::string heading;           ///< bodies and cases in words
+  std::vector<LawReport> laws;  ///< in that order
+  std::string heading;          ///< bodies and cases in words
 };
 
 Derivation derive_parameters(const ParameterSet& set);
 
-/// Torsion and rolling of sets that differ by the particle's radius alone, their contacts taken for one law with the same mu and
-/// h: radius and load part lambda = r from lambda = a better than loads do. Empty for fewer than two radii; the choice is
-/// added to the record of each of these sets.
-std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets, std::vector<Derivation>& derivations);
+/// Torsion and rolling of sets that differ by the particle's radius alone, their contacts taken for one law
+/// with the same mu and h: radius and load part lambda = r from lambda = a better than loads do. Adds the
+/// choice to the record of each of these sets, and writes its lambda where a set alone could not tell. Empty
+/// for a single radius.
+std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
+                                     std::vector<Derivation>& derivations);
 
 /// For people: each law with its numbers, then what could not be told.
 std::string to_text(const Derivation& derivation);

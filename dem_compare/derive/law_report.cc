@@ -14,8 +14,10 @@ constexpr int value_digits = 4, error_digits = 2;
 std::string digits_of(double value, int digits) {
   char buffer[32];
   constexpr double large = 1e5;
-  if (std::abs(value) >= std::pow(10.0, digits - 1) && std::abs(value) < large) std::snprintf(buffer, sizeof buffer, "%.0f", value);
-  else std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  if (std::abs(value) >= std::pow(10.0, digits - 1) && std::abs(value) < large)
+    std::snprintf(buffer, sizeof buffer, "%.0f", value);
+  else
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
   return buffer;
 }
 
@@ -23,13 +25,15 @@ std::string digits_of(double value, int digits) {
 
 std::string to_text(const ResistanceLaw& law) {
   return "mu = " + with_error(law.coefficient, law.coefficient_sd(), "") +
-         (law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force) : ", h = 0 (not told)");
+         (law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force)
+                         : ", h = 0 (not told)");
 }
 
 nlohmann::ordered_json to_json(const ResistanceLaw& law) {
   return {{"coefficient", law.coefficient},
           {"offset", law.offset},
-          {"covariance", {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
+          {"covariance",
+           {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
           {"offset_is_told", law.has_offset},
           {"case_scatter", law.case_scatter},
           {"realisation_scatter", law.realisation_scatter},
@@ -42,7 +46,8 @@ std::string with_error(double value, double sd, Dimension dimension) {
   const auto blank = text.find(' ');
   if (!std::isfinite(sd) || blank == std::string::npos) return text;
   const std::string unit = text.substr(blank + 1);
-  return text.substr(0, blank) + " +- " + digits_of(sd / unit_factor(unit, dimension), error_digits) + " " + unit;
+  return text.substr(0, blank) + " +- " + digits_of(sd / unit_factor(unit, dimension), error_digits) + " " +
+         unit;
 }
 
 std::string with_error(double value, double sd, const std::string& unit) {
@@ -65,7 +70,8 @@ std::string extent_of(const std::vector<CaseNumber>& numbers) {
   std::string text = numbers.size() == 1 ? "1 case" : std::to_string(numbers.size()) + " cases";
   text += ", load " + format_quantity(low, Dimension::force);
   if (!same_load(low, high)) text += " to " + format_quantity(high, Dimension::force);
-  text += realisations.size() == 1 ? ", 1 realisation" : ", " + std::to_string(realisations.size()) + " realisations";
+  text += realisations.size() == 1 ? ", 1 realisation"
+                                   : ", " + std::to_string(realisations.size()) + " realisations";
   std::string list;
   for (const auto& spacing : spacings) list += (list.empty() ? "" : " and ") + spacing;
   return list.empty() ? text : text + ", spacing " + list;
@@ -74,19 +80,23 @@ std::string extent_of(const std::vector<CaseNumber>& numbers) {
 void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report) {
   const bool smooth = all.front().realisation == "smoothonsmooth";
   if (const auto scatter = realisation_scatter(all)) {
-    report.findings.push_back("scatter between realisations (" + what + "): " + percent(scatter->relative) + " of one, from up to " +
-                              std::to_string(scatter->realisations) + " at a load");
+    report.findings.push_back("scatter between realisations (" + what + "): " + percent(scatter->relative) +
+                              " of one, from up to " + std::to_string(scatter->realisations) + " at a load");
     report.details["realisation_scatter"] = scatter->relative;
   } else if (!smooth) {
-    report.not_told.push_back("scatter of " + what + " between realisations: solve the same case with two or more seeds of its roughness");
+    report.not_told.push_back(
+        "scatter of " + what +
+        " between realisations: solve the same case with two or more seeds of its roughness");
   }
   if (const auto doubt = mesh_doubt(all)) {
-    report.findings.push_back("error of the finest mesh (" + what + "): " + percent(doubt->relative_error) +
-                              (doubt->families > 1 ? ", mean of " + std::to_string(doubt->families) + " contacts" : "") +
-                              "; not part of the uncertainty above");
+    report.findings.push_back(
+        "error of the finest mesh (" + what + "): " + percent(doubt->relative_error) +
+        (doubt->families > 1 ? ", mean of " + std::to_string(doubt->families) + " contacts" : "") +
+        "; not part of the uncertainty above");
     report.details["mesh_error"] = doubt->relative_error;
   } else {
-    report.not_told.push_back("error of the mesh in " + what + ": solve one case again with twice the Mesh/Interface spacing");
+    report.not_told.push_back("error of the mesh in " + what +
+                              ": solve one case again with twice the Mesh/Interface spacing");
   }
 }
 

@@ -32,7 +32,8 @@ std::string percent(double share);
 /// "4 cases, 100 uN to 3 mN, 2 realisations, spacing 22 nm".
 std::string extent_of(const std::vector<CaseNumber>& numbers);
 
-/// Scatter between realisations and error of the mesh in words, apart; adds to `not_told` what would show them.
+/// Scatter between realisations and error of the mesh in words, apart; adds to `not_told` what would show
+/// them.
 void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report);
 
 }  // namespace asperity

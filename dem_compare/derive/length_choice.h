@@ -1,5 +1,6 @@
-// The two lengths that a limit mu lambda (f + h) can have, lambda = r or lambda = a(f), and what tells them apart: odds from
-// marginal likelihoods (resistance_law.h) and the prediction of a contact from the others. SI units.
+// The two lengths that a limit mu lambda (f + h) can have, lambda = r or lambda = a(f), and what tells them
+// apart: odds from marginal likelihoods (resistance_law.h) and the prediction of a contact from the others.
+// SI units.
 #pragma once
 
 #include <vector>
@@ -10,9 +11,9 @@
 namespace asperity {
 
 struct LengthChoice {
-  ResistanceLaw with_radius, with_contact;    ///< lambda = r, lambda = a(f)
-  double log_odds = 0;                        ///< natural logarithm of p(data | a) / p(data | r)
-  double radius_error = 0, contact_error = 0; ///< leave one out, relative; NaN for fewer than three loads
+  ResistanceLaw with_radius, with_contact;     ///< lambda = r, lambda = a(f)
+  double log_odds = 0;                         ///< natural logarithm of p(data | a) / p(data | r)
+  double radius_error = 0, contact_error = 0;  ///< leave one out, relative; NaN for fewer than three loads
 
   /// Odds above this one count as an answer ("strong", Jeffreys 1961).
   static constexpr double telling_odds = 20;

@@ -32,7 +32,8 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   const ContactHistory& history = solved.history;
   std::vector<double> position, resistance, force;
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const double x = (history.*mode.position)[i], y = (history.*mode.resistance)[i], f = history.normal_force[i];
+    const double x = (history.*mode.position)[i], y = (history.*mode.resistance)[i],
+                 f = history.normal_force[i];
     if (!std::isfinite(x + y + f)) continue;  // cells that are not known
     position.push_back(x), resistance.push_back(y), force.push_back(f);
   }
@@ -40,10 +41,12 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   seen.steady = steady_resistance(position, resistance, force);
   seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
-  if (seen.steady.reached) seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
+  if (seen.steady.reached)
+    seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
   if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
     const Json& entry = solved.result["effective"][mode.stiffness_key];
-    if (entry.contains("value") && entry["value"].is_number()) seen.probed_stiffness = entry["value"].get<double>();
+    if (entry.contains("value") && entry["value"].is_number())
+      seen.probed_stiffness = entry["value"].get<double>();
     if (entry.contains("sd") && entry["sd"].is_number()) seen.probed_sd = entry["sd"].get<double>();
   }
   return seen;
@@ -51,16 +54,20 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
 
 void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
   if (!law.has_offset)
-    report.not_told.push_back("h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
+    report.not_told.push_back(
+        "h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
   else if (law.degrees_of_freedom == 0)
-    report.not_told.push_back("whether the law holds: it passes through two cases whatever they are, and its uncertainty takes each for "
-                              "good to a thousandth; solve a third load");
+    report.not_told.push_back(
+        "whether the law holds: it passes through two cases whatever they are, and its uncertainty takes "
+        "each for "
+        "good to a thousandth; solve a third load");
   else
-    report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " + std::to_string(law.degrees_of_freedom + 2) +
-                              " cases)");
+    report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " +
+                              std::to_string(law.degrees_of_freedom + 2) + " cases)");
 }
 
-void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
+void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen,
+                      ContactParameters& parameters, LawReport& report) {
   std::vector<CaseNumber> probed, reversed;
   for (const auto& item : seen) {
     if (item.probed_stiffness > 0) probed.push_back(item.number(item.probed_stiffness, item.probed_sd));
@@ -73,31 +80,42 @@ void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& see
     return fit_power(used, radius, mode.stiffness_exponent);
   };
   if (probed.empty() && reversed.empty()) {
-    report.not_told.push_back("the stiffness: no case was reversed after full slip; set Experiment/Reverse = true");
+    report.not_told.push_back(
+        "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true");
     return;
   }
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
   const PowerLaw law = law_of(written);
   const char* source = probed.empty() ? "slope after the reversal" : "without slip";
-  report.findings.push_back(std::string("stiffness ") + source + ": " + with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
+  report.findings.push_back(std::string("stiffness ") + source + ": " +
+                            with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
                             format_quantity(law.at_load, Dimension::force) + "; " + extent_of(written));
   if (!probed.empty() && !reversed.empty()) {
     const PowerLaw reversal = law_of(reversed);
-    report.findings.push_back("slope after the reversal, partial slip taken out: " + with_error(reversal.value, reversal.sd, mode.stiffness_unit) +
-                              " at " + format_quantity(reversal.at_load, Dimension::force));
-    report.details["reversal_stiffness"] = {{"value", reversal.value}, {"sd", reversal.sd}, {"at_load", reversal.at_load}};
+    report.findings.push_back("slope after the reversal, partial slip taken out: " +
+                              with_error(reversal.value, reversal.sd, mode.stiffness_unit) + " at " +
+                              format_quantity(reversal.at_load, Dimension::force));
+    report.details["reversal_stiffness"] = {
+        {"value", reversal.value}, {"sd", reversal.sd}, {"at_load", reversal.at_load}};
   }
   tell_exponent(law, mode.stiffness_exponent, "the stiffness", report);
   tell_scatter_and_mesh(written, "the stiffness", report);
   std::string provenance = std::string(source) + "; " + extent_of(written);
   if (mode.stiffness_exponent != 1)
-    provenance += "; of a smooth contact it grows as a^" + with_error(mode.stiffness_exponent, unknown, "") + ", not as a";
-  parameters.*mode.stiffness = EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load, provenance};
+    provenance += "; of a smooth contact it grows as a^" + with_error(mode.stiffness_exponent, unknown, "") +
+                  ", not as a";
+  parameters.*mode.stiffness =
+      EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load, provenance};
   if (&mode != &sliding_mode()) return;
   constexpr double mindlin = 8;
   const double to_modulus = 1 / (mindlin * radius(law.at_load));
-  parameters.reduced_shear_modulus = EffectiveQuantity{law.value * to_modulus, law.sd * to_modulus, law.loads, LengthScale::none, unknown,
-                                                       "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + extent_of(written)};
+  parameters.reduced_shear_modulus =
+      EffectiveQuantity{law.value * to_modulus,
+                        law.sd * to_modulus,
+                        law.loads,
+                        LengthScale::none,
+                        unknown,
+                        "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + extent_of(written)};
 }
 
 /// One line per load.
@@ -114,9 +132,11 @@ void tell_resistances(const MotionMode& mode, const std::vector<const MotionCase
       fluctuation += steady.fluctuation / steady.mean / count;
       independent += steady.independent;
     }
-    report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " + with_error(mean, std::sqrt(variance), mode.resistance_unit) +
-                              (count > 1 ? ", mean of " + std::to_string(end - i) + " realisations" : "") + "; fluctuation along the way " +
-                              percent(fluctuation) + ", " + with_error(std::round(independent), unknown, "") + " independent stretches");
+    report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " +
+                              with_error(mean, std::sqrt(variance), mode.resistance_unit) +
+                              (count > 1 ? ", mean of " + std::to_string(end - i) + " realisations" : "") +
+                              "; fluctuation along the way " + percent(fluctuation) + ", " +
+                              with_error(std::round(independent), unknown, "") + " independent stretches");
     i = end;
   }
 }
@@ -138,12 +158,14 @@ void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& use
     largest_drift = std::max(largest_drift, std::abs(item->steady.drift));
   }
   if (!changing.empty())
-    report.not_told.push_back("where the resistance ends: it still changes, by up to " + percent(largest_drift) +
-                              " from the first half of the way to the second (" + folders_of(changing) + "); set " + mode.way_entry + " to more");
+    report.not_told.push_back("where the resistance ends: it still changes, by up to " +
+                              percent(largest_drift) + " from the first half of the way to the second (" +
+                              folders_of(changing) + "); set " + mode.way_entry + " to more");
   constexpr double diameters_wanted = 2;
   if (mode.way_is_length && shortest < diameters_wanted)
     report.not_told.push_back("fluctuation over long ways: the shortest steady way, there and back, is " +
-                              with_error(std::round(10 * shortest) / 10, unknown, "") + " contact diameters, two or more are wanted; set " + mode.way_entry +
+                              with_error(std::round(10 * shortest) / 10, unknown, "") +
+                              " contact diameters, two or more are wanted; set " + mode.way_entry +
                               " to more");
 }
 
@@ -158,7 +180,8 @@ Json resistance_json(const MotionCase& item) {
           {"drift", item.steady.drift}};
 }
 
-void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen, ContactParameters& parameters, LawReport& report) {
+void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen,
+                       ContactParameters& parameters, LawReport& report) {
   std::vector<CaseNumber> all;
   std::vector<const MotionCase*> steady, sticking, used;
   for (const auto& item : seen) {
@@ -166,13 +189,15 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     if (item.steady.reached) all.push_back(item.number(item.steady.mean, item.steady.standard_error));
   }
   if (!sticking.empty())
-    report.not_told.push_back("the resistance of cases that did not slip fully, or for fewer than three steps (" + folders_of(sticking) + "): set " +
-                              mode.way_entry + " to more");
+    report.not_told.push_back(
+        "the resistance of cases that did not slip fully, or for fewer than three steps (" +
+        folders_of(sticking) + "): set " + mode.way_entry + " to more");
   if (all.empty()) return;
   std::vector<ResistancePoint> points;
   for (const auto i : finest(all)) {
     used.push_back(steady[i]);
-    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius, parameters.contact_radius(all[i].load)});
+    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius,
+                      parameters.contact_radius(all[i].load)});
     report.details["resistance"].push_back(resistance_json(*steady[i]));
   }
   tell_resistances(mode, used, report);
@@ -211,36 +236,17 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 
 }  // namespace
 
-const MotionMode& sliding_mode() {
-  static const MotionMode mode{"sliding", "Sliding, f_l = mu (f + h)", &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, "N",
-                               "lateral_stiffness", "N/m", "Experiment/Distance", true, false, 1, sliding_partial_slip,
-                               &ContactParameters::sliding_friction, &ContactParameters::sliding_offset, &ContactParameters::lateral_stiffness};
-  return mode;
-}
-
-const MotionMode& torsion_mode() {
-  static const MotionMode mode{"torsion", "Torsion, M = mu lambda (f + h)", &ContactHistory::torsion_angle, &ContactHistory::torsion_moment, "N m",
-                               "torsion_stiffness", "N m/rad", "Experiment/Angle", false, true, 3, torsion_partial_slip,
-                               &ContactParameters::torsion_friction, &ContactParameters::torsion_offset, &ContactParameters::torsion_stiffness};
-  return mode;
-}
-
-const MotionMode& rolling_mode() {
-  static const MotionMode mode{"rolling", "Rolling, M = mu lambda (f + h)", &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, "N m",
-                               "rolling_stiffness", "N m/rad", "Experiment/Distance", false, true, 1, no_partial_slip,
-                               &ContactParameters::rolling_friction, &ContactParameters::rolling_offset, &ContactParameters::rolling_stiffness};
-  return mode;
-}
-
 LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters) {
   LawReport report;
   report.title = mode.title;
   std::vector<MotionCase> seen;
   for (const auto& solved : set.cases)
     if (experiment_of(solved) == mode.experiment) seen.push_back(observe(solved, mode));
-  std::stable_sort(seen.begin(), seen.end(), [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {
-    report.not_told.push_back(std::string("all of it: there is no case with Experiment/Type = ") + mode.experiment);
+    report.not_told.push_back(std::string("all of it: there is no case with Experiment/Type = ") +
+                              mode.experiment);
     return report;
   }
   derive_resistance(mode, seen, parameters, report);

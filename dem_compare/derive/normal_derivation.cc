@@ -18,7 +18,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Hertz fits of one case's first loading.
 struct NormalFit {
   const SolvedCase* solved = nullptr;
-  CaseNumber modulus, radius;      ///< E* for the radius given, R for the moduli given
+  CaseNumber modulus, radius;  ///< E* for the radius given, R for the moduli given
   double exponent = unknown, exponent_error = unknown, offset = 0, misfit = 0;
   LoadRange loads;
   std::size_t steps = 0;
@@ -59,8 +59,8 @@ std::optional<NormalFit> fit_of(const SolvedCase& solved) {
   return fit;
 }
 
-/// Loading to a smaller load is a part of loading to a larger one: of each realisation and mesh the largest load counts, of
-/// equal loads the one with the most steps.
+/// Loading to a smaller load is a part of loading to a larger one: of each realisation and mesh the largest
+/// load counts, of equal loads the one with the most steps.
 std::vector<NormalFit> largest_loads(std::vector<NormalFit> fits) {
   std::sort(fits.begin(), fits.end(), [](const NormalFit& a, const NormalFit& b) {
     return same_load(a.modulus.load, b.modulus.load) ? a.steps > b.steps : a.modulus.load > b.modulus.load;
@@ -68,7 +68,8 @@ std::vector<NormalFit> largest_loads(std::vector<NormalFit> fits) {
   std::vector<NormalFit> chosen;
   for (const auto& fit : fits)
     if (std::none_of(chosen.begin(), chosen.end(), [&](const NormalFit& other) {
-          return other.modulus.realisation == fit.modulus.realisation && other.modulus.spacing == fit.modulus.spacing;
+          return other.modulus.realisation == fit.modulus.realisation &&
+                 other.modulus.spacing == fit.modulus.spacing;
         }))
       chosen.push_back(fit);
   return chosen;
@@ -77,7 +78,8 @@ std::vector<NormalFit> largest_loads(std::vector<NormalFit> fits) {
 /// Elastic stiffness at the largest load of a case, as `solve` measured it; else the start of its unloading.
 std::optional<CaseNumber> stiffness_of(const SolvedCase& solved) {
   const NormalNumbers numbers = normal_numbers(solved.history, solved.hertz());
-  CaseNumber number{numbers.largest_force, realisation_of(solved), solved.interface_spacing(), unknown, unknown};
+  CaseNumber number{numbers.largest_force, realisation_of(solved), solved.interface_spacing(), unknown,
+                    unknown};
   if (solved.result.contains("effective") && solved.result["effective"].contains("normal_stiffness")) {
     const Json& entry = solved.result["effective"]["normal_stiffness"];
     if (entry.contains("value") && entry["value"].is_number()) number.value = entry["value"].get<double>();
@@ -99,8 +101,9 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
   if (fits.empty()) {
     modulus.value = hertz.reduced_modulus;
     modulus.provenance = "of the materials (Hertz 1882): no case has enough load steps for a fit";
-    report.not_told.push_back("E* of the contact: no case has the three load steps (four if rough) that a Hertz fit needs; the "
-                              "materials' own value is written. Set Experiment/Load steps to 10");
+    report.not_told.push_back(
+        "E* of the contact: no case has the three load steps (four if rough) that a Hertz fit needs; the "
+        "materials' own value is written. Set Experiment/Load steps to 10");
   } else {
     std::vector<CaseNumber> all;
     for (const auto& fit : fits) all.push_back(fit.modulus);
@@ -125,19 +128,30 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
     const double of_fits = std::sqrt(errors) / static_cast<double>(used.size());
     modulus.value = mean.mean;
     modulus.sd = mean.count > 1 ? std::max(mean.standard_error, of_fits) : of_fits;
-    modulus.provenance = std::string("Hertz fit of the first loading") + (fits.front().solved->is_rough() ? " with an offset of the approach" : "") +
-                         "; " + extent_of(all);
-    report.findings.push_back("E* = " + with_error(modulus.value, modulus.sd, Dimension::pressure) + " (materials: " +
-                              format_quantity(hertz.reduced_modulus, Dimension::pressure, 4) + "), " + modulus.provenance);
-    report.findings.push_back("the same as a radius: R_effective = " + with_error(scatter_of(radii).mean, unknown, Dimension::length) +
-                              " (particle: " + format_quantity(hertz.radius, Dimension::length) + ") with the materials' E*");
+    modulus.provenance = std::string("Hertz fit of the first loading") +
+                         (fits.front().solved->is_rough() ? " with an offset of the approach" : "") + "; " +
+                         extent_of(all);
+    report.findings.push_back(
+        "E* = " + with_error(modulus.value, modulus.sd, Dimension::pressure) + " (materials: " +
+        format_quantity(hertz.reduced_modulus, Dimension::pressure, 4) + "), " + modulus.provenance);
+    report.findings.push_back("the same as a radius: R_effective = " +
+                              with_error(scatter_of(radii).mean, unknown, Dimension::length) +
+                              " (particle: " + format_quantity(hertz.radius, Dimension::length) +
+                              ") with the materials' E*");
     const Scatter exponent = scatter_of(exponents);
     if (exponent.count > 0)
-      report.findings.push_back("exponent of the load over the approach: " +
-                                with_error(exponent.mean, exponent.count > 1 ? exponent.standard_error : fits[used.front()].exponent_error, "") +
-                                " (Hertz: 1.5)" + (fits.front().solved->is_rough() ? ", offset " + with_error(scatter_of(offsets).mean, scatter_of(offsets).standard_error, Dimension::length) : ""));
+      report.findings.push_back(
+          "exponent of the load over the approach: " +
+          with_error(exponent.mean,
+                     exponent.count > 1 ? exponent.standard_error : fits[used.front()].exponent_error, "") +
+          " (Hertz: 1.5)" +
+          (fits.front().solved->is_rough()
+               ? ", offset " + with_error(scatter_of(offsets).mean, scatter_of(offsets).standard_error,
+                                          Dimension::length)
+               : ""));
     else
-      report.not_told.push_back("exponent of the normal law: it takes five load steps; set Experiment/Load steps to 10");
+      report.not_told.push_back(
+          "exponent of the normal law: it takes five load steps; set Experiment/Load steps to 10");
     tell_scatter_and_mesh(all, "E*", report);
   }
   parameters.reduced_modulus = modulus;
@@ -148,19 +162,26 @@ void derive_stiffness(const ParameterSet& set, ContactParameters& parameters, La
   for (const auto& solved : set.cases)
     if (const auto number = stiffness_of(solved)) all.push_back(*number);
   if (all.empty()) {
-    report.not_told.push_back("k_n: no case has a stiffness at its largest load; set Experiment/Unload = true");
+    report.not_told.push_back(
+        "k_n: no case has a stiffness at its largest load; set Experiment/Unload = true");
     return;
   }
   std::vector<CaseNumber> used;
   for (const auto i : finest(all)) used.push_back(all[i]);
   const PowerLaw law = fit_power(used, [&](double load) { return parameters.contact_radius(load); });
-  parameters.normal_stiffness = EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load,
-                                                  "elastic stiffness at the largest load; " + extent_of(used)};
-  report.findings.push_back("k_n = " + with_error(law.value, law.sd, Dimension::stiffness) + " at " + format_quantity(law.at_load, Dimension::force) +
-                            ", growing with a (2 E* a: " + format_quantity(2 * parameters.reduced_modulus->value * parameters.contact_radius(law.at_load), Dimension::stiffness) +
-                            "); " + extent_of(used));
+  parameters.normal_stiffness =
+      EffectiveQuantity{law.value,   law.sd,
+                        law.loads,   LengthScale::contact_radius,
+                        law.at_load, "elastic stiffness at the largest load; " + extent_of(used)};
+  report.findings.push_back(
+      "k_n = " + with_error(law.value, law.sd, Dimension::stiffness) + " at " +
+      format_quantity(law.at_load, Dimension::force) + ", growing with a (2 E* a: " +
+      format_quantity(2 * parameters.reduced_modulus->value * parameters.contact_radius(law.at_load),
+                      Dimension::stiffness) +
+      "); " + extent_of(used));
   for (const auto& number : used)
-    report.details["stiffness"].push_back({{"load", number.load}, {"value", number.value}, {"realisation", number.realisation}});
+    report.details["stiffness"].push_back(
+        {{"load", number.load}, {"value", number.value}, {"realisation", number.realisation}});
   tell_exponent(law, 1, "k_n", report);
 }
 
@@ -170,8 +191,10 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
   LoadRange loads{std::numeric_limits<double>::infinity(), 0};
   for (const auto& solved : set.cases) {
     const auto& force = solved.history.normal_force;
-    adhesive = adhesive || solved.entries.quantity("Interface/Work of adhesion", Dimension::surface_energy, 0) > 0;
-    const double least = *std::min_element(force.begin(), force.end()), largest = *std::max_element(force.begin(), force.end());
+    adhesive =
+        adhesive || solved.entries.quantity("Interface/Work of adhesion", Dimension::surface_energy, 0) > 0;
+    const double least = *std::min_element(force.begin(), force.end()),
+                 largest = *std::max_element(force.begin(), force.end());
     // Solved to about 1e-6 of the load: smaller pulls are none.
     constexpr double noise_share = 1e-5;
     if (!(-least > noise_share * largest) || experiment_of(solved) != "normal") continue;
@@ -179,13 +202,20 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }
   if (pulls.empty()) {
-    if (adhesive) report.not_told.push_back("pull-off force: no case of experiment normal was drawn apart; set Experiment/Unload = true");
+    if (adhesive)
+      report.not_told.push_back(
+          "pull-off force: no case of experiment normal was drawn apart; set Experiment/Unload = true");
     return;
   }
   const Scatter pull = scatter_of(pulls);
-  parameters.pull_off_force = EffectiveQuantity{pull.mean, pull.standard_error, loads, LengthScale::none, unknown,
-                                                "largest pull while unloading; the loads are those reached before, " +
-                                                    std::to_string(pull.count) + " cases"};
+  parameters.pull_off_force =
+      EffectiveQuantity{pull.mean,
+                        pull.standard_error,
+                        loads,
+                        LengthScale::none,
+                        unknown,
+                        "largest pull while unloading; the loads are those reached before, " +
+                            std::to_string(pull.count) + " cases"};
   report.findings.push_back("pull-off force " + with_error(pull.mean, pull.standard_error, Dimension::force));
 }
 

@@ -21,23 +21,22 @@ struct Input {
 };
 
 const std::vector<Input>& number_inputs() {
-  static const std::vector<Input> inputs{
-      {"Particle/Radius", Dimension::length, ""},
-      {"Particle/Young modulus", Dimension::pressure, ""},
-      {"Particle/Poisson ratio", Dimension::none, ""},
-      {"Particle/Yield stress", Dimension::pressure, "inf"},
-      {"Particle/Hardening modulus", Dimension::pressure, "0"},
-      {"Particle/Voce saturation", Dimension::pressure, "0"},
-      {"Particle/Voce rate", Dimension::none, "0"},
-      {"Substrate/Young modulus", Dimension::pressure, ""},
-      {"Substrate/Poisson ratio", Dimension::none, ""},
-      {"Substrate/Yield stress", Dimension::pressure, "inf"},
-      {"Substrate/Hardening modulus", Dimension::pressure, "0"},
-      {"Substrate/Voce saturation", Dimension::pressure, "0"},
-      {"Substrate/Voce rate", Dimension::none, "0"},
-      {"Interface/Friction coefficient", Dimension::none, "0"},
-      {"Interface/Shear strength", Dimension::pressure, "0"},
-      {"Interface/Work of adhesion", Dimension::surface_energy, "0"}};
+  static const std::vector<Input> inputs{{"Particle/Radius", Dimension::length, ""},
+                                         {"Particle/Young modulus", Dimension::pressure, ""},
+                                         {"Particle/Poisson ratio", Dimension::none, ""},
+                                         {"Particle/Yield stress", Dimension::pressure, "inf"},
+                                         {"Particle/Hardening modulus", Dimension::pressure, "0"},
+                                         {"Particle/Voce saturation", Dimension::pressure, "0"},
+                                         {"Particle/Voce rate", Dimension::none, "0"},
+                                         {"Substrate/Young modulus", Dimension::pressure, ""},
+                                         {"Substrate/Poisson ratio", Dimension::none, ""},
+                                         {"Substrate/Yield stress", Dimension::pressure, "inf"},
+                                         {"Substrate/Hardening modulus", Dimension::pressure, "0"},
+                                         {"Substrate/Voce saturation", Dimension::pressure, "0"},
+                                         {"Substrate/Voce rate", Dimension::none, "0"},
+                                         {"Interface/Friction coefficient", Dimension::none, "0"},
+                                         {"Interface/Shear strength", Dimension::pressure, "0"},
+                                         {"Interface/Work of adhesion", Dimension::surface_energy, "0"}};
   return inputs;
 }
 
@@ -53,7 +52,8 @@ std::string result_text(const SolvedCase& solved, const std::string& entry) {
 }
 
 std::string without_blanks(std::string text) {
-  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }), text.end());
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }),
+             text.end());
   return text;
 }
 
@@ -65,7 +65,8 @@ std::vector<std::pair<std::string, std::string>> inputs_of(const SolvedCase& sol
     if (text.empty()) text = input.otherwise;
     try {
       constexpr int digits = 6;
-      inputs.emplace_back(input.entry, format_quantity(parse_quantity(text, input.dimension), input.dimension, digits));
+      inputs.emplace_back(input.entry,
+                          format_quantity(parse_quantity(text, input.dimension), input.dimension, digits));
     } catch (const InputError& error) {
       throw InputError(solved.folder.string() + ": " + input.entry + ": " + error.what());
     }
@@ -73,8 +74,9 @@ std::vector<std::pair<std::string, std::string>> inputs_of(const SolvedCase& sol
   for (const char* body : {"Particle", "Substrate"}) {
     const std::string section = body;
     inputs.emplace_back(section + "/Hardening", solved.entries.text(section + "/Hardening", "isotropic"));
-    inputs.emplace_back(section + "/Topography",
-                        std::regex_replace(without_blanks(solved.entries.text(section + "/Topography", "smooth")), seed, ""));
+    inputs.emplace_back(
+        section + "/Topography",
+        std::regex_replace(without_blanks(solved.entries.text(section + "/Topography", "smooth")), seed, ""));
   }
   return inputs;
 }
@@ -85,7 +87,8 @@ class Collector {
     if (is_study_folder(folder)) {
       CaseCollection study = collect_cases({folder});
       for (const auto& missing : study.missing)
-        found_.remarks.push_back((folder / missing.name).string() + ": not solved (" + missing.state + "); left out");
+        found_.remarks.push_back((folder / missing.name).string() + ": not solved (" + missing.state +
+                                 "); left out");
       for (auto& group : study.groups)
         for (auto& solved : group.cases) add_case(std::move(solved));
     } else if (is_case_folder(folder)) {
@@ -118,7 +121,8 @@ class Collector {
   static bool is_frictionless_loading(const ParameterSet& set) {
     for (const auto& [entry, value] : set.inputs)
       if (is_friction(entry) && value.find_first_of("123456789") != std::string::npos) return false;
-    return std::all_of(set.cases.begin(), set.cases.end(), [](const SolvedCase& solved) { return experiment_of(solved) == "normal"; });
+    return std::all_of(set.cases.begin(), set.cases.end(),
+                       [](const SolvedCase& solved) { return experiment_of(solved) == "normal"; });
   }
 
   void share_frictionless_cases() {
@@ -135,7 +139,9 @@ class Collector {
         ++i;
         continue;
       }
-      found_.remarks.push_back(std::to_string(sets[i].cases.size()) + " frictionless case(s) of experiment normal count for the set(s) with friction of the same bodies");
+      found_.remarks.push_back(
+          std::to_string(sets[i].cases.size()) +
+          " frictionless case(s) of experiment normal count for the set(s) with friction of the same bodies");
       sets.erase(sets.begin() + static_cast<long>(i));
     }
   }
@@ -146,8 +152,10 @@ class Collector {
       for (const auto& item : fs::directory_iterator(folder))
         if (is_study_folder(item.path()) || is_case_folder(item.path())) inside.push_back(item.path());
     if (inside.empty())
-      throw InputError(folder.string() + ": holds neither a solved case (history.csv), nor a study (study.json), nor folders of "
-                                         "such; name folders that 'asperity solve' or 'asperity study' wrote");
+      throw InputError(
+          folder.string() +
+          ": holds neither a solved case (history.csv), nor a study (study.json), nor folders of "
+          "such; name folders that 'asperity solve' or 'asperity study' wrote");
     std::sort(inside.begin(), inside.end());
     for (const auto& path : inside) add(path);
   }
@@ -193,7 +201,8 @@ std::string differences(const std::vector<ParameterSet>& sets) {
   for (std::size_t i = 0; i < sets.front().inputs.size(); ++i) {
     std::vector<std::string> values;
     for (const auto& set : sets)
-      if (std::find(values.begin(), values.end(), set.inputs[i].second) == values.end()) values.push_back(set.inputs[i].second);
+      if (std::find(values.begin(), values.end(), set.inputs[i].second) == values.end())
+        values.push_back(set.inputs[i].second);
     if (values.size() < 2) continue;
     text += (text.empty() ? "" : "; ") + sets.front().inputs[i].first + ": ";
     for (std::size_t k = 0; k < values.size(); ++k) text += (k ? ", " : "") + values[k];

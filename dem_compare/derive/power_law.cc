@@ -8,7 +8,8 @@
 
 namespace asperity {
 
-PowerLaw fit_power(const std::vector<CaseNumber>& numbers, const std::function<double(double)>& contact_radius, double exponent) {
+PowerLaw fit_power(const std::vector<CaseNumber>& numbers,
+                   const std::function<double(double)>& contact_radius, double exponent) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto n = static_cast<double>(numbers.size());
   PowerLaw law;
@@ -29,7 +30,9 @@ PowerLaw fit_power(const std::vector<CaseNumber>& numbers, const std::function<d
   }
   const Scatter prefactor = scatter_of(prefactors);
   law.value = std::exp(prefactor.mean + exponent * std::log(contact_radius(law.at_load)));
-  law.sd = law.value * (std::isnan(own) ? prefactor.standard_error : std::isnan(prefactor.standard_error) ? own : std::max(own, prefactor.standard_error));
+  law.sd = law.value * (std::isnan(own)                        ? prefactor.standard_error
+                        : std::isnan(prefactor.standard_error) ? own
+                                                               : std::max(own, prefactor.standard_error));
   law.exponent = law.exponent_sd = unknown;
   if (same_load(law.loads.low, law.loads.high)) return law;
   double xx = 0, xy = 0;
@@ -40,7 +43,8 @@ PowerLaw fit_power(const std::vector<CaseNumber>& numbers, const std::function<d
   law.exponent = exponent + xy / xx;
   double residual = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    residual += std::pow(prefactors[i] - prefactor.mean - xy / xx * (std::log(contact_radius(numbers[i].load)) - mean_a), 2);
+    residual += std::pow(
+        prefactors[i] - prefactor.mean - xy / xx * (std::log(contact_radius(numbers[i].load)) - mean_a), 2);
   if (numbers.size() > 2) law.exponent_sd = std::sqrt(residual / (n - 2) / xx);
   return law;
 }
@@ -50,7 +54,8 @@ void tell_exponent(const PowerLaw& law, double expected, const std::string& name
     report.not_told.push_back("how " + name + " grows with the load: solve a case at another load");
     return;
   }
-  report.findings.push_back(name + " grows as a^n, n = " + with_error(law.exponent, law.exponent_sd, "") + " (smooth elastic contact: " +
+  report.findings.push_back(name + " grows as a^n, n = " + with_error(law.exponent, law.exponent_sd, "") +
+                            " (the law taken has " +
                             with_error(expected, std::numeric_limits<double>::quiet_NaN(), "") + ")");
 }
 

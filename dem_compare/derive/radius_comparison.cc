@@ -1,7 +1,8 @@
-#include <tuple>
+#include <utility>
 
 #include "dem_compare/derive/derivation.h"
 #include "dem_compare/derive/length_choice.h"
+#include "dem_compare/derive/motion_mode.h"
 
 namespace asperity {
 namespace {
@@ -12,28 +13,40 @@ bool same_but_for_radius(const ParameterSet& one, const ParameterSet& other) {
   return true;
 }
 
-/// The report of a mode over several radii.
-LawReport report_of(const std::string& mode, const std::vector<std::size_t>& family, const std::vector<Derivation>& derivations, std::size_t law) {
-  LawReport report;
-  std::string radii;
-  for (const auto set : family) {
-    const std::string radius = format_quantity(derivations[set].parameters.particle.radius, Dimension::length);
-    radii += (radii.empty() ? "" : ", ") + radius;
+/// Contacts of several sets.
+std::vector<ResistancePoint> points_of(const std::vector<std::size_t>& family,
+                                       const std::vector<Derivation>& derivations, Derivation::Law law) {
+  std::vector<ResistancePoint> points;
+  for (const auto set : family)
     for (auto point : derivations[set].laws[law].points) {
-      point.realisation += " at " + radius;  // the same seed under another sphere is another contact
-      report.points.push_back(point);
+      // The same seed under another sphere is another contact.
+      point.realisation += " at " + format_quantity(point.particle_radius, Dimension::length);
+      points.push_back(point);
     }
-  }
-  report.title = mode + " over the radii " + radii + ", one mu and h for all";
-  const LengthChoice choice = choose_length(report.points);
-  tell_choice(choice, report);
-  report.details = to_json(choice);
-  return report;
+  return points;
+}
+
+/// Where a set alone could not tell lambda but all radii do, its law is written with theirs.
+void adopt_length(const LengthChoice& all, const MotionMode& mode, Derivation::Law law,
+                  Derivation& derivation) {
+  const LengthChoice own = choose_length(derivation.laws[law].points);
+  if (own.is_told() || !all.is_told()) return;
+  const bool is_radius = all.scale() == LengthScale::particle_radius;
+  const ResistanceLaw& adopted = is_radius ? own.with_radius : own.with_contact;
+  EffectiveQuantity &friction = *(derivation.parameters.*mode.friction),
+                    &offset = *(derivation.parameters.*mode.offset);
+  friction.value = adopted.coefficient;
+  friction.sd = adopted.coefficient_sd();
+  friction.length_scale = all.scale();
+  friction.provenance += "; lambda told by the particle's other radii";
+  offset.value = adopted.offset;
+  if (adopted.has_offset) offset.sd = adopted.offset_sd();
 }
 
 }  // namespace
 
-std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets, std::vector<Derivation>& derivations) {
+std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
+                                     std::vector<Derivation>& derivations) {
   std::vector<LawReport> reports;
   std::vector<bool> seen(sets.size(), false);
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -41,13 +54,28 @@ std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets, std:
     std::vector<std::size_t> alike;
     for (std::size_t k = i; k < sets.size(); ++k)
       if (same_but_for_radius(sets[i], sets[k])) alike.push_back(k), seen[k] = true;
-    for (const auto& [name, mode, key] : {std::tuple{"Torsion", "torsion", Derivation::torsion}, std::tuple{"Rolling", "rolling", Derivation::rolling}}) {
+    for (const auto& [mode, law] :
+         {std::pair{&torsion_mode(), Derivation::torsion}, std::pair{&rolling_mode(), Derivation::rolling}}) {
       std::vector<std::size_t> family;
-      for (const auto set : alike)
-        if (!derivations[set].laws[key].points.empty()) family.push_back(set);
+      std::string radii;
+      for (const auto set : alike) {
+        if (derivations[set].laws[law].points.empty()) continue;
+        radii += (radii.empty() ? "" : ", ") +
+                 format_quantity(derivations[set].parameters.particle.radius, Dimension::length);
+        family.push_back(set);
+      }
       if (family.size() < 2) continue;
-      reports.push_back(report_of(name, family, derivations, key));
-      for (const auto set : family) derivations[set].parameters.derivation[mode]["over_radii"] = reports.back().details;
+      LawReport report;
+      report.title = std::string(mode->title) + ", over the radii " + radii + " with one mu and h for all";
+      report.points = points_of(family, derivations, law);
+      const LengthChoice choice = choose_length(report.points);
+      tell_choice(choice, report);
+      report.details = to_json(choice);
+      for (const auto set : family) {
+        adopt_length(choice, *mode, law, derivations[set]);
+        derivations[set].parameters.derivation[mode->experiment]["over_radii"] = report.details;
+      }
+      reports.push_back(std::move(report));
     }
   }
   return reports;

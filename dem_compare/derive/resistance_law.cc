@@ -27,21 +27,26 @@ std::size_t realisations_of(const Points& points) {
   return names.size();
 }
 
-/// A realisation's common scatter shows only if there are several, and is apart from the cases' own if one has several.
+/// A realisation's common scatter shows only if there are several, and is apart from the cases' own if one
+/// has several.
 bool has_common_scatter(const Points& points) {
   const std::size_t count = realisations_of(points);
   return count > 1 && count < points.size();
 }
 
-/// Relative scatters are of `level`, the resistance expected of each case: taken of the measured values themselves, a common
-/// scatter would pull the fit below all of them (Peelle's puzzle; Fröhner 1997).
-Eigen::MatrixXd covariance_of(const Points& points, const Eigen::VectorXd& level, double case_scatter, double realisation_scatter) {
+/// Relative scatters are of `level`, the resistance expected of each case: taken of the measured values
+/// themselves, a common scatter would pull the fit below all of them (Peelle's puzzle; Fröhner 1997).
+Eigen::MatrixXd covariance_of(const Points& points, const Eigen::VectorXd& level, double case_scatter,
+                              double realisation_scatter) {
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd V(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
-      const ResistancePoint &p = points[static_cast<std::size_t>(i)], &q = points[static_cast<std::size_t>(j)];
-      V(i, j) = p.realisation == q.realisation ? realisation_scatter * realisation_scatter * level[i] * level[j] : 0;
+      const ResistancePoint &p = points[static_cast<std::size_t>(i)],
+                            &q = points[static_cast<std::size_t>(j)];
+      V(i, j) = p.realisation == q.realisation
+                    ? realisation_scatter * realisation_scatter * level[i] * level[j]
+                    : 0;
       if (i == j) V(i, i) += p.sd * p.sd + case_scatter * case_scatter * level[i] * level[i];
     }
   return V;
@@ -83,7 +88,8 @@ GeneralisedFit generalised_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& 
   GeneralisedFit fit;
   fit.parameters = normal_factor.solve(A.transpose() * b);
   fit.covariance = normal_factor.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
-  fit.log_likelihood = -0.5 * (log_determinant(factor) + log_determinant(normal_factor) + (b - A * fit.parameters).squaredNorm());
+  fit.log_likelihood = -0.5 * (log_determinant(factor) + log_determinant(normal_factor) +
+                               (b - A * fit.parameters).squaredNorm());
   return fit;
 }
 
@@ -122,9 +128,12 @@ constexpr int scatter_steps = 31;
 
 double ResistancePoint::length(LengthScale scale) const {
   switch (scale) {
-    case LengthScale::particle_radius: return particle_radius;
-    case LengthScale::contact_radius: return contact_radius;
-    case LengthScale::none: break;
+    case LengthScale::particle_radius:
+      return particle_radius;
+    case LengthScale::contact_radius:
+      return contact_radius;
+    case LengthScale::none:
+      break;
   }
   return 1;
 }
@@ -152,13 +161,16 @@ ResistanceLaw fit_resistance(const Points& points, LengthScale scale) {
   law.degrees_of_freedom = static_cast<int>(y.size() - X.cols());
 
   const Eigen::VectorXd level = mean_of_contact(scaled);
-  const Eigen::VectorXd expected = X * generalised_fit(X, y, covariance_of(scaled, level, largest_scatter, 0)).parameters;
+  const Eigen::VectorXd expected =
+      X * generalised_fit(X, y, covariance_of(scaled, level, largest_scatter, 0)).parameters;
   double best = -std::numeric_limits<double>::infinity();
   GeneralisedFit fit;
-  const std::vector<double> tried =
-      law.degrees_of_freedom > 0 ? scatters(smallest_scatter, largest_scatter, scatter_steps) : std::vector{smallest_scatter};
+  const std::vector<double> tried = law.degrees_of_freedom > 0
+                                        ? scatters(smallest_scatter, largest_scatter, scatter_steps)
+                                        : std::vector{smallest_scatter};
   std::vector<double> common{0.0};
-  if (has_common_scatter(points) && law.degrees_of_freedom > 0) common.insert(common.end(), tried.begin(), tried.end());
+  if (has_common_scatter(points) && law.degrees_of_freedom > 0)
+    common.insert(common.end(), tried.begin(), tried.end());
   for (const double shared : common)
     for (const double own : tried) {
       GeneralisedFit candidate = generalised_fit(X, y, covariance_of(scaled, expected, own, shared));
@@ -200,8 +212,9 @@ double log_evidence(const Points& points, LengthScale scale) {
     for (const double own : own_scatters) {
       const Eigen::LLT<Eigen::MatrixXd> factor(covariance_of(scaled, level, own, shared) + prior);
       const Eigen::VectorXd white = factor.matrixL().solve(y);
-      logs.push_back(-0.5 * (white.squaredNorm() + log_determinant(factor) +
-                             static_cast<double>(y.size()) * std::log(boost::math::double_constants::two_pi)));
+      logs.push_back(-0.5 *
+                     (white.squaredNorm() + log_determinant(factor) +
+                      static_cast<double>(y.size()) * std::log(boost::math::double_constants::two_pi)));
     }
   const double largest = *std::max_element(logs.begin(), logs.end());
   double sum = 0;
@@ -217,7 +230,8 @@ double leave_one_out(const Points& points, LengthScale scale) {
     Points others;
     for (const auto& point : points)
       if (!same_contact(point, left_out)) others.push_back(point);
-    squares += std::pow(fit_resistance(others, scale).at(left_out, scale) / left_out.value - 1, 2) / static_cast<double>(points.size());
+    squares += std::pow(fit_resistance(others, scale).at(left_out, scale) / left_out.value - 1, 2) /
+               static_cast<double>(points.size());
   }
   return std::sqrt(squares);
 }

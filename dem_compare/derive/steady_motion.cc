@@ -15,7 +15,9 @@ constexpr double flat_share = 0.02;
 /// Steps that a steady stretch must have for a mean with an error.
 constexpr std::size_t fewest_steady_rows = 3;
 
-double slope_to(const Values& x, const Values& y, std::size_t row) { return (y[row] - y[row - 1]) / (x[row] - x[row - 1]); }
+double slope_to(const Values& x, const Values& y, std::size_t row) {
+  return (y[row] - y[row - 1]) / (x[row] - x[row - 1]);
+}
 
 /// First row of a leg after full slip; one past its last if there is none.
 std::size_t full_slip_row(const Values& x, const Values& y, const MotionLeg& leg) {
@@ -42,10 +44,12 @@ Values resampled(const Values& x, const Values& y, std::size_t first, std::size_
   for (std::size_t i = first + 1; i <= last; ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
   std::nth_element(steps.begin(), steps.begin() + static_cast<long>(steps.size() / 2), steps.end());
   const double way = x[last] - x[first];
-  const auto count = static_cast<std::size_t>(std::max(2.0, std::round(std::abs(way) / steps[steps.size() / 2]) + 1));
+  const auto count =
+      static_cast<std::size_t>(std::max(2.0, std::round(std::abs(way) / steps[steps.size() / 2]) + 1));
   Values values;
   for (std::size_t k = 0; k < count; ++k)
-    values.push_back(interpolated(x, y, first, last, x[first] + way * static_cast<double>(k) / static_cast<double>(count - 1)));
+    values.push_back(interpolated(x, y, first, last,
+                                  x[first] + way * static_cast<double>(k) / static_cast<double>(count - 1)));
   return values;
 }
 
@@ -80,11 +84,13 @@ CorrelatedMean correlated_mean(const Values& values) {
   double sum = 1;
   for (std::size_t k = 1; k < values.size() / 2; ++k) {
     double covariance = 0;
-    for (std::size_t i = 0; i + k < values.size(); ++i) covariance += (values[i] - result.mean) * (values[i + k] - result.mean) / n;
+    for (std::size_t i = 0; i + k < values.size(); ++i)
+      covariance += (values[i] - result.mean) * (values[i + k] - result.mean) / n;
     if (covariance <= 0) break;
     sum += 2 * covariance / variance;
   }
-  // Fewer than two independent stretches cannot tell how far the mean is off: then as far as the values scatter.
+  // Fewer than two independent stretches cannot tell how far the mean is off: then as far as the values
+  // scatter.
   result.independent = std::max(n / sum, 1.0);
   result.standard_error = result.sd / std::sqrt(std::max(n / sum - 1, 1.0));
   return result;
@@ -112,9 +118,12 @@ SteadyResistance steady_resistance(const Values& x, const Values& y, const Value
     square += way * here.sd * here.sd;
     error += way * way * here.standard_error * here.standard_error;
     drift += way * (second.mean - first.mean) * leg.direction;
-    drift_square += way * way * (first.standard_error * first.standard_error + second.standard_error * second.standard_error);
+    drift_square +=
+        way * way *
+        (first.standard_error * first.standard_error + second.standard_error * second.standard_error);
     double force = 0;
-    for (std::size_t i = from; i <= leg.last; ++i) force += load[i] / static_cast<double>(leg.last - from + 1);
+    for (std::size_t i = from; i <= leg.last; ++i)
+      force += load[i] / static_cast<double>(leg.last - from + 1);
     steady.load += way * force;
     steady.independent += here.independent;
   }
@@ -142,7 +151,8 @@ double torsion_partial_slip(double share) {
   return moment > 0 ? unit.angle(moment) / moment : 1;
 }
 
-ReversalStiffness reversal_stiffness(const Values& x, const Values& y, double full_slip, const PartialSlip& partial_slip) {
+ReversalStiffness reversal_stiffness(const Values& x, const Values& y, double full_slip,
+                                     const PartialSlip& partial_slip) {
   constexpr double most_of_full_slip = 0.95;
   double sum = 0, error = 0;
   int count = 0;
@@ -154,8 +164,9 @@ ReversalStiffness reversal_stiffness(const Values& x, const Values& y, double fu
     for (std::size_t i = 0; i < 2; ++i) {
       change[i] = std::abs(y[turn + 1 + i] - y[turn]);
       const double share = change[i] / (2 * full_slip);
-      stiffness[i] = share < most_of_full_slip ? change[i] / std::abs(x[turn + 1 + i] - x[turn]) * partial_slip(share)
-                                               : std::numeric_limits<double>::quiet_NaN();
+      stiffness[i] = share < most_of_full_slip
+                         ? change[i] / std::abs(x[turn + 1 + i] - x[turn]) * partial_slip(share)
+                         : std::numeric_limits<double>::quiet_NaN();
     }
     const double at_turn = stiffness[0] + (stiffness[0] - stiffness[1]) * change[0] / (change[1] - change[0]);
     if (!std::isfinite(at_turn)) continue;

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/contact_parameters.h"
 #include "dem_compare/contact_history.h"
+#include "dem_compare/contact_parameters.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "tests/support/temporary_folder.h"
 
@@ -42,7 +42,8 @@ constexpr double local_friction = 0.3;
 void write_sliding_case(const fs::path& folder, double radius, double load) {
   const ElasticBody glass{71e9, 0.17};
   const Hertz hertz{reduced_modulus(glass, glass), radius};
-  const double stiffness = 8 * sliding_modulus(glass, glass) * hertz.contact_radius(load), limit = local_friction * load;
+  const double stiffness = 8 * sliding_modulus(glass, glass) * hertz.contact_radius(load),
+               limit = local_friction * load;
   ContactHistory history;
   const auto add = [&](double force, double position, double resistance) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
@@ -56,22 +57,28 @@ void write_sliding_case(const fs::path& folder, double radius, double load) {
   for (int i = 1; i <= load_steps; ++i) add(load * i / load_steps, 0, 0);
   const double step = limit / stiffness / 3;
   for (int i = 1; i <= steps; ++i) add(load, i * step, std::min(limit, stiffness * i * step));
-  for (int i = 1; i <= steps; ++i) add(load, (steps - i) * step, std::max(-limit, limit - stiffness * i * step));
+  for (int i = 1; i <= steps; ++i)
+    add(load, (steps - i) * step, std::max(-limit, limit - stiffness * i * step));
   fs::create_directories(folder);
   write_file_atomically(folder / "history.csv", format_history(history));
-  const nlohmann::json glass_json{{"youngs_modulus", 71e9}, {"poissons_ratio", 0.17}, {"topography", "smooth"}};
-  write_file_atomically(folder / "result.json",
-                        nlohmann::json{{"format", "asperity-result/1"},
-                                       {"experiment", "sliding"},
-                                       {"inputs", {{"particle", glass_json}, {"substrate", glass_json}, {"radius", radius}, {"friction_coefficient", local_friction}}},
-                                       {"mesh", {{"interface_spacing", 2e-8}}},
-                                       {"versions", {{"asperity", "0.1.0"}}}}
-                            .dump());
+  const nlohmann::json glass_json{
+      {"youngs_modulus", 71e9}, {"poissons_ratio", 0.17}, {"topography", "smooth"}};
+  write_file_atomically(folder / "result.json", nlohmann::json{{"format", "asperity-result/1"},
+                                                               {"experiment", "sliding"},
+                                                               {"inputs",
+                                                                {{"particle", glass_json},
+                                                                 {"substrate", glass_json},
+                                                                 {"radius", radius},
+                                                                 {"friction_coefficient", local_friction}}},
+                                                               {"mesh", {{"interface_spacing", 2e-8}}},
+                                                               {"versions", {{"asperity", "0.1.0"}}}}
+                                                    .dump());
 }
 
 TEST(DeriveCommand_analytic, writes_parameters_with_uncertainty_loads_and_provenance) {
   const TemporaryFolder folder;
-  for (const double load : {1e-4, 3e-4, 1e-3}) write_sliding_case(folder.path / "cases" / std::to_string(load), 8.5e-6, load);
+  for (const double load : {1e-4, 3e-4, 1e-3})
+    write_sliding_case(folder.path / "cases" / std::to_string(load), 8.5e-6, load);
   const fs::path file = folder.path / "parameters.json";
   const Outcome outcome = call("derive " + (folder.path / "cases").string() + " --output " + file.string());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
@@ -82,7 +89,8 @@ TEST(DeriveCommand_analytic, writes_parameters_with_uncertainty_loads_and_proven
   EXPECT_NEAR(parameters.sliding_friction->value, local_friction, 1e-6);
   EXPECT_TRUE(std::isfinite(parameters.sliding_friction->sd));
   EXPECT_TRUE(parameters.sliding_friction->load_range);
-  EXPECT_NE(parameters.sliding_friction->provenance.find("3 cases"), std::string::npos) << parameters.sliding_friction->provenance;
+  EXPECT_NE(parameters.sliding_friction->provenance.find("3 cases"), std::string::npos)
+      << parameters.sliding_friction->provenance;
   EXPECT_EQ(parameters.derivation["cases"].size(), 3u);
 }
 
@@ -90,10 +98,12 @@ TEST(DeriveCommand, writes_one_file_for_each_radius_and_says_so) {
   const TemporaryFolder folder;
   write_sliding_case(folder.path / "small", 5e-6, 1e-4);
   write_sliding_case(folder.path / "large", 8.5e-6, 1e-4);
-  const Outcome outcome = call("derive " + (folder.path / "small").string() + " " + (folder.path / "large").string() + " --output " +
-                               (folder.path / "p.json").string());
+  const Outcome outcome =
+      call("derive " + (folder.path / "small").string() + " " + (folder.path / "large").string() +
+           " --output " + (folder.path / "p.json").string());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("they differ in Particle/Radius: 5 um, 8.5 um"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("they differ in Particle/Radius: 5 um, 8.5 um"), std::string::npos)
+      << outcome.output;
   EXPECT_EQ(read_contact_parameters(folder.path / "p_1.json").particle.radius, 5e-6);
   EXPECT_EQ(read_contact_parameters(folder.path / "p_2.json").particle.radius, 8.5e-6);
   EXPECT_FALSE(fs::exists(folder.path / "p.json"));
@@ -102,12 +112,14 @@ TEST(DeriveCommand, writes_one_file_for_each_radius_and_says_so) {
 TEST(DeriveCommand, refuses_folders_without_cases_and_broken_results_in_one_sentence) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path / "empty");
-  const Outcome empty = call("derive " + (folder.path / "empty").string() + " --output " + (folder.path / "p.json").string());
+  const Outcome empty =
+      call("derive " + (folder.path / "empty").string() + " --output " + (folder.path / "p.json").string());
   EXPECT_EQ(empty.status, 2);
   EXPECT_NE(empty.output.find("neither a solved case"), std::string::npos) << empty.output;
   write_sliding_case(folder.path / "broken", 5e-6, 1e-4);
   write_file_atomically(folder.path / "broken" / "result.json", "{");
-  const Outcome broken = call("derive " + (folder.path / "broken").string() + " --output " + (folder.path / "p.json").string());
+  const Outcome broken =
+      call("derive " + (folder.path / "broken").string() + " --output " + (folder.path / "p.json").string());
   EXPECT_EQ(broken.status, 2);
   EXPECT_NE(broken.output.find("result.json"), std::string::npos) << broken.output;
   EXPECT_EQ(call("derive " + (folder.path / "nowhere").string()).status, 2);

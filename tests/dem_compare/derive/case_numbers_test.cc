@@ -42,11 +42,16 @@ TEST(CaseNumbers, of_one_realisation_on_one_mesh_know_neither) {
 TEST(PowerLaw_analytic, finds_stiffness_and_power_of_torsion_without_slip) {
   const Hertz hertz{52.87e9, 8.5e-6};
   std::vector<CaseNumber> numbers;
-  for (const double load : {1e-4, 3e-4, 1e-3}) numbers.push_back({load, "", 0, 2e9 * std::pow(hertz.contact_radius(load), 3), 0});
-  const PowerLaw law = fit_power(numbers, [&](double load) { return hertz.contact_radius(load); }, 3);
+  for (const double load : {1e-4, 3e-4, 1e-3})
+    numbers.push_back({load, "", 0, 2e9 * std::pow(hertz.contact_radius(load), 3), 0});
+  const PowerLaw law = fit_power(
+      numbers, [&](double load) { return hertz.contact_radius(load); }, 3);
   EXPECT_NEAR(law.value / (2e9 * std::pow(hertz.contact_radius(law.at_load), 3)), 1, 1e-12);
   EXPECT_NEAR(law.exponent, 3, 1e-9);
-  EXPECT_NEAR(fit_power(numbers, [&](double load) { return hertz.contact_radius(load); }, 1).exponent, 3, 1e-9);
+  EXPECT_NEAR(fit_power(
+                  numbers, [&](double load) { return hertz.contact_radius(load); }, 1)
+                  .exponent,
+              3, 1e-9);
 }
 
 }  // namespace

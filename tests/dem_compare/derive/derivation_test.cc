@@ -1,4 +1,5 @@
-// Histories made from the reduced laws with known numbers and correlated noise: `derive` must give the numbers back.
+// Histories made from the reduced laws with known numbers and correlated noise: `derive` must give the
+// numbers back.
 #include "dem_compare/derive/derivation.h"
 
 #include <gtest/gtest.h>
@@ -18,25 +19,30 @@ namespace {
 using test::TemporaryFolder;
 
 const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
-const Hertz hertz{reduced_modulus(glass, silicon), 8.5e-6};
+const Hertz standard{reduced_modulus(glass, silicon), 8.5e-6};
+const Hertz& hertz = standard;
 
 struct Truth {
-  double mu = 0.23, offset = 12e-6;                      ///< sliding
+  double mu = 0.23, offset = 12e-6;  ///< sliding
   double torsion_coefficient = 0.12, torsion_offset = 12e-6;
-  bool torsion_with_contact = true;                      ///< lambda = a, else r
-  double noise = 0.02;                                   ///< of the resistance along the way, relative
-  double realisation_scatter = 0;                        ///< relative
+  bool torsion_with_contact = true;  ///< lambda = a, else r
+  double noise = 0.02;               ///< of the resistance along the way, relative
+  double realisation_scatter = 0;    ///< relative
 };
 
-/// A way of sliding, torsion or rolling there and back, as `solve` writes it; noise correlated over about two steps.
-SolvedCase make_case(const Truth& truth, const std::string& type, double load, int seed, std::mt19937& random) {
+/// A way of sliding, torsion or rolling there and back, as `solve` writes it; noise correlated over about two
+/// steps.
+SolvedCase make_case(const Truth& truth, const std::string& type, double load, int seed, std::mt19937& random,
+                     const Hertz& hertz = standard) {
   std::normal_distribution<double> normal;
   const bool sliding = type == "sliding", rolling = type == "rolling";
   const double a = hertz.contact_radius(load);
   const double length = sliding ? 1 : truth.torsion_with_contact ? a : hertz.radius;
-  const double mu = sliding ? truth.mu : truth.torsion_coefficient, offset = sliding ? truth.offset : truth.torsion_offset;
+  const double mu = sliding ? truth.mu : truth.torsion_coefficient,
+               offset = sliding ? truth.offset : truth.torsion_offset;
   const double limit = mu * length * (load + offset);
-  const double stiffness = sliding ? 8 * sliding_modulus(glass, silicon) * a : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
+  const double stiffness = sliding ? 8 * sliding_modulus(glass, silicon) * a
+                                   : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
   // Virgin curve: bilinear is enough, the stiffness has tests of its own.
   const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
   ContactHistory history;
@@ -47,8 +53,14 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
     history.normal_displacement.back() = hertz.approach(force);
     history.contact_radius.back() = hertz.contact_radius(force);
     history.contact_area.back() = hertz.contact_area(force);
-    (sliding ? history.lateral_displacement : rolling ? history.rolling_angle : history.torsion_angle).back() = position;
-    (sliding ? history.lateral_force : rolling ? history.rolling_moment : history.torsion_moment).back() = resistance;
+    (sliding   ? history.lateral_displacement
+     : rolling ? history.rolling_angle
+               : history.torsion_angle)
+        .back() = position;
+    (sliding   ? history.lateral_force
+     : rolling ? history.rolling_moment
+               : history.torsion_moment)
+        .back() = resistance;
   };
   constexpr int load_steps = 8;
   for (int i = 1; i <= load_steps; ++i) add(load * i / load_steps, 0, 0);
@@ -64,24 +76,35 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
   std::mt19937 of_seed(static_cast<unsigned>(seed * 7919) + static_cast<unsigned>(random()));
   const double common = truth.realisation_scatter > 0 ? scatter(of_seed) : 1;
   for (const double w : ways) add(load, w, w > slip_way ? common * noisy(virgin(w)) : common * virgin(w));
-  for (const double w : ways) add(load, way - w, w > 2 * slip_way ? -common * noisy(limit) : common * (limit - 2 * virgin(w / 2)));
+  for (const double w : ways)
+    add(load, way - w, w > 2 * slip_way ? -common * noisy(limit) : common * (limit - 2 * virgin(w / 2)));
   std::map<std::string, std::string> entries{
-      {"Particle/Radius", "8.5 um"}, {"Particle/Young modulus", "71 GPa"}, {"Particle/Poisson ratio", "0.17"},
-      {"Substrate/Young modulus", "179 GPa"}, {"Substrate/Poisson ratio", "0.25"}, {"Interface/Friction coefficient", "0.2"},
-      {"Experiment/Type", type}, {"Substrate/Topography", "generated(rms=1.5 nm, seed=" + std::to_string(seed) + ")"}};
+      {"Particle/Radius", format_quantity(hertz.radius, Dimension::length)},
+      {"Particle/Young modulus", "71 GPa"},
+      {"Particle/Poisson ratio", "0.17"},
+      {"Substrate/Young modulus", "179 GPa"},
+      {"Substrate/Poisson ratio", "0.25"},
+      {"Interface/Friction coefficient", "0.2"},
+      {"Experiment/Type", type},
+      {"Substrate/Topography", "generated(rms=1.5 nm, seed=" + std::to_string(seed) + ")"}};
   SolvedCase solved;
   solved.folder = type + "_" + std::to_string(load) + "_" + std::to_string(seed);
   solved.entries = CaseEntries(entries);
-  solved.result = {{"format", "asperity-result/1"}, {"experiment", type}, {"mesh", {{"interface_spacing", 1e-8}}}, {"versions", {{"asperity", "0.1.0"}}}};
+  solved.result = {{"format", "asperity-result/1"},
+                   {"experiment", type},
+                   {"mesh", {{"interface_spacing", 1e-8}}},
+                   {"versions", {{"asperity", "0.1.0"}}}};
   solved.history = history;
   return solved;
 }
 
-ParameterSet make_set(const Truth& truth, const std::vector<double>& loads, int realisations, std::mt19937& random) {
+ParameterSet make_set(const Truth& truth, const std::vector<double>& loads, int realisations,
+                      std::mt19937& random) {
   ParameterSet set;
   for (const double load : loads)
     for (int seed = 1; seed <= realisations; ++seed)
-      for (const char* type : {"sliding", "torsion"}) set.cases.push_back(make_case(truth, type, load, seed, random));
+      for (const char* type : {"sliding", "torsion"})
+        set.cases.push_back(make_case(truth, type, load, seed, random));
   return set;
 }
 
@@ -104,29 +127,63 @@ TEST(Derivation_analytic, gives_back_the_laws_that_histories_were_made_from) {
   EXPECT_FALSE(p.pull_off_force);
 }
 
-TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in_three_and_finds_the_length) {
+TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in_three) {
   std::mt19937 random(2);
   constexpr int repetitions = 60;
-  int mu = 0, offset = 0, torsion = 0, right_length = 0, told = 0;
+  int mu = 0, offset = 0, torsion = 0;
+  Truth truth;
+  truth.noise = 0.06;  // a mean then is worse known than to the thousandth that any case is good for
   for (int i = 0; i < repetitions; ++i) {
-    Truth truth;
-    truth.torsion_with_contact = i % 2 == 0;
-    if (!truth.torsion_with_contact) truth.torsion_coefficient = 0.0056;
     const ContactParameters p = derive_parameters(make_set(truth, wide, 2, random)).parameters;
     mu += std::abs(p.sliding_friction->value - truth.mu) < p.sliding_friction->sd;
     offset += std::abs(p.sliding_offset->value - truth.offset) < p.sliding_offset->sd;
     torsion += std::abs(p.torsion_friction->value - truth.torsion_coefficient) < p.torsion_friction->sd;
-    const double log_odds = p.derivation["torsion"]["length"]["log_odds_a_over_r"];
-    right_length += (p.torsion_friction->length_scale == LengthScale::contact_radius) == truth.torsion_with_contact;
-    told += (truth.torsion_with_contact ? log_odds : -log_odds) > std::log(20);
   }
   // 60 draws of a share of 0.683 scatter by 0.060.
   constexpr double share = 0.683, three_sigma = 0.18;
   EXPECT_NEAR(mu / double(repetitions), share, three_sigma);
   EXPECT_NEAR(offset / double(repetitions), share, three_sigma);
   EXPECT_NEAR(torsion / double(repetitions), share, three_sigma);
-  EXPECT_EQ(right_length, repetitions);
-  EXPECT_EQ(told, repetitions);
+}
+
+TEST(Derivation_analytic, finds_the_length_of_torsion_from_noisy_histories) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 40; ++i) {
+    Truth truth;
+    truth.torsion_with_contact = i % 2 == 0;
+    if (!truth.torsion_with_contact) truth.torsion_coefficient = 0.0056;
+    const ContactParameters p = derive_parameters(make_set(truth, wide, 2, random)).parameters;
+    const double log_odds = p.derivation["torsion"]["length"]["log_odds_a_over_r"];
+    EXPECT_EQ(p.torsion_friction->length_scale,
+              truth.torsion_with_contact ? LengthScale::contact_radius : LengthScale::particle_radius);
+    EXPECT_GT(truth.torsion_with_contact ? log_odds : -log_odds, std::log(20));
+  }
+}
+
+TEST(Derivation_analytic, lets_a_second_radius_tell_the_length_that_its_loads_cannot) {
+  std::mt19937 random(11);
+  Truth truth;
+  truth.torsion_with_contact = false;
+  truth.torsion_coefficient = 0.0056;
+  truth.torsion_offset = 0;
+  std::vector<ParameterSet> sets(2);
+  std::vector<Derivation> derivations;
+  for (int i = 0; i < 2; ++i) {
+    const Hertz sphere{standard.reduced_modulus, i == 0 ? 8.5e-6 : 2.5e-6};
+    for (const double load : {0.9e-3, 1e-3})
+      for (int seed = 1; seed <= 2; ++seed)
+        sets[i].cases.push_back(make_case(truth, "torsion", load, seed, random, sphere));
+    sets[i].inputs = {{"Particle/Radius", std::to_string(sphere.radius)}};
+    derivations.push_back(derive_parameters(sets[i]));
+    EXPECT_EQ(derivations[i].parameters.torsion_friction->length_scale, LengthScale::contact_radius);
+  }
+  ASSERT_EQ(compare_radii(sets, derivations).size(), 1u);
+  for (const auto& derivation : derivations) {
+    const EffectiveQuantity& friction = *derivation.parameters.torsion_friction;
+    EXPECT_EQ(friction.length_scale, LengthScale::particle_radius);
+    EXPECT_NEAR(friction.value, 0.0056, 3 * friction.sd);
+    EXPECT_TRUE(derivation.parameters.derivation["torsion"].contains("over_radii"));
+  }
 }
 
 TEST(Derivation, passes_over_cells_that_are_not_known) {
@@ -199,13 +256,15 @@ TEST(Derivation, is_read_back_as_it_was_written) {
 }
 
 /// A folder as `solve` leaves it.
-void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius, bool finished = true, double friction = 0.2) {
+void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius,
+                bool finished = true, double friction = 0.2) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "history.csv") << format_history(solved.history);
-  std::ofstream(folder / "case.prm") << "subsection Particle\n  set Radius = " << radius
-                                     << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
-                                        "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
-                                     << solved.entries.text("Substrate/Topography") << "\nend\n";
+  std::ofstream(folder / "case.prm")
+      << "subsection Particle\n  set Radius = " << radius
+      << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
+         "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
+      << solved.entries.text("Substrate/Topography") << "\nend\n";
   nlohmann::ordered_json result = solved.result;
   result["inputs"] = {{"friction_coefficient", friction}};
   if (finished) std::ofstream(folder / "result.json") << result.dump();
@@ -246,7 +305,10 @@ TEST(ParameterSets, with_friction_take_frictionless_cases_of_the_same_bodies_for
 TEST(ParameterSets, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
   std::mt19937 random(6);
   const TemporaryFolder folder;
-  EXPECT_NE(test::message_of<InputError>([&] { collect_parameter_sets({folder.path}); }).find("neither a solved case"), std::string::npos);
+  EXPECT_NE(test::message_of<InputError>([&] {
+              collect_parameter_sets({folder.path});
+            }).find("neither a solved case"),
+            std::string::npos);
   write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um", false);
   const std::string message = test::message_of<InputError>([&] { collect_parameter_sets({folder.path}); });
   EXPECT_NE(message.find("no case is complete"), std::string::npos) << message;

@@ -11,15 +11,16 @@ namespace asperity {
 namespace {
 
 const Hertz hertz{52.87e9, 8.5e-6};
-constexpr auto contact_radius = LengthScale::contact_radius, particle_radius = LengthScale::particle_radius, none = LengthScale::none;
+constexpr auto contact_radius = LengthScale::contact_radius, particle_radius = LengthScale::particle_radius,
+               none = LengthScale::none;
 
 struct Truth {
   double mu = 0.11, offset = 2e-5;
   double way_scatter = 0.01, case_scatter = 0.02, realisation_scatter = 0.03;
 };
 
-std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<double>& loads, int realisations, LengthScale scale,
-                                     std::mt19937& random, const Hertz& sphere = hertz) {
+std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<double>& loads, int realisations,
+                                     LengthScale scale, std::mt19937& random, const Hertz& sphere = hertz) {
   std::normal_distribution<double> normal;
   std::vector<ResistancePoint> points;
   for (int r = 0; r < realisations; ++r) {
@@ -27,7 +28,8 @@ std::vector<ResistancePoint> measure(const Truth& truth, const std::vector<doubl
     for (const double load : loads) {
       ResistancePoint point{load, 0, 0, std::to_string(r), sphere.radius, sphere.contact_radius(load)};
       const double exact = truth.mu * point.length(scale) * (load + truth.offset);
-      point.value = exact * common * (1 + truth.case_scatter * normal(random) + truth.way_scatter * normal(random));
+      point.value =
+          exact * common * (1 + truth.case_scatter * normal(random) + truth.way_scatter * normal(random));
       point.sd = truth.way_scatter * exact;
       points.push_back(point);
     }
@@ -55,7 +57,8 @@ TEST(ResistanceLaw, from_one_load_has_no_offset) {
   EXPECT_FALSE(law.has_offset);
   EXPECT_EQ(law.offset, 0);
   EXPECT_NEAR(law.coefficient, 0.23, 0.01);
-  EXPECT_NEAR(law.coefficient_sd() / 0.23, std::hypot(0.01, 0.001), 1e-4);  // of the way, and of any solved case
+  EXPECT_NEAR(law.coefficient_sd() / 0.23, std::hypot(0.01, 0.001),
+              1e-4);  // of the way, and of any solved case
 }
 
 /// Share of many repetitions in which a fitted number lies within its sd of the truth.
@@ -74,8 +77,8 @@ Coverage coverage(const Truth& truth, int realisations, LengthScale scale) {
   return share;
 }
 
-// 200 draws of a share of 0.683 scatter by 0.033. Few realisations make an sd that is itself uncertain: Student's t with four
-// degrees of freedom puts 0.626 within one sd.
+// 200 draws of a share of 0.683 scatter by 0.033. Few realisations make an sd that is itself uncertain:
+// Student's t with four degrees of freedom puts 0.626 within one sd.
 constexpr double normal_share = 0.683, student_share_of_4 = 0.626, three_sigma = 0.1;
 
 TEST(ResistanceLaw_analytic, states_an_uncertainty_that_covers_the_truth_two_times_in_three) {

@@ -26,7 +26,8 @@ Loop loop(const Virgin& virgin, double first_step, double way, double growth = 1
   add(0, 0);
   std::vector<double> ways;
   double x = 0;
-  for (double step = first_step; x < way; step = std::min(step * growth, way / 40)) ways.push_back(x = std::min(x + step, way));
+  for (double step = first_step; x < way; step = std::min(step * growth, way / 40))
+    ways.push_back(x = std::min(x + step, way));
   for (const double w : ways) add(w, virgin(w));
   const double turn = virgin(way);
   for (const double w : ways) add(way - w, turn - 2 * virgin(w / 2));
@@ -37,7 +38,9 @@ Loop loop(const Virgin& virgin, double first_step, double way, double growth = 1
 struct Sliding {
   double limit = 3e-5, stiffness = 17200;
   double slip_way() const { return 1.5 * limit / stiffness; }
-  double operator()(double x) const { return x >= slip_way() ? limit : limit * (1 - std::pow(1 - x / slip_way(), 1.5)); }
+  double operator()(double x) const {
+    return x >= slip_way() ? limit : limit * (1 - std::pow(1 - x / slip_way(), 1.5));
+  }
 };
 
 TEST(SteadyMotion_analytic, of_sliding_with_partial_slip_gives_the_limit_and_the_stiffness_without_slip) {
@@ -48,7 +51,8 @@ TEST(SteadyMotion_analytic, of_sliding_with_partial_slip_gives_the_limit_and_the
   EXPECT_NEAR(steady.mean / law.limit, 1, 1e-6);
   EXPECT_LT(steady.fluctuation, 1e-6 * law.limit);
   EXPECT_DOUBLE_EQ(steady.load, 1e-4);
-  const ReversalStiffness reversal = reversal_stiffness(data.position, data.resistance, steady.mean, sliding_partial_slip);
+  const ReversalStiffness reversal =
+      reversal_stiffness(data.position, data.resistance, steady.mean, sliding_partial_slip);
   EXPECT_NEAR(reversal.value / law.stiffness, 1, 1e-6);
 }
 
@@ -58,7 +62,8 @@ TEST(SteadyMotion_analytic, of_torsion_with_partial_slip_gives_full_slip_and_the
   const SteadyResistance steady = steady_resistance(data.position, data.resistance, data.load);
   ASSERT_TRUE(steady.reached);
   EXPECT_NEAR(steady.mean / law.full_slip_moment(), 1, 2e-3);  // full slip takes an infinite angle
-  const ReversalStiffness reversal = reversal_stiffness(data.position, data.resistance, steady.mean, torsion_partial_slip);
+  const ReversalStiffness reversal =
+      reversal_stiffness(data.position, data.resistance, steady.mean, torsion_partial_slip);
   EXPECT_NEAR(reversal.value / no_slip_torsion_stiffness(15e9, 0.26e-6), 1, 2e-3);
 }
 
@@ -66,7 +71,8 @@ TEST(SteadyMotion, that_never_slips_fully_has_no_steady_resistance) {
   const Sliding law;
   const Loop data = loop(law, law.slip_way() / 20, 0.5 * law.slip_way(), 1);
   EXPECT_FALSE(steady_resistance(data.position, data.resistance, data.load).reached);
-  EXPECT_TRUE(std::isnan(reversal_stiffness(data.position, data.resistance, law.limit, sliding_partial_slip).value));
+  EXPECT_TRUE(
+      std::isnan(reversal_stiffness(data.position, data.resistance, law.limit, sliding_partial_slip).value));
 }
 
 TEST(SteadyMotion, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
@@ -91,10 +97,12 @@ TEST(SteadyMotion, that_counts_resistance_with_the_other_sign_has_the_same_mean)
 
 TEST(SteadyMotion, that_still_rises_is_said_to_change) {
   const Sliding law;
-  const Loop data = loop([&](double x) { return law(x) * (1 + 0.1 * x / 60e-9); }, law.slip_way() / 10, 60e-9);
+  const Loop data =
+      loop([&](double x) { return law(x) * (1 + 0.1 * x / 60e-9); }, law.slip_way() / 10, 60e-9);
   Loop forward;
   for (std::size_t i = 0; i <= data.position.size() / 2; ++i)
-    forward.position.push_back(data.position[i]), forward.resistance.push_back(data.resistance[i]), forward.load.push_back(1e-4);
+    forward.position.push_back(data.position[i]), forward.resistance.push_back(data.resistance[i]),
+        forward.load.push_back(1e-4);
   const SteadyResistance steady = steady_resistance(forward.position, forward.resistance, forward.load);
   EXPECT_TRUE(steady.still_changes());
   EXPECT_NEAR(steady.drift, 0.05, 0.01);
@@ -104,7 +112,8 @@ TEST(SteadyMotion, that_still_rises_is_said_to_change) {
 std::vector<double> correlated_series(std::mt19937& random, double rho, int count) {
   std::normal_distribution<double> normal;
   std::vector<double> values{normal(random)};
-  for (int i = 1; i < count; ++i) values.push_back(rho * values.back() + std::sqrt(1 - rho * rho) * normal(random));
+  for (int i = 1; i < count; ++i)
+    values.push_back(rho * values.back() + std::sqrt(1 - rho * rho) * normal(random));
   return values;
 }
 
@@ -113,7 +122,8 @@ TEST(CorrelatedMean_analytic, counts_the_independent_stretches_of_an_autoregress
   constexpr double rho = 0.8;
   double independent = 0;
   constexpr int series = 100, count = 2000;
-  for (int s = 0; s < series; ++s) independent += correlated_mean(correlated_series(random, rho, count)).independent / series;
+  for (int s = 0; s < series; ++s)
+    independent += correlated_mean(correlated_series(random, rho, count)).independent / series;
   // N_eff = N (1 - rho)/(1 + rho); the sum that stops at the first zero is a few percent off.
   EXPECT_NEAR(independent / (count * (1 - rho) / (1 + rho)), 1, 0.08);
 }
