@@ -1,5 +1,6 @@
 #include "dem_compare/engines/lammps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -72,6 +73,13 @@ class Script {
          << "print \"" << trace_header() << "\" file trace.csv\n";
   }
 
+  /// One row of the trace; `leg` is its number or the variable that has it.
+  static std::string rows_every(long every, const std::string& leg, std::size_t first) {
+    return "fix out all print " + std::to_string(every) + " \"" + leg +
+           ",${time},${drive},${response},${particle},${rotation_rate},${normal_force},${approach}\" append trace.csv"
+           " screen no title \"# leg " + std::to_string(first + 1) + "\"\n";
+  }
+
   /// Runs all legs; `move` gives the commands that set a leg's speed, from speed, drive and step at its start.
   template <class Move>
   void run_legs(const Move& move) {
@@ -81,12 +89,28 @@ class Script {
       const Leg& leg = plan_.legs[i];
       out_ << "# leg " << i + 1 << ": " << number(leg.distance) << " at " << number(plan_.speed(leg)) << " per second\n"
            << move(plan_.speed(leg), drive, step) << "thermo " << leg.steps << "\n"
-           << "fix out all print " << leg.every << " \"" << i
-           << ",${time},${drive},${response},${particle},${rotation_rate},${normal_force},${approach}\" append trace.csv"
-           << " screen no title \"# leg " << i + 1 << "\"\nrun " << leg.steps << "\nunfix out\n";
+           << rows_every(leg.every, std::to_string(i), i) << "run " << leg.steps << "\nunfix out\n";
       drive += leg.distance;
       step += leg.steps;
     }
+  }
+
+  /// The same without the set-up before each leg, which evaluates the contact with the new speed and the old history: at the
+  /// limit of "twisting sds" a sign that has turned then throws the torque to the other limit, or not, by rounding.
+  template <class Move>
+  void run_legs_in_one_go(const Move& move) {
+    double drive = 0;
+    long step = 0, every = plan_.legs.front().every;
+    for (const Leg& leg : plan_.legs) every = std::min(every, leg.every);
+    for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
+      const Leg& leg = plan_.legs[i];
+      out_ << "# leg " << i + 1 << ": " << number(leg.distance) << " at " << number(plan_.speed(leg)) << " per second\n"
+           << move(plan_.speed(leg), drive, step) << "variable leg equal " << i << "\nthermo " << leg.steps << "\n"
+           << (i ? "" : rows_every(every, "${leg}", i)) << "run " << leg.steps << (i ? " pre no" : "") << "\n";
+      drive += leg.distance;
+      step += leg.steps;
+    }
+    out_ << "unfix out\n";
   }
 
   void glued() {
@@ -142,7 +166,7 @@ class Script {
          << "compute torque all property/atom tqz  # nothing integrates: the sphere spins in place as it is told\n"
          << "variable angle equal 0\n";
     trace({"v_angle", "-c_torque[1]", "0", "0", "f_substrate[1][4]", number(R_) + "-z[1]"});
-    run_legs([](double speed, double drive, long step) {
+    run_legs_in_one_go([](double speed, double drive, long step) {
       return "set atom 1 omega 0 0 " + number(speed) + "\nvariable angle equal \"" + number(drive) + " + " + number(speed) +
              "*(step - " + std::to_string(step) + ")*dt\"\n";
     });

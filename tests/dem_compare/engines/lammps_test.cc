@@ -121,6 +121,21 @@ TEST(Lammps_other_code, twisting_sds_takes_stiffness_per_radian_and_a_limit_with
   EXPECT_NEAR(lammps_contact(e.substrate, 1e-4).torsion, 0.0056 * 8.5e-6, 1e-15);
 }
 
+TEST(Lammps_other_code, a_twist_that_turns_at_its_limit_comes_back_along_the_spring_whatever_the_rounding) {
+  const Lammps lammps;
+  ASPERITY_ENGINE_OR_SKIP(lammps);
+  // With a set-up of LAMMPS at the turning point, the first of these jumps to the other limit at once.
+  for (const double friction : {3.10498470997e-8 / 8.5e-6, 3.2e-3, 3.3e-3, 3.4e-3}) {
+    EngineExperiment e = canonical_experiment(Type::twisting);
+    e.substrate.reduced_modulus->value = 52.868387707575e9;
+    e.substrate.torsion_stiffness = EffectiveQuantity{1.56385178098e-6};
+    e.substrate.torsion_stiffness->length_scale = LengthScale::particle_radius;
+    e.substrate.torsion_friction->value = friction;
+    const EngineRun r = run(lammps, e);
+    EXPECT_NEAR(named(r.measurements, "slope after reversal").ratio(), 1, asked) << friction;
+  }
+}
+
 TEST(Lammps_other_code, twisting_marshall_is_softer_than_no_slip_and_stronger_than_full_slip) {
   Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
