@@ -204,8 +204,8 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   const auto with_engine = [&](LawValue value, double stiffness, double moment) {
     if (!(moment > 0))
       value.no_engine = no_friction;
-    else if (quantity == Quantity::torsion_stiffness)  // at the start: LAMMPS may jump through the limit where the twist turns
-      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope at the start"};
+    else if (quantity == Quantity::torsion_stiffness)
+      value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "slope after reversal"};
     else
       value.engine = EngineRequest{twisting(contact, load, stiffness, moment), "plateau", load * r};
     return value;

@@ -96,7 +96,7 @@ class Assembly {
     std::string unsolved;
     for (const Mode mode : {Mode::normal, Mode::sliding, Mode::rolling, Mode::torsion})
       if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
-    if (!unsolved.empty()) remarks.push_back("Not among the folders, so without finite elements: " + unsolved + ".");
+    if (!unsolved.empty()) remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
     if (!record_)
       remarks.push_back(
           "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
