@@ -140,10 +140,25 @@ void ContactSolver::step_with_held_rows(ContactState& state, double target, Tang
   tractions_.release();
 }
 
+std::array<double, 2> ContactSolver::mean_slip_displacement(const ContactState& state) const {
+  std::array<double, 2> mean{};
+  if (!system_.options().tilted_normals) return mean;
+  double total = 0;
+  for (std::size_t r = 0; r < state.multiplier.size(); ++r) total += system_.areas()[r] * state.multiplier[r];
+  if (total == 0) return mean;
+  for (int c = 0; c < 2; ++c) {
+    const auto jumps = system_.interface().jumps(state.displacement.begin(), c);
+    for (std::size_t r = 0; r < jumps.size(); ++r) mean[c] += system_.areas()[r] * state.multiplier[r] * jumps[r] / total;
+  }
+  return mean;
+}
+
 SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion) {
   SolveReport report;
   const auto& level = system_.level();
-  system_.shift_particle(motion.x, motion.y, state.displacement);
+  // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs from it is small.
+  const auto elastic = mean_slip_displacement(state);
+  system_.shift_particle({motion.x + elastic[0], motion.y + elastic[1]}, elastic, state.displacement);
   tractions_.begin_step(state);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
@@ -217,7 +232,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
     }
   }
   tractions_.update_multipliers(state);
-  report.friction_work = tractions_.friction_work();
+  report.friction_work = tractions_.friction_work(state);
   if (force_control()) read_approach(state);
   return report;
 }

@@ -63,6 +63,8 @@ class ContactSolver {
                            SolveReport& report);
   /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state, const RigidMotion& motion);
+  /// Of the particle's surface relative to the substrate's in their frames, weighted with the pressure [m]; 0 without tilted normals.
+  std::array<double, 2> mean_slip_displacement(const ContactState& state) const;
   bool force_control() const { return system_.options().control == Control::force; }
   /// Sets what follows from the free entries, and the driven plane under displacement control.
   void complete(Vector<double>& displacement, double approach) const;

@@ -68,22 +68,33 @@ void ContactSystem::couple() {
   rows_ = couple_interfaces(particle, faces_[1]);
 }
 
-void ContactSystem::shift_particle(double x, double y, const Vector<double>& accepted) {
+void ContactSystem::shift_particle(const std::array<double, 2>& shift, const std::array<double, 2>& elastic, const Vector<double>& accepted) {
   // Far below what any gap can notice.
   const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
-  if (!options_.tilted_normals && std::hypot(x - shift_[0], y - shift_[1]) < unnoticed) return;
-  shift_ = {x, y};
+  if (!options_.tilted_normals && std::hypot(shift[0] - shift_[0], shift[1] - shift_[1]) < unnoticed) return;
+  shift_ = shift;
+  elastic_shift_ = elastic;
+  interface_before_ = std::make_unique<InterfaceOperator>(*interface_);
   couple();
   if (options_.tilted_normals) tilt(accepted);
   interface_->set_rows(rows_, InterfaceNodes(*level_));
-  gaps_ = interface_->jumps(positions_.begin(), 2);
+  untilted_gaps_ = interface_->jumps(positions_.begin(), 2);
+  find_initial_gaps();
   linear_->recouple();
+}
+
+void ContactSystem::find_initial_gaps() {
+  // The coupling already has the elastic shift, which the displacements bring along once more.
+  gaps_ = untilted_gaps_;
+  for (std::size_t r = 0; r < gaps_.size(); ++r)
+    for (int c = 0; c < 2; ++c) gaps_[r] -= rows_[r].slope[c] * elastic_shift_[c];
 }
 
 void ContactSystem::follow_slopes(const Vector<double>& displacement) {
   if (!options_.tilted_normals) return;
   tilt(displacement);
   interface_->set_slopes(rows_);
+  find_initial_gaps();
   linear_->follow_slopes();
 }
 

@@ -31,11 +31,13 @@ class ContactSystem {
   const Vector<double>& positions() const { return positions_; }
   const std::vector<GapRow>& rows() const { return rows_; }
   const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
-  const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row before any motion [m]
-  /// Of the particle's frame relative to the substrate's [m].
+  const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row, without displacements [m]
+  /// Of the particle's surface relative to the substrate's, where they are coupled [m].
   const std::array<double, 2>& shift() const { return shift_; }
   const InterfaceOperator& interface() const { return *interface_; }
   InterfaceOperator& interface() { return *interface_; }
+  /// As it was before the last shift.
+  const InterfaceOperator& interface_before() const { return interface_before_ ? *interface_before_ : *interface_; }
   /// Place of each interface node in its body's frame [m].
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
@@ -43,9 +45,10 @@ class ContactSystem {
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
-  /// Couples the interfaces anew with the particle's frame shifted by (x, y) [m]: the same rows with other weights, gaps, and,
-  /// with tilted normals, slopes, those of the substrate displaced by `accepted`. Collective.
-  void shift_particle(double x, double y, const Vector<double>& accepted);
+  /// Couples the interfaces anew with the particle's surface shifted by `shift` [m], of which `elastic` is a mean displacement of
+  /// the surfaces in their frames: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
+  /// substrate displaced by `accepted`. Collective.
+  void shift_particle(const std::array<double, 2>& shift, const std::array<double, 2>& elastic, const Vector<double>& accepted);
   /// With tilted normals: slopes of the substrate displaced by `displacement`. Collective.
   void follow_slopes(const Vector<double>& displacement);
 
@@ -65,6 +68,7 @@ class ContactSystem {
   void find_faces();
   void couple();
   void tilt(const Vector<double>& displacement);
+  void find_initial_gaps();
   void describe_rows();
 
   ContactSystemOptions options_;
@@ -73,12 +77,12 @@ class ContactSystem {
   std::unique_ptr<MeshLevel> level_;
   Vector<double> positions_;
   std::unique_ptr<PlasticBodies> bodies_;
-  std::unique_ptr<InterfaceOperator> interface_;
+  std::unique_ptr<InterfaceOperator> interface_, interface_before_;
   std::unique_ptr<LinearSolver> linear_;
   std::array<std::vector<PlaneFace>, 2> faces_;  ///< that can touch, each body's in its own frame
-  std::array<double, 2> shift_{};               ///< of the particle's frame
+  std::array<double, 2> shift_{}, elastic_shift_{};
   std::vector<GapRow> rows_;
-  std::vector<double> areas_, gaps_;
+  std::vector<double> areas_, gaps_, untilted_gaps_;
   std::vector<std::array<double, 3>> interface_points_;
   std::vector<char> on_rim_;
   std::vector<std::array<int, 4>> row_quads_;

@@ -13,9 +13,8 @@ InterfaceTractions::InterfaceTractions(const ContactSystem& system, const Fricti
   shear_.assign(pressure_.size(), Shear{{0, 0}, 0, 0, 0, true});
 }
 
-std::array<std::vector<double>, 2> InterfaceTractions::slips(const ContactState& state) const {
-  std::array<std::vector<double>, 2> slips{system_.interface().jumps(state.displacement.begin(), 0),
-                                           system_.interface().jumps(state.displacement.begin(), 1)};
+std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOperator& interface, const ContactState& state) const {
+  std::array<std::vector<double>, 2> slips{interface.jumps(state.displacement.begin(), 0), interface.jumps(state.displacement.begin(), 1)};
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     const auto& p = system_.interface_points()[system_.rows()[r].node];
     slips[0][r] += state.motion.x - state.motion.spin * p[1];
@@ -26,7 +25,8 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const ContactState&
 
 void InterfaceTractions::begin_step(const ContactState& accepted) {
   if (!friction_) return;
-  slip_origin_ = slips(accepted);
+  slip_origin_ = slips(system_.interface(), accepted);
+  slip_origin_before_ = slips(system_.interface_before(), accepted);
   update_limits(accepted);
 }
 
@@ -43,7 +43,7 @@ double InterfaceTractions::update_limits(const ContactState& state) {
 void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
   for (std::size_t r = 0; r < pressure_.size(); ++r) pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
   if (!friction_) return;
-  slip_ = slips(state);
+  slip_ = slips(system_.interface(), state);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     for (int c = 0; c < 2; ++c) slip_[c][r] -= slip_origin_[c][r];
     const double limit = !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
@@ -127,10 +127,13 @@ std::vector<RowStiffness> InterfaceTractions::stiffness() const {
   return stiffness;
 }
 
-double InterfaceTractions::friction_work() const {
+double InterfaceTractions::friction_work(const ContactState& state) const {
+  if (!friction_) return 0;
+  const auto before = slips(system_.interface_before(), state);
   double work = 0;
   for (std::size_t r = 0; r < shear_.size(); ++r)
-    work -= system_.areas()[r] * (shear_[r].traction[0] * slip_[0][r] + shear_[r].traction[1] * slip_[1][r]);
+    for (int c = 0; c < 2; ++c)
+      work -= system_.areas()[r] * shear_[r].traction[c] * 0.5 * (slip_[c][r] + before[c][r] - slip_origin_before_[c][r]);
   return work;
 }
 

@@ -50,21 +50,22 @@ class InterfaceTractions {
   int sticking() const;
   /// Consistent stiffness of the rows at the evaluated state.
   std::vector<RowStiffness> stiffness() const;
-  /// Work of the evaluated shear on the slip since the last accepted state [J], 0 or more.
-  double friction_work() const;
+  /// Work of the evaluated shear at `state` on the slip since the last accepted state [J]. Slip is the mean of what the couplings
+  /// before and after the step see of the same displacements, which makes the balance of energy one of second order in the step.
+  double friction_work(const ContactState& state) const;
   bool has_friction() const { return friction_ != nullptr; }
   double penalty() const { return penalty_; }
 
  private:
   /// Relative tangential displacement of each row, frames included.
-  std::array<std::vector<double>, 2> slips(const ContactState& state) const;
+  std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface, const ContactState& state) const;
 
   const ContactSystem& system_;
   const FrictionLaw* friction_;
   double penalty_;
   std::vector<char> held_;
   std::vector<double> pressure_, limit_;
-  std::array<std::vector<double>, 2> slip_origin_, slip_;
+  std::array<std::vector<double>, 2> slip_origin_, slip_origin_before_, slip_;
   std::vector<Shear> shear_;
 };
 

@@ -82,7 +82,7 @@ bool ContactExperiment::resume() {
   state_.shear = checkpoint->shear;
   state_.approach = checkpoint->approach;
   state_.motion = checkpoint->motion;
-  system_->shift_particle(state_.motion.x, state_.motion.y, state_.displacement);
+  system_->shift_particle(checkpoint->coupled_shift, {}, state_.displacement);
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
@@ -278,6 +278,7 @@ void ContactExperiment::write_step(int index) {
   c.shear = state_.shear;
   c.approach = state_.approach;
   c.motion = state_.motion;
+  c.coupled_shift = system_->shift();
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
   if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));

@@ -19,6 +19,7 @@ struct Checkpoint {
   std::vector<double> multiplier;
   std::array<std::vector<double>, 2> shear;
   RigidMotion motion;
+  std::array<double, 2> coupled_shift{};  ///< ContactSystem::shift
   double approach = 0;
   std::vector<double> history;         ///< PlasticBodies::save_history
 };
