@@ -1,15 +1,13 @@
 // asperity compare as a person calls it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/atomic_file.h"
 #include "dem_compare/engines/run_program.h"
+#include "tests/app/called_program.h"
 #include "tests/dem_compare/compare/solved_folders.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,21 +18,9 @@ using test::SolvedFolder;
 using test::TemporaryFolder;
 using test::write_solved;
 
-struct Outcome {
-  int status;
-  std::string output;  ///< and errors
-};
+using test::Outcome;
 
-Outcome call(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " compare " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome{-1, ""};
-  if (!pipe) return outcome;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
-  return outcome;
-}
+Outcome call(const std::string& arguments) { return test::call("compare " + arguments); }
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 

@@ -1,36 +1,20 @@
 // asperity paper as a person calls it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/csv.h"
+#include "tests/app/called_program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
+using test::call;
+using test::Outcome;
 using test::TemporaryFolder;
-
-struct Outcome {
-  int status;
-  std::string output;  ///< and errors
-};
-
-Outcome call(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome{-1, ""};
-  if (!pipe) return outcome;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
-  return outcome;
-}
 
 TEST(PaperCommand, prints_tables_and_writes_numbers_and_curves) {
   const TemporaryFolder folder;

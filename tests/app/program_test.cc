@@ -1,35 +1,19 @@
 // The program as a person calls it: exit status and messages.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <string>
 
+#include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
+using test::call;
+using test::Outcome;
 using test::smooth_case;
 using test::TemporaryFolder;
-
-struct Outcome {
-  int status;
-  std::string output;  ///< and errors
-};
-
-Outcome call(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome{-1, ""};
-  if (!pipe) return outcome;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
-  return outcome;
-}
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 

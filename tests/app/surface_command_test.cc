@@ -1,32 +1,18 @@
 // asperity surface, as a person and a script call it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/called_program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
-struct Outcome {
-  int status;
-  std::string output;  ///< and errors
-};
+using test::Outcome;
 
-Outcome surface(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " surface " + arguments + " 2>&1").c_str(), "r");
-  Outcome outcome{-1, ""};
-  if (!pipe) return outcome;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe)) outcome.output += buffer.data();
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
-  return outcome;
-}
+Outcome surface(const std::string& arguments) { return test::call("surface " + arguments); }
 
 std::string generate(const std::string& file, const std::string& seed) {
   return "generate --rms \"1.5 nm\" --size \"1 um\" --pixels 256 --seed " + seed + " --output " + file;
