@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
+#include "report/comparison_page.h"
 
 namespace asperity {
 namespace {
@@ -53,6 +54,7 @@ void run(const Arguments& arguments) {
   write_file_atomically(output / "comparison.md", markdown);
   write_file_atomically(output / "comparison.csv", to_csv(comparison));
   write_file_atomically(output / "side_by_side.csv", to_csv(columns));
+  write_file_atomically(output / "comparison.html", report::comparison_page(columns));
   std::cout << (arguments.json ? json : markdown) << std::flush;
   // The other columns are worth having without it.
   if (!columns.engine_failure.empty()) throw WorkError(columns.engine_failure);
@@ -83,7 +85,7 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--published", arguments->published, "Folder of the published numbers")->capture_default_str();
   command->add_option(
       "--output", arguments->output,
-      "Folder for comparison.json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
+      "Folder for comparison.html, .json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
   command->footer("Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps");
   command->callback([arguments] { run(*arguments); });
