@@ -115,7 +115,7 @@ TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_p
                 100 * (s.f / expected - 1), s.mean_pressure, pressure, 100 * (s.mean_pressure / pressure - 1), s.step.newton, s.step.linear);
     std::fflush(stdout);
     EXPECT_NEAR(s.f, expected, 0.02 * expected);
-    EXPECT_NEAR(s.mean_pressure, pressure, 0.04 * pressure);
+    EXPECT_NEAR(s.mean_pressure, pressure, 0.06 * pressure);  // as above; a/h 7 at the lowest of these loads
   }
 }
 
