@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "app/case_command.h"
+#include "app/challenge_command.h"
 #include "app/compare_command.h"
+#include "app/conceal_command.h"
 #include "app/derive_command.h"
+#include "app/diagnose_command.h"
 #include "app/engine_command.h"
 #include "app/experiment_command.h"
+#include "app/import_command.h"
 #include "app/mesh_command.h"
 #include "app/paper_command.h"
 #include "app/report_command.h"
@@ -60,6 +64,10 @@ int main(int argc, char** argv) {
   asperity::add_study_command(app);
   asperity::add_derive_command(app);
   asperity::add_compare_command(app);
+  asperity::add_import_command(app);
+  asperity::add_diagnose_command(app);
+  asperity::add_conceal_command(app);
+  asperity::add_challenge_command(app);
   asperity::add_experiment_commands(app);
   asperity::add_engine_commands(app);
   asperity::add_paper_command(app);

@@ -14,8 +14,8 @@
 #include <fstream>
 #include <thread>
 
-#include "app/child_process.h"
 #include "core/atomic_file.h"
+#include "core/child_process.h"
 #include "core/error.h"
 
 namespace asperity {

@@ -23,7 +23,10 @@ struct BodyInput {
 struct InterfaceInput {
   double friction_coefficient = 0;  ///< local Coulomb friction mu of the asperities [-]
   double shear_strength = 0;        ///< largest shear traction tau [Pa]; 0: no such limit
-  double work_of_adhesion = 0;      ///< w [J/m^2]; 0: no adhesion
+  double work_of_adhesion = 0;      ///< w of closing surfaces [J/m^2]; 0: no adhesion
+  double opening_work = 0;          ///< w of surfaces that were in contact [J/m^2]; 0: the same
+  std::string adhesion_law = "dugdale";
+  double adhesion_range = 0;        ///< the law's length [m]
 };
 
 /// How the particle is moved.
@@ -34,6 +37,7 @@ struct ExperimentInput {
   double normal_approach = 0;  ///< largest approach [m] (displacement control)
   int load_steps = 10;         ///< accepted steps from zero to the largest load
   bool unload = true;          ///< return to zero load after loading
+  double retract = 0;          ///< beyond first touch, at the end of unloading under displacement control [m]
   int unload_steps = 10;
   int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
   int hold_steps = 0;          ///< steps at the largest load before unloading
@@ -52,6 +56,7 @@ struct MeshInput {
 
 struct SolverInput {
   std::string backend = "matrix-free";  ///< "matrix-free" (geometric multigrid) or "assembled" (algebraic multigrid)
+  int newton_steps = 60;                ///< most of one step; a step that needs more is halved
   double tolerance = 1e-6;              ///< residual force of an accepted step relative to the contact force [-]
   int threads = 0;                      ///< per process; 0: all cores of the machine divided by the ranks on it
 };

@@ -1,4 +1,4 @@
-#include "app/child_process.h"
+#include "core/child_process.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -40,7 +40,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log,
-                           const std::vector<std::string>& environment) {
+                           const std::vector<std::string>& environment, const std::filesystem::path& folder) {
   std::vector<std::string> argument_texts = arguments, environment_texts = environment_of_child(environment);
   const std::vector<char*> argv = pointers_to(argument_texts), envp = pointers_to(environment_texts);
   const int log_file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -52,12 +52,13 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std:
     ::setpgid(0, 0);  // Ctrl-C reaches this program alone, which stops its children in order
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
+    if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(126);
     const int no_input = ::open("/dev/null", O_RDONLY);
     if (no_input >= 0) ::dup2(no_input, STDIN_FILENO);
     ::dup2(log_file, STDOUT_FILENO);
     ::dup2(log_file, STDERR_FILENO);
     ::execve(argv[0], argv.data(), envp.data());
-    const char message[] = "cannot start the solver\n";
+    const char message[] = "cannot start the program\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message, sizeof message - 1);
     ::_exit(127);
   }

@@ -1,0 +1,80 @@
+#include "app/diagnose_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/diagnosis.h"
+#include "report/diagnosis_page.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string recording, output = "diagnosis";
+  bool json = false, catalogue = false;
+};
+
+std::string summary(const Diagnosis& d, const fs::path& output) {
+  std::string text = name_of(d.verdict) + ": " + d.in_words + "\n";
+  for (const auto& effect : d.left_out) {
+    text += "  " + effect.id + " (" + (effect.kind == EffectKind::contact ? "contact" : "instrument") + "): " + effect.equation + "\n";
+    for (const auto& p : effect.parameters) {
+      char line[200];
+      std::snprintf(line, sizeof line, "    %s = %.4g %s (95 %%: %.4g to %.4g)\n", p.name.c_str(), p.value, p.unit.c_str(), p.low, p.high);
+      text += line;
+    }
+  }
+  for (const auto& a : d.alternatives) {
+    std::string names;
+    for (const auto& effect : a.effects) names += (names.empty() ? "" : " + ") + effect.id;
+    char line[64];
+    std::snprintf(line, sizeof line, " (probability %.2g)", a.probability);
+    text += "  or: " + names + line + "; " + a.told_apart_by + "\n";
+  }
+  for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
+  return text + "wrote " + (output / "diagnosis.json").string() + " and " + (output / "report.html").string() + "\n";
+}
+
+void run(const Arguments& arguments) {
+  if (arguments.catalogue) {
+    std::cout << effects_manual() << std::flush;
+    return;
+  }
+  if (arguments.recording.empty()) throw InputError("it needs a recording: a folder with recording.json");
+  const Recording recording = read_recording(arguments.recording);
+  DiagnoseOptions options;
+  options.progress = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
+  const Diagnosis diagnosis = diagnose(recording, options);
+  const fs::path output = arguments.output;
+  fs::create_directories(output);
+  const std::string json = diagnosis_json(diagnosis);
+  write_file_atomically(output / "diagnosis.json", json);
+  write_file_atomically(output / "report.html", report::diagnosis_page(recording, diagnosis));
+  std::cout << (arguments.json ? json : summary(diagnosis, output)) << std::flush;
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "diagnose", "Locate where a recording and its simulation part, and name the physics that was left out");
+  command->add_option("RECORDING", arguments->recording, "Folder with recording.json and its tables")->check(CLI::ExistingPath);
+  command->add_option("--output", arguments->output, "Folder for diagnosis.json and report.html")->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
+  command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
+  command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace asperity

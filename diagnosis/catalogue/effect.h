@@ -1,0 +1,76 @@
+// One effect that a simulation may have left out: what it is called, what it says, and how it changes the mechanics.
+// Each is a class in a file of effects/ with the effect's name, registered at that file's end; nothing else knows of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/mechanics/mechanics.h"
+
+namespace asperity {
+
+struct EffectParameter {
+  std::string name, unit, meaning;
+  double low = 0, high = 0;     ///< physical bounds
+  bool logarithmic = false;     ///< positive over decades: searched for in its logarithm
+  std::vector<double> starts;   ///< values from which a search begins
+};
+
+struct EffectDescription {
+  std::string id, title, equation, source;
+  std::string meaning;  ///< for the reader of a report: what it means physically
+  EffectKind kind = EffectKind::contact;
+  std::vector<Mode> modes;
+  /// Parameters of the simulation that have no meaning any more with this effect.
+  std::vector<std::string> replaces;
+  /// Parts of the mechanics that only one effect can hold at once.
+  std::vector<std::string> slots;
+  /// Effects are put together in this order: geometry, laws, what stands around them.
+  int order = 2;
+  /// False where the response jumps as a parameter moves (a snap of the contact, an event of slip, comes a sample earlier).
+  bool is_smooth = true;
+  /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by as much.
+  double accuracy = 0.05;
+};
+
+/// One starting point of a search, a value for each parameter.
+using EffectStart = std::vector<double>;
+
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  virtual const EffectDescription& description() const = 0;
+  virtual std::vector<EffectParameter> parameters(const Experiment& experiment) const = 0;
+  /// Whether such a recording can show it at all (holds, reversals, several speeds, ...).
+  virtual bool can_show(const Experiment&) const { return true; }
+  /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
+  virtual bool is_itself(const double*) const { return true; }
+  /// Further starting points read off the residuals before physics is added.
+  virtual std::vector<EffectStart> starts(const Samples&, const std::vector<double>&) const { return {}; }
+  /// Changes the mechanics.
+  virtual void assemble(Mechanics& mechanics, const double* parameters) const = 0;
+
+  const std::string& id() const { return description().id; }
+  bool acts_in(Mode mode) const {
+    for (const Mode known : description().modes)
+      if (known == mode) return true;
+    return false;
+  }
+};
+
+/// All effects, by name.
+const std::vector<std::unique_ptr<Effect>>& effect_catalogue();
+/// Throws InputError with the nearest name.
+const Effect& effect_of(const std::string& id);
+/// The manual page of all effects in Markdown.
+std::string effects_manual();
+
+}  // namespace asperity
+
+/// Registers a class as the effect of the file `id`.cc; the build finds the file.
+#define ASPERITY_EFFECT(id, Class)                                        \
+  namespace asperity::effects {                                           \
+  std::unique_ptr<Effect> make_##id() { return std::make_unique<Class>(); } \
+  }

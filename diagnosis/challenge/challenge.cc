@@ -1,0 +1,92 @@
+#include "diagnosis/challenge/challenge.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+constexpr const char* score_file = "score.json";
+
+/// A score of this program, if there is one already.
+std::optional<ChallengeScore> earlier_score(const fs::path& folder, const std::string& program) {
+  if (!fs::exists(folder / score_file)) return std::nullopt;
+  try {
+    const Json json = Json::parse(read_file(folder / score_file));
+    if (json.at("program") != program) return std::nullopt;
+    return score_from(json.at("score"));
+  } catch (const std::exception&) {
+    return std::nullopt;  // cut short or of an older form
+  }
+}
+
+ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
+  const auto began = std::chrono::steady_clock::now();
+  const ConcealedRecording concealed = conceal(item.options);
+  write_concealed(concealed, folder);
+  ChallengeScore score;
+  try {
+    // Read back: what is diagnosed is what a user would have.
+    const Recording recording = read_recording(folder);
+    const Diagnosis diagnosis = diagnose(recording);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    write_file_atomically(folder / "diagnosis.json", diagnosis_json(diagnosis));
+    score = score_of(item, {recording, concealed.truth}, diagnosis);
+    score.seconds = seconds;
+    score.baselines = user_baselines(recording);
+  } catch (const std::exception& error) {
+    score.name = item.name, score.family = item.family, score.mode = name_of(item.options.mode), score.noise = item.options.noise;
+    score.truth = item.options.effects;
+    score.verdict = "failed";
+    score.failure = error.what();
+  }
+  return score;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : " + ") + name;
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
+  std::vector<ChallengeItem> items = challenge_matrix(options.quick, options.seed);
+  items.erase(std::remove_if(items.begin(), items.end(), [&](const auto& item) { return item.name.find(options.only) == std::string::npos; }), items.end());
+  if (items.empty()) throw InputError("no recording of the challenge has '" + options.only + "' in its name");
+  std::vector<ChallengeScore> scores(items.size());
+  std::atomic<std::size_t> next{0}, done{0};
+  std::mutex talking;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < items.size(); i = next++) {
+      const fs::path folder = options.output / items[i].name;
+      const auto earlier = earlier_score(folder, options.program);
+      scores[i] = earlier ? *earlier : new_score(items[i], folder);
+      if (!earlier) write_file_atomically(folder / score_file, Json{{"program", options.program}, {"score", score_json(scores[i])}}.dump(1) + "\n");
+      char head[64];
+      std::snprintf(head, sizeof head, "%3zu/%zu %5.1f s  ", ++done, items.size(), scores[i].seconds);
+      const std::lock_guard<std::mutex> lock(talking);
+      if (options.progress)
+        options.progress(head + items[i].name + ": " + scores[i].verdict + ", " + listed(scores[i].named) + (scores[i].is_right() ? "" : "  <- wrong") +
+                         (scores[i].failure.empty() ? "" : " (" + scores[i].failure + ")"));
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int j = 1; j < options.jobs; ++j) workers.emplace_back(work);
+  work();
+  for (auto& worker : workers) worker.join();
+  return scores;
+}
+
+}  // namespace asperity

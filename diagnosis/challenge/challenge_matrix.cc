@@ -1,0 +1,92 @@
+#include "diagnosis/challenge/challenge_matrix.h"
+
+#include <cstdio>
+
+namespace asperity {
+namespace {
+
+constexpr double middle_noise = 0.01;
+
+const std::vector<std::pair<Mode, std::vector<std::string>>>& pairs() {
+  static const std::vector<std::pair<Mode, std::vector<std::string>>> list{
+      {Mode::normal, {"instrument_compliance", "thermal_drift"}},
+      {Mode::normal, {"contact_point_offset", "instrument_compliance"}},
+      {Mode::normal, {"adhesion", "instrument_compliance"}},
+      {Mode::normal, {"adhesion", "baseline_tilt"}},
+      {Mode::normal, {"effective_radius", "thermal_drift"}},
+      {Mode::normal, {"bulk_plasticity", "thermal_drift"}},
+      {Mode::normal, {"roughness_compliance", "thermal_drift"}},
+      {Mode::normal, {"creep", "instrument_compliance"}},
+      {Mode::sliding, {"lateral_compliance", "adhesion_offset"}},
+      {Mode::sliding, {"lateral_compliance", "static_friction_peak"}},
+      {Mode::sliding, {"lateral_compliance", "area_proportional_friction"}},
+      {Mode::sliding, {"surface_tilt", "adhesion_offset"}},
+      {Mode::sliding, {"surface_tilt", "lateral_zero_offset"}},
+      {Mode::sliding, {"velocity_dependence", "lateral_zero_offset"}},
+      {Mode::sliding, {"run_in", "lateral_zero_offset"}},
+      {Mode::sliding, {"stick_slip", "adhesion_offset"}},
+      {Mode::sliding, {"partial_slip", "surface_tilt"}},
+      {Mode::rolling, {"rolling_adhesion_offset", "viscous_rolling"}},
+      {Mode::rolling, {"roughness_dependent_rolling", "rolling_adhesion_offset"}},
+      {Mode::rail, {"torsion_resistance", "rolling_adhesion_offset"}}};
+  return list;
+}
+
+class Matrix {
+ public:
+  Matrix(bool quick, unsigned seed) : quick_(quick), seed_(seed) {}
+
+  std::vector<ChallengeItem> items() {
+    singles();
+    for (const auto& [mode, effects] : pairs())
+      for (const double noise : levels({0.005, middle_noise})) add("pair", mode, effects, noise);
+    for (const Mode mode : all_modes())
+      for (int i = 0; i < (quick_ ? 1 : 6); ++i) add("null", mode, {}, i % 3 == 0 ? 0.003 : i % 3 == 1 ? middle_noise : 0.03);
+    for (const Mode mode : all_modes())
+      for (const auto& effect : outsiders(mode))
+        for (const double noise : levels({0.003, middle_noise, 0.02})) add("outsider", mode, {effect}, noise);
+    for (int i = 0; i < (quick_ ? 1 : 2); ++i) {
+      add("decoy", Mode::normal, {"thermal_drift"}, middle_noise, "long_hold");        // looks like creep
+      add("decoy", Mode::normal, {"baseline_tilt"}, middle_noise);                     // looks like attraction
+      add("decoy", Mode::normal, {"contact_point_offset"}, middle_noise);              // looks like roughness
+      add("decoy", Mode::sliding, {"lateral_compliance"}, middle_noise, "small_loops");  // looks like partial slip
+    }
+    for (int i = 0; i < (quick_ ? 1 : 2); ++i) {
+      for (const char* effect : {"surface_tilt", "lateral_zero_offset"}) add("indistinguishable", Mode::sliding, {effect}, middle_noise, "one_load");
+      for (const char* effect : {"thermal_drift", "instrument_compliance"}) add("indistinguishable", Mode::normal, {effect}, middle_noise, "ramp_only");
+    }
+    return std::move(items_);
+  }
+
+ private:
+  void singles() {
+    for (const Mode mode : all_modes()) {
+      const bool is_trace = mode == Mode::normal || mode == Mode::sliding;
+      for (const auto& effect : concealable_effects(mode))
+        for (const double noise : levels({is_trace ? 0.003 : 0.005, middle_noise, is_trace ? 0.03 : 0.02})) add("single", mode, {effect}, noise);
+    }
+  }
+  std::vector<double> levels(const std::vector<double>& all) const { return quick_ ? std::vector<double>{middle_noise} : all; }
+
+  void add(const std::string& family, Mode mode, const std::vector<std::string>& effects, double noise, const std::string& setting = "") {
+    ChallengeItem item;
+    item.family = family;
+    // Seeds follow each other, so that parameters, kinds of noise and experiments differ from item to item.
+    item.options = {mode, effects, noise, seed_ + static_cast<unsigned>(items_.size()) + 1, setting};
+    char number[16];
+    std::snprintf(number, sizeof number, "%03zu", items_.size() + 1);
+    item.name = number + ("-" + family) + "-" + name_of(mode);
+    for (const auto& effect : effects) item.name += "-" + effect;
+    items_.push_back(item);
+  }
+
+  bool quick_;
+  unsigned seed_;
+  std::vector<ChallengeItem> items_;
+};
+
+}  // namespace
+
+std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed) { return Matrix(quick, seed).items(); }
+
+}  // namespace asperity

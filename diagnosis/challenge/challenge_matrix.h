@@ -1,0 +1,21 @@
+// Which recordings the proof is made of: every effect alone at three levels of noise, pairs, nulls, effects outside of the catalogue,
+// decoys, and settings that cannot tell effects apart.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/conceal/concealed_recording.h"
+
+namespace asperity {
+
+struct ChallengeItem {
+  std::string name;    ///< of its folder
+  std::string family;  ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
+  ConcealOptions options;
+};
+
+/// `quick`: one of most kinds, at the middle level of noise. `seed` is added to those of all recordings.
+std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed = 0);
+
+}  // namespace asperity

@@ -1,0 +1,88 @@
+// The channels a table may hold, and the modes of motion, by name.
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/nearest_name.h"
+#include "diagnosis/recording.h"
+
+namespace asperity {
+namespace {
+
+const std::vector<std::pair<std::string, Dimension>>& channels() {
+  static const std::vector<std::pair<std::string, Dimension>> list{
+      {"run", Dimension::none},
+      {"cycle", Dimension::none},
+      {"time", Dimension::time},
+      {"normal_displacement", Dimension::length},
+      {"normal_force", Dimension::force},
+      {"lateral_displacement", Dimension::length},
+      {"lateral_force", Dimension::force},
+      {"speed", Dimension::speed},
+      {"radius", Dimension::length},
+      {"rms_roughness", Dimension::length},
+      {"rail_angle", Dimension::angle},
+      {"humidity", Dimension::none}};
+  return list;
+}
+
+const std::vector<std::pair<Mode, std::string>>& modes() {
+  static const std::vector<std::pair<Mode, std::string>> list{{Mode::normal, "normal"},
+                                                              {Mode::sliding, "sliding"},
+                                                              {Mode::rolling, "rolling"},
+                                                              {Mode::rail, "rail"},
+                                                              {Mode::torsion, "torsion"}};
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::string remedy(const std::string& written, const std::vector<std::string>& names) {
+  const std::string meant = nearest_name(written, names);
+  return meant.empty() ? "use one of " + joined(names) : "did you mean '" + meant + "'?";
+}
+
+}  // namespace
+
+std::string name_of(Mode mode) {
+  for (const auto& [known, name] : modes())
+    if (known == mode) return name;
+  return "";
+}
+
+Mode mode_of(const std::string& written) {
+  std::vector<std::string> names;
+  for (const auto& [mode, name] : modes()) {
+    if (name == written) return mode;
+    names.push_back(name);
+  }
+  throw InputError("there is no mode '" + written + "'; " + remedy(written, names));
+}
+
+std::vector<Mode> all_modes() {
+  std::vector<Mode> list;
+  for (const auto& entry : modes()) list.push_back(entry.first);
+  return list;
+}
+
+std::vector<std::string> known_channels() {
+  std::vector<std::string> names;
+  for (const auto& entry : channels()) names.push_back(entry.first);
+  return names;
+}
+
+Dimension dimension_of_channel(const std::string& channel) {
+  static const std::string sd = "_sd";
+  const bool is_sd = channel.size() > sd.size() && channel.compare(channel.size() - sd.size(), sd.size(), sd) == 0;
+  const std::string base = is_sd ? channel.substr(0, channel.size() - sd.size()) : channel;
+  for (const auto& [name, dimension] : channels())
+    if (name == base) return dimension;
+  throw InputError("there is no channel '" + channel + "'; " + remedy(base, known_channels()));
+}
+
+std::string unit_of_channel(const std::string& channel) { return si_symbol(dimension_of_channel(channel)); }
+
+}  // namespace asperity

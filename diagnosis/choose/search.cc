@@ -1,0 +1,86 @@
+#include "diagnosis/choose/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asperity {
+namespace {
+
+using Effects = std::vector<const Effect*>;
+
+constexpr std::size_t widest_beam_of_singles = 5, widest_beam_of_pairs = 3, largest_set = 3;
+
+void score(Candidate& candidate, std::size_t admissible, double overdispersion) {
+  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
+  const auto effects = static_cast<double>(candidate.fit.explanation->effects().size());
+  const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
+  candidate.score = -0.5 * candidate.fit.cost / overdispersion - 0.5 * parameters * std::log(count) -
+                    effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
+}
+
+void score_all(SearchResult& result) {
+  double least = result.alone.fit.cost;
+  for (const auto& candidate : result.candidates) least = std::min(least, candidate.fit.cost);
+  result.overdispersion = std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
+  score(result.alone, result.admissible, result.overdispersion);
+  for (auto& candidate : result.candidates) score(candidate, result.admissible, result.overdispersion);
+  std::stable_sort(result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+}
+
+/// The best sets of one size.
+std::vector<const Candidate*> best_of_size(const SearchResult& result, std::size_t size, std::size_t most) {
+  std::vector<const Candidate*> list;
+  for (const auto& candidate : result.candidates)
+    if (candidate.fit.explanation->effects().size() == size && list.size() < most) list.push_back(&candidate);
+  return list;
+}
+
+}  // namespace
+
+SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
+                            const std::function<void(const std::string&)>& progress) {
+  SearchResult result;
+  result.alone.fit = baseline;
+  Effects admissible;
+  for (const auto& effect : effect_catalogue())
+    if (effect->acts_in(problem.experiment.mode) && effect->can_show(problem.experiment)) admissible.push_back(effect.get());
+  result.admissible = admissible.size();
+  std::set<Effects> tried;
+  for (std::size_t size = 1; size <= largest_set; ++size) {
+    // Sets to fit, each with the smaller fit it grows from.
+    std::vector<std::pair<Effects, const ModelFit*>> sets;
+    const auto add = [&](Effects set, const ModelFit* near) {
+      std::sort(set.begin(), set.end());
+      if (Explanation::compatible(set) && tried.insert(set).second) sets.push_back({set, near});
+    };
+    const auto grown_from = best_of_size(result, size - 1, size == 2 ? widest_beam_of_singles : widest_beam_of_pairs);
+    std::vector<ModelFit> grown_fits;
+    for (const auto* candidate : grown_from) grown_fits.push_back(candidate->fit);
+    if (size == 1)
+      for (const Effect* effect : admissible) add({effect}, &baseline);
+    for (const auto& fit : grown_fits)
+      for (const Effect* effect : admissible) {
+        Effects set = fit.explanation->effects();
+        if (std::find(set.begin(), set.end(), effect) != set.end()) continue;
+        set.push_back(effect);
+        add(set, &fit);
+      }
+    if (progress && !sets.empty())
+      progress("fitting " + std::to_string(sets.size()) + (size == 1 ? " effects" : size == 2 ? " pairs of effects" : " sets of three"));
+    std::vector<Candidate> fitted(sets.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t i = 0; i < sets.size(); ++i) fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
+    result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
+    score_all(result);
+    if (result.candidates.empty()) break;
+    // Noise of which no effect takes anything away holds no pairs either.
+    constexpr double something = 2;
+    if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something) break;
+    // Three effects are looked for only where two leave structure.
+    if (size >= 2 && is_noise(result.candidates.front().fit)) break;
+  }
+  return result;
+}
+
+}  // namespace asperity

@@ -1,0 +1,42 @@
+// A recording whose truth comes from another model than the one that diagnoses: asperity conceal.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "diagnosis/conceal/truth.h"
+#include "diagnosis/recording.h"
+
+namespace asperity {
+
+struct ConcealOptions {
+  Mode mode = Mode::normal;
+  std::vector<std::string> effects;  ///< of the catalogue or outsiders; none: a null
+  double noise = 0.01;               ///< standard deviation of a sample over the largest response
+  unsigned seed = 1;
+  /// "one_load", "ramp_only": experiments that cannot tell some effects apart; "long_hold", "small_loops": those in which one looks
+  /// like another.
+  std::string setting;
+};
+
+struct ConcealedRecording {
+  Recording recording;
+  Truth truth;
+};
+
+/// Throws InputError for effects that are unknown, belong to another mode, or do not go together.
+ConcealedRecording conceal(const ConcealOptions& options);
+
+/// Recording and truth.json in a folder.
+void write_concealed(const ConcealedRecording& concealed, const std::filesystem::path& folder);
+
+/// Effects that can be concealed in a mode; outsiders are not in the catalogue.
+std::vector<std::string> concealable_effects(Mode mode);
+std::vector<std::string> outsiders(Mode mode);
+
+/// A solved case's history as a recording of its mode with noise: the finite-element solver as truth. `folder` holds result.json and
+/// history.csv; `effects` say what the case shows. Throws InputError.
+ConcealedRecording conceal_case(const std::filesystem::path& folder, const ConcealOptions& options);
+
+}  // namespace asperity

@@ -1,0 +1,189 @@
+// Series of steady lateral forces: rolling between substrate and indenter, rolling in a V-groove, spinning about the normal.
+#include <algorithm>
+#include <Eigen/Dense>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "dem_compare/laws/hertz.h"
+#include "diagnosis/conceal/sphere.h"
+#include "diagnosis/conceal/world.h"
+
+namespace asperity::hidden {
+namespace {
+
+constexpr double pi = boost::math::double_constants::pi;
+const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25}, diamond{1140e9, 0.07};
+constexpr double radius = 8.5e-6;
+
+struct Row {
+  double load = 0, speed = 0, rms = 0, angle = 0;
+  int direction = 1;
+};
+
+bool asks(const WorldRequest& request, const char* id) {
+  return std::find(request.effects.begin(), request.effects.end(), id) != request.effects.end();
+}
+
+std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
+  const double largest = between(random, 2e-3, 4e-3);
+  std::vector<double> loads, speeds{1e-6}, roughness{0.3e-9}, angles{0};
+  const bool few_loads = asks(request, "roughness_dependent_rolling") || asks(request, "viscous_rolling") || request.mode == Mode::rail;
+  const int count = few_loads ? 7 : 24;
+  for (int i = 0; i < count; ++i) loads.push_back(largest * (i + 1) / count);
+  if (asks(request, "viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
+  if (asks(request, "roughness_dependent_rolling")) roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
+  if (request.mode == Mode::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
+  // Both ways of rolling, as loops give them: what keeps its sign belongs to the instrument.
+  const std::vector<int> directions = request.mode == Mode::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
+  std::vector<Row> rows;
+  for (const double angle : angles)
+    for (const double rms : roughness)
+      for (const double speed : speeds)
+        for (const double load : loads)
+          for (const int direction : directions) rows.push_back({load, speed, rms, angle, direction});
+  return rows;
+}
+
+void choose(World& world, const WorldRequest& request, const std::vector<Row>& rows, double friction, Random& random) {
+  double largest = 0, fastest = 0;
+  for (const auto& row : rows) largest = std::max(largest, row.load), fastest = std::max(fastest, row.speed);
+  for (const auto& id : request.effects) {
+    if (id == "rolling_adhesion_offset")
+      world.hide(id, "constant attraction at every contact", "adhesion_force", between(random, 0.15, 0.5) * largest);
+    else if (id == "contact_radius_scaling") {
+      const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(largest / 2);
+      if (request.mode == Mode::torsion)
+        world.hide(id, "moment of the pressure of a Hertzian contact that slips everywhere, summed over rings", "rolling_friction", friction * radius / a);
+      else
+        world.hide(id, "radii of contact of a true sphere (Sneddon 1965)", "rolling_friction", friction * radius / a);
+    } else if (id == "roughness_dependent_rolling") {
+      const char* model = "exponential in the roughness of each substrate";
+      world.hide(id, model, "b", friction * between(random, 0.3, 0.5));
+      world.hide(id, model, "c", friction * between(random, 0.6, 1.2));
+      world.hide(id, model, "decay_length", between(random, 0.8e-9, 2e-9));
+    } else if (id == "viscous_rolling")
+      world.hide(id, "delayed part of a Maxwell-Kelvin contact at small Deborah number", "coefficient", between(random, 0.3, 1) * friction / fastest);
+    else if (id == "torsion_resistance")
+      world.hide(id, "power of the moments as vectors at three contacts", "torsion_friction", between(random, 2, 8) * friction);
+    else if (id == "resistance_peak") {
+      world.hide(id, "resistance is larger near one load", "share", between(random, 0.3, 0.6), false);
+      world.hide(id, "", "place", between(random, 0.3, 0.6) * largest, false);
+    }
+  }
+}
+
+/// Lateral force at the plate of a sphere that rolls in a groove, by its power: the sphere turns about y; the plate resists with its
+/// moment, each slope with a rolling moment across its normal and a torsion moment along it.
+double groove_force(double angle, double plate_moment, double slope_rolling, double slope_torsion) {
+  using Vector = Eigen::Vector3d;
+  const Vector rotation = Vector::UnitY();
+  double power = plate_moment;  // of unit rotation
+  for (const double side : {-1.0, 1.0}) {
+    const Vector normal(0, side * std::sin(angle), std::cos(angle));
+    const double spin = rotation.dot(normal);
+    const Vector rolling = rotation - spin * normal;
+    power += slope_rolling * rolling.norm() + slope_torsion * std::abs(spin);
+  }
+  // The sphere turns about the line through both slopes' contacts, a distance r cos(theta) below the centre.
+  const double lever = radius * (1 + std::cos(angle));
+  return power / lever;
+}
+
+class SeriesLaw {
+ public:
+  SeriesLaw(const World& world, double friction, bool with_effects) : world_(world), friction_(friction), with_effects_(with_effects) {}
+
+  double rolling(const Row& row) const {
+    const double below = length(reduced_modulus(borosilicate, silicon), row.load), above = length(reduced_modulus(borosilicate, diamond), row.load);
+    const double mu = coefficient(row), borne = row.load + of("rolling_adhesion_offset", "adhesion_force");
+    return mu * (below + above) * borne / (2 * radius);
+  }
+
+  double rail(const Row& row) const {
+    const double slope = row.load / (2 * std::cos(row.angle)), h = of("rolling_adhesion_offset", "adhesion_force");
+    const double mu = coefficient(row), torsion = of("torsion_resistance", "torsion_friction");
+    return groove_force(row.angle, mu * radius * (row.load + h), mu * radius * (slope + h), torsion * radius * (slope + h));
+  }
+
+  /// Moment over the particle's radius.
+  double torsion(const Row& row) const {
+    if (!has("contact_radius_scaling")) return friction_ * row.load;
+    // mu_local p(r) r summed over rings; (3 pi/16) of mu_local makes the catalogue's coefficient.
+    const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(row.load);
+    const double local = of("contact_radius_scaling", "rolling_friction") / (3 * pi / 16), peak = 1.5 * row.load / (pi * a * a);
+    constexpr int rings = 400;
+    double moment = 0;
+    for (int i = 0; i < rings; ++i) {
+      const double x = (i + 0.5) / rings;
+      moment += local * peak * std::sqrt(1 - x * x) * (x * a) * 2 * pi * x * a * (a / rings);
+    }
+    return moment / radius;
+  }
+
+ private:
+  bool has(const char* id) const { return with_effects_ && world_.hides(id); }
+  double of(const char* id, const char* parameter) const { return with_effects_ ? world_.value(id, parameter) : 0; }
+  double length(double modulus, double load) const {
+    return has("contact_radius_scaling") ? Sphere{modulus, radius}.contact_radius_at_force(load) : radius;
+  }
+  double coefficient(const Row& row) const {
+    double mu = friction_;
+    if (has("contact_radius_scaling")) mu = of("contact_radius_scaling", "rolling_friction");
+    if (has("roughness_dependent_rolling"))
+      mu = of("roughness_dependent_rolling", "b") +
+           of("roughness_dependent_rolling", "c") * std::exp(-row.rms / of("roughness_dependent_rolling", "decay_length"));
+    mu += of("viscous_rolling", "coefficient") * row.speed;
+    if (has("resistance_peak")) {
+      constexpr double width = 0.25;  // of the logarithm of load
+      const double x = std::log(row.load / of("resistance_peak", "place")) / width;
+      mu *= 1 + of("resistance_peak", "share") * std::exp(-x * x / 2);
+    }
+    return mu;
+  }
+
+  const World& world_;
+  double friction_;
+  bool with_effects_;
+};
+
+}  // namespace
+
+World series_world(const WorldRequest& request) {
+  Random random(request.seed);
+  World world;
+  world.recording = paper_bodies(request.mode, "concealed series, " + name_of(request.mode));
+  const std::vector<Row> rows = rows_of(request, random);
+  const double friction = between(random, 4e-4, 2e-3);
+  choose(world, request, rows, friction, random);
+  const std::string name = request.mode == Mode::torsion ? "torsion_friction" : "rolling_friction";
+  world.coefficients[name] = friction;
+  world.recording.simulation_is_given = true;
+  if (request.mode == Mode::torsion) world.recording.simulation.torsion = "constant";
+  world.recording.simulation.parameters[name] = {friction * between(random, 0.7, 1.4), true};
+
+  RecordingTable table;
+  table.file = "series.csv";
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.response = "lateral_force";
+  const bool several_speeds = rows.front().speed != rows.back().speed, several_rms = rows.front().rms != rows.back().rms;
+  const SeriesLaw with(world, friction, true), plain(world, friction, false);
+  std::vector<double> without;
+  for (const auto& row : rows) {
+    table.columns["normal_force"].push_back(row.load);
+    if (several_speeds) table.columns["speed"].push_back(row.speed);
+    if (several_rms) table.columns["rms_roughness"].push_back(row.rms);
+    if (request.mode == Mode::rail) table.columns["rail_angle"].push_back(row.angle);
+    const auto force = [&](const SeriesLaw& law) {
+      return row.direction * (request.mode == Mode::rolling ? law.rolling(row) : request.mode == Mode::rail ? law.rail(row) : law.torsion(row));
+    };
+    if (request.mode == Mode::rolling) table.segment.push_back(row.direction > 0 ? "forward" : "backward");
+    table.columns["lateral_force"].push_back(force(with));
+    without.push_back(force(plain));
+  }
+  world.recording.tables = {table};
+  world.without_effects = {without};
+  return world;
+}
+
+}  // namespace asperity::hidden

@@ -1,0 +1,46 @@
+// What a concealed recording really is: sealed beside it in truth.json ("asperity-truth/1"), which the diagnosis never reads. SI units.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+struct TrueParameter {
+  double value = 0;
+  /// Means what the catalogue means by it: an estimate can be held against it. Another law of the same physics may have
+  /// parameters of its own.
+  bool is_the_catalogues = true;
+};
+
+struct TrueEffect {
+  std::string id;
+  bool in_catalogue = true;
+  std::map<std::string, TrueParameter> parameters;
+  std::string model;  ///< the formulation that made the data
+};
+
+/// The effect's share in one table: with and without it, in units of the noise.
+struct TrueContribution {
+  std::string table;
+  std::vector<double> in_noise;  ///< of each row
+};
+
+struct Truth {
+  std::string family;                ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::vector<TrueEffect> effects;   ///< none: a null
+  std::vector<std::string> cannot_be_told_from;  ///< effects that do as well on these data: the verdict ought to be ambiguous
+  double noise = 0;                  ///< relative to the largest response
+  unsigned seed = 0;
+  std::string noise_model;
+  std::map<std::string, double> coefficients;  ///< of the simulation's laws
+  std::vector<TrueContribution> contributions;
+};
+
+void write_truth(const Truth& truth, const std::filesystem::path& folder);
+/// Throws InputError naming the file.
+Truth read_truth(const std::filesystem::path& folder);
+
+}  // namespace asperity

@@ -1,0 +1,52 @@
+// A concealed experiment before its noise: recorded channels, and the same without the effects. Each mode of motion has its own
+// file; none of them uses anything of what diagnoses. SI units.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "diagnosis/conceal/truth.h"
+#include "diagnosis/recording.h"
+
+namespace asperity::hidden {
+
+using Random = std::mt19937_64;
+/// Evenly over the logarithm.
+double between(Random& random, double low, double high);
+/// +1 or -1.
+double sign(Random& random);
+
+struct World {
+  Recording recording;
+  std::vector<TrueEffect> effects;
+  std::map<std::string, double> coefficients;
+  std::vector<std::vector<double>> without_effects;  ///< response of each table
+
+  /// Records an effect with a parameter that means what the catalogue's does, and returns its value.
+  double hide(const std::string& effect, const std::string& model, const std::string& parameter, double value, bool is_the_catalogues = true);
+  bool hides(const std::string& effect) const;
+  double value(const std::string& effect, const std::string& parameter) const;
+};
+
+/// What to conceal. `setting` "" is the ordinary experiment; others make effects indistinguishable ("one_load", "ramp_only").
+struct WorldRequest {
+  Mode mode = Mode::normal;
+  std::vector<std::string> effects;
+  std::string setting;
+  unsigned seed = 1;
+};
+
+/// Effects that can be concealed in a mode: of the catalogue, and outside of it.
+std::vector<std::string> concealable(Mode mode);
+std::vector<std::string> concealable_outsiders(Mode mode);
+
+World normal_world(const WorldRequest& request);
+World sliding_world(const WorldRequest& request);
+/// Rolling, rail and torsion: series of loads.
+World series_world(const WorldRequest& request);
+
+/// The paper's sphere on silicon, with diamond above.
+Recording paper_bodies(Mode mode, const std::string& title);
+
+}  // namespace asperity::hidden

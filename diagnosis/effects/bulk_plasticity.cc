@@ -1,0 +1,92 @@
+// A sphere that yields under the contact. Loading (Jackson & Green 2005), w = d/d_c:
+//   d_c = (pi C Y/(2 E*))^2 R,  f_c = 4/3 (R/E*)^2 (pi C Y/2)^3,  C = 1.295 exp(0.736 nu);  Hertz up to w = 1.9, then
+//   f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w,
+//   H/Y = h - 0.92 [1 - cos(pi a/R)], h = 2.84 (free: published laws of this regime differ by a tenth of the force, and hardening
+//   raises it),  a^2 = R d (w/1.9)^B,  B = 0.14 exp(23 Y/E*).
+// Unloading from w_m (Etsion, Kligerman & Kadin 2005):  f = f_m [(d - d_r)/(d_m - d_r)]^n,  n = 1.5 w_m^(-0.0331),
+//   d_r/d_m = (1 - w_m^(-0.28)) (1 - w_m^(-0.69)).  Reloading follows it back to f_m. For w < 110, a/R < 0.4; no hardening.
+#include <cmath>
+
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+namespace {
+
+constexpr double pi = boost::math::double_constants::pi;
+
+class YieldingContact : public NormalContact {
+ public:
+  YieldingContact(const Hertz& law, double yield, double hardness, double poisson) : law_(law), yield_(yield), hardness_(hardness) {
+    C_ = 1.295 * std::exp(0.736 * poisson);
+    const double pressure = pi * C_ * yield / 2;
+    critical_depth_ = std::pow(pressure / law.reduced_modulus, 2) * law.radius;
+    critical_force_ = 4.0 / 3 * std::pow(law.radius / law.reduced_modulus, 2) * std::pow(pressure, 3);
+    exponent_ = 0.14 * std::exp(23 * yield / law.reduced_modulus);
+  }
+  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<YieldingContact>(*this); }
+  double force(double d) const override {
+    if (d <= 0) return 0;
+    if (d >= deepest_) return virgin(d);
+    if (d <= residual_) return 0;
+    return largest_ * std::pow((d - residual_) / (deepest_ - residual_), unloading_);
+  }
+  double displacement(double force) const override {
+    if (force <= 0 || force > largest_) return std::numeric_limits<double>::quiet_NaN();
+    return residual_ + (deepest_ - residual_) * std::pow(force / largest_, 1 / unloading_);
+  }
+  void accept(double d) override {
+    if (d <= deepest_) return;
+    deepest_ = d;
+    largest_ = virgin(d);
+    const double w = d / critical_depth_;
+    residual_ = 0;
+    unloading_ = 1.5;
+    if (w <= onset) return;
+    residual_ = d * (1 - std::pow(w, -0.28)) * (1 - std::pow(w, -0.69));
+    unloading_ = 1.5 * std::pow(w, -0.0331);
+  }
+
+ private:
+  static constexpr double onset = 1.9;  // below, the plastic core is too small to show (Jackson & Green 2005)
+  double virgin(double d) const {
+    const double w = d / critical_depth_;
+    if (w <= onset) return critical_force_ * w * std::sqrt(w);
+    const double a = std::sqrt(law_.radius * d * std::pow(w / onset, exponent_));
+    const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
+    return critical_force_ * (std::exp(-std::pow(w, 5.0 / 12) / 4) * w * std::sqrt(w) +
+                              4 * hardness / C_ * (1 - std::exp(-std::pow(w, 5.0 / 9) / 25)) * w);
+  }
+  Hertz law_;
+  double yield_, hardness_, C_ = 0, critical_depth_ = 0, critical_force_ = 0, exponent_ = 0;
+  double deepest_ = 0, largest_ = 0, residual_ = 0, unloading_ = 1.5;
+};
+
+class BulkPlasticity : public Effect {
+ public:
+  const EffectDescription& description() const override {
+    static const EffectDescription d{
+        "bulk_plasticity", "Plasticity under the contact",
+        "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
+        "Jackson & Green 2005, eqs. (14), (25); Etsion, Kligerman & Kadin 2005, eqs. (12)-(15)",
+        "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and an imprint stays.",
+        EffectKind::contact, {Mode::normal}, {}, {"normal_law"}, 1, true, 0.1};
+    return d;
+  }
+  std::vector<EffectParameter> parameters(const Experiment& e) const override {
+    // The yield stress at which yielding would just begin under the largest load (1.6 Y = peak pressure), and well below it.
+    const double onset = e.hertz().peak_pressure(e.largest_force) / 1.6;
+    EffectParameter yield{"yield_stress", "Pa", "Y of the softer body", 0.01 * onset, 1.5 * onset, true, {0.08 * onset, 0.25 * onset, 0.6 * onset}};
+    if (e.yield_hint > yield.low && e.yield_hint < yield.high) yield.starts.push_back(e.yield_hint);
+    return {yield, {"hardness_ratio", "", "H/Y of a small contact; 2.84 without hardening", 1.8, 4, false, {2.84}}};
+  }
+  void assemble(Mechanics& m, const double* p) const override {
+    const Experiment& e = m.experiment;
+    const double poisson = e.particle.youngs_modulus <= e.substrate.youngs_modulus ? e.particle.poisson_ratio : e.substrate.poisson_ratio;
+    m.normal.contact = std::make_shared<YieldingContact>(m.geometry, p[0], p[1], poisson);
+  }
+};
+
+}  // namespace
+}  // namespace asperity
+
+ASPERITY_EFFECT(bulk_plasticity, BulkPlasticity)

@@ -1,0 +1,40 @@
+// Rolling friction that falls with the roughness of the substrate: mu_ro = b + c exp(-rms/d).
+#include <cmath>
+
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+namespace {
+
+class RoughnessDependentRolling : public Effect {
+ public:
+  const EffectDescription& description() const override {
+    static const EffectDescription d{
+        "roughness_dependent_rolling", "Rolling friction depends on roughness", "mu_ro = b + c exp(-rms/d)",
+        "Fuchs, Weinhart et al. 2014, eq. (murofit)",
+        "Asperities keep the surfaces apart: rougher substrates resist rolling less.",
+        EffectKind::contact, {Mode::rolling, Mode::rail}, {"rolling_friction"}, {"rolling_coefficient"}, 1};
+    return d;
+  }
+  bool can_show(const Experiment& e) const override { return e.roughest > least_ratio * e.smoothest; }
+  std::vector<EffectParameter> parameters(const Experiment& e) const override {
+    const double mu = e.largest_response / e.largest_force, rms = e.roughest;
+    return {{"b", "", "of a very rough substrate", 1e-3 * mu, 10 * mu, true, {0.3 * mu, mu}},
+            {"c", "", "added by a smooth one", -3 * mu, 100 * mu, false, {0.3 * mu, mu}},
+            {"decay_length", "m", "d", 0.03 * rms, 10 * rms, true, {0.2 * rms, rms}}};
+  }
+  void assemble(Mechanics& m, const double* p) const override {
+    const double b = p[0], c = p[1], d = p[2];
+    m.lateral.coefficient_changes.insert(m.lateral.coefficient_changes.begin(), [b, c, d](double, const SlipState& s) {
+      return b + c * std::exp(-s.sample->rms_roughness / d);
+    });
+  }
+
+ private:
+  static constexpr double least_ratio = 1.2;  // of roughnesses that count as different
+};
+
+}  // namespace
+}  // namespace asperity
+
+ASPERITY_EFFECT(roughness_dependent_rolling, RoughnessDependentRolling)

@@ -1,0 +1,112 @@
+// Saw-tooth of slip events during sliding: after each event the force is lower by A and is built up again over the period p:
+//   |f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2],  s: path since sliding began after the reversal, s_m: half the stroke.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+namespace {
+
+/// Periods that stand out in the residuals along the path since the reversal, the strongest first, with their amplitudes.
+std::vector<std::pair<double, double>> strongest_periods(const Samples& samples, const std::vector<double>& residual) {
+  struct Point {
+    double s, r;
+    int direction, part;
+  };
+  constexpr std::size_t most_points = 6000;
+  constexpr double settled = 0.3;  // of a segment's path, after which the contact slides everywhere
+  std::vector<double> longest(static_cast<std::size_t>(samples.parts), 0.0);
+  for (const auto& s : samples.list) longest[static_cast<std::size_t>(s.part)] = std::max(longest[static_cast<std::size_t>(s.part)], s.since_reversal);
+  std::vector<Point> points;
+  double stroke = 0;
+  for (std::size_t i = 0; i < samples.list.size() && points.size() < most_points; ++i) {
+    const Sample& s = samples.list[i];
+    if (!s.counts || s.since_reversal < settled * longest[static_cast<std::size_t>(s.part)]) continue;
+    points.push_back({s.since_reversal, residual[i] * s.direction, s.direction, s.part});
+    stroke = std::max(stroke, s.since_reversal);
+  }
+  if (points.size() < 20 || stroke <= 0) return {};
+  // Without its mean, each part.
+  for (std::size_t from = 0, to = 0; from < points.size(); from = to) {
+    double sum = 0;
+    while (to < points.size() && points[to].part == points[from].part) sum += points[to++].r;
+    for (std::size_t i = from; i < to; ++i) points[i].r -= sum / static_cast<double>(to - from);
+  }
+  std::size_t in_part = 1, most_in_part = 1;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    in_part = points[i].part == points[i - 1].part ? in_part + 1 : 1;
+    most_in_part = std::max(most_in_part, in_part);
+  }
+  const double path = (1 - settled) * stroke, step = 1 / (4 * stroke);
+  const double highest = 0.4 * static_cast<double>(most_in_part) / path;  // cycles per metre the sampling can hold
+  std::vector<std::pair<double, double>> found;  // amplitude, frequency
+  double before = 0, at = 0;
+  for (double f = 2 / path; f < highest; f += step) {
+    std::complex<double> sum = 0;
+    double power = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double angle = 2 * boost::math::double_constants::pi * f * points[i].s;
+      sum += points[i].r * std::complex<double>(std::cos(angle), std::sin(angle));
+      ++count;
+      if (i + 1 == points.size() || points[i + 1].part != points[i].part) {
+        power += std::norm(sum) / static_cast<double>(count);
+        sum = 0;
+        count = 0;
+      }
+    }
+    const double now = 2 * std::sqrt(power / static_cast<double>(points.size()));
+    if (at > before && at >= now) found.push_back({at, f - step});
+    before = at;
+    at = now;
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<std::pair<double, double>> periods;
+  for (const auto& [amplitude, frequency] : found) {
+    if (periods.size() == 3) break;
+    periods.push_back({1 / frequency, amplitude});
+  }
+  return periods;
+}
+
+class StickSlip : public Effect {
+ public:
+  const EffectDescription& description() const override {
+    static const EffectDescription d{
+        "stick_slip", "Stick-slip", "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]", "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
+        "Sliding goes in jumps: force builds up while the contact sticks and drops when it lets go.",
+        EffectKind::contact, {Mode::sliding}, {}, {}, 3, false, 0.3};
+    return d;
+  }
+  bool can_show(const Experiment& e) const override { return e.has_trace; }
+  std::vector<EffectParameter> parameters(const Experiment& e) const override {
+    const double f = e.largest_response, way = e.stroke;
+    return {{"amplitude", "N", "A, drop of the force in an event", 1e-4 * f, 2 * f, true, {0.1 * f}},
+            {"period", "m", "p, path between events", 1e-4 * way, 0.5 * way, true, {0.1 * way}},
+            {"phase", "", "part of a period that has passed in the middle of a stroke", -0.5, 1, false, {0, 0.5}}};
+  }
+  std::vector<EffectStart> starts(const Samples& samples, const std::vector<double>& residual) const override {
+    std::vector<EffectStart> list;
+    for (const auto& [period, amplitude] : strongest_periods(samples, residual))
+      for (const double phase : {0.0, 0.17, 0.33, 0.5, 0.67, 0.83})
+        list.push_back({boost::math::double_constants::pi * amplitude, period, phase});  // a saw-tooth's first harmonic is A/pi
+    return list;
+  }
+  void assemble(Mechanics& m, const double* p) const override {
+    const double drop = p[0], period = p[1], phase = p[2];
+    // Counted from the middle of the stroke, phase and period do not make up for each other.
+    const double middle = 0.5 * m.experiment.stroke;
+    m.lateral.limit_changes.push_back([drop, period, phase, middle](double limit, const SlipState& s) {
+      if (s.path <= 0) return limit;
+      const double part = (s.path - middle) / period + phase;
+      return limit + drop * (part - std::floor(part) - 0.5);
+    });
+  }
+};
+
+}  // namespace
+}  // namespace asperity
+
+ASPERITY_EFFECT(stick_slip, StickSlip)

@@ -1,0 +1,99 @@
+#include "diagnosis/fit/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double smallest_friction = 1e-7, largest_friction = 20;
+
+/// Parameters of the simulation that the mode of motion makes use of.
+std::vector<std::string> used_in(Mode mode, const SimulationChoice& choice) {
+  switch (mode) {
+    case Mode::normal: return {};
+    case Mode::sliding: return {"sliding_friction"};
+    case Mode::rolling: return {"rolling_friction"};
+    case Mode::rail:
+      if (choice.torsion == "constant") return {"rolling_friction", "torsion_friction"};
+      return {"rolling_friction"};
+    case Mode::torsion: return {"torsion_friction"};
+  }
+  return {};
+}
+
+}  // namespace
+
+double FreeParameter::coordinate(double value) const {
+  return logarithmic ? std::log(std::max(value, 1e-300)) : value / scale;
+}
+double FreeParameter::value(double coordinate) const { return logarithmic ? std::exp(coordinate) : coordinate * scale; }
+
+SimulationChoice completed(const SimulationChoice& given, const Experiment& experiment) {
+  SimulationChoice choice = given;
+  const double guess = experiment.largest_force > 0 ? experiment.largest_response / experiment.largest_force : 0.1;
+  for (const auto& name : used_in(experiment.mode, choice))
+    if (!choice.parameters.count(name)) choice.parameters[name] = {guess, true};
+  return choice;
+}
+
+Explanation::Explanation(const Experiment& experiment, const SimulationChoice& choice, std::vector<const Effect*> effects)
+    : experiment_(experiment), choice_(choice), effects_(std::move(effects)) {
+  std::stable_sort(effects_.begin(), effects_.end(), [](const Effect* a, const Effect* b) {
+    return a->description().order != b->description().order ? a->description().order < b->description().order : a->id() < b->id();
+  });
+  std::vector<std::string> replaced;
+  for (const Effect* effect : effects_)
+    for (const auto& name : effect->description().replaces) replaced.push_back(name);
+  for (const auto& name : used_in(experiment.mode, choice_)) {
+    const SimulationParameter& parameter = choice_.parameters.at(name);
+    // In a rail, the rolling coefficient replaced by another law leaves that of torsion where it is.
+    if (!parameter.calibrate || std::find(replaced.begin(), replaced.end(), name) != replaced.end()) continue;
+    const double guess = parameter.value > 0 ? parameter.value : 0.1;
+    parameters_.push_back({name, "", -1, smallest_friction, largest_friction, true, 1, {guess}});
+  }
+  for (std::size_t e = 0; e < effects_.size(); ++e)
+    for (const auto& p : effects_[e]->parameters(experiment)) {
+      FreeParameter free{p.name, p.unit, static_cast<int>(e), p.low, p.high, p.logarithmic, 1, p.starts};
+      if (!p.logarithmic) {
+        free.scale = 0;
+        for (const double start : p.starts) free.scale = std::max(free.scale, std::abs(start));
+        if (free.scale == 0) free.scale = std::max(std::abs(p.low), std::abs(p.high));
+      }
+      parameters_.push_back(free);
+    }
+}
+
+Mechanics Explanation::mechanics(const std::vector<double>& values) const {
+  SimulationChoice choice = choice_;
+  std::size_t next = 0;
+  for (; next < parameters_.size() && parameters_[next].effect < 0; ++next) choice.parameters[parameters_[next].name].value = values[next];
+  Mechanics m = baseline_mechanics(experiment_, choice);
+  for (std::size_t e = 0; e < effects_.size(); ++e) {
+    effects_[e]->assemble(m, values.data() + next);
+    while (next < parameters_.size() && parameters_[next].effect == static_cast<int>(e)) ++next;
+  }
+  return m;
+}
+
+bool Explanation::is_smooth() const {
+  return std::all_of(effects_.begin(), effects_.end(), [](const Effect* effect) { return effect->description().is_smooth; });
+}
+
+std::string Explanation::name() const {
+  std::string text;
+  for (const Effect* effect : effects_) text += (text.empty() ? "" : " + ") + effect->id();
+  return text.empty() ? "the simulation alone" : text;
+}
+
+bool Explanation::compatible(const std::vector<const Effect*>& effects) {
+  std::vector<std::string> taken;
+  for (const Effect* effect : effects)
+    for (const auto& slot : effect->description().slots) {
+      if (std::find(taken.begin(), taken.end(), slot) != taken.end()) return false;
+      taken.push_back(slot);
+    }
+  return true;
+}
+
+}  // namespace asperity

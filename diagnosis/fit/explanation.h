@@ -1,0 +1,47 @@
+// The simulation together with a set of effects: its free parameters and what it says of the recording.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+
+struct FreeParameter {
+  std::string name, unit;
+  int effect = -1;           ///< index into the explanation's effects; -1: of the simulation itself
+  double low = 0, high = 0;
+  bool logarithmic = false;
+  double scale = 1;          ///< of a linear parameter
+  std::vector<double> starts;
+
+  /// Between the value and the coordinate of the search, of order one.
+  double coordinate(double value) const;
+  double value(double coordinate) const;
+};
+
+class Explanation {
+ public:
+  Explanation(const Experiment& experiment, const SimulationChoice& choice, std::vector<const Effect*> effects);
+
+  const std::vector<const Effect*>& effects() const { return effects_; }
+  const std::vector<FreeParameter>& parameters() const { return parameters_; }
+  /// The mechanics with values of parameters() in their order.
+  Mechanics mechanics(const std::vector<double>& values) const;
+  bool is_smooth() const;    ///< in its parameters
+  std::string name() const;  ///< "a + b", "the simulation alone"
+  /// Whether these effects can stand together.
+  static bool compatible(const std::vector<const Effect*>& effects);
+
+ private:
+  Experiment experiment_;
+  SimulationChoice choice_;
+  std::vector<const Effect*> effects_;   ///< in the order of assembly
+  std::vector<FreeParameter> parameters_;
+};
+
+/// What is free in the simulation before any physics is added: as given, else the coefficient of the mode.
+SimulationChoice completed(const SimulationChoice& choice, const Experiment& experiment);
+
+}  // namespace asperity

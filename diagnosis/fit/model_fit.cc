@@ -1,0 +1,245 @@
+#include "diagnosis/fit/model_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd to_vector(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Residuals of an explanation in the coordinates of its search.
+std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem, const Explanation& explanation, const Samples& samples) {
+  return [&](const VectorXd& x) {
+    std::vector<double> values(static_cast<std::size_t>(x.size()));
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]);
+    const auto simulated = simulate(explanation.mechanics(values), samples);
+    VectorXd white = to_vector(whitened(samples, FitProblem::residual(samples, simulated), problem.noise));
+    constexpr double absurd = 1e6;
+    for (Eigen::Index i = 0; i < white.size(); ++i)
+      if (!std::isfinite(white[i])) white[i] = absurd;
+    return white;
+  };
+}
+
+struct Coordinates {
+  VectorXd low, high;
+};
+
+Coordinates bounds_of(const Explanation& explanation) {
+  const auto& parameters = explanation.parameters();
+  Coordinates b{VectorXd(static_cast<Eigen::Index>(parameters.size())), VectorXd(static_cast<Eigen::Index>(parameters.size()))};
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    b.low[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].low);
+    b.high[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].high);
+  }
+  return b;
+}
+
+double huber_sum(const VectorXd& r) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
+  return sum;
+}
+
+/// Starting points: for each effect its own list (or what `near` found), in all combinations.
+std::vector<std::vector<double>> starting_points(const FitProblem& problem, const Explanation& explanation, const ModelFit* near) {
+  const auto& parameters = explanation.parameters();
+  std::vector<std::vector<double>> points{{}};
+  const auto extend = [&](const std::vector<std::vector<double>>& options) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& point : points)
+      for (const auto& option : options) {
+        longer.push_back(point);
+        longer.back().insert(longer.back().end(), option.begin(), option.end());
+      }
+    points = std::move(longer);
+  };
+  std::size_t k = 0;
+  for (int e = -1; e < static_cast<int>(explanation.effects().size()); ++e) {
+    const std::size_t from = k;
+    while (k < parameters.size() && parameters[k].effect == e) ++k;
+    if (k == from) continue;
+    std::vector<std::vector<double>> options;
+    const bool jumps = e >= 0 && !explanation.effects()[static_cast<std::size_t>(e)]->description().is_smooth;
+    // What a smaller explanation found for this effect, if it holds it.
+    if (near) {
+      std::vector<double> known;
+      for (std::size_t i = from; i < k; ++i)
+        for (std::size_t j = 0; j < near->explanation->parameters().size(); ++j) {
+          const FreeParameter& other = near->explanation->parameters()[j];
+          const bool same_owner = e < 0 ? other.effect < 0
+                                        : other.effect >= 0 && near->explanation->effects()[static_cast<std::size_t>(other.effect)] ==
+                                                                   explanation.effects()[static_cast<std::size_t>(e)];
+          if (same_owner && other.name == parameters[i].name) known.push_back(near->values[j]);
+        }
+      if (known.size() == k - from) options.push_back(known);
+    }
+    if (options.empty() || jumps) {  // where responses jump, what was found may be a poor place to go on from
+      std::vector<std::vector<double>> own{{}};
+      for (std::size_t i = from; i < k; ++i) {
+        std::vector<std::vector<double>> longer;
+        for (const auto& option : own)
+          for (const double start : parameters[i].starts) {
+            longer.push_back(option);
+            longer.back().push_back(start);
+          }
+        own = std::move(longer);
+      }
+      options.insert(options.end(), own.begin(), own.end());
+      if (e >= 0 && !problem.baseline_residual.empty())
+        for (auto& start : explanation.effects()[static_cast<std::size_t>(e)]->starts(problem.samples, problem.baseline_residual))
+          options.push_back(std::move(start));
+    }
+    extend(options);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<double> FitProblem::residual(const Samples& samples, const std::vector<double>& simulated) {
+  std::vector<double> r(simulated.size());
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = samples.list[i].counts ? samples.list[i].response - simulated[i] : 0.0;
+  return r;
+}
+
+std::vector<double> ModelFit::simulate(const Samples& samples) const {
+  return asperity::simulate(explanation->mechanics(values), samples);
+}
+
+bool ModelFit::is_itself() const {
+  std::size_t next = 0;
+  const auto& parameters = explanation->parameters();
+  while (next < parameters.size() && parameters[next].effect < 0) ++next;
+  for (std::size_t e = 0; e < explanation->effects().size(); ++e) {
+    if (!explanation->effects()[e]->is_itself(values.data() + next)) return false;
+    while (next < parameters.size() && parameters[next].effect == static_cast<int>(e)) ++next;
+  }
+  return true;
+}
+
+DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) const {
+  constexpr double two_sided_95 = 1.959964;
+  const FreeParameter& p = explanation->parameters()[index];
+  DiagnosedParameter result{p.name, p.unit, values[index], p.low, p.high};
+  if (covariance.size() == 0) return result;
+  const auto i = static_cast<Eigen::Index>(index);
+  const double half = two_sided_95 * std::sqrt(std::max(0.0, covariance(i, i)) * inflation), x = p.coordinate(values[index]);
+  if (std::isfinite(half)) {
+    constexpr double largest_exponent = 600;
+    const double down = stretch.empty() ? 1 : stretch[index].first, up = stretch.empty() ? 1 : stretch[index].second;
+    result.low = std::max(p.low, p.value(std::max(x - down * half, -largest_exponent)));
+    result.high = std::min(p.high, p.value(std::min(x + up * half, largest_exponent)));
+  }
+  return result;
+}
+
+ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit* near) {
+  const auto explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
+  // From a smaller explanation, most of the way is known.
+  const std::size_t searched = near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;
+  const Coordinates bounds = bounds_of(*explanation);
+  const auto thin_residuals = residuals_of(problem, *explanation, problem.thin);
+  std::vector<std::pair<double, VectorXd>> starts;
+  for (const auto& point : starting_points(problem, *explanation, near)) {
+    VectorXd x(static_cast<Eigen::Index>(point.size()));
+    for (std::size_t k = 0; k < point.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation->parameters()[k].coordinate(point[k]);
+    x = x.cwiseMax(bounds.low).cwiseMin(bounds.high);
+    starts.push_back({huber_sum(thin_residuals(x)), x});
+  }
+  std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  BoundedFit best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::min(searched, starts.size()); ++i) {
+    const BoundedFit fit = fit_within_bounds(thin_residuals, starts[i].second, bounds.low, bounds.high);
+    if (fit.cost < best.cost) best = fit;
+  }
+  const bool new_jumps = !explanation->is_smooth() && (!near || near->explanation->is_smooth());
+  if (new_jumps) {
+    best = search_at_random(thin_residuals, best, bounds.low, bounds.high);
+  }
+  ModelFit fit;
+  fit.explanation = explanation;
+  for (Eigen::Index k = 0; k < best.x.size(); ++k)
+    fit.values.push_back(explanation->parameters()[static_cast<std::size_t>(k)].value(best.x[k]));
+  constexpr int last_steps = 1;  // the optimum on thinned samples is near; finish with refitted()
+  return refitted(problem, fit, problem.samples, false, problem.thin.list.size() == problem.samples.list.size() ? 0 : last_steps);
+}
+
+ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance, int iterations) {
+  const Explanation& explanation = *fit.explanation;
+  const Coordinates bounds = bounds_of(explanation);
+  VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
+  for (std::size_t k = 0; k < fit.values.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
+  BoundedFitOptions options;
+  options.most_iterations = iterations;
+  options.covariance = covariance;
+  std::size_t count = 0;
+  const auto inner = residuals_of(problem, explanation, samples);
+  const auto residuals = [&](const VectorXd& at) {
+    VectorXd r = inner(at);
+    count = static_cast<std::size_t>(r.size());
+    return r;
+  };
+  BoundedFit found = fit_within_bounds(residuals, x, bounds.low, bounds.high, options);
+  if (covariance && !explanation.is_smooth()) {
+    const Eigen::MatrixXd known = found.covariance;
+    found = search_at_random(residuals_of(problem, explanation, problem.thin), found, bounds.low, bounds.high);
+    found.cost = huber_sum(residuals(found.x));
+    found.covariance = known;
+  }
+  ModelFit result = fit;
+  for (std::size_t k = 0; k < fit.values.size(); ++k) result.values[k] = explanation.parameters()[k].value(found.x[static_cast<Eigen::Index>(k)]);
+  result.cost = found.cost;
+  result.count = count;
+  result.stretch.clear();
+  if (covariance) result.covariance = found.covariance;
+  return result;
+}
+
+ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
+  constexpr double rise = 4;             // cost at two standard deviations
+  constexpr double nearly = 1.3;         // a parabola's width within this factor is believed
+  constexpr double widest = 64;
+  ModelFit result = fit;
+  const Explanation& explanation = *fit.explanation;
+  const Coordinates bounds = bounds_of(explanation);
+  const auto residuals = residuals_of(problem, explanation, problem.samples);
+  const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count)));
+  VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
+  for (std::size_t k = 0; k < fit.values.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const double sd = std::sqrt(std::max(0.0, fit.covariance(k, k)));
+    const VectorXd along = sd > 0 ? (fit.covariance.col(k) / sd).eval() : VectorXd::Zero(x.size()).eval();
+    const auto rise_at = [&](double deviations) {
+      const VectorXd at = (x + deviations * along).cwiseMax(bounds.low).cwiseMin(bounds.high);
+      return (huber_sum(residuals(at)) - fit.cost) / inflation;
+    };
+    std::pair<double, double> stretch{1, 1};
+    for (const int side : {-1, 1}) {
+      double& factor = side < 0 ? stretch.first : stretch.second;
+      if (!(sd > 0)) continue;
+      double low = 1, high = 1;
+      if (rise_at(2 * side) < rise) {
+        while (high < widest && rise_at(2 * side * high) < rise) low = high, high *= 2;
+      } else {
+        while (low > 1 / widest && rise_at(2 * side * low) >= rise) high = low, low /= 2;
+      }
+      while (high > nearly * low) {
+        const double middle = std::sqrt(low * high);
+        (rise_at(2 * side * middle) < rise ? low : high) = middle;
+      }
+      factor = std::sqrt(low * high);
+      if (factor > 1 / nearly && factor < nearly) factor = 1;
+    }
+    result.stretch.push_back(stretch);
+  }
+  return result;
+}
+
+}  // namespace asperity

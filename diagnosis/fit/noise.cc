@@ -1,0 +1,290 @@
+#include "diagnosis/fit/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace asperity {
+namespace {
+
+/// Noise that is correlated over longer cannot be told from structure without repeats, and is taken for structure.
+constexpr double largest_correlation = 0.8;
+/// Of the square of a unit normal variable: its median, and the mean of its lowest 60 % (0.1288/0.6).
+constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Stretches of one table: contiguous counted samples of one part, residual over the given shape of noise.
+std::vector<std::vector<double>> stretches_of(const Samples& samples, const std::vector<double>& residual, std::size_t table) {
+  std::vector<std::vector<double>> list;
+  for (const auto& run : samples.runs) {
+    if (run.table != table || run.independent_rows) continue;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Sample& s = samples.list[i];
+      if (i == run.begin || s.part != samples.list[i - 1].part || !samples.list[i - 1].counts) list.emplace_back();
+      if (s.counts) list.back().push_back(residual[i]);
+    }
+  }
+  return list;
+}
+
+/// Scatter between runs whose control is the same, sample by sample; 0 if there are none.
+double scatter_of_repeats(const Recording& recording, const Samples& samples, std::size_t table) {
+  constexpr double same = 2e-3;  // of the range
+  constexpr double same_speed = 0.1;  // relative
+  std::vector<const SampleRun*> runs;
+  for (const auto& run : samples.runs)
+    if (run.table == table && !run.independent_rows) runs.push_back(&run);
+  if (runs.size() < 2) return 0;
+  const auto control = [&](const Sample& s, const std::string& channel) {
+    return channel == "normal_displacement" ? s.normal_displacement : channel == "normal_force" ? s.normal_force
+           : channel == "lateral_displacement" ? s.lateral_displacement : channel == "speed" ? s.speed : 0.0;
+  };
+  std::map<std::string, double> range;
+  for (const auto& channel : recording.tables[table].control) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto* run : runs)
+      for (std::size_t i = run->begin; i < run->end; ++i) {
+        low = std::min(low, control(samples.list[i], channel));
+        high = std::max(high, control(samples.list[i], channel));
+      }
+    range[channel] = std::max(high - low, std::abs(high));
+  }
+  // Groups of runs alike.
+  std::vector<std::vector<const SampleRun*>> groups;
+  for (const auto* run : runs) {
+    bool placed = false;
+    for (auto& group : groups) {
+      const SampleRun& first = *group.front();
+      if (first.end - first.begin != run->end - run->begin) continue;
+      bool alike = true;
+      for (std::size_t i = 0; alike && i < run->end - run->begin; ++i)
+        for (const auto& channel : recording.tables[table].control)
+          if (std::abs(samples.list[run->begin + i].speed - samples.list[first.begin + i].speed) > same_speed * samples.list[first.begin + i].speed ||
+              std::abs(control(samples.list[run->begin + i], channel) - control(samples.list[first.begin + i], channel)) > same * range[channel])
+            alike = false;
+      if (alike) {
+        group.push_back(run);
+        placed = true;
+        break;
+      }
+    }
+    if (!placed) groups.push_back({run});
+  }
+  std::vector<double> squares;
+  for (const auto& group : groups) {
+    if (group.size() < 2) continue;
+    const double count = static_cast<double>(group.size());
+    for (std::size_t i = 0; i < group.front()->end - group.front()->begin; ++i) {
+      double sum = 0, square = 0;
+      for (const auto* run : group) sum += samples.list[run->begin + i].response;
+      for (const auto* run : group) square += std::pow(samples.list[run->begin + i].response - sum / count, 2);
+      squares.push_back(square / (count - 1));
+    }
+  }
+  constexpr std::size_t enough = 20;
+  if (squares.size() < enough) return 0;
+  // Without the highest fiftieth: outliers.
+  std::sort(squares.begin(), squares.end());
+  const std::size_t cut = squares.size() / 50;
+  double sum = 0;
+  for (std::size_t i = 0; i + cut < squares.size(); ++i) sum += squares[i];
+  return std::sqrt(sum / static_cast<double>(squares.size() - cut));
+}
+
+/// Rows of a series in the order of their load: scatter about the line between neighbours.
+double scatter_of_series(const Samples& samples, const std::vector<double>& residual, std::size_t table) {
+  std::vector<std::pair<double, double>> points;
+  for (const auto& run : samples.runs)
+    if (run.table == table)
+      for (std::size_t i = run.begin; i < run.end; ++i)
+        if (samples.list[i].counts) points.push_back({samples.list[i].normal_force, residual[i]});
+  constexpr std::size_t enough = 10;
+  if (points.size() < enough) return 0;
+  std::sort(points.begin(), points.end());
+  std::vector<double> squares;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    squares.push_back(std::pow(points[i - 1].second - 2 * points[i].second + points[i + 1].second, 2) / 6);
+  return std::sqrt(median(squares) / median_of_square);
+}
+
+}  // namespace
+
+ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretches) {
+  const std::size_t lags[] = {1, 2, 3};
+  double variance[3] = {};
+  std::size_t count = 0;
+  for (int l = 0; l < 3; ++l) {
+    const std::size_t k = lags[l];
+    std::vector<double> squares;
+    for (const auto& r : stretches)
+      for (std::size_t i = k; i + k < r.size(); ++i) squares.push_back(std::pow(r[i - k] - 2 * r[i] + r[i + k], 2));
+    if (l == 0) count = squares.size();
+    if (squares.empty()) continue;
+    const auto end = squares.begin() + std::max<long>(1, std::lround(kept * static_cast<double>(squares.size())));
+    std::nth_element(squares.begin(), end - 1, squares.end());
+    variance[l] = std::accumulate(squares.begin(), end, 0.0) / static_cast<double>(end - squares.begin()) / trimmed_mean_of_square;
+  }
+  if (!(variance[0] > 0)) return {0, 0, count};
+  const auto shape = [](double rho, double k) {
+    const double q = std::pow(rho, k);
+    return 6 - 8 * q + 2 * q * q;
+  };
+  // The rho whose three variances lie nearest in ratio; smooth mismatch makes those at longer distances too large only.
+  const auto misfit = [&](double rho) {
+    double sum = 0;
+    const double first = std::log(variance[0] / shape(rho, 1));
+    for (int l = 1; l < 3; ++l)
+      if (variance[l] > 0) sum += std::pow(std::log(variance[l] / shape(rho, static_cast<double>(lags[l]))) - first, 2) / static_cast<double>(l);
+    return sum;
+  };
+  double best = 0;
+  for (double rho = 0; rho <= largest_correlation; rho += 0.005)
+    if (misfit(rho) < misfit(best)) best = rho;
+  // The variances scatter by 2/n^(1/2), relative: what does not stand out from that is no correlation.
+  const double scatter = 4 / static_cast<double>(std::max<std::size_t>(1, count));
+  if (misfit(0) - misfit(best) < 3 * scatter) best = 0;
+  return {std::sqrt(variance[0] / shape(best, 1)), best, count};
+}
+
+Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual) {
+  Noise noise;
+  noise.sd.assign(samples.list.size(), 0.0);
+  noise.correlation.assign(samples.runs.size(), 0.0);
+  for (std::size_t t = 0; t < recording.tables.size(); ++t) {
+    const RecordingTable& table = recording.tables[t];
+    const bool by_row = table.has(table.response + "_sd");
+    const auto given = recording.noise.find(table.response);
+    const ShortScaleNoise fast = short_scale_noise(stretches_of(samples, residual, t));
+    double sd = 0;
+    std::string from;
+    constexpr std::size_t enough = 30;
+    if (by_row) from = "given by row";
+    else if (given != recording.noise.end()) sd = given->second, from = "given";
+    else if ((sd = scatter_of_repeats(recording, samples, t)) > 0) from = "repeats";
+    else if (table.kind == TableKind::trace && fast.count >= enough) sd = fast.sd, from = "high frequencies";
+    else if ((sd = scatter_of_series(samples, residual, t)) > 0) from = "neighbouring rows";
+    if (from.empty() || (!by_row && !(sd > 0))) {
+      double sum = 0, count = 0;
+      for (const auto& run : samples.runs)
+        if (run.table == t)
+          for (std::size_t i = run.begin; i < run.end; ++i)
+            if (samples.list[i].counts) sum += residual[i] * residual[i], ++count;
+      sd = std::sqrt(sum / std::max(1.0, count - 1));
+      from = "residuals";
+      noise.is_absolute = false;
+    }
+    noise.from.push_back(from);
+    const double floor = 1e-9 * std::max(1e-300, sd);
+    double median_given = sd;
+    if (by_row) {
+      std::vector<double> values;
+      for (const double value : table.column(table.response + "_sd"))
+        if (value > 0) values.push_back(value);
+      median_given = median(values);
+    }
+    for (std::size_t r = 0; r < samples.runs.size(); ++r) {
+      if (samples.runs[r].table != t) continue;
+      for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
+        noise.sd[i] = std::max(floor, by_row && samples.list[i].sd > 0 ? samples.list[i].sd : by_row ? median_given : sd);
+      if (!samples.runs[r].independent_rows && fast.count >= enough) noise.correlation[r] = fast.correlation;
+    }
+  }
+  return noise;
+}
+
+std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+  constexpr long reach = 4;
+  constexpr double far = 6, most_of_all = 0.05;
+  std::vector<std::size_t> marked;
+  for (const auto& run : samples.runs) {
+    if (run.independent_rows) continue;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      if (!samples.list[i].counts) continue;
+      std::vector<double> near;
+      for (long k = -reach; k <= reach; ++k) {
+        const long j = static_cast<long>(i) + k;
+        if (k == 0 || j < static_cast<long>(run.begin) || j >= static_cast<long>(run.end)) continue;
+        if (samples.list[static_cast<std::size_t>(j)].counts) near.push_back(residual[static_cast<std::size_t>(j)]);
+      }
+      if (near.size() < 4) continue;
+      const double middle = median(near);
+      for (double& value : near) value = std::abs(value - middle);
+      const double spread = std::max(noise.sd[i], 1.4826 * median(near));
+      // Beyond all its neighbours, not only off their middle: the edge of a step is none.
+      if (std::abs(residual[i] - middle) > far * spread && std::abs(residual[i] - middle) > 2 * *std::max_element(near.begin(), near.end()))
+        marked.push_back(i);
+    }
+  }
+  if (static_cast<double>(marked.size()) > most_of_all * static_cast<double>(samples.list.size())) return 0;
+  for (const std::size_t i : marked) samples.list[i].counts = false;
+  return marked.size();
+}
+
+void mark_beginnings(Samples& samples, const Noise& noise) {
+  constexpr double clear = 3;      // standard deviations
+  constexpr double sliding = 0.9;  // of the force later in the segment
+  for (auto& run : samples.runs) {
+    if (run.independent_rows) continue;
+    const Sample& first = samples.list[run.begin];
+    run.first_response = first.counts && std::abs(first.response) > clear * noise.sd[first.index] ? first.response : 0;
+    std::size_t end = run.begin;
+    while (end < run.end && samples.list[end].direction == first.direction) ++end;
+    if (end == run.end) continue;
+    std::vector<double> later;
+    for (std::size_t i = run.begin + (end - run.begin) / 2; i < end; ++i) later.push_back(samples.list[i].response * first.direction);
+    const double reached = sliding * median(later);
+    for (std::size_t i = run.begin; i < end && samples.list[i].response * first.direction < reached; ++i) samples.list[i].counts = false;
+  }
+}
+
+std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+  std::vector<double> white;
+  white.reserve(samples.list.size());
+  for (std::size_t r = 0; r < samples.runs.size(); ++r) {
+    const SampleRun& run = samples.runs[r];
+    const double rho = run.independent_rows ? 0 : noise.correlation[r];
+    double before = 0;
+    std::size_t last = 0;
+    bool any = false;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Sample& s = samples.list[i];
+      if (!s.counts) continue;
+      const double now = residual[i] / noise.sd[s.index];
+      const double shared = any && rho > 0 ? std::pow(rho, static_cast<double>(s.index - last)) : 0;
+      white.push_back((now - shared * before) / std::sqrt(1 - shared * shared));
+      before = now;
+      last = s.index;
+      any = true;
+    }
+  }
+  return white;
+}
+
+double shared_variance(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+  constexpr std::size_t reach = 30;
+  if (std::any_of(samples.runs.begin(), samples.runs.end(), [](const SampleRun& r) { return r.independent_rows; })) return 1;
+  std::vector<double> white = whitened(samples, residual, noise);
+  constexpr double far = 3;  // single large ones say nothing of what neighbours share
+  double square = 0;
+  for (double& value : white) {
+    value = std::clamp(value, -far, far);
+    square += value * value;
+  }
+  if (white.size() <= reach || !(square > 0)) return 1;
+  double factor = 1;
+  for (std::size_t k = 1; k <= reach; ++k) {
+    double product = 0;
+    for (std::size_t i = k; i < white.size(); ++i) product += white[i] * white[i - k];
+    factor += 2 * (1 - static_cast<double>(k) / (reach + 1)) * product / square;
+  }
+  return std::max(1.0, factor);
+}
+
+}  // namespace asperity

@@ -1,0 +1,161 @@
+#include "diagnosis/import/instrument_text.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::uintmax_t largest_file = 256u << 20;
+
+std::string trimmed(const std::string& text) {
+  const char* blank = " \t\r\"";
+  const auto first = text.find_first_not_of(blank);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+/// Is this byte sequence valid UTF-8?
+bool is_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = byte < 0x80 ? 1 : byte >> 5 == 6 ? 2 : byte >> 4 == 14 ? 3 : byte >> 3 == 30 ? 4 : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((static_cast<unsigned char>(text[i + k]) >> 6) != 2) return false;
+    i += length;
+  }
+  return true;
+}
+
+std::string from_latin_1(const std::string& text) {
+  std::string utf8;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      utf8 += c;
+    } else {
+      utf8 += static_cast<char>(0xC0 | (byte >> 6));
+      utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  return utf8;
+}
+
+}  // namespace
+
+InstrumentText read_instrument_text(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (!error && size > largest_file)
+    throw InputError(file.string() + ": holds " + std::to_string(size >> 20) + " MB, more than the " + std::to_string(largest_file >> 20) +
+                     " MB that are read; cut it into experiments");
+  std::string bytes = read_file(file);
+  if (bytes.find('\0') != std::string::npos)
+    throw InputError(file.string() + ": is binary, not text; export it as text from the instrument's program");
+  if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) bytes.erase(0, 3);
+  if (!is_utf8(bytes)) bytes = from_latin_1(bytes);
+  InstrumentText text;
+  text.file = file.string();
+  std::string line;
+  for (const char c : bytes) {
+    if (c == '\n') {
+      text.lines.push_back(line);
+      line.clear();
+    } else if (c != '\r') {
+      line += c;
+    }
+  }
+  if (!line.empty()) text.lines.push_back(line);
+  return text;
+}
+
+std::optional<std::size_t> InstrumentText::line_with(const std::string& start, std::size_t from) const {
+  for (std::size_t i = from; i < lines.size(); ++i)
+    if (lines[i].rfind(start, 0) == 0) return i;
+  return std::nullopt;
+}
+
+std::optional<double> InstrumentText::number_behind(const std::string& key) const {
+  const auto line = line_with(key);
+  if (!line) return std::nullopt;
+  std::string rest = trimmed(lines[*line].substr(key.size()));
+  if (!rest.empty() && (rest[0] == ':' || rest[0] == '=')) rest = trimmed(rest.substr(1));
+  return number_in(rest.substr(0, rest.find_first_of(" \t")));
+}
+
+std::vector<std::string> cells_of_line(const std::string& line) {
+  const char separator = line.find('\t') != std::string::npos ? '\t' : line.find(';') != std::string::npos ? ';' : ',';
+  std::vector<std::string> cells;
+  for (std::size_t from = 0;;) {
+    const auto at = line.find(separator, from);
+    cells.push_back(trimmed(line.substr(from, at == std::string::npos ? at : at - from)));
+    if (at == std::string::npos) break;
+    from = at + 1;
+  }
+  while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
+std::optional<double> number_in(std::string text) {
+  // A comma that is not a separator of cells is one of decimals.
+  std::replace(text.begin(), text.end(), ',', '.');
+  if (text.empty()) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return *end == '\0' ? std::optional<double>(value) : std::nullopt;
+}
+
+InstrumentTable table_under(const InstrumentText& text, std::size_t header) {
+  InstrumentTable table;
+  table.names = cells_of_line(text.lines[header]);
+  table.columns.resize(table.names.size());
+  table.first_line = header + 2;
+  for (std::size_t i = header + 1; i < text.lines.size(); ++i) {
+    const auto cells = cells_of_line(text.lines[i]);
+    if (cells.size() == 1 && cells[0].empty()) continue;  // some leave a line out between segments
+    if (!number_in(cells[0])) {
+      // A text line ends the table, unless it is one of its rows gone wrong.
+      if (table.rows() > 0 && cells.size() == table.names.size() && cells.size() > 1 && number_in(cells[1]))
+        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[0] + "' in column '" + table.names[0] + "' is not a number");
+      break;
+    }
+    if (cells.size() < table.names.size())
+      throw InputError(text.file + ":" + std::to_string(i + 1) + ": " + std::to_string(cells.size()) + " cells where the header has " +
+                       std::to_string(table.names.size()) + "; the file may be cut short");
+    for (std::size_t c = 0; c < table.names.size(); ++c) {
+      const auto value = number_in(cells[c]);
+      if (!value)
+        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[c] + "' in column '" + table.names[c] + "' is not a number");
+      table.columns[c].push_back(*value);
+    }
+  }
+  if (table.rows() == 0) throw InputError(text.file + ":" + std::to_string(header + 1) + ": no numbers follow this header");
+  return table;
+}
+
+std::optional<std::size_t> InstrumentTable::find(const std::string& name) const {
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (names[c] == name) return c;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (names[c].rfind(name, 0) == 0) return c;
+  return std::nullopt;
+}
+
+const std::vector<double>& InstrumentTable::column(const std::string& name, const std::string& file) const {
+  if (const auto c = find(name)) return columns[*c];
+  std::string list;
+  for (const auto& known : names) list += (list.empty() ? "" : ", ") + known;
+  throw InputError(file + ": there is no column '" + name + "' among " + list);
+}
+
+std::string instrument_unit(const std::string& unit) {
+  std::string plain = unit;
+  for (const char* mu : {"\xC2\xB5", "\xCE\xBC"})  // micro sign, Greek mu
+    for (std::size_t at = 0; (at = plain.find(mu)) != std::string::npos;) plain.replace(at, 2, "u");
+  return plain == "micron" || plain == "microns" ? "um" : plain;
+}
+
+}  // namespace asperity

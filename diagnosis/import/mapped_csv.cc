@@ -1,0 +1,130 @@
+// A table with a header row, its columns mapped to channels: "channel [unit] = factor * column * column". A constant alone fills the
+// column. "channel:forward" and "channel:backward" hold the two ways of a scan side by side: each run becomes a loop, there and back.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/error.h"
+#include "diagnosis/import/segments.h"
+#include "diagnosis/import/text_formats.h"
+
+namespace asperity {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// One entry of the map.
+struct MappedColumn {
+  std::string channel, way, unit, expression;  ///< way: "", "forward", "backward"
+};
+
+MappedColumn parsed(const std::string& entry) {
+  const auto equals = entry.find('=');
+  const std::string refusal = "the column map '" + entry + "' is not of the form \"channel [unit] = column\"";
+  if (equals == std::string::npos) throw InputError(refusal);
+  std::string left = trimmed(entry.substr(0, equals));
+  MappedColumn mapped;
+  mapped.expression = trimmed(entry.substr(equals + 1));
+  const auto bracket = left.find('[');
+  if (bracket != std::string::npos) {
+    const auto end = left.find(']', bracket);
+    if (end == std::string::npos) throw InputError(refusal);
+    mapped.unit = trimmed(left.substr(bracket + 1, end - bracket - 1));
+    left = trimmed(left.substr(0, bracket));
+  }
+  const auto colon = left.find(':');
+  if (colon != std::string::npos) {
+    mapped.way = left.substr(colon + 1);
+    left = left.substr(0, colon);
+    if (mapped.way != "forward" && mapped.way != "backward")
+      throw InputError("the column map '" + entry + "' has the way '" + mapped.way + "'; it is forward or backward");
+  }
+  mapped.channel = left;
+  if (left.empty() || mapped.expression.empty()) throw InputError(refusal);
+  dimension_of_channel(left);  // refuses what is none
+  return mapped;
+}
+
+/// factor * column * column, or a constant.
+std::vector<double> evaluated(const std::string& expression, const InstrumentTable& source, const std::string& file) {
+  std::vector<double> values(source.rows(), 1.0);
+  for (std::size_t from = 0; from <= expression.size();) {
+    const auto star = std::min(expression.find('*', from), expression.size());
+    const std::string factor = trimmed(expression.substr(from, star - from));
+    from = star + 1;
+    const auto number = number_in(factor);
+    if (number && !source.find(factor)) {
+      for (double& value : values) value *= *number;
+    } else {
+      const auto& column = source.column(factor, file);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] *= column[i];
+    }
+  }
+  return values;
+}
+
+/// The first line whose successor is numbers under as many names.
+std::size_t header_line(const InstrumentText& text) {
+  for (std::size_t i = 0; i + 1 < text.lines.size(); ++i) {
+    const auto names = cells_of_line(text.lines[i]), numbers = cells_of_line(text.lines[i + 1]);
+    if (names.size() < 2 || numbers.size() < names.size() || number_in(names[0]) || text.lines[i][0] == '#') continue;
+    if (number_in(numbers[0]) && number_in(numbers[1])) return i;
+  }
+  throw InputError(text.file + ": there is no row of names with a row of as many numbers under it");
+}
+
+}  // namespace
+
+bool is_csv(const InstrumentText&) { return true; }
+
+Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& options) {
+  const InstrumentTable source = table_under(text, header_line(text));
+  if (options.columns.empty()) {
+    std::string list;
+    for (const auto& name : source.names) list += (list.empty() ? "" : ", ") + name;
+    throw InputError(text.file + ": say what its columns are with --column \"channel [unit] = column\"; there are " + list);
+  }
+  const bool is_normal = options.mode == Mode::normal;
+  RecordingTable table;
+  table.file = is_normal ? "loading.csv" : "loops.csv";
+  table.control = is_normal ? std::vector<std::string>{"normal_displacement"} : std::vector<std::string>{"lateral_displacement", "normal_force"};
+  table.response = is_normal ? "normal_force" : "lateral_force";
+  std::map<std::string, std::vector<double>> by_way[2];
+  bool has_ways = false;
+  for (const auto& entry : options.columns) {
+    const MappedColumn mapped = parsed(entry);
+    const std::vector<double> values = evaluated(mapped.expression, source, text.file);
+    has_ways = has_ways || !mapped.way.empty();
+    RecordingTable one;
+    add_channel(one, mapped.channel, values, mapped.unit.empty() ? unit_of_channel(mapped.channel) : mapped.unit);
+    for (int way = 0; way < 2; ++way)
+      if (mapped.way.empty() || (mapped.way == "forward") == (way == 0)) by_way[way][mapped.channel] = one.columns.at(mapped.channel);
+  }
+  if (!has_ways) {
+    table.columns = by_way[0];
+    if (!table.has("run")) table.columns["run"].assign(source.rows(), 1);
+    const std::string driven = options.control.empty() ? table.control.front() : options.control.front();
+    if (is_normal && table.has(driven)) table.segment = find_segments(table.column(driven)).segment;
+  } else {
+    // Rows of one run (line of a scan): there in order, back in the reverse.
+    const std::vector<double> runs = by_way[0].count("run") ? by_way[0]["run"] : std::vector<double>(source.rows(), 1);
+    for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
+      while (to < runs.size() && runs[to] == runs[from]) ++to;
+      for (int way = 0; way < 2; ++way)
+        for (std::size_t k = from; k < to; ++k) {
+          const std::size_t i = way == 0 ? k : from + to - 1 - k;
+          for (const auto& [channel, values] : by_way[way]) table.columns[channel].push_back(values[i]);
+          table.segment.push_back(way == 0 ? "forward" : "backward");
+        }
+    }
+  }
+  Recording recording;
+  recording.title = std::filesystem::path(text.file).stem().string();
+  recording.tables = {table};
+  return recording;
+}
+
+}  // namespace asperity

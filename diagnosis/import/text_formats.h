@@ -1,0 +1,37 @@
+// The instruments whose text is read, one file each. Each fills tables, and what the file says of the bodies.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/import/import.h"
+#include "diagnosis/import/instrument_text.h"
+
+namespace asperity {
+
+struct TextFormat {
+  const char* name;
+  bool (*recognises)(const InstrumentText&);
+  /// Tables, title and what the file knows of the bodies; the rest is filled from the options.
+  Recording (*read)(const InstrumentText&, const ImportOptions&);
+};
+
+const std::vector<TextFormat>& text_formats();
+
+// Hysitron TriboScan: high-load .hld (header, approach, drift and test tables) and its text export.
+bool is_hysitron(const InstrumentText& text);
+Recording read_hysitron(const InstrumentText& text, const ImportOptions& options);
+// Optics11 Piuma and Chiaro: cantilever with a sphere.
+bool is_optics11(const InstrumentText& text);
+Recording read_optics11(const InstrumentText& text, const ImportOptions& options);
+// Fischer Fischerscope HM2000: blocks of F, h, t with decimal commas.
+bool is_fischer(const InstrumentText& text);
+Recording read_fischer(const InstrumentText& text, const ImportOptions& options);
+// Any table with a header row, by a map of columns.
+bool is_csv(const InstrumentText& text);
+Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& options);
+
+/// Adds `values` (in `unit`) as a channel [SI].
+void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values, const std::string& unit);
+
+}  // namespace asperity

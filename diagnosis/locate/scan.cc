@@ -1,0 +1,218 @@
+#include "diagnosis/locate/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace asperity {
+namespace {
+
+/// T of a bin below which it is no part of a region: two standard deviations.
+constexpr double background = 4;
+constexpr int simulated_noises = 240;
+constexpr double region_significance = 0.01;
+constexpr std::size_t most_regions = 6;
+/// How well a standard deviation is known, relative: given ones are rounded, estimated ones have few samples.
+constexpr double uncertainty_of_sd = 0.05;
+
+struct Run {
+  std::size_t from = 0, to = 0;
+  double score = 0;
+};
+
+/// Disjoint runs of positive sum, the largest first: take the largest, then look to either side of it.
+void best_runs(const std::vector<double>& excess, std::size_t from, std::size_t to, std::vector<Run>& found, bool only_best) {
+  Run best;
+  double sum = 0;
+  std::size_t start = from;
+  for (std::size_t i = from; i < to; ++i) {
+    if (sum <= 0) sum = 0, start = i;
+    sum += excess[i];
+    if (sum > best.score) best = {start, i + 1, sum};
+  }
+  if (best.score <= 0) return;
+  found.push_back(best);
+  if (only_best) return;
+  best_runs(excess, from, best.from, found, false);
+  best_runs(excess, best.to, to, found, false);
+}
+
+/// AR(1) noise of unit variance in place of every run's residuals.
+std::vector<double> simulated_noise(const Samples& samples, const Noise& noise, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  std::vector<double> values(samples.list.size());
+  for (std::size_t r = 0; r < samples.runs.size(); ++r) {
+    const double rho = samples.runs[r].independent_rows ? 0 : noise.correlation[r], fresh = std::sqrt(1 - rho * rho);
+    double last = normal(random);
+    for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i) values[i] = last = i == samples.runs[r].begin ? last : rho * last + fresh * normal(random);
+  }
+  return values;
+}
+
+/// Single samples far off between two that are not are outliers, or the one sample in which something snapped.
+void leave_out_spikes(const Samples& samples, std::vector<double>& ratio) {
+  constexpr double far = 4.5, near = 3;
+  const std::vector<double> given = ratio;
+  for (const auto& run : samples.runs) {
+    if (run.independent_rows) continue;
+    for (std::size_t i = run.begin; i < run.end; ++i)
+      if (std::abs(given[i]) > far && (i == run.begin || std::abs(given[i - 1]) < near) && (i + 1 == run.end || std::abs(given[i + 1]) < near)) ratio[i] = 0;
+  }
+}
+
+struct BinMoments {
+  double mean = 0, square = 0;
+};
+
+BinMoments moments(const Bin& bin, const std::vector<double>& ratio) {
+  BinMoments m;
+  for (const std::size_t i : bin.samples) {
+    m.mean += ratio[i];
+    m.square += ratio[i] * ratio[i];
+  }
+  const auto count = static_cast<double>(bin.samples.size());
+  m.mean /= count;
+  m.square /= count;
+  return m;
+}
+
+}  // namespace
+
+double chi2_reduced(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    if (samples.list[i].counts) {
+      sum += std::pow(residual[i] / noise.sd[samples.list[i].index], 2);
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
+Scanner::Scanner(const Samples& samples, const Experiment& experiment, const Noise& noise, unsigned seed)
+    : samples_(samples), noise_(noise), views_(views_of(samples, experiment)) {
+  std::mt19937 random(seed);
+  std::vector<std::vector<std::vector<BinMoments>>> all(views_.size());
+  for (std::size_t v = 0; v < views_.size(); ++v) all[v].resize(views_[v].bins.size());
+  for (int n = 0; n < simulated_noises; ++n) {
+    const auto values = simulated_noise(samples, noise, random);
+    for (std::size_t v = 0; v < views_.size(); ++v)
+      for (std::size_t b = 0; b < views_[v].bins.size(); ++b) all[v][b].push_back(moments(views_[v].bins[b], values));
+  }
+  scales_.resize(views_.size());
+  for (std::size_t v = 0; v < views_.size(); ++v)
+    for (const auto& bin : all[v]) {
+      double mean = 0, square = 0;
+      for (const auto& m : bin) mean += m.mean * m.mean, square += (m.square - 1) * (m.square - 1);
+      scales_[v].push_back({std::sqrt(mean / simulated_noises), std::hypot(std::sqrt(square / simulated_noises), 2 * uncertainty_of_sd)});
+    }
+  for (int n = 0; n < simulated_noises; ++n) {
+    double largest = 0;
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      std::vector<double> excess;
+      for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
+        const auto& m = all[v][b][static_cast<std::size_t>(n)];
+        const double q = (m.square - 1) / scales_[v][b].square;
+        excess.push_back(std::max(std::pow(m.mean / scales_[v][b].mean, 2), q > 0 ? q * q : 0.0) - background);
+      }
+      std::vector<Run> runs;
+      best_runs(excess, 0, excess.size(), runs, true);
+      if (!runs.empty()) largest = std::max(largest, runs.front().score);
+    }
+    noise_scores_.push_back(largest);
+  }
+  std::sort(noise_scores_.begin(), noise_scores_.end());
+}
+
+double Scanner::p_value(double score) const {
+  if (score <= 0) return 1;
+  constexpr double tail = 0.2, smallest = 1e-12;
+  const auto count = static_cast<double>(noise_scores_.size());
+  const auto above = static_cast<double>(noise_scores_.end() - std::lower_bound(noise_scores_.begin(), noise_scores_.end(), score));
+  const auto edge = static_cast<std::size_t>((1 - tail) * count);
+  if (score <= noise_scores_[edge]) return (above + 1) / (count + 1);
+  double excess = 0;
+  for (std::size_t i = edge; i < noise_scores_.size(); ++i) excess += noise_scores_[i] - noise_scores_[edge];
+  excess /= static_cast<double>(noise_scores_.size() - edge);
+  return excess > 0 ? std::max(smallest, tail * std::exp(-(score - noise_scores_[edge]) / excess)) : (above + 1) / (count + 1);
+}
+
+ScanResult Scanner::scan(const std::vector<double>& residual, const std::vector<double>& tolerated) const {
+  ScanResult result;
+  result.chi2_reduced = asperity::chi2_reduced(samples_, residual, noise_);
+  std::vector<double> ratio(residual.size()), allowance(residual.size(), 0.0);
+  double whole_excess = 0;
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    const double sd = noise_.sd[samples_.list[i].index];
+    ratio[i] = residual[i] / sd;
+    if (!tolerated.empty()) allowance[i] = tolerated[i] / sd;
+    if (samples_.list[i].counts) whole_excess += ratio[i] * ratio[i] - 1;
+  }
+  leave_out_spikes(samples_, ratio);
+  struct Candidate {
+    std::size_t view;
+    Run run;
+  };
+  struct BestView {
+    double score = 0;
+    std::vector<Candidate> candidates;
+  };
+  std::map<std::pair<std::size_t, std::string>, BestView> best_of_segment;
+  std::vector<Candidate> candidates;
+  double largest = 0;
+  for (std::size_t v = 0; v < views_.size(); ++v) {
+    std::vector<double> excess;
+    for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
+      const Bin& bin = views_[v].bins[b];
+      const auto m = moments(bin, ratio);
+      double allowed = 0;
+      for (const std::size_t i : bin.samples) allowed += allowance[i] * allowance[i];
+      allowed /= static_cast<double>(bin.samples.size());
+      const double q = (m.square - 1 - allowed) / scales_[v][b].square;
+      const double coherent = m.mean * m.mean / (scales_[v][b].mean * scales_[v][b].mean + allowed);
+      excess.push_back(std::max(coherent, q > 0 ? q * q : 0.0) - background);
+    }
+    std::vector<Run> runs;
+    best_runs(excess, 0, excess.size(), runs, false);
+    double of_view = 0;
+    for (const auto& run : runs) of_view += p_value(run.score) < region_significance ? run.score : 0.0;
+    for (const auto& run : runs) largest = std::max(largest, run.score);
+    if (views_[v].variable.empty() || of_view <= 0) continue;
+    // One view for each segment: the one in which the mismatch stands out most.
+    auto& best = best_of_segment[{views_[v].table, views_[v].segment}];
+    if (of_view <= best.score) continue;
+    best.score = of_view;
+    best.candidates.clear();
+    for (const auto& run : runs)
+      if (p_value(run.score) < region_significance) best.candidates.push_back({v, run});
+  }
+  for (const auto& [segment, best] : best_of_segment) candidates.insert(candidates.end(), best.candidates.begin(), best.candidates.end());
+  result.p_value = p_value(largest);
+  std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.run.score > b.run.score; });
+  for (const auto& candidate : candidates) {
+    if (result.regions.size() == most_regions) break;
+    const View& view = views_[candidate.view];
+    MismatchRegion region;
+    region.table = samples_.table_names[view.table];
+    region.channel = samples_.response_channels[view.table];
+    region.segment = view.segment;
+    region.variable = view.variable;
+    region.unit = unit_of_channel(view.variable);
+    region.from = view.bins[candidate.run.from].from;
+    region.to = view.bins[candidate.run.to - 1].to;
+    region.p_value = p_value(candidate.run.score);
+    double excess = 0, mean = 0, count = 0;
+    for (std::size_t b = candidate.run.from; b < candidate.run.to; ++b)
+      for (const std::size_t i : view.bins[b].samples) {
+        excess += ratio[i] * ratio[i] - 1;
+        mean += ratio[i];
+        ++count;
+      }
+    region.size_in_noise = mean / count;
+    region.share = whole_excess > 0 ? std::clamp(excess / whole_excess, 0.0, 1.0) : 0;
+    result.regions.push_back(region);
+  }
+  return result;
+}
+
+}  // namespace asperity

@@ -1,0 +1,32 @@
+#include "dem_compare/laws/mindlin.h"
+#include "diagnosis/mechanics/mechanics.h"
+
+namespace asperity {
+namespace {
+
+double value_of(const SimulationChoice& choice, const std::string& name) {
+  const auto found = choice.parameters.find(name);
+  return found == choice.parameters.end() ? 0 : found->second.value;
+}
+
+}  // namespace
+
+Mechanics baseline_mechanics(const Experiment& experiment, const SimulationChoice& choice) {
+  Mechanics m;
+  m.experiment = experiment;
+  m.geometry = experiment.hertz();
+  m.normal.contact = std::make_shared<HertzContact>(m.geometry);
+  switch (experiment.mode) {
+    case Mode::normal: break;
+    case Mode::sliding: m.lateral.coefficient = value_of(choice, "sliding_friction"); break;
+    case Mode::rolling: m.lateral.coefficient = value_of(choice, "rolling_friction"); break;
+    case Mode::rail:
+      m.lateral.coefficient = value_of(choice, "rolling_friction");
+      if (choice.torsion == "constant") m.lateral.torsion_coefficient = value_of(choice, "torsion_friction");
+      break;
+    case Mode::torsion: m.lateral.coefficient = value_of(choice, "torsion_friction"); break;
+  }
+  return m;
+}
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+// The law between the displacement of the contact and its normal force, with a history: the slot into which effects put theirs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "dem_compare/laws/hertz.h"
+
+namespace asperity {
+
+class NormalContact {
+ public:
+  virtual ~NormalContact() = default;
+  /// With its history.
+  virtual std::unique_ptr<NormalContact> clone() const = 0;
+  /// Force [N] at a displacement of the contact [m] that follows the history accepted last.
+  virtual double force(double displacement) const = 0;
+  /// Displacement at a force in closed form, where there is one; NaN: solve force() for it.
+  virtual double displacement(double) const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// The step to this displacement was taken.
+  virtual void accept(double) {}
+  /// Displacement below which there is no contact, whatever came before [m].
+  virtual double release() const { return 0; }
+  /// Law without history and adhesion, from which others are made; null if this is another.
+  virtual const Hertz* hertz() const { return nullptr; }
+};
+
+class HertzContact : public NormalContact {
+ public:
+  explicit HertzContact(const Hertz& law) : law_(law) {}
+  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<HertzContact>(*this); }
+  double force(double d) const override {
+    return d <= 0 ? 0 : 4.0 / 3.0 * law_.reduced_modulus * std::sqrt(law_.radius * d) * d;
+  }
+  double displacement(double force) const override {
+    return force > 0 ? std::cbrt(std::pow(force / (4.0 / 3.0 * law_.reduced_modulus), 2) / law_.radius) : std::numeric_limits<double>::quiet_NaN();
+  }
+  const Hertz* hertz() const override { return &law_; }
+
+ private:
+  Hertz law_;
+};
+
+}  // namespace asperity

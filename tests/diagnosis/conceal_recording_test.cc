@@ -1,0 +1,107 @@
+// Concealed recordings: what they hold, and that the truth stays sealed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "diagnosis/conceal/concealed_recording.h"
+#include "tests/dem_compare/compare/solved_folders.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+TEST(ConcealedRecording, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
+  for (const Mode mode : all_modes())
+    for (const auto* list : {"catalogue", "outsiders"})
+      for (const auto& effect : list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
+        for (const unsigned seed : {1u, 2u, 3u}) {
+          const ConcealedRecording concealed = conceal({mode, {effect}, 0.01, seed, ""});
+          ASSERT_EQ(concealed.truth.effects.size(), 1u);
+          EXPECT_EQ(concealed.truth.effects[0].in_catalogue, list == std::string("catalogue")) << effect;
+          double squares = 0;
+          for (const double value : concealed.truth.contributions.at(0).in_noise) squares += value * value;
+          EXPECT_GT(squares, 200) << effect << " seed " << seed;  // chi2 of 200 is fourteen standard deviations
+        }
+}
+
+TEST(ConcealedRecording, null_has_no_contribution_and_no_effects) {
+  for (const Mode mode : all_modes()) {
+    const ConcealedRecording concealed = conceal({mode, {}, 0.01, 4, ""});
+    EXPECT_EQ(concealed.truth.family, "null");
+    EXPECT_TRUE(concealed.truth.effects.empty());
+    for (const double value : concealed.truth.contributions.at(0).in_noise) EXPECT_NEAR(value, 0, 1e-9);
+  }
+}
+
+TEST(ConcealedRecording, is_the_same_for_the_same_seed_and_another_for_another) {
+  const ConcealOptions options{Mode::sliding, {"surface_tilt"}, 0.02, 7, ""};
+  ConcealOptions other = options;
+  other.seed = 8;
+  const auto force = [](const ConcealOptions& o) { return conceal(o).recording.tables[0].column("lateral_force"); };
+  EXPECT_EQ(force(options), force(options));
+  EXPECT_NE(force(options), force(other));
+}
+
+TEST(ConcealedRecording, says_nothing_of_its_truth_but_in_the_sealed_file) {
+  const TemporaryFolder folder;
+  const ConcealedRecording concealed = conceal({Mode::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
+  write_concealed(concealed, folder.path);
+  const std::string visible = read_file(folder.path / "recording.json") + read_file(folder.path / "loading.csv").substr(0, 200);
+  for (const char* word : {"compliance", "drift", "truth", "effect"}) EXPECT_EQ(visible.find(word), std::string::npos) << word;
+  const Truth truth = read_truth(folder.path);
+  EXPECT_EQ(truth.family, "pair");
+  ASSERT_EQ(truth.effects.size(), 2u);
+  EXPECT_EQ(truth.effects[0].id, "instrument_compliance");
+  EXPECT_GT(truth.effects[0].parameters.at("compliance").value, 0);
+  EXPECT_EQ(truth.contributions[0].in_noise.size(), concealed.recording.tables[0].rows());
+  const Recording read = read_recording(folder.path);
+  EXPECT_EQ(read.tables[0].rows(), concealed.recording.tables[0].rows());
+}
+
+TEST(ConcealedRecording, settings_that_cannot_tell_effects_apart_say_so) {
+  EXPECT_EQ(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from, std::vector<std::string>{"lateral_zero_offset"});
+  EXPECT_EQ(conceal({Mode::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from, std::vector<std::string>{"instrument_compliance"});
+  EXPECT_TRUE(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, ""}).truth.cannot_be_told_from.empty());
+}
+
+TEST(ConcealedRecording, refuses_what_is_unknown_or_excludes_each_other) {
+  const auto message = [](const ConcealOptions& options) { return message_of<InputError>([&] { conceal(options); }); };
+  EXPECT_NE(message({Mode::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"), std::string::npos);
+  EXPECT_NE(message({Mode::normal, {"surface_tilt"}, 0.01, 1, ""}).find("no effect 'surface_tilt' can be concealed in mode normal"), std::string::npos);
+  EXPECT_NE(message({Mode::normal, {"adhesion", "creep"}, 0.01, 1, ""}).find("two laws for one place"), std::string::npos);
+  EXPECT_NE(message({Mode::normal, {}, 2, 1, ""}).find("noise"), std::string::npos);
+  EXPECT_NE(message({Mode::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"), std::string::npos);
+}
+
+TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accepted_steps) {
+  const TemporaryFolder folder;
+  test::SolvedFolder solved;
+  solved.roughness = "smooth";
+  test::write_solved(folder.path, solved);
+  ConcealOptions options{Mode::sliding, {"partial_slip"}, 0, 1, ""};
+  const ConcealedRecording sliding = conceal_case(folder.path, options);
+  const auto& table = sliding.recording.tables[0];
+  EXPECT_EQ(sliding.truth.effects[0].model, "finite elements");
+  EXPECT_NEAR(table.column("lateral_force").back(), 0.23 * solved.load, 1e-9);
+  EXPECT_EQ(table.column("lateral_force").front(), 0);
+  EXPECT_GE(table.rows(), 240u);
+  EXPECT_EQ(table.column("normal_force").front(), solved.load);
+  options.mode = Mode::rolling;
+  EXPECT_NE(message_of<InputError>([&] { conceal_case(folder.path, options); }).find("not rolling"), std::string::npos);
+  options.mode = Mode::normal;
+  solved.experiment = "normal";
+  test::write_solved(folder.path, solved);
+  const auto normal = conceal_case(folder.path, options).recording.tables[0];
+  for (std::size_t i = 0; i < normal.rows(); ++i) {
+    const double d = normal.column("normal_displacement")[i];
+    EXPECT_NEAR(normal.column("normal_force")[i], solved.hertz().force(d), 1e-6 * solved.load);
+  }
+}
+
+}  // namespace
+}  // namespace asperity

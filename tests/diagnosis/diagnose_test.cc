@@ -1,0 +1,221 @@
+// Verdicts on recordings made by hand, from formulas and not from the mechanics that diagnoses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/error.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "diagnosis/diagnosis.h"
+#include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::borosilicate;
+using test::diamond;
+using test::silicon;
+
+constexpr double nm = 1e-9, uN = 1e-6;
+
+/// Three load-unload runs under displacement control; `force` of the displacement and time.
+Recording indentation(const std::function<double(double d, double t)>& force, double noise, unsigned seed) {
+  Recording r;
+  r.mode = Mode::normal;
+  r.particle = borosilicate();
+  r.substrate = silicon();
+  RecordingTable table;
+  table.file = "indentation.csv";
+  table.control = {"normal_displacement"};
+  table.response = "normal_force";
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  for (int run = 1; run <= 3; ++run)
+    for (int i = 0; i <= 300; ++i) {
+      const double d = (60 - 5 * run) * nm * (i <= 150 ? i / 150.0 : (300 - i) / 150.0), t = 0.1 * i;
+      table.columns["run"].push_back(run);
+      table.columns["time"].push_back(t);
+      table.columns["normal_displacement"].push_back(d);
+      table.columns["normal_force"].push_back(force(d, t) + noise * normal(random));
+      table.segment.push_back(i <= 150 ? "load" : "unload");
+    }
+  r.tables = {table};
+  return r;
+}
+
+/// Friction loops at three loads. `force_change` of position, load and direction is added to an elastic-sliding loop whose spring
+/// is `compliance` + Mindlin's.
+Recording loops(double compliance, const std::function<double(double x, double load, int way)>& force_change, double noise, unsigned seed) {
+  Recording r;
+  r.mode = Mode::sliding;
+  r.particle = borosilicate();
+  r.substrate = silicon();
+  RecordingTable table;
+  table.file = "loops.csv";
+  table.control = {"lateral_displacement", "normal_force"};
+  table.response = "lateral_force";
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const Experiment e = test::experiment(Mode::sliding);
+  int run = 0;
+  for (const double load : {200 * uN, 500 * uN, 1000 * uN}) {
+    ++run;
+    const double a = std::cbrt(0.75 * load * 8.5e-6 / e.reduced_modulus()), limit = 0.23 * load;
+    const double spring = 1 / (1 / (8 * sliding_modulus(e.particle, e.substrate) * a) + compliance);
+    double q = 0, x = 0, t = 0;
+    for (int cycle = 0; cycle < 3; ++cycle)
+      for (const int way : {1, -1})
+        for (int i = 0; i < 100; ++i) {
+          const double step = way * 1 * nm;
+          x += step;
+          q = std::max(-limit, std::min(limit, q + spring * step));
+          table.columns["run"].push_back(run);
+          table.columns["cycle"].push_back(cycle);
+          table.columns["time"].push_back(t += 0.01);
+          table.columns["lateral_displacement"].push_back(x);
+          table.columns["normal_force"].push_back(load);
+          table.columns["lateral_force"].push_back(q + force_change(x, load, way) + noise * normal(random));
+          table.segment.push_back(way > 0 ? "forward" : "backward");
+        }
+  }
+  r.tables = {table};
+  return r;
+}
+
+double hertz(double d) {
+  const Experiment e = test::experiment(Mode::normal);
+  return 4.0 / 3 * e.reduced_modulus() * std::sqrt(8.5e-6) * std::pow(std::max(0.0, d), 1.5);
+}
+
+const auto no_change = [](double, double, int) { return 0.0; };
+
+TEST(Diagnose, hertz_and_noise_is_no_mismatch) {
+  const Diagnosis d = diagnose(indentation([](double x, double) { return hertz(x); }, 20 * uN, 1));
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch);
+  EXPECT_TRUE(d.left_out.empty());
+  EXPECT_TRUE(d.mismatch.empty());
+  EXPECT_NEAR(d.noise.at("normal_force").value, 20 * uN, 2 * uN);
+}
+
+TEST(Diagnose, friction_loops_of_mindlin_and_coulomb_are_no_mismatch) {
+  EXPECT_EQ(diagnose(loops(0, no_change, 4 * uN, 2)).verdict, Verdict::no_mismatch);
+}
+
+TEST(Diagnose_analytic, a_drift_is_named_with_its_rate) {
+  const Diagnosis d = diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u);
+  EXPECT_EQ(d.left_out[0].id, "thermal_drift");
+  EXPECT_EQ(d.left_out[0].kind, EffectKind::instrument);
+  const DiagnosedParameter& rate = d.left_out[0].parameters[0];
+  EXPECT_NEAR(rate.value, 0.2 * nm, 3 * (rate.high - rate.low) / 3.92);
+  EXPECT_LT(d.improved.held_out_chi2_reduced, 1.2);
+  EXPECT_GT(d.baseline.held_out_chi2_reduced, 2);
+}
+
+TEST(Diagnose_analytic, a_compliance_in_series_is_named_and_located_after_the_reversals) {
+  const double C = 4e-5;
+  const Diagnosis d = diagnose(loops(C, no_change, 4 * uN, 4));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u);
+  EXPECT_EQ(d.left_out[0].id, "lateral_compliance");
+  const DiagnosedParameter& found = d.left_out[0].parameters[0];
+  EXPECT_NEAR(found.value, C, 3 * (found.high - found.low) / 3.92);
+  ASSERT_FALSE(d.mismatch.empty());
+  // The force of the largest load turns over 2 x 230 uN x (C + 1/k) = 28 nm after each reversal.
+  for (const auto& region : d.mismatch) {
+    EXPECT_EQ(region.variable, "lateral_displacement");
+    if (region.segment == "forward") {
+      EXPECT_LT(region.to, 40 * nm);
+    }
+    if (region.segment == "backward") {
+      EXPECT_GT(region.from, 60 * nm);
+    }
+  }
+}
+
+TEST(Diagnose_analytic, a_pair_is_named_as_a_pair) {
+  const auto both = [](double, double load, int) { return 8 * uN + std::tan(0.05) * load; };
+  const Diagnosis d = diagnose(loops(0, both, 4 * uN, 5));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 2u);
+  EXPECT_EQ(d.left_out[0].id, "lateral_zero_offset");
+  EXPECT_EQ(d.left_out[1].id, "surface_tilt");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value, 8 * uN, 1 * uN);
+  EXPECT_NEAR(d.left_out[1].parameters[0].value, 0.05, 0.002);
+}
+
+TEST(Diagnose, what_no_effect_can_do_stays_unexplained_and_is_located) {
+  const auto ripple = [](double x, double load, int way) { return way * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1); };
+  const Diagnosis d = diagnose(loops(0, ripple, 4 * uN, 6));
+  EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
+  EXPECT_TRUE(d.left_out.empty());
+  EXPECT_FALSE(d.mismatch.empty());
+}
+
+TEST(Diagnose, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_named) {
+  // Rolling in one direction: an offset of the sensor and adhesion add the same force.
+  Recording r;
+  r.mode = Mode::rolling;
+  r.particle = borosilicate();
+  r.substrate = silicon();
+  r.indenter = diamond();
+  RecordingTable table;
+  table.file = "series.csv";
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.response = "lateral_force";
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 40; ++i) {
+    const double load = (100 + 70 * i) * uN;
+    table.columns["normal_force"].push_back(load);
+    table.columns["lateral_force"].push_back(6e-4 * (load + 400 * uN) + 0.02 * uN * normal(random));
+    table.columns["lateral_force_sd"].push_back(0.02 * uN);
+  }
+  r.tables = {table};
+  const Diagnosis d = diagnose(r);
+  ASSERT_EQ(d.verdict, Verdict::ambiguous) << diagnosis_json(d);
+  std::vector<std::string> ids;
+  for (const auto& a : d.alternatives) ids.push_back(a.effects.front().id);
+  EXPECT_NE(std::find(ids.begin(), ids.end(), "rolling_adhesion_offset"), ids.end());
+  EXPECT_NE(std::find(ids.begin(), ids.end(), "lateral_zero_offset"), ids.end());
+  EXPECT_NE(d.alternatives[0].told_apart_by.find("opposite direction"), std::string::npos) << d.alternatives[0].told_apart_by;
+}
+
+TEST(Diagnose, outliers_are_left_out_and_said) {
+  Recording r = indentation([](double x, double) { return hertz(x); }, 20 * uN, 8);
+  for (const int i : {100, 333, 555, 777}) r.tables[0].columns["normal_force"][static_cast<std::size_t>(i)] += 800 * uN;
+  const Diagnosis d = diagnose(r);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch);
+  ASSERT_FALSE(d.remarks.empty());
+  EXPECT_NE(d.remarks[0].find("4 samples lie far off"), std::string::npos) << d.remarks[0];
+}
+
+TEST(Diagnose, json_has_the_formats_entries) {
+  const Diagnosis d = diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
+  const auto json = nlohmann::json::parse(diagnosis_json(d));
+  EXPECT_EQ(json["format"], "asperity-diagnosis/1");
+  EXPECT_EQ(json["verdict"], "explained");
+  EXPECT_EQ(json["noise"]["normal_force"]["unit"], "N");
+  EXPECT_GT(json["baseline"]["chi2_reduced"], json["improved"]["chi2_reduced"]);
+  EXPECT_TRUE(json["baseline"].contains("held_out_chi2_reduced"));
+  EXPECT_EQ(json["left_out"][0]["effect"], "thermal_drift");
+  EXPECT_EQ(json["left_out"][0]["kind"], "instrument");
+  EXPECT_EQ(json["left_out"][0]["parameters"]["rate"]["unit"], "m/s");
+  EXPECT_EQ(json["left_out"][0]["parameters"]["rate"]["ci95"].size(), 2u);
+  for (const auto& key : {"table", "channel", "segment", "variable", "from", "to", "unit", "p_value", "share"})
+    EXPECT_TRUE(json["mismatch"][0].contains(key)) << key;
+  EXPECT_TRUE(json["alternatives"].is_array() && json["remaining"].is_array());
+}
+
+TEST(Diagnose, refuses_a_recording_in_which_nothing_presses) {
+  Recording r = indentation([](double x, double) { return -hertz(x); }, 0, 1);
+  EXPECT_NE(test::message_of<InputError>([&] { diagnose(r); }).find("compression is positive"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,308 @@
+// What the assembled mechanics says, against formulas worked out by hand.
+#include "diagnosis/mechanics/mechanics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dem_compare/laws/jkr.h"
+#include "dem_compare/laws/mindlin_deresiewicz.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/paper/rail_balance.h"
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/strip_contact.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::approach_and_back;
+using test::experiment;
+using test::lateral_path;
+using test::row;
+
+Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std::vector<double>>>& effects, double friction = 0.2) {
+  SimulationChoice choice;
+  for (const auto& name : {"sliding_friction", "rolling_friction", "torsion_friction"}) choice.parameters[name] = {friction, true};
+  Mechanics m = baseline_mechanics(e, choice);
+  for (const auto& [id, values] : effects) effect_of(id).assemble(m, values.data());
+  return m;
+}
+
+constexpr double nm = 1e-9, uN = 1e-6;
+
+TEST(Mechanics_analytic, normal_force_without_effects_is_hertz) {
+  const Experiment e = experiment(Mode::normal);
+  const auto f = simulate(with(e, {}), approach_and_back(-5 * nm, 40 * nm, 46));
+  EXPECT_EQ(f[3], 0);
+  EXPECT_NEAR(f[45], 4.0 / 3 * e.reduced_modulus() * std::sqrt(e.radius) * std::pow(40 * nm, 1.5), 1e-12);
+}
+
+TEST(Mechanics_analytic, series_compliance_takes_its_part_of_the_displacement) {
+  const Experiment e = experiment(Mode::normal);
+  const double C = 5e-6;
+  const Samples path = approach_and_back(0, 50 * nm, 51);
+  const auto f = simulate(with(e, {{"instrument_compliance", {C}}}), path);
+  for (const int i : {10, 30, 50})
+    EXPECT_NEAR(e.hertz().approach(f[i]) + C * f[i], path.list[i].normal_displacement, 1e-13);
+}
+
+TEST(Mechanics_analytic, force_control_gives_the_displacement_that_displacement_control_would_turn_back) {
+  const Experiment e = experiment(Mode::normal);
+  const Mechanics m = with(e, {{"instrument_compliance", {5e-6}}, {"contact_point_offset", {3 * nm}}, {"baseline_tilt", {200}}});
+  Samples path = approach_and_back(5 * nm, 50 * nm, 40);
+  const auto f = simulate(m, path);
+  for (std::size_t i = 0; i < f.size(); ++i) path.list[i].normal_force = f[i];
+  path.runs.front().response_is_displacement = true;
+  const auto d = simulate(m, path);
+  for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(d[i], path.list[i].normal_displacement, 1e-13);
+}
+
+TEST(Mechanics_analytic, drift_and_offset_shift_the_displacement) {
+  const Experiment e = experiment(Mode::normal);
+  const Samples path = approach_and_back(0, 50 * nm, 51);  // a sample a second
+  const auto f = simulate(with(e, {{"thermal_drift", {0.1 * nm}}, {"contact_point_offset", {4 * nm}}}), path);
+  EXPECT_NEAR(f[30], e.hertz().force(30 * nm - 4 * nm - 30 * 0.1 * nm), 1e-12);
+}
+
+TEST(Mechanics_analytic, creep_reaches_63_per_cent_after_its_time_constant_and_stays) {
+  const Experiment e = experiment(Mode::normal);
+  Samples path = approach_and_back(0, 40 * nm, 3);
+  path.list[1].normal_displacement = path.list[2].normal_displacement = 40 * nm;
+  path.list[1].hold = path.list[2].hold = 1;
+  path.list[1].hold_time = 7;
+  path.list[3].hold = path.list[4].hold = 1;
+  path.list[3].normal_displacement = 30 * nm;
+  const auto f = simulate(with(e, {{"creep", {2 * nm, 7.0}}}), path);
+  const double grown = 2 * nm * (1 - std::exp(-1));
+  EXPECT_NEAR(f[1], e.hertz().force(40 * nm - grown), 1e-12);
+  EXPECT_NEAR(f[3], e.hertz().force(30 * nm - grown), 1e-12);
+}
+
+TEST(Mechanics_analytic, a_radius_ratio_of_four_doubles_the_force) {
+  const Experiment e = experiment(Mode::normal);
+  const Samples path = approach_and_back(0, 50 * nm, 11);
+  EXPECT_NEAR(simulate(with(e, {{"effective_radius", {4}}}), path)[10], 2 * e.hertz().force(50 * nm), 1e-12);
+}
+
+TEST(Mechanics_analytic, the_asperity_layer_adds_its_logarithm_to_hertz) {
+  const Experiment e = experiment(Mode::normal);
+  const Samples path = approach_and_back(0, 50 * nm, 51);
+  const auto f = simulate(with(e, {{"roughness_compliance", {2 * nm, 0.5}}}), path);
+  const double first = 0.5 * e.hertz().force(2 * nm);
+  EXPECT_NEAR(e.hertz().approach(f[40]) + 2 * nm * std::log(1 + f[40] / first), 40 * nm, 1e-13);
+}
+
+TEST(Mechanics_analytic, adhesion_pulls_off_at_its_force_from_DMT_to_JKR) {
+  const Experiment e = experiment(Mode::normal);
+  const Samples path = approach_and_back(-20 * nm, 20 * nm, 4001);
+  for (const double transition : {0.0, 0.5, 1.0}) {
+    const auto f = simulate(with(e, {{"adhesion", {40 * uN, transition}}}), path);
+    EXPECT_NEAR(*std::min_element(f.begin(), f.end()), -40 * uN, 0.02 * uN) << transition;
+    EXPECT_EQ(f.front(), 0);
+    EXPECT_EQ(f.back(), 0);
+  }
+}
+
+TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_cent) {
+  const Experiment e = experiment(Mode::normal);
+  const double h = 40 * uN;
+  const Jkr law{e.reduced_modulus(), e.radius, h / (1.5 * boost::math::double_constants::pi * e.radius)};
+  const Samples path = approach_and_back(-5 * nm, 40 * nm, 451);
+  const auto f = simulate(with(e, {{"adhesion", {h, 1}}}), path);
+  NormalState state;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    state = law.advance(state, path.list[i].normal_displacement);
+    if (std::abs(path.list[i].normal_displacement) < 1e-15 || path.list[i].normal_displacement < 0.9 * law.smallest_approach()) continue;
+    EXPECT_NEAR(f[i], state.force, 0.01 * h + 0.01 * std::abs(state.force)) << path.list[i].normal_displacement;
+  }
+}
+
+TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_JKR) {
+  const Experiment e = experiment(Mode::normal);
+  const Jkr law{e.reduced_modulus(), e.radius, 0.5};
+  const Samples path = approach_and_back(-20 * nm, 40 * nm, 201);
+  const auto f = simulate(with(e, {{"adhesion_hysteresis", {0.5, 0.5}}}), path);
+  NormalState state;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    state = law.advance(state, path.list[i].normal_displacement);
+    EXPECT_NEAR(f[i], state.force, 1e-6 * 1e-3) << i;
+  }
+}
+
+TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
+  const Experiment e = experiment(Mode::normal);
+  const Samples path = approach_and_back(0, 40 * nm, 401);
+  const auto f = simulate(with(e, {{"adhesion_hysteresis", {1e-6, 1.0}}}), path);
+  const double a = std::sqrt(e.radius * 40 * nm), step = 40 * nm / 400;
+  EXPECT_NEAR((f[400] - f[405]) / (4 * step), 2 * e.reduced_modulus() * a, 0.01 * 2 * e.reduced_modulus() * a);  // f[401] repeats the turn
+}
+
+TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint_of_Etsion) {
+  const Experiment e = experiment(Mode::normal);
+  const double Y = 0.5e9, C = 1.295 * std::exp(0.736 * e.particle.poisson_ratio);
+  const double critical = std::pow(boost::math::double_constants::pi * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
+  const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
+  const auto elastic = simulate(m, approach_and_back(0, 1.5 * critical, 11));
+  EXPECT_NEAR(elastic[10], e.hertz().force(1.5 * critical), 1e-3 * elastic[10]);
+  EXPECT_NEAR(elastic[16], elastic[5], 1e-9 * elastic[10]);
+  const Samples path = approach_and_back(0, 20 * critical, 2001);
+  const auto f = simulate(m, path);
+  std::size_t last = f.size() - 1;
+  while (f[last] == 0) --last;
+  const double imprint = 20 * critical * (1 - std::pow(20, -0.28)) * (1 - std::pow(20, -0.69));
+  EXPECT_NEAR(path.list[last].normal_displacement, imprint, 0.02 * critical);
+  EXPECT_LT(f[2000], 0.95 * e.hertz().force(20 * critical));
+}
+
+TEST(Mechanics_analytic, lateral_stiffness_is_mindlins_with_the_compliance_in_series) {
+  const Experiment e = experiment(Mode::sliding);
+  const double load = 1e-3, a = e.hertz().contact_radius(load), k = 8 * sliding_modulus(e.particle, e.substrate) * a, C = 3e-5;
+  const auto alone = simulate(with(e, {}), lateral_path(load, {0, 1 * nm}, 11));
+  const auto soft = simulate(with(e, {{"lateral_compliance", {C}}}), lateral_path(load, {0, 1 * nm}, 11));
+  EXPECT_NEAR(alone[10], k * nm, 1e-9 * k * nm);
+  EXPECT_NEAR(soft[10], nm / (1 / k + C), 1e-9 * k * nm);
+}
+
+TEST(Mechanics_analytic, sliding_ends_at_mu_times_load_and_reverses) {
+  const Experiment e = experiment(Mode::sliding);
+  const auto f = simulate(with(e, {}), lateral_path(1e-3, {0, 100 * nm, 0}, 101));
+  EXPECT_NEAR(f[100], 0.2e-3, 1e-12);
+  EXPECT_NEAR(f.back(), -0.2e-3, 1e-12);
+}
+
+TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
+  const Experiment e = experiment(Mode::sliding);
+  const double load = 1e-3, a = e.hertz().contact_radius(load);
+  const Samples way = lateral_path(load, {0, 200 * nm}, 2001);
+  const auto end = [&](const std::vector<std::pair<std::string, std::vector<double>>>& effects) { return simulate(with(e, effects), way).back(); };
+  EXPECT_NEAR(end({{"adhesion_offset", {0.2e-3}}}), 0.2 * 1.2e-3, 1e-12);
+  EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * boost::math::double_constants::pi * a * a, 1e-12);
+  EXPECT_NEAR(end({{"surface_tilt", {0.02}}}), 0.2e-3 + std::tan(0.02) * load, 1e-12);
+  EXPECT_NEAR(end({{"lateral_zero_offset", {5 * uN}}}), 0.2e-3 + 5 * uN, 1e-12);
+  EXPECT_NEAR(end({{"velocity_dependence", {0.01}}}), (0.2 + 0.01 * std::log(way.list[9].speed / std::sqrt(e.slowest * e.fastest))) * load, 1e-12);
+}
+
+TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
+  const Experiment e = experiment(Mode::sliding);
+  const Samples way = lateral_path(1e-3, {0, 100 * nm}, 10001);
+  const auto f = simulate(with(e, {{"static_friction_peak", {1.5, 20 * nm}}}), way);
+  EXPECT_NEAR(*std::max_element(f.begin(), f.end()), 0.3e-3, 0.001e-3);
+  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
+  const double slipped = 80 * nm - 0.3e-3 / k;  // sliding begins when the spring holds mu_s f_n
+  EXPECT_NEAR(f[8000], 0.2e-3 * (1 + 0.5 * std::exp(-slipped / (20 * nm))), 0.001e-3);
+}
+
+TEST(Mechanics_analytic, running_in_fades_over_the_cycles) {
+  const Experiment e = experiment(Mode::sliding);
+  Samples way = lateral_path(1e-3, {0, 100 * nm}, 101);
+  for (auto& s : way.list) s.cycle = 4;
+  EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), way).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)), 1e-12);
+}
+
+TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_its_period) {
+  const Experiment e = experiment(Mode::sliding);
+  const Samples way = lateral_path(1e-3, {0, 200 * nm}, 20001);
+  const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm, 0.1}}}), way);
+  double low = 1, high = 0;
+  int drops = 0;
+  for (std::size_t i = 6001; i < f.size(); ++i) {
+    low = std::min(low, f[i]);
+    high = std::max(high, f[i]);
+    drops += f[i - 1] - f[i] > 40 * uN;
+  }
+  EXPECT_NEAR(high, 225 * uN, 0.1 * uN);
+  EXPECT_NEAR(low, 175 * uN, 0.1 * uN);
+  EXPECT_EQ(drops, 7);  // 140 nm of sliding
+}
+
+TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
+  Experiment e = experiment(Mode::sliding);
+  Samples way = lateral_path(1e-3, {0, 4000 * nm}, 4001);
+  double time = 0;
+  for (std::size_t i = 0; i < way.list.size(); ++i) {
+    const double v = i < 2000 ? e.slowest : e.fastest;
+    way.list[i].speed = v;
+    way.list[i].time = time += 1 * nm / v;
+  }
+  const double a = 0.01, b = 0.015, L = 50 * nm, ratio = std::log(e.fastest / e.slowest);
+  const auto f = simulate(with(e, {{"rate_and_state", {a, b, L}}}), way);
+  EXPECT_NEAR((f[2000] - f[1999]) / 1e-3, a * ratio, 0.05 * a * ratio);  // within a step of 1 nm some of the decay
+  EXPECT_NEAR((f[4000] - f[1999]) / 1e-3, (a - b) * ratio, 1e-6);
+}
+
+TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_and_shear) {
+  const Experiment e = experiment(Mode::sliding);
+  const double G = sliding_modulus(e.particle, e.substrate), mu = 0.3;
+  const MindlinDeresiewicz law{G, e.radius, {mu, 0}};
+  SlidingHistory history;
+  StripContact strips, next;
+  const double loads[] = {1e-3, 1e-3, 1e-3, 2e-3, 2e-3, 1.2e-3, 1.2e-3};
+  const double shifts[] = {3 * nm, -4 * nm, 2.5 * nm, 3 * nm, -8 * nm, 1 * nm, 5 * nm};
+  double load = 1e-3;
+  for (int leg = 0; leg < 7; ++leg)
+    for (int step = 0; step < 100; ++step) {
+      load += (loads[leg] - (leg ? loads[leg - 1] : 1e-3)) / 100;
+      const double a = e.hertz().contact_radius(load);
+      history = law.advance(history, {e.hertz().approach(load), load, a, 0, true}, {shifts[leg] / 100, 0, 0});
+      const double force = strips.advance(8 * G * a, mu * load, a, shifts[leg] / 100, next);
+      strips = next;
+      EXPECT_NEAR(force, history.spring.resistance.x(), 0.006 * mu * load) << leg << " " << step;
+    }
+}
+
+TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
+  const Experiment e = experiment(Mode::sliding);
+  const double load = 1e-3, a = e.hertz().contact_radius(load), G = sliding_modulus(e.particle, e.substrate), x = 1.5 * nm;
+  const auto f = simulate(with(e, {{"partial_slip", {}}}), lateral_path(load, {0, x}, 51));
+  const double gross = 3 * 0.2 * load / (16 * G * a);
+  EXPECT_NEAR(f.back(), 0.2 * load * (1 - std::pow(1 - x / gross, 1.5)), 0.001 * 0.2 * load);
+}
+
+TEST(Mechanics_analytic, rolling_resistance_is_mu_times_load_with_an_offset) {
+  const Experiment e = experiment(Mode::rolling);
+  EXPECT_NEAR(simulate(with(e, {}, 5e-4), row(e, 2e-3))[0], 1e-6, 1e-15);
+  EXPECT_NEAR(simulate(with(e, {{"rolling_adhesion_offset", {1e-3}}}, 5e-4), row(e, 2e-3))[0], 1.5e-6, 1e-15);
+  EXPECT_NEAR(simulate(with(e, {{"viscous_rolling", {3.0}}}, 5e-4), row(e, 2e-3))[0], (5e-4 + 3 * 1e-5) * 2e-3, 1e-15);
+}
+
+TEST(Mechanics_analytic, rolling_over_the_contact_radius_sums_both_contacts) {
+  const Experiment e = experiment(Mode::rolling);
+  const Hertz above{reduced_modulus(e.particle, e.indenter), e.radius}, below = e.hertz();
+  const double f = 2e-3, mu = 0.02;
+  EXPECT_NEAR(simulate(with(e, {{"contact_radius_scaling", {mu}}}), row(e, f))[0],
+              mu * f * (above.contact_radius(f) + below.contact_radius(f)) / (2 * e.radius), 1e-15);
+}
+
+TEST(Mechanics_analytic, rolling_friction_falls_with_roughness) {
+  const Experiment e = experiment(Mode::rolling);
+  Samples one = row(e, 2e-3);
+  one.list[0].rms_roughness = 2 * nm;
+  EXPECT_NEAR(simulate(with(e, {{"roughness_dependent_rolling", {3e-4, 6e-4, 1 * nm}}}), one)[0], (3e-4 + 6e-4 * std::exp(-2)) * 2e-3, 1e-15);
+}
+
+TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
+  const Experiment e = experiment(Mode::rail);
+  for (const double degrees : {25.0, 45.0, 60.0}) {
+    const double angle = degrees * boost::math::double_constants::degree, slope_force = 1e-3;
+    Samples one = row(e, slope_force);
+    one.list[0].rail_angle = angle;
+    one.runs[0].at = ForcePlace::substrate;
+    const double mu = rail_friction(angle, {4e-4, 5e-3, 0, 0});
+    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], mu * slope_force, 1e-12 * mu) << degrees;
+    // At the plate: both slopes' lateral forces, and the load that stands on them.
+    one.runs[0].at = ForcePlace::indenter;
+    one.list[0].normal_force = 2 * std::cos(angle) * slope_force;
+    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], 2 * mu * slope_force, 1e-12 * mu) << degrees;
+  }
+}
+
+TEST(Mechanics_analytic, torsion_over_the_contact_radius_follows_its_growth) {
+  const Experiment e = experiment(Mode::torsion);
+  EXPECT_NEAR(simulate(with(e, {}, 5e-3), row(e, 2e-3))[0], 1e-5, 1e-15);
+  EXPECT_NEAR(simulate(with(e, {{"contact_radius_scaling", {0.064}}}), row(e, 2e-3))[0],
+              0.064 * e.hertz().contact_radius(2e-3) / e.radius * 2e-3, 1e-15);
+}
+
+}  // namespace
+}  // namespace asperity
