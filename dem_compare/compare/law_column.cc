@@ -139,8 +139,15 @@ std::vector<LawValue> sliding_laws(Quantity quantity, const ComparedContact& con
     } else {
       return {no_law("the case has no friction coefficient and no parameters were given (--parameters)")};
     }
-    value.engine = EngineRequest{glued(contact.record ? as_given(contact) : of_bodies(contact), load), "plateau", load};
-    return {value};
+    ContactParameters numbers = contact.record ? as_given(contact) : of_bodies(contact);
+    value.engine = EngineRequest{glued(numbers, load), "plateau", load};
+    std::vector<LawValue> laws{value};
+    if (numbers.sliding_offset && numbers.sliding_offset->value != 0) {
+      laws.push_back(law("Coulomb without offset", numbers.sliding_friction->value, numbers.sliding_friction->sd));
+      numbers.sliding_offset.reset();
+      laws.back().engine = EngineRequest{glued(numbers, load), "plateau", load};
+    }
+    return laws;
   }
   std::vector<LawValue> laws{lateral_spring("Mindlin without slip", 1, contact, load)};
   if (quantity == Quantity::lateral_stiffness_to_sliding)
@@ -173,15 +180,26 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
         {{mu.value, mu.sd}, {offset, offset_sd}});
     value = law("slider with offset" + mean, (substrate.rolling_limit(load) + plate.rolling_limit(load)) / 2 / weight, own.sd);
   }
+  std::vector<LawValue> laws{value};
+  ContactParameters without = as_given(contact), plate_without = plate;
+  const bool has_offset = (without.rolling_offset && without.rolling_offset->value != 0) || (plate.rolling_offset && plate.rolling_offset->value != 0);
+  without.rolling_offset.reset();
+  plate_without.rolling_offset.reset();
+  if (quantity == Quantity::rolling_friction && has_offset)
+    laws.push_back(law("slider without offset" + mean, (without.rolling_limit(load) + plate_without.rolling_limit(load)) / 2 / weight));
   if (!has_stiffness) {
-    value.no_engine = file_of(contact) + " has no rolling_stiffness";
-    return {value};
+    for (auto& one : laws) one.no_engine = file_of(contact) + " has no rolling_stiffness";
+    return laws;
   }
-  const EngineExperiment experiment = experiment_of(Type::rolling, as_given(contact), plate, load);
   // The plate's force acts over the diameter: M_s + M_i = 2 r f. Both contacts resist the rotation.
-  value.engine = quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
-                                                         : EngineRequest{experiment, "plateau", load};
-  return {value};
+  const auto run = [&](const ContactParameters& below, const ContactParameters& above) {
+    const EngineExperiment experiment = experiment_of(Type::rolling, below, above, load);
+    return quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
+                                                   : EngineRequest{experiment, "plateau", load};
+  };
+  laws[0].engine = run(as_given(contact), plate);
+  if (laws.size() > 1) laws[1].engine = run(without, plate_without);
+  return laws;
 }
 
 /// Twisting in the engine with a spring k [N m/rad] and a limit [N m].
@@ -233,48 +251,70 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   return laws;
 }
 
-std::vector<LawValue> rail_laws(const ComparedContact& contact, double load, const RailCase& rail) {
+/// The rail in the engine; with offsets or without.
+EngineRequest rail_run(const ComparedContact& contact, double load, const RailCase& rail, double torsion, bool with_offsets) {
+  ContactParameters p = as_given(contact);
+  p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
+  p.torsion_friction = constant(torsion, LengthScale::particle_radius);
+  p.rolling_offset = constant(rail.offset.value);
+  if (!with_offsets) {
+    p.rolling_offset.reset();
+    p.torsion_offset.reset();
+  }
+  return EngineRequest{experiment_of(Type::rail, p, p, load, rail.angle), "rail coefficient"};
+}
+
+/// eq:murail and, for the force over the load, mu_rail (1 + h_rail/f); beside it what leaving out torsion or the offsets makes of it.
+std::vector<LawValue> rail_laws(Quantity quantity, const ComparedContact& contact, double load, const RailCase& rail) {
   if (!contact.record) return {no_law("no parameters were given (--parameters)")};
   if (!contact.record->torsion_friction || !contact.record->rolling_friction)
     return {no_law(file_of(contact) + " lacks rolling_friction or torsion_friction")};
   const EffectiveQuantity& mu = *contact.record->torsion_friction;
-  const double torsion_scale = contact.record->length(mu.length_scale, load) / contact.radius;
-  const Uncertain balance = propagate(
-      [&](const std::vector<double>& x) {
-        return rail_friction(rail.angle, {x[0], x[1] * torsion_scale, 0, 0});
-      },
-      {rail.rolling, {mu.value, mu.sd}});
-  LawValue value = law("rail balance (eq:murail)", balance.value, balance.sd);
-  if (!contact.record->rolling_stiffness || !contact.record->torsion_stiffness || !contact.record->sliding_friction) {
-    value.no_engine = file_of(contact) + " lacks rolling_stiffness, torsion_stiffness or sliding_friction";
-    return {value};
+  const double scale = contact.record->length(mu.length_scale, load) / contact.radius;
+  const Uncertain torsion_offset =
+      contact.record->torsion_offset ? Uncertain{contact.record->torsion_offset->value, contact.record->torsion_offset->sd} : Uncertain{0};
+  const bool is_force = quantity == Quantity::rail_force;
+  const auto balance = [&](const std::string& name, const Uncertain& torsion, bool with_offsets) {
+    const Uncertain value = propagate(
+        [&](const std::vector<double>& x) {
+          const RailFriction friction{x[0], x[1] * scale, x[2], x[3]};
+          return rail_friction(rail.angle, friction) * (1 + (with_offsets ? rail_offset(rail.angle, friction) / load : 0));
+        },
+        {rail.rolling, torsion, rail.offset, torsion_offset});
+    return law(name, value.value, value.sd);
+  };
+  const Uncertain torsion{mu.value, mu.sd};
+  std::vector<LawValue> laws{balance(is_force ? "rail balance with offsets" : "rail balance (eq:murail)", torsion, is_force)};
+  if (contact.record->rolling_stiffness && contact.record->torsion_stiffness && contact.record->sliding_friction)
+    laws[0].engine = rail_run(contact, load, rail, mu.value * scale, is_force);
+  else
+    laws[0].no_engine = file_of(contact) + " lacks rolling_stiffness, torsion_stiffness or sliding_friction";
+  laws.push_back(balance("rail balance without torsion", Uncertain{0}, is_force));
+  laws.back().no_engine = "the engine is run with all resistances";
+  if (is_force) {
+    laws.push_back(balance("rail balance without offsets", torsion, false));
+    laws.back().no_engine = "the engine is run with all resistances";
   }
-  ContactParameters p = as_given(contact);
-  p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
-  p.torsion_friction = constant(mu.value * torsion_scale, LengthScale::particle_radius);
-  p.rolling_offset.reset();
-  p.torsion_offset.reset();
-  value.engine = EngineRequest{experiment_of(Type::rail, p, p, load, rail.angle), "rail coefficient"};
-  return {value};
+  return laws;
 }
 
 }  // namespace
 
 std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load, const RailCase* rail) {
   switch (display_of(quantity).mode) {
-    case Mode::normal:
+    case ComparedMode::normal:
       return normal_laws(quantity, contact, load);
-    case Mode::sliding:
+    case ComparedMode::sliding:
       return sliding_laws(quantity, contact, load);
-    case Mode::rolling:
+    case ComparedMode::rolling:
       return rolling_laws(quantity, contact, load);
-    case Mode::torsion:
+    case ComparedMode::torsion:
       return torsion_laws(quantity, contact, load);
-    case Mode::rail:
+    case ComparedMode::rail:
       break;
   }
   if (!rail) return {no_law("no rail was named")};
-  return rail_laws(contact, load, *rail);
+  return rail_laws(quantity, contact, load, *rail);
 }
 
 }  // namespace asperity

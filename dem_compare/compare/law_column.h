@@ -6,7 +6,7 @@
 //   rolling  a spring and slider with offset: mu_ro (lambda/r) (1 + h/F), k_ro
 //   torsion  Reissner & Sagoci 1944: k_to = (16/3) Gt a^3; the assumption 8 G* a r^2 of Fuchs, Weinhart et al. 2014, sec. 3.2;
 //            full slip (3 pi/16) mu a/r (Lubkin 1951)
-//   rail     eq:murail of the same paper
+//   rail     eq:murail and h_rail of the same paper
 #pragma once
 
 #include <vector>
@@ -30,13 +30,15 @@ struct LawValue : ComparedValue {
   std::string no_engine;  ///< why there is no request
 };
 
-/// Friction of the rail's slopes and plate without offsets.
+/// Friction of the rail's slopes and plate.
 struct RailCase {
   double angle = 0;   ///< [rad]
   Uncertain rolling;  ///< mu_ro lambda/r at the rail's roughness
+  Uncertain offset{};   ///< h_ro at the rail's roughness [N]
+  LoadRange loads{};    ///< on one slope, from those on the plate [N]
 };
 
-/// One or more laws; one without a value says why. `rail` is needed for rail_friction alone.
+/// One or more laws; one without a value says why. `rail` is needed for rails alone.
 std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load,
                                  const RailCase* rail = nullptr);
 

@@ -90,10 +90,14 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
   }
 }
 
-ComparedValue PublishedColumn::rail(const ComparedContact& contact, double angle) const {
+ComparedValue PublishedColumn::rail(Quantity quantity, const ComparedContact& contact, double angle, double load) const {
   if (plane_of(contact) != "silicon") return absent("these bodies were not measured in the paper");
-  for (const auto& rail : published_.rails)
-    if (rail.angle.value == angle) return measured(rail.friction, "Table 2, rails");
+  for (const auto& rail : published_.rails) {
+    if (rail.angle.value != angle) continue;
+    const bool is_force = quantity == Quantity::rail_force;
+    return measured(is_force ? over_load(rail.friction, rail.offset, load) : rail.friction,
+                    is_force ? "Table 2, rails (h_rail has no uncertainty there)" : "Table 2, rails");
+  }
   return absent("no rail of this angle was measured");
 }
 
@@ -106,8 +110,13 @@ double PublishedColumn::rail_rms(double angle) const {
 std::vector<RailCase> PublishedColumn::rails() const {
   const RoughnessLaws laws = roughness_laws(published_);
   std::vector<RailCase> rails;
-  for (const auto& rail : published_.rails)
-    rails.push_back({rail.angle.value, {laws.printed_rolling(rail.rms.value), laws.rolling.at(rail.rms).sd}});
+  for (const auto& rail : published_.rails) {
+    const double slopes = 2 * std::cos(rail.angle.value);  // f_plate = 2 cos(theta) f
+    rails.push_back({rail.angle.value,
+                     {laws.printed_rolling(rail.rms.value), laws.rolling.at(rail.rms).sd},
+                     laws.offset.at(rail.rms),
+                     {rolling_loads.low / slopes, rolling_loads.high / slopes}});
+  }
   return rails;
 }
 

@@ -15,8 +15,9 @@ class PublishedColumn {
   explicit PublishedColumn(Published published) : published_(std::move(published)) {}
 
   ComparedValue value(Quantity quantity, const ComparedContact& contact, double load) const;
-  ComparedValue rail(const ComparedContact& contact, double angle) const;
-  /// Rails of the paper, rolling at their own roughness by its eq:murofit.
+  ComparedValue rail(Quantity quantity, const ComparedContact& contact, double angle, double load) const;
+  /// Rails of the paper: rolling at their own roughness by its eq:murofit, the offset by eq:frofit through the points of Table 2
+  /// (as printed it misses them), loads from those on the plate.
   std::vector<RailCase> rails() const;
   double rail_rms(double angle) const;
   /// Sphere and plane are the paper's; the plane's name, "" if not.

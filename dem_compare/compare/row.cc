@@ -2,17 +2,17 @@
 
 namespace asperity {
 
-const char* mode_name(Mode mode) {
+const char* mode_name(ComparedMode mode) {
   switch (mode) {
-    case Mode::normal:
+    case ComparedMode::normal:
       return "normal";
-    case Mode::sliding:
+    case ComparedMode::sliding:
       return "sliding";
-    case Mode::rolling:
+    case ComparedMode::rolling:
       return "rolling";
-    case Mode::torsion:
+    case ComparedMode::torsion:
       return "torsion";
-    case Mode::rail:
+    case ComparedMode::rail:
       return "rail";
   }
   return "";
@@ -20,17 +20,18 @@ const char* mode_name(Mode mode) {
 
 const QuantityDisplay& display_of(Quantity quantity) {
   static const std::vector<QuantityDisplay> displays{
-      {Quantity::approach, Mode::normal, "approach", "approach", "m", "nm", 1e-9},
-      {Quantity::normal_stiffness, Mode::normal, "normal_stiffness", "normal stiffness", "N/m", "kN/m", 1e3},
-      {Quantity::lateral_stiffness, Mode::sliding, "lateral_stiffness", "lateral stiffness from rest", "N/m", "kN/m", 1e3},
-      {Quantity::lateral_stiffness_to_sliding, Mode::sliding, "lateral_stiffness_to_sliding", "lateral stiffness up to sliding",
+      {Quantity::approach, ComparedMode::normal, "approach", "approach", "m", "nm", 1e-9},
+      {Quantity::normal_stiffness, ComparedMode::normal, "normal_stiffness", "normal stiffness", "N/m", "kN/m", 1e3},
+      {Quantity::lateral_stiffness, ComparedMode::sliding, "lateral_stiffness", "lateral stiffness from rest", "N/m", "kN/m", 1e3},
+      {Quantity::lateral_stiffness_to_sliding, ComparedMode::sliding, "lateral_stiffness_to_sliding", "lateral stiffness up to sliding",
        "N/m", "kN/m", 1e3},
-      {Quantity::sliding_friction, Mode::sliding, "sliding_friction", "sliding force over load", "", "", 1},
-      {Quantity::rolling_stiffness, Mode::rolling, "rolling_stiffness", "rolling stiffness", "N m/rad", "nN m/rad", 1e-9},
-      {Quantity::rolling_friction, Mode::rolling, "rolling_friction", "rolling moment over load and radius", "", "×10⁻³", 1e-3},
-      {Quantity::torsion_stiffness, Mode::torsion, "torsion_stiffness", "torsion stiffness", "N m/rad", "nN m/rad", 1e-9},
-      {Quantity::torsion_friction, Mode::torsion, "torsion_friction", "torsion moment over load and radius", "", "×10⁻³", 1e-3},
-      {Quantity::rail_friction, Mode::rail, "rail_friction", "rail coefficient", "", "×10⁻³", 1e-3},
+      {Quantity::sliding_friction, ComparedMode::sliding, "sliding_friction", "sliding force over load", "", "", 1},
+      {Quantity::rolling_stiffness, ComparedMode::rolling, "rolling_stiffness", "rolling stiffness", "N m/rad", "nN m/rad", 1e-9},
+      {Quantity::rolling_friction, ComparedMode::rolling, "rolling_friction", "rolling moment over load and radius", "", "×10⁻³", 1e-3},
+      {Quantity::torsion_stiffness, ComparedMode::torsion, "torsion_stiffness", "torsion stiffness", "N m/rad", "nN m/rad", 1e-9},
+      {Quantity::torsion_friction, ComparedMode::torsion, "torsion_friction", "torsion moment over load and radius", "", "×10⁻³", 1e-3},
+      {Quantity::rail_friction, ComparedMode::rail, "rail_friction", "rail coefficient", "", "×10⁻³", 1e-3},
+      {Quantity::rail_force, ComparedMode::rail, "rail_force", "rail force over load", "", "×10⁻³", 1e-3},
   };
   return displays[static_cast<std::size_t>(quantity)];
 }

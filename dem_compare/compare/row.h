@@ -12,8 +12,8 @@
 namespace asperity {
 
 /// Modes of motion of the paper's experiments.
-enum class Mode { normal, sliding, rolling, torsion, rail };
-const char* mode_name(Mode mode);
+enum class ComparedMode { normal, sliding, rolling, torsion, rail };
+const char* mode_name(ComparedMode mode);
 
 enum class Quantity {
   approach,
@@ -26,12 +26,13 @@ enum class Quantity {
   torsion_stiffness,
   torsion_friction,  ///< largest moment over load and particle's radius
   rail_friction,     ///< eq:murail: lateral over normal force of one slope, without offsets
+  rail_force,        ///< the same with offsets: mu_rail (1 + h_rail/f)
 };
 
 /// How a quantity is named and shown.
 struct QuantityDisplay {
   Quantity quantity;
-  Mode mode;
+  ComparedMode mode;
   const char* key;    ///< in files
   const char* words;  ///< in tables and sentences
   const char* si;
@@ -66,7 +67,7 @@ struct ComparisonRow {
   ComparedValue reduced_law, engine, published;
   std::string verdict{};  ///< on this load alone
 
-  Mode mode() const { return display_of(quantity).mode; }
+  ComparedMode mode() const { return display_of(quantity).mode; }
 };
 
 /// The engine gets the law's number as it is: without the number's sd.

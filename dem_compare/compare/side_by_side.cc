@@ -20,6 +20,9 @@ std::vector<double> distinct(std::vector<double> loads) {
   return loads;
 }
 
+/// Both ends of a range, and their geometric mean, so that a border between loads is not drawn over the whole range.
+std::vector<double> with_middle(const LoadRange& range) { return {range.low, std::sqrt(range.low * range.high), range.high}; }
+
 /// All that decides a group's contact, without its experiment.
 std::string contact_key(const CaseGroup& group) {
   std::istringstream lines(group.physics());
@@ -94,13 +97,13 @@ class Assembly {
   std::vector<std::string> remarks() const {
     std::vector<std::string> remarks;
     std::string unsolved;
-    for (const Mode mode : {Mode::normal, Mode::sliding, Mode::rolling, Mode::torsion})
+    for (const ComparedMode mode : {ComparedMode::normal, ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion})
       if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
     if (!unsolved.empty()) remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
     if (!record_)
       remarks.push_back(
           "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
-    if (is_solved(Mode::sliding))
+    if (is_solved(ComparedMode::sliding))
       remarks.push_back(
           "Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
           "both start from the same coefficient.");
@@ -145,7 +148,7 @@ class Assembly {
       row.finite_elements = finite_elements;
       row.reduced_law = law;
       row.engine = engine_.value(law);
-      row.published = rail ? published_.rail(contact, rail->angle) : published_.value(quantity, contact, load);
+      row.published = rail ? published_.rail(quantity, contact, rail->angle, load) : published_.value(quantity, contact, load);
       rows_.push_back(std::move(row));
     }
   }
@@ -160,31 +163,30 @@ class Assembly {
   FiniteElementValue solved_value(Quantity quantity, double load) const {
     if (const auto* point = solved_point(quantity, load)) return point->value;
     FiniteElementValue none;
-    const Mode mode = display_of(quantity).mode;
+    const ComparedMode mode = display_of(quantity).mode;
     none.reason = is_solved(mode) ? "no case of this contact at this load is among the folders"
                                   : std::string("not solved by finite elements yet: no case of ") + mode_name(mode) +
                                         " is among the folders";
     return none;
   }
 
-  bool is_solved(Mode mode) const {
+  bool is_solved(ComparedMode mode) const {
     return std::any_of(points_.begin(), points_.end(),
                        [&](const auto& point) { return display_of(point.quantity).mode == mode; });
   }
 
-  /// Ends of the fitted loads, and the loads that were solved.
-  std::vector<double> loads_of(Mode mode) const {
+  /// Ends of the fitted loads with their geometric mean, and the loads that were solved.
+  std::vector<double> loads_of(ComparedMode mode) const {
     const ContactParameters& record = *record_->record;
     std::vector<double> loads;
     const auto add = [&](const std::optional<EffectiveQuantity>& quantity) {
       if (!quantity || !quantity->load_range) return;
-      loads.push_back(quantity->load_range->low);
-      loads.push_back(quantity->load_range->high);
+      for (const double load : with_middle(*quantity->load_range)) loads.push_back(load);
     };
-    if (mode == Mode::sliding) add(record.sliding_friction);
-    if (mode == Mode::rolling || mode == Mode::normal) add(record.rolling_friction);
-    if (mode == Mode::normal && loads.empty()) add(record.sliding_friction);
-    if (mode == Mode::torsion) add(record.torsion_friction);
+    if (mode == ComparedMode::sliding) add(record.sliding_friction);
+    if (mode == ComparedMode::rolling || mode == ComparedMode::normal) add(record.rolling_friction);
+    if (mode == ComparedMode::normal && loads.empty()) add(record.sliding_friction);
+    if (mode == ComparedMode::torsion) add(record.torsion_friction);
     for (const auto& point : points_)
       if (display_of(point.quantity).mode == mode && is_record(contacts_[point.group]) &&
           is_load(point.load, input_.with_hertz.groups[point.group].numbers.force))
@@ -203,8 +205,9 @@ class Assembly {
         add_rows(*record_, quantity, load, solved_value(quantity, load));
     FiniteElementValue none;
     none.reason = "a rail is an experiment with three contacts, which finite elements do not solve here";
-    constexpr double rail_load = 5e-4;  // within the measured loads; without offsets the coefficient does not depend on it
-    for (const RailCase& rail : published_.rails()) add_rows(*record_, Quantity::rail_friction, rail_load, none, &rail);
+    for (const RailCase& rail : published_.rails())
+      for (const Quantity quantity : {Quantity::rail_friction, Quantity::rail_force})
+        for (const double load : with_middle(rail.loads)) add_rows(*record_, quantity, load, none, &rail);
   }
 
   const SideBySideInput& input_;

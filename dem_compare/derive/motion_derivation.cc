@@ -234,6 +234,17 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   parameters.*mode.offset = offset;
 }
 
+/// Local friction is an input of the cases: of the effective one, only what departs from it is found.
+void tell_local_friction(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters, LawReport& report) {
+  auto& friction = parameters.*mode.friction;
+  if (!friction) return;
+  for (const auto& [entry, value] : set.inputs)
+    if (entry == "Interface/Friction coefficient") {
+      friction->provenance += "; local friction coefficient that went in: " + value;
+      report.findings.push_back("The local friction coefficient of " + value + " went in; what comes out follows from it.");
+    }
+}
+
 }  // namespace
 
 LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters) {
@@ -250,6 +261,7 @@ LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, Contact
     return report;
   }
   derive_resistance(mode, seen, parameters, report);
+  tell_local_friction(set, mode, parameters, report);
   derive_stiffness(mode, seen, parameters, report);
   return report;
 }

@@ -40,7 +40,12 @@ PaperSection equations_section() {
             "printed v.n = d delta/dt; with n from contact to particle and delta = R - r it is -d delta/dt, as the dissipative force has it"},
            {"after eq:torques1b", display::none, {}, {}, "printed f_i^l = -f_i^s; it is -f_s^l"},
            {"before eq:muto", display::none, {}, {}, "cites eq:barlaro; it uses eq:barmuro"},
-           {"caption of fig. rail", display::none, {}, {}, "printed lambda = r_s^to; it is r_s"}}};
+           {"caption of fig. rail", display::none, {}, {}, "printed lambda = r_s^to; it is r_s"},
+           {"Table 2, torsion friction", display::none, {}, {}, "printed mu_i^to; it is mu_s^to, as the indenter has no torsion"},
+           {"assumption before eq:muto2, 'for 60 deg it can be proven'", display::none, {}, {},
+            "it holds where 2 cos(theta) = 1: the third rail has 60 deg, not the 65 deg of Table 2"},
+           {"the authors' published simulation (MercuryDPM, Drivers/Papers/SlidingRollingTorsion)", display::none, {}, {},
+            "has R = 10 um, a linear spring, mu_ro = 0.00103, mu_to = 0.005, nu = 0.17 for silicon, and no partial slip: it does not give the figures"}}};
 }
 
 }  // namespace asperity

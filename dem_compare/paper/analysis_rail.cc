@@ -33,12 +33,14 @@ PaperSection rail_section(const Published& p) {
     const Uncertain predicted = propagate(friction, {rail.angle, rolling, torsion});
     rows.push_back({of + "mu_rail, eq:murail with mu_to = 0.0056", display::none, rail.friction, predicted});
     rows.push_back({of + "mu_rail without torsion", display::none, rail.friction, propagate(friction, {rail.angle, rolling, Uncertain{0}})});
+    const auto back = [](const std::vector<double>& x) { return torsion_from_rail(x[0], x[1], x[2]); };
     if (rail.printed_angle != rail.angle.value) {
       const Uncertain printed{rail.printed_angle, rail.angle.sd};
       rows.push_back({of + "mu_rail at " + degrees(rail.printed_angle) + ", as Table 2 prints the angle", display::none, rail.friction,
                       propagate(friction, {printed, rolling, torsion}), "the angle of the text agrees with the measurement, that of the table does not"});
+      rows.push_back({of + "mu_to from mu_rail at " + degrees(rail.printed_angle), display::none, torsion,
+                      propagate(back, {printed, rail.friction, rolling})});
     }
-    const auto back = [](const std::vector<double>& x) { return torsion_from_rail(x[0], x[1], x[2]); };
     const Uncertain mu_to = propagate(back, {rail.angle, rail.friction, rolling});
     rows.push_back({of + "mu_to from mu_rail", display::none, torsion, mu_to});
     inverted.push_back(mu_to.value);
@@ -107,6 +109,10 @@ PaperSection torsion_section(const Published& p) {
                   "26 uN at 100 uN on the plate, 55.2 uN on each slope: far below the 0.63 to 0.72 extrapolated from the wafers"});
   rows.push_back({"the same with h_l = 7.76 uN", display::none, expected,
                   propagate([&](const auto& x) { return x[0] / (2 * (f_slope + x[1])); }, {force, rough_offset})});
+  const std::string per_slope = "mu_l of the glued sphere if 26 uN is the force on one slope";
+  rows.push_back({per_slope, display::none, expected, Uncertain{force.value / f_slope, force.sd / f_slope}, "nor does it reach the extrapolated one if the force is one slope's"});
+  rows.push_back({per_slope + ", with h_l = 7.76 uN", display::none, expected,
+                  propagate([&](const auto& x) { return x[0] / (f_slope + x[1]); }, {force, rough_offset})});
   rows.push_back({"lateral force that mu_l = 0.63 gives", display::uN, force, Uncertain{2 * low * (f_slope + rough_offset.value)}});
   rows.push_back({"lateral force that mu_l = 0.72 gives", display::uN, force, Uncertain{2 * high * (f_slope + rough_offset.value)}});
   constexpr double tomas = 2.0 / 3;
@@ -123,6 +129,7 @@ PaperSection torsion_section(const Published& p) {
   rows.push_back({"k_to = 8 G* a with the lever r", display::Nm_per_rad, {}, Uncertain{k * R * R}});
   rows.push_back({"no-slip torsion (16/3) G a^3", display::Nm_per_rad, {}, Uncertain{no_slip}, "1/G = 1/G1 + 1/G2 (Mindlin 1949; Reissner and Sagoci 1944)"});
   rows.push_back({"ratio of both", display::none, {}, Uncertain{k * R * R / no_slip}, "a choice of the simulation: finite elements are not to be compared with it"});
+  rows.push_back({"k_to = 8 G* a with lambda = a and lever r", display::Nm_per_rad, {}, Uncertain{k * a * R}});
   rows.push_back({"k_to = 8 G* a with lambda = a, over no-slip torsion", display::none, {}, Uncertain{k * a * R / no_slip}});
   return section;
 }
