@@ -161,7 +161,16 @@ void add_interface(std::vector<CaseEntry>& entries) {
                              "Largest local shear traction; 0: no such limit."));
   entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
-                             "Work per area to separate the surfaces; 0: no adhesion."));
+                             "Work per area that attraction does as the surfaces close; 0: no adhesion."));
+  entries.push_back(quantity("Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
+                             Dimension::surface_energy, not_negative, "0 J/m^2", "",
+                             "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
+  entries.push_back(choice<std::string>("Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
+                                        {{"dugdale", "dugdale"}, {"exponential", "exponential"}, {"van_der_waals", "van_der_waals"}}, "dugdale",
+                                        "How attraction falls with the gap: constant w/h0 out to h0, (w/rho) exp(-g/rho), or "
+                                        "2 w z0^2/(z0 + g)^3."));
+  entries.push_back(quantity("Interface", "Adhesion range", [](CaseInput& c) -> double& { return c.interface.adhesion_range; },
+                             Dimension::length, not_negative, "0 m", "", "The length h0, rho or z0 of the law of adhesion."));
 }
 
 void add_experiment(std::vector<CaseEntry>& entries) {
@@ -183,6 +192,8 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                              not_negative, "0 m", "", "Largest approach of the bodies (control by displacement)."));
   entries.push_back(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load."));
   entries.push_back(flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
+  entries.push_back(quantity(section, "Retract", at(&ExperimentInput::retract), Dimension::length, not_negative, "0 m", "",
+                             "How far beyond first touch unloading goes on under control by displacement: for pull-off."));
   entries.push_back(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1, "10", "Steps from the largest load to zero."));
   entries.push_back(whole_number(section, "Cycles", at(&ExperimentInput::cycles), 1, "1",
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
@@ -217,6 +228,9 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity("Solver", "Tolerance", [](CaseInput& c) -> double& { return c.solver.tolerance; },
                              Dimension::none, {0, 1e-2, true, false}, "1e-6", "",
                              "Residual force of an accepted step relative to the contact force."));
+  entries.push_back(whole_number("Solver", "Newton steps", [](CaseInput& c) -> int& { return c.solver.newton_steps; }, 1, "60",
+                                 "Newton iterations after which a step is given up, halved and tried again from the last accepted "
+                                 "state; ten times as many with adhesion, where contacts jump."));
   entries.push_back(whole_number("Solver", "Threads", [](CaseInput& c) -> int& { return c.solver.threads; }, 0, "0",
                                  "Threads of each process; 0: all cores, divided by the processes of this machine."));
   entries.push_back(flag("Output", "Fields", [](CaseInput& c) -> bool& { return c.output.fields; }, "true",

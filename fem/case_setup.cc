@@ -41,7 +41,8 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
 }
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
-/// and steps of half a spacing at the rim of contact.
+/// and steps of half a spacing at the rim of contact, of a whole one where the
+/// particle rolls and few nodes slip.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
@@ -49,7 +50,13 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   const double friction = coulomb == 0 ? strength : strength == 0 ? coulomb : std::min(coulomb, strength);
   const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) + (2 - input.substrate.poisson_ratio) / shear(input.substrate);
   const double torsion = 1 / shear(input.particle) + 1 / shear(input.substrate);
-  return {3 * friction * lateral / (16 * a), 0.64 * friction * torsion / (a * a), spacing / 2, spacing / (2 * a)};
+  MotionScales scales;
+  scales.full_slip_shift = 3 * friction * lateral / (16 * a);
+  scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
+  scales.largest_shift = input.experiment.type == ExperimentInput::Type::rolling ? spacing : spacing / 2;
+  scales.largest_angle = spacing / (2 * a);
+  scales.rolling_radius = input.radius;
+  return scales;
 }
 
 }  // namespace
@@ -121,8 +128,20 @@ CaseSetup set_up(const CaseInput& input) {
   sizes.spacing_particle = sizes.spacing_substrate = spacing;
   sizes.region_particle = region;
   sizes.region_substrate = region + 3 * spacing;
-  options.tilted_normals = input.experiment.type == ExperimentInput::Type::sliding;
-  if (input.experiment.type == ExperimentInput::Type::sliding) {
+  using Type = ExperimentInput::Type;
+  const Type type = input.experiment.type;
+  const bool rough = upper != "smooth" || lower != "smooth";
+  options.tilted_normals = type == Type::sliding || type == Type::rolling || (type == Type::torsion && rough);
+  if (type == Type::rolling) {
+    sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
+    const double reach = region + sizes.reach_particle, longest = 0.5 * meshing::BodyMap::cap_fraction * R;
+    if (reach > longest)
+      throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
+                       " rolls the contact out of the particle's finely meshed cap; set it to " +
+                       format_quantity(2 * (longest - region), Dimension::length) + " or less");
+    sizes.region_substrate += R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
+  }
+  if (type == Type::sliding) {
     // The particle slides from the origin along x.
     sizes.reach_substrate = sizes.offset_substrate_x = input.experiment.distance / 2;
     const double longest = sizes.block_half_width / 2;
@@ -133,8 +152,8 @@ CaseSetup set_up(const CaseInput& input) {
   }
   setup.motion = motion_scales(input, setup, spacing);
   options.mesh.layers = input.mesh.layers;
-  const Roughness particle = roughness_of(upper, sizes.region_particle, spacing);
-  const Roughness substrate = roughness_of(lower, sizes.region_substrate + 2 * sizes.reach_substrate, spacing);
+  const Roughness particle = roughness_of(upper, sizes.region_particle + sizes.reach_particle, spacing);
+  const Roughness substrate = roughness_of(lower, sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);
   options.mesh.particle_height = particle.height;
   options.mesh.substrate_height = substrate.height;
   options.mesh.largest_height_particle = particle.largest;

@@ -29,7 +29,7 @@ BodyMap::BodyMap(const BodySizes& sizes) : sizes_(sizes) {
   const double cap_thickness = (1 - core_height_fraction) * sizes.radius;
   level_particle_ = level_for(2 * cap_half, sizes.spacing_particle);
   const double cells_particle = std::pow(2.0, level_particle_);
-  cap_lateral_ = Stretch(cap_half, sizes.spacing_particle * cells_particle / 2, 1.5 * sizes.region_particle);
+  cap_lateral_ = Stretch(cap_half, sizes.spacing_particle * cells_particle / 2, 1.5 * sizes.region_particle + sizes.reach_particle);
   cap_depth_ = Stretch(cap_thickness, sizes.spacing_particle * cells_particle, sizes.region_particle);
 
   const double half = sizes.block_half_width;

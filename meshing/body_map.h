@@ -30,6 +30,7 @@ struct BodySizes {
   double spacing_substrate = 0;
   double region_particle = 0;   ///< half width of the uniformly spaced square around the axis
   double region_substrate = 0;
+  double reach_particle = 0;    ///< by which the particle's fine region is longer on both sides along x (rolling)
   double reach_substrate = 0;   ///< by which the substrate's fine region is longer on both sides along x (sliding)
   double offset_substrate_x = 0, offset_substrate_y = 0;  ///< place of the substrate's centre
 };

@@ -60,7 +60,8 @@ double distance_to_region(const BodyMap& map, const LogicalBox& box, double regi
   for (int d = 0; d < 2; ++d) {
     const double offset = box.tree != block ? 0 : d == 0 ? map.sizes().offset_substrate_x : map.sizes().offset_substrate_y;
     const double nearest = std::max({0.0, low[d] - offset, offset - high[d]});
-    lateral = std::max(lateral, nearest - region - (box.tree == block && d == 0 ? map.sizes().reach_substrate : 0.0));
+    const double reach = box.tree == block ? map.sizes().reach_substrate : map.sizes().reach_particle;
+    lateral = std::max(lateral, nearest - region - (d == 0 ? reach : 0.0));
   }
   const double depth = std::min(map.depth(box.tree, box.vertex(0)), map.depth(box.tree, box.vertex(7)));
   return std::max({0.0, lateral, depth});
@@ -105,7 +106,7 @@ double RoughGeometry::faded_height(Body body, double x, double y, double depth) 
   const auto& sizes = map_.sizes();
   const bool particle = body == Body::particle;
   const double region = particle ? sizes.region_particle : sizes.region_substrate;
-  const double along = std::abs(particle ? x : x - sizes.offset_substrate_x) - (particle ? 0.0 : sizes.reach_substrate);
+  const double along = std::abs(particle ? x : x - sizes.offset_substrate_x) - (particle ? sizes.reach_particle : sizes.reach_substrate);
   const double across = std::abs(particle ? y : y - sizes.offset_substrate_y);
   // Beyond the region, where no contact comes and cells are wider than the asperities, the roughness ends smoothly.
   const double beyond = std::clamp((std::max(along, across) - 1.05 * region) / (0.25 * region), 0.0, 1.0);

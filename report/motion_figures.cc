@@ -77,6 +77,14 @@ Chart torsion_chart(const SolvedCase& solved) {
   return chart;
 }
 
+Chart rolling_chart(const SolvedCase& solved) {
+  const auto& h = solved.history;
+  Chart chart = chart_of(h.rolling_angle, h.rolling_moment, mrad, pN_m);
+  chart.x_label = "angle [mrad]";
+  chart.y_label = "rolling moment [pN m]";
+  return chart;
+}
+
 std::string motion_figure(const SolvedCase& solved) {
   const std::string back =
       " After the reversal everything sticks first and slip begins anew over twice the way (Masing's rule).";
@@ -86,6 +94,12 @@ std::string motion_figure(const SolvedCase& solved) {
                                     "The force that slides the particle at its largest load. It rises as steeply as sticking elastic bodies resist, "
                                     "bends where slip grows inwards from the rim, and stays level once the whole contact slips." + back +
                                         " The dashed curve is Mindlin's for the same bodies, smooth and elastic, with the local friction that went in."));
+  if (largest(solved.history.rolling_angle) > 0)
+    return section_html("Rolling",
+                        figure_html("Moment about the contact along the way", to_svg(rolling_chart(solved)),
+                                    "The moment that rolls the particle at its largest load, free of lateral force. Rough surfaces are hills: the "
+                                    "moment that one takes on the way up comes back on the way down, and on the way back with the other sign. What is "
+                                    "dissipated is the area that way out and way back enclose; effective.rolling_dissipation in result.json gives it per angle."));
   if (largest(solved.history.torsion_angle) > 0)
     return section_html("Torsion",
                         figure_html("Moment along the way", to_svg(torsion_chart(solved)),

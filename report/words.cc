@@ -69,6 +69,7 @@ std::string what_was_asked(const SolvedCase& solved) {
   const std::string type = entries.text("Experiment/Type", "normal");
   const std::string back = entries.text("Experiment/Reverse", "true") == "true" ? " and back" : "";
   if (type == "sliding") words += ", slid by " + in_units(entries.quantity("Experiment/Distance", Dimension::length, NAN), Dimension::length) + back;
+  if (type == "rolling") words += ", rolled by " + in_units(entries.quantity("Experiment/Distance", Dimension::length, NAN), Dimension::length) + back;
   if (type == "torsion") words += ", spun by " + in_units(entries.quantity("Experiment/Angle", Dimension::angle, NAN), Dimension::angle) + back;
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");

@@ -15,7 +15,7 @@ std::vector<double> hertz_weights(const ContactSystem& system, double radius) {
   std::vector<double> weights(system.areas().size(), 0.0);
   double total = 0;
   for (std::size_t r = 0; r < weights.size(); ++r) {
-    const auto& p = system.interface_points()[system.rows()[r].node];
+    const auto& p = system.row_points()[r];
     const double s = 1 - (p[0] * p[0] + p[1] * p[1]) / (radius * radius);
     if (s > 0) total += weights[r] = system.areas()[r] * std::sqrt(s);
   }
@@ -46,7 +46,7 @@ double ContactSolver::elastic_stiffness(const ContactState& state) {
   system_.linear().solve(response, unit, 1e-6);
   const double own = level.owns_driven_dof() ? -response.local_element(level.local_driven_dof()) : 0.0;
   const double compliance = dealii::Utilities::MPI::sum(own, level.communicator());
-  return 1 / compliance;
+  return upright() * upright() / compliance;
 }
 
 std::array<std::vector<double>, 2> ContactSolver::forces_of_glued_rows(const ContactState& state, const RigidMotion& motion) {
@@ -57,7 +57,7 @@ std::array<std::vector<double>, 2> ContactSolver::forces_of_glued_rows(const Con
   for (std::size_t r = 0; r < stiffness.size(); ++r) {
     if (state.multiplier[r] <= 0) continue;
     stiffness[r].normal = stiffness[r].xx = stiffness[r].yy = glue * penalty_ * system_.areas()[r];
-    const auto& p = system_.interface_points()[system_.rows()[r].node];
+    const auto& p = system_.row_points()[r];
     slip[0][r] = motion.x - motion.spin * p[1];
     slip[1][r] = motion.y + motion.spin * p[0];
   }
@@ -96,7 +96,7 @@ double ContactSolver::torsion_stiffness(const ContactState& state) {
   const auto forces = forces_of_glued_rows(state, unit);
   double moment = 0;
   for (std::size_t r = 0; r < forces[0].size(); ++r) {
-    const auto& p = system_.interface_points()[system_.rows()[r].node];
+    const auto& p = system_.row_points()[r];
     moment -= p[0] * forces[1][r] - p[1] * forces[0][r];
   }
   return moment;
@@ -110,7 +110,7 @@ double ContactSolver::far_field_compliance(double radius) {
   level.initialise(response);
   system_.interface().add_forces(forces, load.begin());
   // Under displacement control the driven plane's reaction is the opposite load.
-  if (force_control() && level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0;
+  if (force_control() && level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0 / upright();
   level.condense(load.begin());
   load.compress(dealii::VectorOperation::add);
   const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance

@@ -15,6 +15,10 @@ constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
 // Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 
+constexpr int way_of_jumps = 10;
+// Conjugate gradients need a few tens of iterations; many times that tell of an indefinite matrix.
+constexpr int iterations_of_definite = 200, convex_steps = 3;
+
 // Steps without progress before the line search looks closely: full steps soon go round in circles between stick and slip.
 constexpr int patience_without = 3, patience_with_friction = 0;
 
@@ -26,9 +30,11 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
     : system_(system),
       options_(options),
       penalty_(options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle),
-      tractions_(system, options_.friction.get(), penalty_) {
+      tractions_(system, options_.friction.get(), options_.adhesion, penalty_) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
+  // Contacts that jump in or apart go a long way down in energy.
+  if (tractions_.has_adhesion()) options_.largest_newton *= way_of_jumps;
 }
 
 ContactState ContactSolver::first_touch() const {
@@ -37,11 +43,14 @@ ContactState ContactSolver::first_touch() const {
   state.displacement.update_ghost_values();
   state.multiplier.assign(system_.rows().size(), 0.0);
   for (auto& component : state.shear) component.assign(system_.rows().size(), 0.0);
+  if (tractions_.has_adhesion()) state.bonded.assign(system_.rows().size(), 0);
+  state.coupled = system_.coupled();
   return state;
 }
 
 void ContactSolver::push_rigidly(ContactState& state, double approach) const {
   const auto& level = system_.level();
+  const auto up = rotation(system_.coupled())[2];  // in the particle's frame
   std::vector<char> seen(state.displacement.locally_owned_size() / 3, 0);
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l) {
@@ -50,7 +59,7 @@ void ContactSolver::push_rigidly(ContactState& state, double approach) const {
         const int node = batch.node[v][l];
         if (node >= static_cast<int>(seen.size()) || seen[node]) continue;
         seen[node] = 1;
-        state.displacement.local_element(3 * node + 2) -= approach;
+        for (int c = 0; c < 3; ++c) state.displacement.local_element(3 * node + c) -= approach * up[c];
       }
     }
   state.approach += approach;
@@ -60,7 +69,7 @@ void ContactSolver::push_rigidly(ContactState& state, double approach) const {
 void ContactSolver::complete(Vector<double>& displacement, double approach) const {
   displacement.update_ghost_values();
   if (force_control()) system_.level().distribute(displacement.begin());
-  else system_.level().distribute(displacement.begin(), -approach);
+  else system_.level().distribute(displacement.begin(), -approach * upright());
 }
 
 Vector<double> ContactSolver::linear_advance(double approach, const std::vector<RowStiffness>& stiffness, double accuracy, int* iterations) {
@@ -99,7 +108,7 @@ void ContactSolver::advance_to(ContactState& state, double approach, SolveReport
 void ContactSolver::read_approach(ContactState& state) const {
   const auto& level = system_.level();
   const double own = level.owns_driven_dof() ? -state.displacement.local_element(level.local_driven_dof()) : 0.0;
-  state.approach = dealii::Utilities::MPI::sum(own, level.communicator());
+  state.approach = dealii::Utilities::MPI::sum(own, level.communicator()) / upright();
 }
 
 std::vector<double> ContactSolver::gaps(const ContactState& state) const {
@@ -118,7 +127,7 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   const std::size_t entries = residual.locally_owned_size() + level.partitioner()->n_ghost_indices();
   for (std::size_t i = 0; i < entries; ++i) residual.begin()[i] = -residual.begin()[i];
   tractions_.add_forces(residual.begin());
-  if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target;
+  if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target / upright();
   level.condense(residual.begin());
   residual.compress(dealii::VectorOperation::add);
   double scale = std::max(tractions_.total_force(), force_control() ? std::abs(target) : 0.0);
@@ -127,11 +136,28 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   return residual.l1_norm() / scale;
 }
 
+int ContactSolver::newton_direction(const TangentField* tangent, double spring, double accuracy, const Vector<double>& residual,
+                                    Vector<double>& direction) {
+  int iterations = 0;
+  if (tractions_.has_adhesion() && convex_steps_left_-- <= 0) {
+    // Attraction that falls with the gap softens; where that makes the matrix indefinite, as in a jump, it is left out for some steps.
+    convex_steps_left_ = 0;
+    try {
+      system_.linear().update(tractions_.stiffness(false), tangent, spring);
+      iterations = system_.linear().solve(direction, residual, accuracy);
+      if (residual * direction > 0 && iterations < iterations_of_definite) return iterations;
+    } catch (const WorkError&) {
+    }
+    convex_steps_left_ = convex_steps;
+  }
+  system_.linear().update(tractions_.stiffness(true), tangent, spring);
+  return iterations + system_.linear().solve(direction, residual, accuracy);
+}
+
 void ContactSolver::step_with_held_rows(ContactState& state, double target, TangentField* tangent, Vector<double>& residual, Vector<double>& direction, SolveReport& report) {
   evaluate(state, target, residual, tangent);
   if (tractions_.any_closed()) {
-    system_.linear().update(tractions_.stiffness(), tangent, 0.0);
-    report.linear += system_.linear().solve(direction, residual, rough_direction);
+    report.linear += newton_direction(tangent, 0.0, rough_direction, residual, direction);
     state.displacement.zero_out_ghost_values();
     direction.zero_out_ghost_values();
     state.displacement += direction;
@@ -157,9 +183,15 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   SolveReport report;
   const auto& level = system_.level();
   // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs from it is small.
+  // A failed step or a restart may have left the interfaces coupled elsewhere.
+  if (!(system_.coupled() == state.coupled)) system_.couple_at(state.coupled, {}, state.displacement);
+  const std::vector<double> gaps_before = gaps(state);
   const auto elastic = mean_slip_displacement(state);
-  system_.shift_particle({motion.x + elastic[0], motion.y + elastic[1]}, elastic, state.displacement);
-  tractions_.begin_step(state);
+  RigidMotion surface = motion;
+  surface.x += elastic[0], surface.y += elastic[1];
+  system_.couple_at(surface, elastic, state.displacement);
+  state.coupled = system_.coupled();
+  tractions_.begin_step(state, motion, gaps_before, gaps(state));
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
   else advance_to(state, target, report);
@@ -185,9 +217,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
       // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
       const bool open = !tractions_.any_closed();
       const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
-      system_.linear().update(tractions_.stiffness(), tangent, spring);
       const double accuracy = std::clamp(0.1 * goal / error, accurate_direction, rough_direction);
-      report.linear += system_.linear().solve(direction, residual, accuracy);
+      report.linear += newton_direction(tangent, spring, accuracy, residual, direction);
       ++report.newton;
 
       // The slope along the direction changes sign where the convex energy is lowest.
@@ -233,6 +264,11 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   }
   tractions_.update_multipliers(state);
   report.friction_work = tractions_.friction_work(state);
+  if (tractions_.has_adhesion()) {
+    const std::vector<double> here = gaps(state);
+    report.adhesion_loss = tractions_.update_bonds(state, here);
+    report.adhesion_energy = tractions_.adhesion_energy(state, here);
+  }
   if (force_control()) read_approach(state);
   return report;
 }
@@ -241,31 +277,41 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   const auto& level = system_.level();
   ContactResultants result;
   double moment_x = 0, moment_y = 0;
+  const std::vector<double> gap = gaps(state);
+  const double radius = system_.options().mesh.sizes.radius;
+  const Rotation turn = rotation(state.motion);
+  std::array<std::vector<double>, 3> displacement;
+  for (int c = 0; c < 3; ++c) displacement[c] = system_.interface().nodes().gather(state.displacement.begin(), c);
   result.sticking = tractions_.has_friction() ? tractions_.sticking() : 0;
   for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
     const double p = state.multiplier[r];
-    const auto& point = system_.interface_points()[system_.rows()[r].node];
-    const double tx = state.shear[0][r] * system_.areas()[r], ty = state.shear[1][r] * system_.areas()[r];
-    result.lateral_force[0] -= tx, result.lateral_force[1] -= ty;
-    result.torsion_moment -= point[0] * ty - point[1] * tx;
-    if (p <= 0) continue;
-    const double force = p * system_.areas()[r];
+    const int own = system_.rows()[r].node;
+    auto material = system_.interface_points()[own];
+    for (int c = 0; c < 3; ++c) material[c] += displacement[c][own];
+    const auto place = turned(turn, material, radius);
+    const double attraction = tractions_.has_adhesion() ? tractions_.attraction(state, static_cast<int>(r), gap[r]).stress : 0.0;
+    const double force = (p - attraction) * system_.areas()[r];
     const auto& slope = system_.interface().slope(static_cast<int>(r));
-    result.lateral_force[0] -= force * slope[0], result.lateral_force[1] -= force * slope[1];
-    result.torsion_moment -= force * (point[0] * slope[1] - point[1] * slope[0]);
+    const double fx = state.shear[0][r] * system_.areas()[r] + force * slope[0], fy = state.shear[1][r] * system_.areas()[r] + force * slope[1];
+    result.lateral_force[0] -= fx, result.lateral_force[1] -= fy;
+    result.torsion_moment -= place[0] * fy - place[1] * fx;
+    result.rolling_moment -= place[2] * fx - place[0] * force;
+    if (p > 0) ++result.active;
+    result.reaches_rim = result.reaches_rim || (p > 0 && system_.on_rim()[r]);
+    if (force == 0) continue;
     result.force += force;
-    result.largest_pressure = std::max(result.largest_pressure, p);
-    ++result.active;
-    result.reaches_rim = result.reaches_rim || system_.on_rim()[r];
+    result.attraction += attraction * system_.areas()[r];
+    result.largest_pressure = std::max(result.largest_pressure, p - attraction);
     system_.interface().for_row(static_cast<int>(r), [&](int node, double weight) {
       const bool particle = system_.interface().nodes().site(node).body == 0;
-      moment_x += force * weight * (system_.interface_points()[node][1] + (particle ? system_.shift()[1] : 0.0));
-      moment_y += force * weight * (system_.interface_points()[node][0] + (particle ? system_.shift()[0] : 0.0));
+      const auto& at = particle ? system_.row_points()[r] : system_.interface_points()[node];
+      moment_x += force * weight * (at[1] + (particle ? system_.coupled().y : 0.0));
+      moment_y += force * weight * (at[0] + (particle ? system_.coupled().x : 0.0));
     });
   }
   std::vector<std::array<double, 2>> points;
-  for (const auto& row : system_.rows()) points.push_back({system_.interface_points()[row.node][0], system_.interface_points()[row.node][1]});
-  result.area = contact_area(system_.row_quads(), points, state.multiplier, gaps(state), system_.reduced_modulus());
+  for (const auto& p : system_.row_points()) points.push_back({p[0], p[1]});
+  result.area = contact_area(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
   if (result.force > 0)
     result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
   Vector<double> force;
@@ -280,7 +326,7 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     for (int c = 0; c < 2; ++c) lateral[c] += force.local_element(dof - 2 + c);
   }
   for (int c = 0; c < 2; ++c) result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
-  result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator());
+  result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator()) * upright();
   result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
   return result;
 }

@@ -5,6 +5,7 @@
 // semismooth Newton iteration with line search finds from any start. eps scales with E* / spacing.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,6 +23,7 @@ struct ContactSolverOptions {
   double penalty_factor = 8.0;          ///< eps = factor E* / spacing
   int largest_newton = 60, largest_updates = 40;
   std::shared_ptr<const FrictionLaw> friction;  ///< null: none
+  AdhesionLaws adhesion;                        ///< empty: none
 };
 
 class ContactSolver {
@@ -53,6 +55,8 @@ class ContactSolver {
   /// The same for the shift under a lateral force (Johnson 1985 eq. 7.41 under Hertz' distribution of shear).
   double lateral_far_field_compliance(double radius);
 
+  bool has_friction() const { return tractions_.has_friction(); }
+  bool has_adhesion() const { return tractions_.has_adhesion(); }
   double touch_offset() const { return touch_offset_; }
   std::function<void(const std::string&)> log;
 
@@ -65,6 +69,8 @@ class ContactSolver {
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state, const RigidMotion& motion);
   /// Of the particle's surface relative to the substrate's in their frames, weighted with the pressure [m]; 0 without tilted normals.
   std::array<double, 2> mean_slip_displacement(const ContactState& state) const;
+  /// Of the angle by which the particle has rolled: its driven plane moves along its own axes.
+  double upright() const { return std::cos(system_.coupled().roll); }
   bool force_control() const { return system_.options().control == Control::force; }
   /// Sets what follows from the free entries, and the driven plane under displacement control.
   void complete(Vector<double>& displacement, double approach) const;
@@ -73,10 +79,13 @@ class ContactSolver {
   /// First guess at another approach (displacement control).
   void advance_to(ContactState& state, double approach, SolveReport& report);
   void read_approach(ContactState& state) const;
+  /// Newton's direction for the evaluated tractions, of descent in any case. Returns the iterations.
+  int newton_direction(const TangentField* tangent, double spring, double accuracy, const Vector<double>& residual, Vector<double>& direction);
 
   ContactSystem& system_;
   ContactSolverOptions options_;
   TangentField tangent_;
+  int convex_steps_left_ = 0;  ///< in which Newton's direction leaves the softening of attraction out
   double penalty_;       ///< eps [Pa/m]
   InterfaceTractions tractions_;
   double touch_offset_;  ///< rigid shift that brings the bodies to first touch [m]

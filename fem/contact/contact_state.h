@@ -4,38 +4,38 @@
 #include <array>
 #include <vector>
 
+#include "fem/contact/rigid_motion.h"
 #include "fem/solver/mesh_level.h"
 
 namespace asperity::fem {
-
-/// Rigid motion of the particle's frame in the plane of contact. It strains nothing by itself: each body is meshed in a frame
-/// of its own, and the interface sees the frames' relative motion plus the displacements in them.
-struct RigidMotion {
-  double x = 0, y = 0;  ///< shift [m]
-  double spin = 0;      ///< about the approach axis [rad], small
-};
 
 /// One state of the contact; the bodies' history lives in ContactSystem::bodies().
 struct ContactState {
   Vector<double> displacement;
   std::vector<double> multiplier;  ///< lambda of each row [Pa], also the pressure of an accepted state
   std::array<std::vector<double>, 2> shear;  ///< shear traction on the particle of each row along x and y [Pa]
+  std::vector<char> bonded;        ///< rows that were in contact and have not left the range of attraction since; empty: no adhesion
   double approach = 0;             ///< displacement of the driven plane towards the substrate [m], from first touch
   RigidMotion motion;
+  RigidMotion coupled;             ///< of the particle's surface, where the interfaces were coupled
 };
 
 struct SolveReport {
   int newton = 0, updates = 0, linear = 0;  ///< iterations
   double residual = 0, penetration = 0;     ///< reached, relative
   double friction_work = 0;                 ///< dissipated by slip in this step [J]
+  double adhesion_energy = 0;               ///< potential energy of attraction, negative [J]
+  double adhesion_loss = 0;                 ///< dissipated as bonds formed and broke in this step [J]
   bool converged = false;
 };
 
 /// Resultants of an equilibrium.
 struct ContactResultants {
   double force = 0;           ///< from tractions [N]
+  double attraction = 0;      ///< part of it that attracts [N]
   std::array<double, 2> lateral_force{};  ///< that moves the particle, against the shear tractions [N]
   double torsion_moment = 0;  ///< that turns the particle about the approach axis [N m]
+  double rolling_moment = 0;  ///< that turns it about y through the lowest point of its smooth shape [N m]
   double reaction_driven = 0; ///< from reactions of the driven plane [N]
   double reaction_fixed = 0;  ///< from reactions of the fixed plane [N]
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]

@@ -26,15 +26,13 @@ void ContactSystem::describe_rows() {
   }
   interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, InterfaceNodes(*level_));
   gaps_ = interface_->gaps(positions_.begin());
-  double largest = 0;
-  for (const auto& row : rows_) {
-    areas_.push_back(row.area);
-    const auto& p = interface_points_[row.node];
-    largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
-  }
+  std::array<double, 2> largest{};
+  for (const auto& row : rows_)
+    for (int c = 0; c < 2; ++c) largest[c] = std::max(largest[c], std::abs(interface_points_[row.node][c]));
   for (const auto& row : rows_) {
     const auto& p = interface_points_[row.node];
-    on_rim_.push_back(std::max(std::abs(p[0]), std::abs(p[1])) > largest - 0.5 * options_.mesh.sizes.spacing_particle);
+    const double inside = std::min(largest[0] - std::abs(p[0]), largest[1] - std::abs(p[1]));
+    on_rim_.push_back(inside < 0.5 * options_.mesh.sizes.spacing_particle);
   }
   linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_, options_.mesh, geometry_, options_.control});
 }
@@ -53,8 +51,8 @@ void ContactSystem::find_faces() {
     const auto& low = interface_points_[face.node[0]];
     const auto& high = interface_points_[face.node[3]];
     face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
-    const double reach = std::max({std::abs(face.x0), std::abs(face.x1), std::abs(face.y0), std::abs(face.y1)});
-    if (f.body == 0 && reach > sizes.region_particle * (1 + 1e-9)) continue;
+    const double along = std::max(std::abs(face.x0), std::abs(face.x1)) - sizes.reach_particle, across = std::max(std::abs(face.y0), std::abs(face.y1));
+    if (f.body == 0 && std::max(along, across) > sizes.region_particle * (1 + 1e-9)) continue;
     if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)
       throw WorkError("the particle's contact region is not uniformly meshed; this is an error of the program");
     faces_[f.body].push_back(face);
@@ -63,24 +61,46 @@ void ContactSystem::find_faces() {
 }
 
 void ContactSystem::couple() {
-  std::vector<PlaneFace> particle = faces_[0];
-  for (auto& face : particle) face.x0 += shift_[0], face.x1 += shift_[0], face.y0 += shift_[1], face.y1 += shift_[1];
+  const Rotation turn = rotation(coupled_);
+  const double radius = options_.mesh.sizes.radius;
+  std::vector<PlaneQuad> particle;
+  for (const auto& face : faces_[0]) {
+    auto& quad = particle.emplace_back();
+    quad.node = face.node;
+    for (int v = 0; v < 4; ++v) {
+      const auto p = turned(turn, interface_points_[face.node[v]], radius);
+      quad.corner[v] = {p[0] + coupled_.x, p[1] + coupled_.y};
+    }
+  }
   rows_ = couple_interfaces(particle, faces_[1]);
+  row_points_.clear();
+  areas_.clear();
+  for (const auto& row : rows_) {
+    row_points_.push_back(turned(turn, interface_points_[row.node], radius));
+    areas_.push_back(row.area);
+  }
 }
 
-void ContactSystem::shift_particle(const std::array<double, 2>& shift, const std::array<double, 2>& elastic, const Vector<double>& accepted) {
+void ContactSystem::couple_at(RigidMotion motion, const std::array<double, 2>& elastic, const Vector<double>& accepted) {
+  if (!options_.tilted_normals) motion.spin = 0;
+  const double radius = options_.mesh.sizes.radius;
   // Far below what any gap can notice.
   const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
-  if (!options_.tilted_normals && std::hypot(shift[0] - shift_[0], shift[1] - shift_[1]) < unnoticed) return;
-  shift_ = shift;
+  const double way = std::hypot(motion.x - coupled_.x, motion.y - coupled_.y) + radius * std::abs(motion.roll - coupled_.roll);
+  if (!options_.tilted_normals && way < unnoticed) return;
+  if (motion.roll != coupled_.roll) level_->set_drive_tilt(-std::tan(motion.roll));
+  coupled_ = motion;
   elastic_shift_ = elastic;
   interface_before_ = std::make_unique<InterfaceOperator>(*interface_);
   couple();
   if (options_.tilted_normals) tilt(accepted);
+  interface_->set_rotation(rotation(coupled_));
   interface_->set_rows(rows_, InterfaceNodes(*level_));
   untilted_gaps_ = interface_->jumps(positions_.begin(), 2);
+  // The turn is about the particle's centre, not about the origin.
+  for (auto& gap : untilted_gaps_) gap += radius * (1 - interface_->rotation()[2][2]);
   find_initial_gaps();
-  linear_->recouple();
+  linear_->recouple(coupled_);
 }
 
 void ContactSystem::find_initial_gaps() {

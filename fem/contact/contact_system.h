@@ -32,8 +32,8 @@ class ContactSystem {
   const std::vector<GapRow>& rows() const { return rows_; }
   const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
   const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row, without displacements [m]
-  /// Of the particle's surface relative to the substrate's, where they are coupled [m].
-  const std::array<double, 2>& shift() const { return shift_; }
+  /// Of the particle's surface relative to the substrate's, where they are coupled.
+  const RigidMotion& coupled() const { return coupled_; }
   const InterfaceOperator& interface() const { return *interface_; }
   InterfaceOperator& interface() { return *interface_; }
   /// As it was before the last shift.
@@ -42,13 +42,15 @@ class ContactSystem {
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
   const LinearSolver& linear() const { return *linear_; }
+  /// Place of each row's node in the substrate's frame, without shift, displacement and, without tilted normals, spin [m].
+  const std::vector<std::array<double, 3>>& row_points() const { return row_points_; }
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
-  /// Couples the interfaces anew with the particle's surface shifted by `shift` [m], of which `elastic` is a mean displacement of
-  /// the surfaces in their frames: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
-  /// substrate displaced by `accepted`. Collective.
-  void shift_particle(const std::array<double, 2>& shift, const std::array<double, 2>& elastic, const Vector<double>& accepted);
+  /// Couples the interfaces anew with the particle's surface moved by `motion`, in whose shift `elastic` [m] is a mean displacement
+  /// of the surfaces in their frames: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
+  /// substrate displaced by `accepted`. Spin is heeded with tilted normals only. Collective.
+  void couple_at(RigidMotion motion, const std::array<double, 2>& elastic, const Vector<double>& accepted);
   /// With tilted normals: slopes of the substrate displaced by `displacement`. Collective.
   void follow_slopes(const Vector<double>& displacement);
 
@@ -80,10 +82,11 @@ class ContactSystem {
   std::unique_ptr<InterfaceOperator> interface_, interface_before_;
   std::unique_ptr<LinearSolver> linear_;
   std::array<std::vector<PlaneFace>, 2> faces_;  ///< that can touch, each body's in its own frame
-  std::array<double, 2> shift_{}, elastic_shift_{};
+  RigidMotion coupled_;
+  std::array<double, 2> elastic_shift_{};
   std::vector<GapRow> rows_;
   std::vector<double> areas_, gaps_, untilted_gaps_;
-  std::vector<std::array<double, 3>> interface_points_;
+  std::vector<std::array<double, 3>> interface_points_, row_points_;
   std::vector<char> on_rim_;
   std::vector<std::array<int, 4>> row_quads_;
 };

@@ -137,14 +137,46 @@ void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness
     if (!stiffness[r].open()) active_.push_back(r);
 }
 
+void InterfaceOperator::set_rotation(const Rotation& rotation) {
+  rotation_ = rotation;
+  turned_ = rotation != asperity::fem::rotation({});
+}
+
+template <typename Number>
+std::array<std::vector<Number>, 3> InterfaceOperator::gather_turned(const Number* x, int first) const {
+  std::array<std::vector<Number>, 3> values;
+  for (int c = turned_ ? 0 : first; c < 3; ++c) values[c] = nodes_.gather(x, c);
+  if (!turned_) return values;
+  for (int k = 0; k < nodes_.count(); ++k) {
+    if (nodes_.site(k).body != 0) continue;
+    const Number own[3] = {values[0][k], values[1][k], values[2][k]};
+    for (int c = 0; c < 3; ++c)
+      values[c][k] = static_cast<Number>(rotation_[c][0]) * own[0] + static_cast<Number>(rotation_[c][1]) * own[1] + static_cast<Number>(rotation_[c][2]) * own[2];
+  }
+  return values;
+}
+
+template <typename Number>
+void InterfaceOperator::scatter_turned(std::array<std::vector<Number>, 3>& values, int first, Number* y) const {
+  if (turned_) {
+    for (auto& component : values) component.resize(nodes_.count(), Number(0));
+    for (int k = 0; k < nodes_.count(); ++k) {
+      if (nodes_.site(k).body != 0) continue;
+      const Number turned[3] = {values[0][k], values[1][k], values[2][k]};
+      for (int c = 0; c < 3; ++c)
+        values[c][k] = static_cast<Number>(rotation_[0][c]) * turned[0] + static_cast<Number>(rotation_[1][c]) * turned[1] + static_cast<Number>(rotation_[2][c]) * turned[2];
+    }
+  }
+  for (int c = turned_ ? 0 : first; c < 3; ++c)
+    if (!values[c].empty()) nodes_.scatter_add(values[c], c, y);
+}
+
 template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
   const int first = resists_slip_ || tilted_ ? 0 : 2;
-  std::array<std::vector<Number>, 3> values, result;
-  for (int c = first; c < 3; ++c) {
-    values[c] = nodes_.gather(x, c);
-    result[c].assign(values[c].size(), Number(0));
-  }
+  const std::array<std::vector<Number>, 3> values = gather_turned(x, first);
+  std::array<std::vector<Number>, 3> result;
+  for (int c = first; c < 3; ++c) result[c].assign(nodes_.count(), Number(0));
   for (const int row : active_) {
     const RowStiffness& k = stiffness_[row];
     Number jump[3] = {}, force[3] = {};
@@ -157,24 +189,32 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
     for (int e = start_[row]; e < start_[row + 1]; ++e)
       for (int c = first; c < 3; ++c) result[c][column_[e]] += static_cast<Number>(weight_[e]) * force[c];
   }
-  for (int c = first; c < 3; ++c) nodes_.scatter_add(result[c], c, y);
+  scatter_turned(result, first, y);
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
   std::array<std::vector<double>, 3> result;
   for (auto& component : result) component.assign(nodes_.count(), 0.0);
   for (const int row : active_) {
-    const auto& m = slope_[row];
-    const double normal = stiffness_[row].normal;
-    const double k[3] = {stiffness_[row].xx + m[0] * m[0] * normal, stiffness_[row].yy + m[1] * m[1] * normal, normal};
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
+    const RowStiffness& stiffness = stiffness_[row];
+    const double n[3] = {slope_[row][0], slope_[row][1], 1};
+    const double slip[3][3] = {{stiffness.xx, stiffness.xy, 0}, {stiffness.xy, stiffness.yy, 0}, {0, 0, 0}};
+    double fixed[3], turned[3] = {};  // diagonal of the row's stiffness in the frames of the substrate and of the particle
+    for (int c = 0; c < 3; ++c) {
+      fixed[c] = slip[c][c] + n[c] * n[c] * stiffness.normal;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) turned[c] += rotation_[i][c] * (slip[i][j] + n[i] * n[j] * stiffness.normal) * rotation_[j][c];
+    }
+    for (int e = start_[row]; e < start_[row + 1]; ++e) {
+      const double* k = turned_ && nodes_.site(column_[e]).body == 0 ? turned : fixed;
       for (int c = 0; c < 3; ++c) result[c][column_[e]] += k[c] * weight_[e] * weight_[e];
+    }
   }
-  for (int c = resists_slip_ || tilted_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
+  for (int c = resists_slip_ || tilted_ || turned_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
 }
 
 std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
-  const std::vector<double> values = nodes_.gather(x, component);
+  const std::vector<double> values = turned_ ? gather_turned(x, 0)[component] : nodes_.gather(x, component);
   std::vector<double> jumps(rows(), 0.0);
   for (int row = 0; row < rows(); ++row)
     for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight_[e] * values[column_[e]];
@@ -202,10 +242,12 @@ void InterfaceOperator::add_normal_forces(const std::vector<double>& row_forces,
 }
 
 void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y, int component) const {
-  std::vector<double> result(nodes_.count(), 0.0);
+  std::array<std::vector<double>, 3> result;
+  auto& sum = result[component];
+  sum.assign(nodes_.count(), 0.0);
   for (int row = first_row_; row < last_row_; ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) result[column_[e]] += weight_[e] * row_forces[row];
-  nodes_.scatter_add(result, component, y);
+    for (int e = start_[row]; e < start_[row + 1]; ++e) sum[column_[e]] += weight_[e] * row_forces[row];
+  scatter_turned(result, component, y);
 }
 
 template void InterfaceOperator::apply<double>(const double*, double*) const;

@@ -3,6 +3,8 @@
 // G maps displacements to what the particle's surface moves relative to the substrate's at each contact row: along z the
 // gap opens, along x and y it slips. The weights of a row are the same for the three components. Where the row has a slope
 // m, slip along m opens the gap too: the row's normal is n = (m_x, m_y, 1), to first order in slopes.
+// Rows, jumps and forces are in the substrate's frame; where the particle's frame is turned, its displacements are turned on
+// their way in and its forces back on their way out.
 // The rows are the contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
 // G_coarse = G P exactly and spares triple products when the active set changes. Interface values are gathered on all
 // ranks; each rank works on its share of the rows.
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "fem/contact/mortar.h"
+#include "fem/contact/rigid_motion.h"
 #include "fem/solver/mesh_level.h"
 
 namespace asperity::fem {
@@ -60,6 +63,10 @@ class InterfaceOperator {
   /// Other rows, or the same ones with other weights.
   void set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
 
+  /// Turn of the particle's frame.
+  void set_rotation(const Rotation& rotation);
+  const Rotation& rotation() const { return rotation_; }
+
   /// The slopes of the same rows.
   void set_slopes(const std::vector<GapRow>& rows);
 
@@ -92,8 +99,16 @@ class InterfaceOperator {
   const std::vector<int>& active() const { return active_; }
 
  private:
+  /// Components first..2 of a field at all nodes, in the substrate's frame, and sums of forces in it back into one.
+  template <typename Number>
+  std::array<std::vector<Number>, 3> gather_turned(const Number* x, int first) const;
+  template <typename Number>
+  void scatter_turned(std::array<std::vector<Number>, 3>& values, int first, Number* y) const;
+
   const MeshLevel& level_;
   InterfaceNodes nodes_;
+  Rotation rotation_ = asperity::fem::rotation({});
+  bool turned_ = false;
   std::vector<int> start_, column_, active_;
   std::vector<RowStiffness> stiffness_;
   std::vector<std::array<double, 2>> slope_;

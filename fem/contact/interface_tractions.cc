@@ -6,42 +6,65 @@
 
 namespace asperity::fem {
 
-InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, double penalty)
-    : system_(system), friction_(friction), penalty_(penalty), pressure_(system.rows().size(), 0.0) {
+InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, const AdhesionLaws& adhesion, double penalty)
+    : system_(system), friction_(friction), adhesion_(adhesion), penalty_(penalty), pressure_(system.rows().size(), 0.0) {
+  if (has_adhesion()) attraction_.assign(pressure_.size(), {0, 0, 0});
   if (!friction_) return;
   limit_.assign(pressure_.size(), 0.0);
   shear_.assign(pressure_.size(), Shear{{0, 0}, 0, 0, 0, true});
 }
 
 std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOperator& interface, const ContactState& state) const {
-  std::array<std::vector<double>, 2> slips{interface.jumps(state.displacement.begin(), 0), interface.jumps(state.displacement.begin(), 1)};
+  // The particle's own node is placed by the state's own motion, whatever the turn under which the interfaces are coupled.
+  const double radius = system_.options().mesh.sizes.radius;
+  const Rotation turn = rotation(state.motion);
+  std::array<std::vector<double>, 3> displacement;
+  for (int c = 0; c < 3; ++c) displacement[c] = interface.nodes().gather(state.displacement.begin(), c);
+  std::array<std::vector<double>, 2> slips;
+  for (auto& component : slips) component.resize(pressure_.size());
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
-    const auto& p = system_.interface_points()[system_.rows()[r].node];
-    slips[0][r] += state.motion.x - state.motion.spin * p[1];
-    slips[1][r] += state.motion.y + state.motion.spin * p[0];
+    const int own = system_.rows()[r].node;
+    auto point = system_.interface_points()[own];
+    for (int c = 0; c < 3; ++c) point[c] += displacement[c][own];
+    const auto place = turned(turn, point, radius);
+    slips[0][r] = place[0] + state.motion.x;
+    slips[1][r] = place[1] + state.motion.y;
+    interface.for_row(static_cast<int>(r), [&](int node, double weight) {
+      if (node == own) return;
+      for (int c = 0; c < 2; ++c) slips[c][r] += weight * displacement[c][node];
+    });
   }
   return slips;
 }
 
-void InterfaceTractions::begin_step(const ContactState& accepted) {
+void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before,
+                                    const std::vector<double>& gaps) {
   if (!friction_) return;
   slip_origin_ = slips(system_.interface(), accepted);
   slip_origin_before_ = slips(system_.interface_before(), accepted);
+  const double radius = system_.options().mesh.sizes.radius;
+  const Rotation from = rotation(accepted.motion), to = rotation(motion);
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    if (accepted.multiplier[r] > 0) continue;
+    const double open_part = gaps[r] < 0 && gaps_before[r] > 0 ? gaps_before[r] / (gaps_before[r] - gaps[r]) : 1.0;
+    const auto& point = system_.interface_points()[system_.rows()[r].node];
+    const auto before = turned(from, point, radius), after = turned(to, point, radius);
+    const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x, after[1] - before[1] + motion.y - accepted.motion.y};
+    for (int c = 0; c < 2; ++c) {
+      slip_origin_[c][r] += open_part * way[c];
+      slip_origin_before_[c][r] += open_part * way[c];
+    }
+  }
   update_limits(accepted);
 }
 
-double InterfaceTractions::update_limits(const ContactState& state) {
-  double change = 0;
-  for (std::size_t r = 0; r < limit_.size(); ++r) {
-    const double limit = friction_->limit(state.multiplier[r]);
-    change += system_.areas()[r] * std::abs(limit - limit_[r]);
-    limit_[r] = limit;
-  }
-  return change;
+void InterfaceTractions::update_limits(const ContactState& state) {
+  for (std::size_t r = 0; r < limit_.size(); ++r) limit_[r] = friction_->limit(state.multiplier[r]);
 }
 
 void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
   for (std::size_t r = 0; r < pressure_.size(); ++r) pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
+  for (std::size_t r = 0; r < attraction_.size(); ++r) attraction_[r] = attraction(state, static_cast<int>(r), gaps[r]);
   if (!friction_) return;
   slip_ = slips(system_.interface(), state);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
@@ -49,6 +72,33 @@ void InterfaceTractions::evaluate(const ContactState& state, const std::vector<d
     const double limit = !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
     shear_[r] = return_to_limit({state.shear[0][r] - penalty_ * slip_[0][r], state.shear[1][r] - penalty_ * slip_[1][r]}, limit);
   }
+}
+
+AdhesionLaw::Attraction InterfaceTractions::attraction(const ContactState& state, int row, double gap) const {
+  // Surfaces that overlap for a moment, before the multipliers know, attract as if they touched.
+  auto result = (state.bonded[row] ? *adhesion_.opening : *adhesion_.closing).at(std::max(0.0, gap));
+  if (gap < 0) result.slope = 0;
+  return result;
+}
+
+double InterfaceTractions::update_bonds(ContactState& state, const std::vector<double>& gaps) const {
+  double lost = 0;
+  for (std::size_t r = 0; r < attraction_.size(); ++r) {
+    const bool formed = pressure_[r] > 0 && !state.bonded[r], broken = state.bonded[r] && gaps[r] > adhesion_.opening->range();
+    if (!formed && !broken) continue;
+    const auto before = attraction(state, static_cast<int>(r), gaps[r]);
+    state.bonded[r] = formed;
+    const auto after = attraction(state, static_cast<int>(r), gaps[r]);
+    if (formed) state.multiplier[r] += after.stress - before.stress;
+    lost += system_.areas()[r] * (after.work - before.work);
+  }
+  return lost;
+}
+
+double InterfaceTractions::adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const {
+  double energy = 0;
+  for (std::size_t r = 0; r < attraction_.size(); ++r) energy -= system_.areas()[r] * attraction(state, static_cast<int>(r), gaps[r]).work;
+  return energy;
 }
 
 void InterfaceTractions::hold_sticking() {
@@ -84,6 +134,7 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
 void InterfaceTractions::add_forces(double* y) const {
   std::vector<double> forces(pressure_.size());
   for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = pressure_[r] * system_.areas()[r];
+  for (std::size_t r = 0; r < attraction_.size(); ++r) forces[r] -= attraction_[r].stress * system_.areas()[r];
   system_.interface().add_normal_forces(forces, y);
   if (!friction_) return;
   for (int c = 0; c < 2; ++c) {
@@ -114,11 +165,12 @@ int InterfaceTractions::sticking() const {
   return static_cast<int>(std::count_if(shear_.begin(), shear_.end(), [](const Shear& s) { return !s.slips; }));
 }
 
-std::vector<RowStiffness> InterfaceTractions::stiffness() const {
+std::vector<RowStiffness> InterfaceTractions::stiffness(bool convex) const {
   std::vector<RowStiffness> stiffness(pressure_.size());
   for (std::size_t r = 0; r < stiffness.size(); ++r) {
     const double k = penalty_ * system_.areas()[r];
     if (pressure_[r] > 0) stiffness[r].normal = k;
+    if (!convex && !attraction_.empty()) stiffness[r].normal += attraction_[r].slope * system_.areas()[r];
     if (!friction_) continue;
     stiffness[r].xx = k * shear_[r].xx;
     stiffness[r].xy = k * shear_[r].xy;

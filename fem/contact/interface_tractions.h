@@ -1,5 +1,6 @@
 // Pressure and shear at each contact row from gaps and slips: the interface laws applied by an augmented Lagrangian.
 //
+// Attraction, if any, acts beside the contact pressure p at its own gap (adhesion_law.h).
 //   p = max(0, lambda - eps g),   t = return_to_limit(lambda_t - eps s, limit(lambda)),   lambda <- p, lambda_t <- t.
 // The limit is that of the last multipliers (Tresca friction), so that the equilibrium for fixed multipliers still minimises
 // a convex function; at the fixed point of the updates it is Coulomb's. Source: Alart & Curnier (1991); Haslinger, Hlavacek &
@@ -10,6 +11,7 @@
 
 #include "fem/contact/contact_state.h"
 #include "fem/contact/contact_system.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/interface/slip.h"
 
@@ -18,12 +20,14 @@ namespace asperity::fem {
 class InterfaceTractions {
  public:
   /// friction: null for none. penalty: eps [Pa/m].
-  InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, double penalty);
+  InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, const AdhesionLaws& adhesion, double penalty);
 
-  /// To be called at the last accepted state, before anything moves: slip is counted from there.
-  void begin_step(const ContactState& accepted);
-  /// Shear limits from the multipliers of `state`. Returns the sum of |changes| times areas [N].
-  double update_limits(const ContactState& state);
+  /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is counted from there.
+  /// A row that is open slips only from where it closes, which its gaps at the accepted displacements before and after the
+  /// coupling tell.
+  void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps);
+  /// Shear limits from the multipliers of `state`.
+  void update_limits(const ContactState& state);
   /// Rows with friction that stick beyond their limit until release(): all, or those that stick now. For first guesses.
   void hold_all() { held_.assign(pressure_.size(), 1); }
   void hold_sticking();
@@ -39,6 +43,13 @@ class InterfaceTractions {
   Change change(const ContactState& state) const;
 
   const std::vector<double>& pressure() const { return pressure_; }
+  bool has_adhesion() const { return adhesion_.closing != nullptr; }
+  /// Attraction of a row at a gap [m].
+  AdhesionLaw::Attraction attraction(const ContactState& state, int row, double gap) const;
+  /// Bonds of the evaluated rows at the end of a step: those that touch are formed, those out of range are broken. What their
+  /// attraction changes is made up by the multipliers. Returns the energy that is lost [J].
+  double update_bonds(ContactState& state, const std::vector<double>& gaps) const;
+  double adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const;
   /// y += forces of the evaluated tractions on all nodes.
   void add_forces(double* y) const;
   double total_force() const;
@@ -48,23 +59,24 @@ class InterfaceTractions {
   int closed() const;
   /// Rows that stick; those without friction slip.
   int sticking() const;
-  /// Consistent stiffness of the rows at the evaluated state.
-  std::vector<RowStiffness> stiffness() const;
+  /// Consistent stiffness of the rows at the evaluated state; without what attraction takes from it if `convex`.
+  std::vector<RowStiffness> stiffness(bool convex) const;
   /// Work of the evaluated shear at `state` on the slip since the last accepted state [J]. Slip is the mean of what the couplings
   /// before and after the step see of the same displacements, which makes the balance of energy one of second order in the step.
   double friction_work(const ContactState& state) const;
   bool has_friction() const { return friction_ != nullptr; }
-  double penalty() const { return penalty_; }
 
  private:
-  /// Relative tangential displacement of each row, frames included.
+  /// Place of each row's node along x and y relative to the substrate's surface as it is displaced, but for a constant.
   std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface, const ContactState& state) const;
 
   const ContactSystem& system_;
   const FrictionLaw* friction_;
+  AdhesionLaws adhesion_;
   double penalty_;
   std::vector<char> held_;
   std::vector<double> pressure_, limit_;
+  std::vector<AdhesionLaw::Attraction> attraction_;
   std::array<std::vector<double>, 2> slip_origin_, slip_origin_before_, slip_;
   std::vector<Shear> shear_;
 };

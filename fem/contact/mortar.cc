@@ -1,5 +1,6 @@
 #include "fem/contact/mortar.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -39,75 +40,191 @@ class FaceBins {
   std::unordered_map<long, std::vector<int>> bins_;
 };
 
-constexpr double gauss = 0.57735026918962576451;
+using Point = std::array<double, 2>;
 
-struct Interval {
-  double low, high;
-  double length() const { return high - low; }
-  double point(int q) const { return 0.5 * (low + high) + (q ? 0.5 : -0.5) * gauss * (high - low); }
+/// A convex polygon of few corners, cut by half-planes along the axes (Sutherland & Hodgman 1974).
+struct Polygon {
+  std::array<Point, 8> corner;
+  int count = 0;
+
+  /// Keeps what has sign * (p[axis] - bound) <= 0.
+  void cut(int axis, double bound, double sign) {
+    Polygon kept;
+    for (int k = 0; k < count; ++k) {
+      const Point &p = corner[k], &q = corner[(k + 1) % count];
+      const double dp = sign * (p[axis] - bound), dq = sign * (q[axis] - bound);
+      if (dp <= 0) kept.corner[kept.count++] = p;
+      if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
+        const double t = dp / (dp - dq);
+        kept.corner[kept.count++] = {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
+      }
+    }
+    *this = kept;
+  }
 };
+
+double cross(const Point& a, const Point& b, const Point& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+std::array<double, 4> bilinear(double s, double t) { return {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}; }
+
+/// Bilinear coordinates of points of a quadrilateral, by Newton's iteration: one step where it is a parallelogram.
+class BilinearMap {
+ public:
+  explicit BilinearMap(const PlaneQuad& quad) : origin_(quad.corner[0]) {
+    for (int c = 0; c < 2; ++c) {
+      along_[c] = quad.corner[1][c] - origin_[c];
+      across_[c] = quad.corner[2][c] - origin_[c];
+      twist_[c] = quad.corner[3][c] - quad.corner[1][c] - across_[c];
+    }
+  }
+  Point coordinates(const Point& p) const {
+    Point s{0.5, 0.5};
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      double residual[2], ds[2], dt[2];
+      for (int c = 0; c < 2; ++c) {
+        residual[c] = p[c] - origin_[c] - s[0] * along_[c] - s[1] * across_[c] - s[0] * s[1] * twist_[c];
+        ds[c] = along_[c] + s[1] * twist_[c];
+        dt[c] = across_[c] + s[0] * twist_[c];
+      }
+      const double determinant = ds[0] * dt[1] - ds[1] * dt[0];
+      const double step_s = (residual[0] * dt[1] - residual[1] * dt[0]) / determinant;
+      const double step_t = (ds[0] * residual[1] - ds[1] * residual[0]) / determinant;
+      s[0] += step_s, s[1] += step_t;
+      if (std::abs(step_s) + std::abs(step_t) < 1e-13) break;
+    }
+    return s;
+  }
+
+ private:
+  Point origin_, along_, across_, twist_;
+};
+
+/// Exact to degree 4 on a triangle, as the product of two bilinear functions needs (Strang & Fix 1973): barycentric a, weight.
+constexpr std::array<std::array<double, 2>, 2> triangle_rule{{{0.445948490915964886, 0.223381589678011466}, {0.091576213509770743, 0.109951743655321868}}};
+
+/// A point of the overlap of one particle face with one of the substrate.
+struct OverlapPoint {
+  double weight;                       ///< [m^2]
+  std::array<double, 4> own, other;    ///< shape functions of both faces
+  std::array<std::array<double, 2>, 4> slope;  ///< gradients of `other` [1/m]
+  int face;                            ///< of the substrate
+};
+
+void add_overlap(const PlaneQuad& quad, const BilinearMap& map, const PlaneFace& face, int index, std::vector<OverlapPoint>& points) {
+  Polygon overlap;
+  overlap.corner = {quad.corner[0], quad.corner[1], quad.corner[3], quad.corner[2]};
+  overlap.count = 4;
+  overlap.cut(0, face.x1, 1), overlap.cut(0, face.x0, -1), overlap.cut(1, face.y1, 1), overlap.cut(1, face.y0, -1);
+  const double wx = face.x1 - face.x0, wy = face.y1 - face.y0;
+  for (int k = 1; k + 1 < overlap.count; ++k) {
+    const Point triangle[3] = {overlap.corner[0], overlap.corner[k], overlap.corner[k + 1]};
+    const double area = 0.5 * cross(triangle[0], triangle[1], triangle[2]);
+    if (area <= 0) continue;
+    for (const auto& [a, weight] : triangle_rule)
+      for (int v = 0; v < 3; ++v) {
+        Point p{};
+        for (int u = 0; u < 3; ++u)
+          for (int c = 0; c < 2; ++c) p[c] += (u == v ? 1 - 2 * a : a) * triangle[u][c];
+        const Point s = map.coordinates(p);
+        const double x = (p[0] - face.x0) / wx, y = (p[1] - face.y0) / wy;
+        points.push_back({weight * area, bilinear(s[0], s[1]), bilinear(x, y),
+                          {{{-(1 - y) / wx, -(1 - x) / wy}, {(1 - y) / wx, -x / wy}, {-y / wx, (1 - x) / wy}, {y / wx, x / wy}}}, index});
+      }
+  }
+}
+
+/// Coefficients A of the dual functions psi = A N of a face, and the integrals D of N.
+std::pair<Eigen::Matrix4d, Eigen::Vector4d> dual_basis(const std::vector<OverlapPoint>& points) {
+  Eigen::Matrix4d mass = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d integral = Eigen::Vector4d::Zero();
+  for (const auto& p : points) {
+    const Eigen::Map<const Eigen::Vector4d> n(p.own.data());
+    mass += p.weight * n * n.transpose();
+    integral += p.weight * n;
+  }
+  return {integral.asDiagonal() * mass.inverse(), integral};
+}
+
+double area_of(const PlaneQuad& q) {
+  return 0.5 * (cross(q.corner[0], q.corner[1], q.corner[3]) + cross(q.corner[0], q.corner[3], q.corner[2]));
+}
+
+PlaneFace box_of(const PlaneQuad& quad) {
+  PlaneFace box{1e300, -1e300, 1e300, -1e300, quad.node};
+  for (const auto& p : quad.corner) {
+    box.x0 = std::min(box.x0, p[0]), box.x1 = std::max(box.x1, p[0]);
+    box.y0 = std::min(box.y0, p[1]), box.y1 = std::max(box.y1, p[1]);
+  }
+  return box;
+}
 
 }  // namespace
 
-std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, const std::vector<PlaneFace>& substrate) {
+std::vector<PlaneQuad> quads(const std::vector<PlaneFace>& faces) {
+  std::vector<PlaneQuad> result;
+  for (const auto& f : faces) result.push_back({{{{f.x0, f.y0}, {f.x1, f.y0}, {f.x0, f.y1}, {f.x1, f.y1}}}, f.node});
+  return result;
+}
+
+std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle, const std::vector<PlaneFace>& substrate) {
   if (particle.empty()) return {};
-  double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300, width = 1e300;
-  for (const auto& f : particle) {
-    x0 = std::min(x0, f.x0), x1 = std::max(x1, f.x1), y0 = std::min(y0, f.y0), y1 = std::max(y1, f.y1);
-    width = std::min(width, f.x1 - f.x0);
+  PlaneFace all = box_of(particle[0]);
+  double width = 1e300;
+  for (const auto& q : particle) {
+    const PlaneFace box = box_of(q);
+    all.x0 = std::min(all.x0, box.x0), all.x1 = std::max(all.x1, box.x1), all.y0 = std::min(all.y0, box.y0), all.y1 = std::max(all.y1, box.y1);
+    width = std::min(width, box.x1 - box.x0);
   }
   std::vector<PlaneFace> near;
   for (const auto& f : substrate)
-    if (f.x1 > x0 && f.x0 < x1 && f.y1 > y0 && f.y0 < y1) near.push_back(f);
+    if (f.x1 > all.x0 && f.x0 < all.x1 && f.y1 > all.y0 && f.y0 < all.y1) near.push_back(f);
   const FaceBins bins(near, 2 * width);
 
   std::unordered_map<int, int> row_of_node;
   std::vector<GapRow> rows;
   std::vector<std::map<int, std::array<double, 3>>> mortar;  // integrals of psi N, psi dN/dx, psi dN/dy
-  for (const auto& s : particle) {
-    const double wx = s.x1 - s.x0, wy = s.y1 - s.y0, area = wx * wy;
+  std::vector<OverlapPoint> points;
+  for (const auto& quad : particle) {
+    points.clear();
+    const BilinearMap map(quad);
+    bins.visit(box_of(quad), [&](int index) { add_overlap(quad, map, near[index], index, points); });
+    double covered = 0;
+    for (const auto& p : points) covered += p.weight;
+    const double area = area_of(quad);
+    if (std::abs(covered - area) > 1e-6 * area)
+      throw WorkError("the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of the substrate");
+    const auto [dual, integral] = dual_basis(points);
     int row[4];
     for (int a = 0; a < 4; ++a) {
-      const auto [entry, added] = row_of_node.try_emplace(s.node[a], static_cast<int>(rows.size()));
+      const auto [entry, added] = row_of_node.try_emplace(quad.node[a], static_cast<int>(rows.size()));
       if (added) {
         rows.emplace_back();
-        rows.back().node = s.node[a];
+        rows.back().node = quad.node[a];
         mortar.emplace_back();
       }
       row[a] = entry->second;
-      rows[row[a]].area += 0.25 * area;
+      rows[row[a]].area += integral[a];
     }
-    double covered = 0;
-    bins.visit(s, [&](int index) {
-      const PlaneFace& m = near[index];
-      const Interval ix{std::max(s.x0, m.x0), std::min(s.x1, m.x1)}, iy{std::max(s.y0, m.y0), std::min(s.y1, m.y1)};
-      if (ix.length() <= 1e-9 * wx || iy.length() <= 1e-9 * wy) return;
-      covered += ix.length() * iy.length();
-      // Both bases are products of linear functions: two Gauss points per direction are exact.
-      double dual_x[2][2], dual_y[2][2], shape_x[2][2], shape_y[2][2];
-      for (int q = 0; q < 2; ++q) {
-        const double xs = (ix.point(q) - s.x0) / wx, ys = (iy.point(q) - s.y0) / wy;
-        dual_x[0][q] = 2 - 3 * xs, dual_x[1][q] = 3 * xs - 1, dual_y[0][q] = 2 - 3 * ys, dual_y[1][q] = 3 * ys - 1;
-        const double xm = (ix.point(q) - m.x0) / (m.x1 - m.x0), ym = (iy.point(q) - m.y0) / (m.y1 - m.y0);
-        shape_x[0][q] = 1 - xm, shape_x[1][q] = xm, shape_y[0][q] = 1 - ym, shape_y[1][q] = ym;
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+      double sums[4][4][3] = {};  // over one face of the substrate
+      for (; last < points.size() && points[last].face == points[first].face; ++last) {
+        const auto& p = points[last];
+        const Eigen::Vector4d psi = p.weight * (dual * Eigen::Map<const Eigen::Vector4d>(p.own.data()));
+        for (int a = 0; a < 4; ++a)
+          for (int b = 0; b < 4; ++b) {
+            sums[a][b][0] += psi[a] * p.other[b];
+            sums[a][b][1] += psi[a] * p.slope[b][0];
+            sums[a][b][2] += psi[a] * p.slope[b][1];
+          }
       }
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b) {
-          double in_x = 0, in_y = 0, of_x = 0, of_y = 0;
-          for (int q = 0; q < 2; ++q) {
-            in_x += 0.5 * ix.length() * dual_x[a & 1][q] * shape_x[b & 1][q];
-            in_y += 0.5 * iy.length() * dual_y[a >> 1][q] * shape_y[b >> 1][q];
-            of_x += 0.5 * ix.length() * dual_x[a & 1][q];
-            of_y += 0.5 * iy.length() * dual_y[a >> 1][q];
-          }
-          auto& sum = mortar[row[a]][m.node[b]];
-          sum[0] += in_x * in_y;
-          sum[1] += (b & 1 ? 1 : -1) / (m.x1 - m.x0) * of_x * in_y;
-          sum[2] += (b >> 1 ? 1 : -1) / (m.y1 - m.y0) * in_x * of_y;
+          auto& sum = mortar[row[a]][near[points[first].face].node[b]];
+          for (int k = 0; k < 3; ++k) sum[k] += sums[a][b][k];
         }
-    });
-    if (std::abs(covered - area) > 1e-6 * area)
-      throw WorkError("the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of the substrate");
+    }
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     rows[r].entries.emplace_back(rows[r].node, 1.0);

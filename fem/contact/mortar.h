@@ -1,7 +1,8 @@
 // Dual mortar coupling of two non-matching interfaces: the weighted gap at each node of the particle's surface.
 //
 // The interfaces are compared along the approach direction z (small slopes; the error is of order slope^2). With the
-// dual basis psi (Wohlmuth 2000: integral of psi_a N_b = delta_ab D_a) the gap at node a of the particle's side is
+// dual basis psi (Wohlmuth 2000: integral of psi_a N_b = delta_ab D_a; made face by face, so that it holds under the quadrature
+// that is used, on turned and distorted faces too) the gap at node a of the particle's side is
 //   g_a = z_a - sum_b (M_ab / D_a) z_b,   M_ab = integral of psi_a N_b over the overlap,
 // and a pressure p_a there loads both sides with p_a D_a G_a. Forces and moments balance exactly because the weights
 // reproduce linear functions; a uniform pressure passes the patch test on any pair of meshes.
@@ -20,6 +21,13 @@ struct PlaneFace {
   std::array<int, 4> node;
 };
 
+/// A face of the particle's interface as seen along z: a convex quadrilateral with bilinear coordinates; corners lexicographic.
+struct PlaneQuad {
+  std::array<std::array<double, 2>, 4> corner;  ///< [m]
+  std::array<int, 4> node;
+};
+std::vector<PlaneQuad> quads(const std::vector<PlaneFace>& faces);
+
 struct GapRow {
   int node = -1;   ///< interface node of the particle's side
   double area = 0; ///< D_a [m^2]
@@ -30,6 +38,6 @@ struct GapRow {
 };
 
 /// Rows for all nodes of `particle` faces. Throws WorkError where the substrate's faces do not cover the particle's.
-std::vector<GapRow> couple_interfaces(const std::vector<PlaneFace>& particle, const std::vector<PlaneFace>& substrate);
+std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle, const std::vector<PlaneFace>& substrate);
 
 }  // namespace asperity::fem

@@ -23,11 +23,21 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// What the work up to a step has become: stored in the bodies and in attraction, or dissipated [J].
+double stored_energy(const StepRecord& r) {
+  return r.elastic_energy + r.plastic_work + r.friction_work + r.adhesion_energy + r.adhesion_loss;
+}
+
 /// What moves sideways at a step, for the log.
 std::string motion_of(const StepRecord& r) {
   std::string text;
-  if (r.lateral_displacement != 0)
+  if (r.shift != 0)
     text += "  shift " + format_quantity(r.lateral_displacement, Dimension::length) + "  lateral force " + format_quantity(r.lateral_force, Dimension::force);
+  if (r.rolling_angle != 0) {
+    char moment[32];
+    std::snprintf(moment, sizeof moment, "%.4g N m", r.rolling_moment);
+    text += "  rolled " + format_quantity(r.rolling_angle, Dimension::angle) + "  moment " + moment;
+  }
   if (r.torsion_angle != 0) {
     char moment[32];
     std::snprintf(moment, sizeof moment, "%.4g N m", r.torsion_moment);
@@ -61,11 +71,18 @@ void ContactExperiment::start() {
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
   system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
+  ContactState unloaded;
+  system_->level().initialise(unloaded.displacement);
+  unloaded.displacement.update_ghost_values();
+  system_->couple_at(program_.front().motion, {}, unloaded.displacement);
   ContactSolverOptions solver_options;
   solver_options.residual_tolerance = input_.solver.tolerance;
+  solver_options.largest_newton = input_.solver.newton_steps;
   solver_options.friction = make_friction_law(input_.interface);
+  solver_options.adhesion = make_adhesion_laws(input_.interface);
   solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
   state_ = solver_->first_touch();
+  state_.motion = program_.front().motion;
   require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
   say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
       system_->linear().description() + " (" + duration(seconds() - started_) + ")");
@@ -80,9 +97,10 @@ bool ContactExperiment::resume() {
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
   state_.shear = checkpoint->shear;
+  state_.bonded.assign(checkpoint->bonded.begin(), checkpoint->bonded.end());
   state_.approach = checkpoint->approach;
   state_.motion = checkpoint->motion;
-  system_->shift_particle(checkpoint->coupled_shift, {}, state_.displacement);
+  state_.coupled = checkpoint->coupled;
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
@@ -123,6 +141,16 @@ void ContactExperiment::run() {
   write_result();
 }
 
+RigidMotion ContactExperiment::towards(const Station& station) const {
+  RigidMotion motion = station.motion;
+  if (input_.experiment.type != ExperimentInput::Type::rolling || records_.empty()) return motion;
+  const double radius = setup_.motion.rolling_radius;
+  motion.x = state_.motion.x + radius * (motion.roll - state_.motion.roll);
+  // Free rolling: what lateral force the last step left is given way to.
+  if (lateral_stiffness_ > 0 && solver_->has_friction()) motion.x -= records_.back().lateral_force / lateral_stiffness_;
+  return motion;
+}
+
 double ContactExperiment::expected_approach(double target) const {
   // Under a growing load: what Hertz would add from here, or the first touch of rough surfaces; unloading needs no guess.
   if (setup_.system.control != Control::force || target <= load_) return 0;
@@ -142,6 +170,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   BodyEnergies energies;
   double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
   double friction_work = records_.empty() ? 0 : records_.back().friction_work;
+  double adhesion_loss = records_.empty() ? 0 : records_.back().adhesion_loss, adhesion_energy = 0;
   while (!pending.empty()) {
     ContactState trial = state_;
     solver_->push_rigidly(trial, expected_approach(pending.back().load));
@@ -155,9 +184,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
         throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
                         std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
       const Target& failed = pending.back();
-      const RigidMotion& here = state_.motion;
-      pending.push_back({0.5 * (load_ + failed.load),
-                         {0.5 * (here.x + failed.motion.x), 0.5 * (here.y + failed.motion.y), 0.5 * (here.spin + failed.motion.spin)}});
+      pending.push_back({0.5 * (load_ + failed.load), between(state_.motion, failed.motion, 0.5)});
       continue;
     }
     load_ = pending.back().load;
@@ -165,9 +192,13 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
     state_.multiplier = trial.multiplier;
     state_.shear = trial.shear;
+    state_.bonded = trial.bonded;
     state_.approach = trial.approach;
     state_.motion = trial.motion;
+    state_.coupled = trial.coupled;
     friction_work += report.friction_work;
+    adhesion_loss += report.adhesion_loss;
+    adhesion_energy = report.adhesion_energy;
     energies = system_->bodies().accept(trial.displacement, state_.displacement);
     plastic_work += energies.plastic_work;
   }
@@ -176,7 +207,9 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   r.hardening_energy = energies.hardening;
   r.plastic_work = plastic_work;
   r.friction_work = friction_work;
-  r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work;
+  r.adhesion_energy = adhesion_energy;
+  r.adhesion_loss = adhesion_loss;
+  r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work + r.adhesion_loss;
   r.plastic_volume = energies.plastic_volume;
   r.largest_plastic_strain = energies.largest_plastic_strain;
   r.largest_von_mises = energies.largest_von_mises;
@@ -188,19 +221,27 @@ void ContactExperiment::balance_energy() {
   // All steps anew: a step's work becomes better known with the one that follows.
   std::vector<double> delta, force;
   for (const auto& r : records_) delta.push_back(r.driven_displacement), force.push_back(r.normal_force);
-  std::vector<double> work = external_work(delta, force);
+  // Attraction makes no power law of the approach: trapezia from the first step, whose own work is what its state stores.
+  const bool adhesion = solver_->has_adhesion();
+  std::vector<double> work = adhesion ? std::vector<double>(force.size(), stored_energy(records_.front())) : external_work(delta, force);
+  for (std::size_t k = 1; adhesion && k < force.size(); ++k) work[k] = work[k - 1] + 0.5 * (force[k - 1] + force[k]) * (delta[k] - delta[k - 1]);
   // Shift and spin: trapezia over their steps.
   double sideways = 0;
   for (std::size_t k = 1; k < records_.size(); ++k) {
     const StepRecord &a = records_[k - 1], &b = records_[k];
     sideways += 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
+    // The moment about the contact comes with a lateral force at the particle's centre.
+    const double centre_a = a.rolling_moment - setup_.motion.rolling_radius * a.lateral_force;
+    const double centre_b = b.rolling_moment - setup_.motion.rolling_radius * b.lateral_force;
+    sideways += 0.5 * (centre_a + centre_b) * (b.rolling_angle - a.rolling_angle);
     work[k] += sideways;
   }
-  const double largest = std::max(*std::max_element(work.begin(), work.end()), std::numeric_limits<double>::min());
+  double largest = std::numeric_limits<double>::min();
+  for (const double w : work) largest = std::max(largest, std::abs(w));
   for (std::size_t k = 0; k < records_.size(); ++k) {
     StepRecord& r = records_[k];
     r.work = work[k];
-    r.energy_error = (r.work - r.elastic_energy - r.plastic_work - r.friction_work) / largest;
+    r.energy_error = (r.work - stored_energy(r)) / largest;
   }
 }
 
@@ -211,9 +252,12 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   r.normal_force = c.force;
   r.driven_displacement = state_.approach;
   r.normal_displacement = state_.approach - far_field_ * c.force;
-  r.shift = state_.motion.x;
+  const RigidMotion& start = program_.front().motion;
+  r.shift = state_.motion.x - start.x;
   r.lateral_force = c.lateral_force[0];
   r.lateral_displacement = r.shift - lateral_far_field_ * r.lateral_force;
+  r.rolling_angle = state_.motion.roll - start.roll;
+  r.rolling_moment = c.rolling_moment;
   r.torsion_angle = state_.motion.spin;
   r.torsion_moment = c.torsion_moment;
   r.sticking_share = c.active > 0 ? static_cast<double>(c.sticking) / c.active : 0;
@@ -230,7 +274,7 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   double force = 0, x = 0, y = 0, square = 0;
   for (std::size_t k = 0; k < state_.multiplier.size(); ++k) {
     const double f = state_.multiplier[k] * system_->areas()[k];
-    const auto& p = system_->interface_points()[system_->rows()[k].node];
+    const auto& p = system_->row_points()[k];
     force += f, x += f * p[0], y += f * p[1], square += f * (p[0] * p[0] + p[1] * p[1]);
   }
   if (force > 0) r.contact_radius = std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force));
@@ -244,7 +288,7 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
 void ContactExperiment::measure_stiffness() {
   const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
   stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
-  if (input_.experiment.type == ExperimentInput::Type::sliding)
+  if (input_.experiment.type == ExperimentInput::Type::sliding || input_.experiment.type == ExperimentInput::Type::rolling)
     lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
   if (input_.experiment.type == ExperimentInput::Type::torsion) torsion_stiffness_ = solver_->torsion_stiffness(state_);
 }
@@ -252,7 +296,7 @@ void ContactExperiment::measure_stiffness() {
 void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
-  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), station.motion);
+  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), towards(station));
   if (fraction == 1.0 && stiffness_at_peak_ == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());
@@ -276,9 +320,10 @@ void ContactExperiment::write_step(int index) {
   c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.multiplier = state_.multiplier;
   c.shear = state_.shear;
+  c.bonded.assign(state_.bonded.begin(), state_.bonded.end());
   c.approach = state_.approach;
   c.motion = state_.motion;
-  c.coupled_shift = system_->shift();
+  c.coupled = state_.coupled;
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
   if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));

@@ -10,13 +10,18 @@ constexpr double smallest_fraction = 1e-3;
 
 double hertz_power(const ExperimentInput& e) { return e.control == ExperimentInput::Control::force ? 1.5 : 1.0; }
 
-void load(const ExperimentInput& e, std::vector<Station>& program) {
-  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), {}});
-  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, {}});
+void load(const ExperimentInput& e, const RigidMotion& here, std::vector<Station>& program) {
+  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here});
+  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, here});
 }
 
 void unload(const ExperimentInput& e, std::vector<Station>& program) {
   const RigidMotion here = program.back().motion;
+  if (e.retract > 0) {
+    const double last = -e.retract / e.normal_approach;
+    for (int i = 1; i <= e.unload_steps; ++i) program.push_back({1 + (last - 1) * i / e.unload_steps, here});
+    return;
+  }
   for (int i = e.unload_steps - 1; i >= 0; --i)
     program.push_back({std::max(smallest_fraction, std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))), here});
 }
@@ -28,15 +33,17 @@ std::vector<double> even_path(double length, int steps) {
 }
 
 void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Station>& program) {
-  const bool torsion = e.type == ExperimentInput::Type::torsion;
-  double RigidMotion::*const along = torsion ? &RigidMotion::spin : &RigidMotion::x;
+  const bool torsion = e.type == ExperimentInput::Type::torsion, rolling = e.type == ExperimentInput::Type::rolling;
+  const RigidMotion start = program.back().motion;
   const double length = torsion ? e.angle : e.distance;
-  const double onset = torsion ? scales.full_slip_angle : scales.full_slip_shift;
+  const double onset = torsion ? scales.full_slip_angle : rolling ? scales.largest_shift : scales.full_slip_shift;
   const double largest = torsion ? scales.largest_angle : scales.largest_shift;
   const auto path = [&](double scale) { return e.motion_steps > 0 ? even_path(length, e.motion_steps) : graded_path(length, scale * onset, largest); };
   const auto add = [&](double position) {
-    Station station{1.0, {}};
-    station.motion.*along = position;
+    Station station{1.0, start};
+    if (torsion) station.motion.spin += position;
+    else station.motion.x += position;
+    if (rolling) station.motion.roll += position / scales.rolling_radius;
     program.push_back(station);
   };
   for (const double position : path(1)) add(position);
@@ -61,8 +68,10 @@ std::vector<double> graded_path(double length, double onset, double largest) {
 
 std::vector<Station> make_program(const ExperimentInput& e, const MotionScales& scales) {
   std::vector<Station> program;
+  RigidMotion start;
+  if (e.type == ExperimentInput::Type::rolling) start.x = -0.5 * e.distance, start.roll = start.x / scales.rolling_radius;
   for (int cycle = 0; cycle < e.cycles; ++cycle) {
-    load(e, program);
+    load(e, start, program);
     if (e.type != ExperimentInput::Type::normal) move(e, scales, program);
     if (e.unload) unload(e, program);
   }

@@ -18,8 +18,9 @@ struct Checkpoint {
   std::vector<double> displacement;    ///< locally owned
   std::vector<double> multiplier;
   std::array<std::vector<double>, 2> shear;
+  std::vector<double> bonded;  ///< see ContactState
   RigidMotion motion;
-  std::array<double, 2> coupled_shift{};  ///< ContactSystem::shift
+  RigidMotion coupled;  ///< see ContactState
   double approach = 0;
   std::vector<double> history;         ///< PlasticBodies::save_history
 };

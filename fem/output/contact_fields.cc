@@ -46,18 +46,21 @@ VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver
   for (const auto& quad : system.row_quads()) mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
   const auto gaps = solver.gaps(state);
   const auto& options = system.options().mesh;
-  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}}, upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}};
+  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}}, upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}}, shear{"shear_traction", 3, {}};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto& p = system.interface_points()[rows[r].node];
+    const auto& under = system.row_points()[r];
     mesh.points.insert(mesh.points.end(), p.begin(), p.end());
     const bool closed = state.multiplier[r] > 0;
     gap.values.push_back(closed ? 0.0f : static_cast<float>(gaps[r]));
     pressure.values.push_back(static_cast<float>(state.multiplier[r]));
     status.values.push_back(closed ? 1.0f : 0.0f);
     upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1])) : 0.0f);
-    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(p[0], p[1])) : 0.0f);
+    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(under[0] + system.coupled().x, under[1] + system.coupled().y)) : 0.0f);
+    for (const auto& component : state.shear) shear.values.push_back(static_cast<float>(component[r]));
+    shear.values.push_back(0.0f);
   }
-  mesh.point_data = {gap, pressure, status, upper, lower};
+  mesh.point_data = {gap, pressure, status, upper, lower, shear};
   return mesh;
 }
 

@@ -45,19 +45,27 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   const double spacing = setup.system.mesh.sizes.spacing_particle;
   // Half a spacing of doubt in the contact radius, evenly distributed: relative standard deviation h / (2 sqrt(3) a).
   const double radius_sd = spacing / (2 * std::sqrt(3.0)), relative = peak->contact_radius > 0 ? radius_sd / peak->contact_radius : 0;
-  double force = 0, moment = 0, energy = 0, largest_work = 0;
-  for (const auto& r : records) largest_work = std::max(largest_work, r.work);
+  double force = 0, moment = 0, energy = 0;
   for (const auto& r : records) {
     force = std::max(force, std::abs(r.force_error));
     moment = std::max(moment, std::abs(r.moment_error));
-    energy = std::max(energy, std::abs(r.work - r.elastic_energy - r.plastic_work - r.friction_work) / largest_work);
+    energy = std::max(energy, std::abs(r.energy_error));
   }
   json effective;
   if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);
   if (s.lateral_stiffness > 0) effective["lateral_stiffness"] = number(s.lateral_stiffness, "N/m", relative * s.lateral_stiffness);
   if (s.torsion_stiffness > 0) effective["torsion_stiffness"] = number(s.torsion_stiffness, "N m/rad", 3 * relative * s.torsion_stiffness);
   if (const auto sliding = steady_sliding(records)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
+  if (const auto rolling = steady_rolling(records, input.radius)) effective["rolling_moment"] = number(rolling->mean, "N m", rolling->sd);
+  if (const auto dissipation = rolling_dissipation(records)) {
+    effective["rolling_dissipation"] = number(*dissipation, "N m", NAN);
+    effective["rolling_noise_floor"] = number(rolling_noise * peak->normal_force * peak->contact_radius, "N m", NAN);
+  }
   if (const auto torsion = steady_torsion(records)) effective["torsion_moment"] = number(torsion->mean, "N m", torsion->sd);
+  if (input.interface.work_of_adhesion > 0) {
+    const auto least = std::min_element(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
+    if (least->normal_force < 0) effective["pull_off_force"] = number(-least->normal_force, "N", NAN);
+  }
   effective["contact_radius"] = number(peak->contact_radius, "m", radius_sd);
   effective["contact_area"] = number(peak->contact_area, "m^2", 2 * relative * peak->contact_area);
   effective["max_pressure"] = number(peak->max_pressure, "Pa", NAN);
@@ -81,10 +89,20 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"lateral_far_field_compliance", s.lateral_far_field},
         {"friction_coefficient", input.interface.friction_coefficient},
         {"shear_strength", input.interface.shear_strength},
+        {"work_of_adhesion", input.interface.work_of_adhesion},
+        {"opening_work", input.interface.opening_work},
+        {"adhesion_law", input.interface.adhesion_law},
+        {"adhesion_range", input.interface.adhesion_range},
         {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
                                 "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
         {"contact_radius", "of the Hertzian pressure with the same second moment"},
-        {"sd", "from half an interface spacing in the contact radius; scatter over realisations is the study's"}}},
+        {"sd", "from half an interface spacing in the contact radius; of sliding_friction, rolling_moment and torsion_moment the fluctuation along the "
+               "way; scatter over realisations is the study's"},
+        {"rolling_moment", "about the contact, of a particle whose shift follows its rolling so that no lateral force builds up; "
+                           "rolling_dissipation: dissipated energy per angle, without what the hills of rough surfaces take and give back; "
+                           "rolling_noise_floor: what a mesh of eight spacings in the contact radius shows on smooth elastic bodies"},
+        {"sliding_friction", "lateral over normal force of the whole contact; the local friction_coefficient is an input, and where it is "
+                             "Coulomb's only what departs from it is a result"}}},
       {"hertz", {{"contact_radius", setup.hertz_radius}, {"approach", setup.hertz_approach}, {"reduced_modulus", setup.reduced_modulus}}},
       {"mesh",
        {{"cells", s.cells},

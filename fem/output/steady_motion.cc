@@ -13,9 +13,9 @@ std::optional<SteadyResistance> steady(const std::vector<StepRecord>& records, d
   double length = 0, sum = 0, squares = 0;
   for (std::size_t k = 1; k < records.size(); ++k) {
     const double step = way(records[k]) - way(records[k - 1]);
-    if (step <= 0 || records[k].sticking_share > largest_sticking || records[k - 1].sticking_share > largest_sticking) continue;
-    const double value = resistance(records[k]);
-    length += step, sum += step * value, squares += step * value * value;
+    if (step == 0 || records[k].sticking_share > largest_sticking || records[k - 1].sticking_share > largest_sticking) continue;
+    const double value = std::copysign(1.0, step) * resistance(records[k]), weight = std::abs(step);
+    length += weight, sum += weight * value, squares += weight * value * value;
   }
   if (length == 0) return std::nullopt;
   const double mean = sum / length;
@@ -26,6 +26,35 @@ std::optional<SteadyResistance> steady(const std::vector<StepRecord>& records, d
 
 std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& records) {
   return steady(records, few, [](const StepRecord& r) { return r.shift; }, [](const StepRecord& r) { return r.lateral_force / r.normal_force; });
+}
+
+std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records) {
+  double angle = 0, energy = 0;
+  for (std::size_t k = 1; k < records.size(); ++k) {
+    const double step = std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
+    if (step == 0) continue;
+    angle += step;
+    energy += records[k].dissipated_energy - records[k - 1].dissipated_energy;
+  }
+  if (angle == 0) return std::nullopt;
+  return energy / angle;
+}
+
+std::optional<SteadyResistance> steady_rolling(const std::vector<StepRecord>& records, double radius) {
+  double length = 0, sum = 0, squares = 0, since_reversal = 0, direction = 0;
+  for (std::size_t k = 1; k < records.size(); ++k) {
+    const double step = records[k].rolling_angle - records[k - 1].rolling_angle;
+    if (step == 0) continue;
+    if (step * direction <= 0) since_reversal = 0;
+    direction = step;
+    since_reversal += std::abs(step);
+    if (since_reversal * radius < records[k].contact_radius) continue;
+    const double value = std::copysign(1.0, step) * records[k].rolling_moment;
+    length += std::abs(step), sum += std::abs(step) * value, squares += std::abs(step) * value * value;
+  }
+  if (length == 0) return std::nullopt;
+  const double mean = sum / length;
+  return SteadyResistance{mean, std::sqrt(std::max(0.0, squares / length - mean * mean)), length};
 }
 
 std::optional<SteadyResistance> steady_torsion(const std::vector<StepRecord>& records) {

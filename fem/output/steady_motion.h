@@ -13,9 +13,18 @@ struct SteadyResistance {
   double way;       ///< [m] or [rad]
 };
 
-/// Lateral over normal force where at most 2 % of the closed nodes stick and the particle moves forward; none if it never slides.
+/// Lateral force against the motion over normal force, where at most 2 % of the closed nodes stick, on the way out and back;
+/// none if it never slides.
 std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& records);
-/// Torsion moment [N m] in the same sense.
+/// Largest rolling moment of smooth elastic bodies without friction, eight spacings in the contact radius: noise of the mesh, over
+/// the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
+constexpr double rolling_noise = 5e-4;
+/// Rolling moment against the motion [N m], where the particle has rolled by more than its contact radius since the last reversal.
+std::optional<SteadyResistance> steady_rolling(const std::vector<StepRecord>& records, double radius);
+/// Energy dissipated per angle rolled [N m]: what is left of the moment when the hills of the surfaces, which give back what they
+/// take, are taken out.
+std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records);
+/// Torsion moment [N m] in the same sense as sliding.
 std::optional<SteadyResistance> steady_torsion(const std::vector<StepRecord>& records);
 
 }  // namespace asperity::fem

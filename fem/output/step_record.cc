@@ -12,8 +12,8 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"normal_force [N]", &StepRecord::normal_force},
       {"lateral_displacement [m]", &StepRecord::lateral_displacement},
       {"lateral_force [N]", &StepRecord::lateral_force},
-      {"rolling_angle [rad]", nullptr},
-      {"rolling_moment [N m]", nullptr},
+      {"rolling_angle [rad]", &StepRecord::rolling_angle},
+      {"rolling_moment [N m]", &StepRecord::rolling_moment},
       {"torsion_angle [rad]", &StepRecord::torsion_angle},
       {"torsion_moment [N m]", &StepRecord::torsion_moment},
       {"contact_radius [m]", &StepRecord::contact_radius},
@@ -27,6 +27,8 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"hardening_energy [J]", &StepRecord::hardening_energy},
       {"plastic_work [J]", &StepRecord::plastic_work},
       {"friction_work [J]", &StepRecord::friction_work},
+      {"adhesion_energy [J]", &StepRecord::adhesion_energy},
+      {"adhesion_loss [J]", &StepRecord::adhesion_loss},
       {"work [J]", &StepRecord::work},
       {"mean_pressure [Pa]", &StepRecord::mean_pressure},
       {"largest_plastic_strain", &StepRecord::largest_plastic_strain},
@@ -49,7 +51,7 @@ std::string history_csv(const std::vector<StepRecord>& records) {
   for (const auto& [name, member] : StepRecord::columns()) {
     names.emplace_back(name);
     values.emplace_back();
-    for (const auto& record : records) values.back().push_back(member ? record.*member : 0.0);
+    for (const auto& record : records) values.back().push_back(record.*member);
   }
   return format_csv(names, values);
 }

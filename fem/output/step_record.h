@@ -10,6 +10,7 @@ struct StepRecord {
   double step = 0, time = 0;
   double normal_displacement = 0, normal_force = 0;
   double lateral_displacement = 0, lateral_force = 0;  ///< of points far from the contact along x [m], [N]
+  double rolling_angle = 0, rolling_moment = 0;        ///< [rad], about the contact [N m]
   double torsion_angle = 0, torsion_moment = 0;        ///< [rad], [N m]
   double contact_radius = 0, contact_area = 0, max_pressure = 0;
   double plastic_volume = 0, dissipated_energy = 0;
@@ -17,6 +18,7 @@ struct StepRecord {
   double driven_displacement = 0;  ///< of the driven plane, finite bodies included [m]
   double shift = 0;                ///< of the particle's frame along x, finite bodies included [m]
   double elastic_energy = 0, hardening_energy = 0, plastic_work = 0, friction_work = 0, work = 0;  ///< [J]
+  double adhesion_energy = 0, adhesion_loss = 0;  ///< potential of attraction; dissipated by bonds [J]
   double mean_pressure = 0, largest_plastic_strain = 0, largest_von_mises = 0;
   double force_error = 0, moment_error = 0, energy_error = 0;
   double newton_iterations = 0, linear_iterations = 0, penetration = 0, wall_time = 0;

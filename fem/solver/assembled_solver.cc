@@ -9,6 +9,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <map>
 
+#include "core/error.h"
 #include "fem/solver/conjugate_gradients.h"
 
 namespace asperity::fem {
@@ -37,7 +38,8 @@ std::string AssembledSolver::description() const {
   return std::to_string(trilinos_->matrix.n_nonzero_elements() / 1000000) + " million matrix entries, algebraic multigrid";
 }
 
-void AssembledSolver::recouple() {
+void AssembledSolver::recouple(const RigidMotion& motion) {
+  if (motion.roll != 0) throw InputError("the assembled solver cannot roll; set Solver/Backend = matrix-free");
   resolve_rows();
   make_pattern();
 }
@@ -64,12 +66,17 @@ void AssembledSolver::resolve_rows() {
     auto& jump = row_.emplace_back();
     for (int c = 0; c < 3; ++c) {
       std::map<global_dof_index, double> sum;
-      problem_.interface.for_row(r, [&](int node, double weight) {
-        const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + c);
+      const auto add = [&](int node, int component, double weight) {
+        const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + component);
         const auto constrained = masters.find(dof);
         if (constrained == masters.end()) sum[dof] += weight;
         else
           for (const auto& [master, share] : constrained->second) sum[master] += weight * share;
+      };
+      problem_.interface.for_row(r, [&](int node, double weight) {
+        if (nodes.site(node).body != 0) return add(node, c, weight);
+        for (int own = 0; own < 3; ++own)
+          if (const double turn = problem_.interface.rotation()[c][own]; turn != 0) add(node, own, weight * turn);
       });
       jump[c].assign(sum.begin(), sum.end());
     }

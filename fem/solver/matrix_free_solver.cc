@@ -10,11 +10,11 @@ MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
       rows_(problem.rows),
       matrix_(problem.level, problem.positions, problem.materials),
       multigrid_(problem.mesh, problem.level, problem.control, problem.geometry, problem.materials) {
-  multigrid_.set_interface_rows(problem.rows, interface_.nodes());
+  multigrid_.set_interface_rows(problem.rows, interface_.nodes(), {});
   matrix_.set_interface(&interface_);
 }
 
-void MatrixFreeSolver::recouple() { multigrid_.set_interface_rows(rows_, interface_.nodes()); }
+void MatrixFreeSolver::recouple(const RigidMotion& motion) { multigrid_.set_interface_rows(rows_, interface_.nodes(), motion); }
 
 void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
   interface_.set_stiffness(row_stiffness);

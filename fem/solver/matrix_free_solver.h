@@ -10,7 +10,7 @@ class MatrixFreeSolver : public LinearSolver {
  public:
   explicit MatrixFreeSolver(const LinearProblem& problem);
   void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) override;
-  void recouple() override;
+  void recouple(const RigidMotion& motion) override;
   void follow_slopes() override { multigrid_.set_interface_slopes(rows_); }
   int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;
   std::string description() const override { return std::to_string(multigrid_.levels()) + " multigrid levels"; }

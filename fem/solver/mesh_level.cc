@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 
@@ -59,7 +60,7 @@ void MeshLevel::make_constraints(Control control) {
       if (component == 2 && owned.is_element(dof)) driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
       if (tied.is_constrained(dof) || dof == driven_dof_) continue;
       tied.add_line(dof);
-      if (component == 2) tied.add_entry(dof, driven_dof_, 1.0);
+      if (component != 1) tied.add_entry(dof, driven_dof_, 1.0);  // along x: scaled by set_drive_tilt
     }
   // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the edge of its
   // sight may be constrained by what lies beyond.
@@ -68,13 +69,18 @@ void MeshLevel::make_constraints(Control control) {
   tied.close();
 
   // Displacement control takes the plane's common displacement out of the unknowns; how much of it each node gets is kept.
-  std::vector<std::pair<global_dof_index, double>> shares{{driven_dof_, 1.0}};
+  std::vector<std::pair<global_dof_index, double>> along_z{{driven_dof_, 1.0}};
+  std::map<global_dof_index, double> along_x;
   constraints_.reinit(relevant);
   for (const auto& line : tied.get_lines()) {
     constraints_.add_line(line.index);
     for (const auto& [master, weight] : line.entries) {
-      if (master == driven_dof_) shares.emplace_back(line.index, weight);
-      if (master != driven_dof_ || control == Control::force) constraints_.add_entry(line.index, master, weight);
+      if (master != driven_dof_) constraints_.add_entry(line.index, master, weight);
+      else if (line.index % 3 == 0) along_x[line.index] = weight;
+      else {
+        along_z.emplace_back(line.index, weight);
+        if (control == Control::force) constraints_.add_entry(line.index, master, weight);
+      }
     }
   }
   if (control == Control::displacement) constraints_.add_line(driven_dof_);
@@ -88,7 +94,9 @@ void MeshLevel::make_constraints(Control control) {
   needed.compress();
   partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, needed, communicator_);
 
-  for (const auto& [dof, weight] : shares) driven_share_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
+  for (const auto& [dof, weight] : along_z) share_along_z_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
+  for (const auto& [dof, weight] : along_x) share_along_x_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
+  driven_share_ = share_along_z_;
   entry_start_.push_back(0);
   for (const auto& line : constraints_.get_lines()) {
     constrained_.push_back(static_cast<int>(partitioner_->global_to_local(line.index)));
@@ -96,8 +104,20 @@ void MeshLevel::make_constraints(Control control) {
       entry_dof_.push_back(static_cast<int>(partitioner_->global_to_local(master)));
       entry_weight_.push_back(weight);
     }
+    const auto tilted = along_x.find(line.index);
+    if (tilted != along_x.end() && control == Control::force) {
+      tilted_entry_.emplace_back(static_cast<int>(entry_dof_.size()), tilted->second);
+      entry_dof_.push_back(static_cast<int>(partitioner_->global_to_local(driven_dof_)));
+      entry_weight_.push_back(0);
+    }
     entry_start_.push_back(static_cast<int>(entry_dof_.size()));
   }
+}
+
+void MeshLevel::set_drive_tilt(double tilt) {
+  for (const auto& [entry, share] : tilted_entry_) entry_weight_[entry] = tilt * share;
+  driven_share_ = share_along_z_;
+  for (const auto& [dof, share] : share_along_x_) driven_share_.emplace_back(dof, tilt * share);
 }
 
 void MeshLevel::make_batches() {

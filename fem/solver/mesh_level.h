@@ -59,6 +59,9 @@ class MeshLevel {
   const std::vector<int>& driven_nodes() const { return driven_nodes_; }
   /// Unknowns (local) that follow the driven plane's displacement along z, and how much of it they get.
   const std::vector<std::pair<int, double>>& driven_share() const { return driven_share_; }
+  /// The driven plane moves by `tilt` times as much along x as along z: under a particle that has rolled by an angle,
+  /// -tan(angle) keeps its way upright.
+  void set_drive_tilt(double tilt);
   /// Local z dofs, owned here, of the nodes of the fixed plane that are not hanging.
   const std::vector<int>& fixed_z() const { return fixed_z_; }
 
@@ -119,7 +122,8 @@ class MeshLevel {
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   dealii::types::global_dof_index first_owned_ = 0, driven_dof_ = dealii::numbers::invalid_dof_index;
   std::vector<int> driven_nodes_, fixed_z_;
-  std::vector<std::pair<int, double>> driven_share_;
+  std::vector<std::pair<int, double>> driven_share_, share_along_z_, share_along_x_;
+  std::vector<std::pair<int, double>> tilted_entry_;  ///< entries that hold a share along x, and that share
   std::vector<CellBatch> batches_;
   std::vector<int> run_start_, run_batches_, meeting_batches_;
   std::vector<int> constrained_, entry_start_, entry_dof_;

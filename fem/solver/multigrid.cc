@@ -1,6 +1,7 @@
 #include "fem/solver/multigrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 
@@ -31,14 +32,16 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
     if (free[i]) coarse_free_.push_back(i);
 }
 
-void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
+void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes, const RigidMotion& motion) {
   for (auto& level : level_) {
+    if (level.owned_mesh) level.owned_mesh->set_drive_tilt(-std::tan(motion.roll));
     if (level.interface) {
       level.interface->set_rows(rows, fine_nodes);
-      continue;
+    } else {
+      level.interface = std::make_unique<InterfaceOperator>(*level.mesh, rows, fine_nodes);
+      level.matrix->set_interface(level.interface.get());
     }
-    level.interface = std::make_unique<InterfaceOperator>(*level.mesh, rows, fine_nodes);
-    level.matrix->set_interface(level.interface.get());
+    level.interface->set_rotation(rotation(motion));
   }
 }
 

@@ -21,8 +21,8 @@ class Multigrid {
   Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
             const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials);
 
-  /// Builds the interface on every level from the rows of the finest mesh, or builds it anew.
-  void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+  /// Builds the interface on every level from the rows of the finest mesh, or builds it anew, with the particle moved by `motion`.
+  void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes, const RigidMotion& motion);
 
   void set_interface_slopes(const std::vector<GapRow>& rows) {
     for (auto& level : level_) level.interface->set_slopes(rows);

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "fem/contact/contact_solver.h"
+#include "fem/interface/coulomb.h"
 #include "tests/fem/support/wavy_contact.h"
 
 namespace {
@@ -46,7 +47,6 @@ TEST(Backend, assembled_matrix_is_the_matrix_free_operator) {
     auto difference = response(assembled, algebraic);
     difference.zero_out_ghost_values();
     difference -= x;
-    // The matrix-free path keeps the contacts' stiffness in single precision.
     EXPECT_LT(difference.linfty_norm(), 1e-7 * x.linfty_norm());
     EXPECT_LT(iterations, 60);
     EXPECT_LT(algebraic, 200);
@@ -81,6 +81,34 @@ TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
   EXPECT_NEAR(assembled.peak / free.peak, 1, 1e-4);
   EXPECT_NEAR(assembled.plastic / free.plastic, 1, 1e-4);
   EXPECT_GT(free.plastic, 0);
+}
+
+TEST(Backend, both_give_the_same_shear_of_a_sliding_contact) {
+  const auto run = [](const std::string& backend) {
+    ContactSystemOptions o = options(backend);
+    o.tilted_normals = true;
+    ContactSystem system(MPI_COMM_WORLD, o);
+    ContactSolverOptions accurate;
+    accurate.residual_tolerance = 1e-7;
+    accurate.penetration_tolerance = accurate.slip_tolerance = 1e-4;
+    accurate.friction = std::make_shared<Coulomb>(0.3);
+    ContactSolver solver(system, accurate);
+    ContactState state = solver.first_touch();
+    solver.push_rigidly(state, 8e-9);
+    std::array<double, 2> force{};
+    for (int k = 0; k < 2; ++k) {
+      const Vector<double> before = state.displacement;
+      RigidMotion motion;
+      motion.x = k == 0 ? 0.4e-9 : 12e-9;  // partial slip, then sliding to another coupling
+      EXPECT_TRUE(solver.solve(state, 60e-6, motion).converged);
+      system.bodies().accept(before, state.displacement);
+      force[k] = solver.resultants(state).lateral_force[0];
+    }
+    return force;
+  };
+  const auto free = run("matrix-free"), assembled = run("assembled");
+  EXPECT_LT(free[0], 0.9 * free[1]);
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(assembled[k] / free[k], 1, 1e-4);
 }
 
 TEST(Backend, an_unknown_name_is_refused) {

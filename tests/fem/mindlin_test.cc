@@ -37,13 +37,12 @@ void expect_glued_stiffness(double cells) {
   const double expected = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
   const double measured = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
   std::printf("%g cells: %.5g against %.5g N/m: %+.2f %%\n", cells, measured, expected, 100 * (measured / expected - 1));
-  // Glued nodes make the contact wider by a fifth of a spacing: first order in the spacing.
+  // Glued nodes make the contact wider by part of a spacing: first order in the spacing, 2 % at 12 cells.
   EXPECT_NEAR(measured, expected, 0.24 / cells * expected);
 }
 
-TEST(Mindlin_analytic, stiffness_without_slip_converges_to_8_G_a) {
-  expect_glued_stiffness(6);
-  expect_glued_stiffness(12);
+TEST(Mindlin_analytic, stiffness_without_slip_approaches_8_G_a) {
+  for (const double cells : {8.0, 12.0, 18.0}) expect_glued_stiffness(cells);
 }
 
 TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) {

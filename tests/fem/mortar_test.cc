@@ -35,7 +35,7 @@ struct Lattice {
 struct Pair {
   Lattice particle{9, 7, -0.5e-6, 0.5e-6, -0.4e-6, 0.4e-6, 0.0, 0};
   Lattice substrate{13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000};
-  std::vector<GapRow> rows = couple_interfaces(particle.faces, substrate.faces);
+  std::vector<GapRow> rows = couple_interfaces(quads(particle.faces), substrate.faces);
 
   std::array<double, 2> at(int node) const { return node < 1000 ? particle.points[node] : substrate.points[node - 1000]; }
   template <typename Height>
@@ -62,6 +62,45 @@ TEST(Mortar_analytic, two_equal_planes_at_any_height_and_tilt_have_no_gap) {
   }
 }
 
+/// The particle's lattice turned in the plane and foreshortened unevenly, as a rolled and spun surface is seen.
+TEST(Mortar_analytic, turned_and_distorted_faces_balance_forces_and_moments_and_reproduce_planes) {
+  const Lattice particle(9, 7, -0.4e-6, 0.4e-6, -0.3e-6, 0.3e-6, 0.0, 0), substrate(13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000);
+  const auto place = [&](int node) {
+    if (node >= 1000) return substrate.points[node - 1000];
+    const auto& p = particle.points[node];
+    const double x = p[0] * (1 - 0.1 * p[1] / 1e-6), y = p[1] * (1 + 0.1 * p[0] / 1e-6), c = std::cos(0.3), s = std::sin(0.3);
+    return std::array<double, 2>{c * x - s * y, s * x + c * y};
+  };
+  std::vector<PlaneQuad> turned = quads(particle.faces);
+  double area = 0;
+  for (auto& quad : turned) {
+    for (int v = 0; v < 4; ++v) quad.corner[v] = place(quad.node[v]);
+    const auto cross = [&](int a, int b, int c) {
+      return (quad.corner[b][0] - quad.corner[a][0]) * (quad.corner[c][1] - quad.corner[a][1]) -
+             (quad.corner[b][1] - quad.corner[a][1]) * (quad.corner[c][0] - quad.corner[a][0]);
+    };
+    area += 0.5 * (cross(0, 1, 3) + cross(0, 3, 2));
+  }
+  double covered = 0, force = 0, moment_x = 0, moment_y = 0, size = 0;
+  const auto rows = couple_interfaces(turned, substrate.faces);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    covered += rows[r].area;
+    const double load = (1 + std::sin(12.9898 * r)) * rows[r].area;
+    size += load;
+    double plane = 0;
+    for (const auto& [node, weight] : rows[r].entries) {
+      const auto p = place(node);
+      force += weight * load, moment_x += weight * load * p[1], moment_y += weight * load * p[0];
+      plane += weight * (3 * p[0] - 2 * p[1]);
+    }
+    EXPECT_NEAR(plane, 0, 1e-12 * 1e-6);
+  }
+  EXPECT_NEAR(covered, area, 1e-12 * area);
+  EXPECT_NEAR(force, 0, 1e-12 * size);
+  EXPECT_NEAR(moment_x, 0, 1e-12 * size * 1e-6);
+  EXPECT_NEAR(moment_y, 0, 1e-12 * size * 1e-6);
+}
+
 TEST(Mortar_analytic, forces_and_moments_on_both_sides_cancel_for_any_pressure) {
   const Pair pair;
   double force = 0, moment_x = 0, moment_y = 0, size = 0;
@@ -82,7 +121,7 @@ TEST(Mortar_analytic, forces_and_moments_on_both_sides_cancel_for_any_pressure) 
 TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_nodal_forces) {
   // Lattices of one outline and different spacings, as in the patch test of two blocks.
   const Lattice top(9, 7, 0, 1e-6, 0, 1e-6, 0.0, 0), bottom(5, 6, 0, 1e-6, 0, 1e-6, 0.3, 1000);
-  const auto rows = couple_interfaces(top.faces, bottom.faces);
+  const auto rows = couple_interfaces(quads(top.faces), bottom.faces);
   std::vector<double> load(2000, 0.0), expected(2000, 0.0);
   for (const auto& row : rows)
     for (const auto& [node, weight] : row.entries) load[node] += weight * row.area;
@@ -97,7 +136,7 @@ TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spaci
   for (const int n : {8, 16, 32}) {
     const Lattice fine(n, n, -1e-6, 1e-6, -1e-6, 1e-6, 0.0, 0), flat(n / 8 * 11, n / 8 * 11, -1.3e-6, 1.3e-6, -1.3e-6, 1.3e-6, 0.0, 100000);
     double largest = 0;
-    for (const auto& row : couple_interfaces(fine.faces, flat.faces)) {
+    for (const auto& row : couple_interfaces(quads(fine.faces), flat.faces)) {
       double opposite = 0;
       for (const auto& [node, weight] : row.entries)
         if (node >= 100000) {
@@ -116,7 +155,7 @@ TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spaci
 
 TEST(Mortar, substrate_that_does_not_cover_the_contact_region_is_refused) {
   const Lattice particle(4, 4, 0, 1, 0, 1, 0, 0), small(4, 4, 0, 0.9, 0, 1, 0, 100);
-  EXPECT_THROW(couple_interfaces(particle.faces, small.faces), asperity::WorkError);
+  EXPECT_THROW(couple_interfaces(quads(particle.faces), small.faces), asperity::WorkError);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The whole experiment with normal load: programs of steps, balances, what is left after an interruption.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -77,6 +78,25 @@ TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) 
     before = dissipated;
   }
   EXPECT_GT(s.at("normal_displacement [m]", 6), 0) << "yielding leaves an imprint";
+}
+
+TEST(NormalExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
+  const test::TemporaryFolder folder, halving;
+  CaseInput c = coarse_case();
+  c.experiment.unload = false;
+  const Solved whole = solve(c, folder.path);
+  const auto needed = whole.history.numbers("newton_iterations");
+  c.solver.newton_steps = static_cast<int>(*std::max_element(needed.begin(), needed.end())) - 1;
+  const Solved halved = solve(c, halving.path);
+  const auto made = halved.history.numbers("newton_iterations");
+  // The iterations of a step count those of the attempt that failed.
+  EXPECT_GT(*std::max_element(made.begin(), made.end()), c.solver.newton_steps);
+  ASSERT_EQ(halved.history.rows.size(), whole.history.rows.size());
+  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "elastic_energy [J]"})
+    EXPECT_NEAR(halved.at(column, 3) / whole.at(column, 3), 1, 0.005) << column;
+  // Where yielding is followed in smaller steps, a little more of it is seen.
+  EXPECT_NEAR(halved.at("plastic_work [J]", 3) / whole.at("plastic_work [J]", 3), 1, 0.05);
+  EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
 }
 
 TEST(NormalExperiment, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {

@@ -133,7 +133,7 @@ PatchResult contact_patch(double load, bool confined) {
     for (int c = 0; c < 2; ++c) solid.fixed[3 * i + c] = x[c] < 1e-12 || (confined && x[c] > side - 1e-12);
     solid.fixed[3 * i + 2] = x[2] < 1e-12;
   }
-  const auto rows = couple_interfaces(faces[0], faces[1]);
+  const auto rows = couple_interfaces(quads(faces[0]), faces[1]);
   // Augmented Lagrangian as in the contact solver: p = max(0, lambda - eps g).
   const double eps = 10 * 50e9 / (side / 4);
   std::vector<double> lambda(rows.size(), 0.0), pressure(rows.size(), 0.0);

@@ -17,6 +17,8 @@ struct FrictionalContactOptions {
   double cells_per_radius = 12;  ///< of Hertz' contact
   double slip_tolerance = 3e-3;
   bool tilted_normals = false;
+  fem::AdhesionLaws adhesion;
+  double way = 0;  ///< that the particle can roll or slide along x, centred on the origin [m]
 };
 
 struct FrictionalContact {
@@ -27,7 +29,7 @@ struct FrictionalContact {
   fem::ContactState state;
   double lateral_far_field;
   int newton = 0, linear = 0;
-  double friction_work = 0;
+  double friction_work = 0, adhesion_loss = 0;
 
   explicit FrictionalContact(const FrictionalContactOptions& o)
       : options(o),
@@ -47,7 +49,7 @@ struct FrictionalContact {
     const auto before = state.displacement;
     const auto report = solver.solve(state, options.load, motion);
     EXPECT_TRUE(report.converged);
-    newton = report.newton, linear = report.linear, friction_work = report.friction_work;
+    newton = report.newton, linear = report.linear, friction_work = report.friction_work, adhesion_loss = report.adhesion_loss;
     system.bodies().accept(before, state.displacement);
     return solver.resultants(state);
   }
@@ -62,6 +64,13 @@ struct FrictionalContact {
     return step(motion);
   }
 
+  /// Rolls to an angle; the shift leads that of pure rolling by `ahead` [m].
+  fem::ContactResultants roll(double angle, double ahead = 0) {
+    fem::RigidMotion motion = state.motion;
+    motion.roll = angle, motion.x = options.radius * angle + ahead;
+    return step(motion);
+  }
+
   static fem::ContactSystemOptions system_options(const FrictionalContactOptions& o, double a) {
     fem::ContactSystemOptions options;
     auto& s = options.mesh.sizes;
@@ -71,6 +80,7 @@ struct FrictionalContact {
     s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
     s.region_particle = 1.25 * a;
     s.region_substrate = s.region_particle + 3 * s.spacing_particle;
+    s.reach_particle = s.reach_substrate = o.way / 2;
     for (int b = 0; b < 2; ++b) options.materials[b] = fem::J2Material::elastic(o.youngs[b], o.poisson[b]);
     options.tilted_normals = o.tilted_normals;
     return options;
@@ -78,7 +88,8 @@ struct FrictionalContact {
   static fem::ContactSolverOptions solver_options(const FrictionalContactOptions& o) {
     fem::ContactSolverOptions options;
     options.slip_tolerance = o.slip_tolerance;
-    options.friction = std::make_shared<fem::Coulomb>(o.friction);
+    options.adhesion = o.adhesion;
+    if (o.friction > 0) options.friction = std::make_shared<fem::Coulomb>(o.friction);
     return options;
   }
 };

@@ -1,0 +1,36 @@
+// Dugdale's attraction: a constant stress s = w/h0 out to the gap h0, for which Maugis solved the sphere (Maugis 1992, J. Colloid
+// Interface Sci. 150:243; Dugdale 1960). w: work of adhesion [J/m^2], h0: range [m].
+// Its end is a ramp between 0.75 and 1.25 h0, of the same work: a jump has no tangent, and steep ramps need fine meshes.
+#pragma once
+
+#include <algorithm>
+
+#include "fem/interface/adhesion_law.h"
+
+namespace asperity::fem {
+
+class Dugdale : public AdhesionLaw {
+ public:
+  Dugdale(double work, double range) : work_(work), range_(range) {}
+
+  Attraction at(double gap) const override {
+    const double full = work_ / range_, first = (1 - half_ramp) * range_, last = (1 + half_ramp) * range_;
+    if (gap >= last) return {0, 0, 0};
+    if (gap <= first) return {full, 0, work_ - full * gap};
+    const double left = (last - gap) / (last - first);
+    return {full * left, -full / (last - first), 0.5 * full * left * (last - gap)};
+  }
+  double range() const override { return (1 + half_ramp) * range_; }
+
+  static AdhesionLawEntry entry() {
+    return {"dugdale", "s(g) = w/h0 for g < h0", "Dugdale (1960), Maugis (1992)", "Work of adhesion w [J/m^2], Adhesion range h0 [m]",
+            "between JKR's and DMT's limits; the mesh must resolve the ring over which the gap grows to h0",
+            [](double work, double length) -> std::unique_ptr<AdhesionLaw> { return std::make_unique<Dugdale>(work, length); }};
+  }
+
+ private:
+  static constexpr double half_ramp = 0.25;
+  double work_, range_;
+};
+
+}  // namespace asperity::fem

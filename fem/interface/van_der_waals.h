@@ -1,0 +1,31 @@
+// Van der Waals attraction of two half-spaces: s(g) = 2 w z0^2 / (z0 + g)^3, w = A/(12 pi z0^2) with Hamaker's constant A.
+// Hamaker (1937); Israelachvili (2011), Intermolecular and Surface Forces, ch. 11. w: work of adhesion [J/m^2], z0: distance of
+// surfaces in contact [m]. Long range: DMT's case. Attraction beyond the meshed contact region is left out.
+#pragma once
+
+#include "fem/interface/adhesion_law.h"
+
+namespace asperity::fem {
+
+class VanDerWaals : public AdhesionLaw {
+ public:
+  VanDerWaals(double work, double distance) : work_(work), distance_(distance) {}
+
+  Attraction at(double gap) const override {
+    const double apart = distance_ + gap, ratio = distance_ / apart;
+    return {2 * work_ * ratio * ratio / apart, -6 * work_ * ratio * ratio / (apart * apart), work_ * ratio * ratio};
+  }
+  double range() const override { return distances * distance_; }
+
+  static AdhesionLawEntry entry() {
+    return {"van_der_waals", "s(g) = 2 w z0^2 / (z0 + g)^3", "Hamaker (1937); Israelachvili (2011) ch. 11",
+            "Work of adhesion w [J/m^2], Adhesion range z0 [m]", "no retardation: gaps below about 10 nm",
+            [](double work, double length) -> std::unique_ptr<AdhesionLaw> { return std::make_unique<VanDerWaals>(work, length); }};
+  }
+
+ private:
+  static constexpr double distances = 100;  // where 1e-4 of the work is left
+  double work_, distance_;
+};
+
+}  // namespace asperity::fem
