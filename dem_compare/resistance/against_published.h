@@ -1,0 +1,45 @@
+// Simulated resistances and their trend with roughness beside the paper's Table 2, where contact and load are the paper's.
+// The paper's rolling numbers are means over two contacts of the sphere, with silicon below and a diamond indenter above: what
+// roughness of the silicon changes at its own contact is twice what it changes in the mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_compare/compare/published_column.h"
+#include "dem_compare/resistance/roughness_trend.h"
+
+namespace asperity {
+
+/// One contact and load: F/P of sliding, M/(P r) of rolling and torsion.
+struct MeasuredMagnitude {
+  const MovingContact* contact = nullptr;
+  const MotionMode* mode = nullptr;
+  double load = 0;
+  Uncertain simulated, measured;
+  std::string source;
+  Uncertain over() const;     ///< simulated over measured
+  double sigmas() const;      ///< difference over both sds
+};
+
+/// Change per metre of RMS of the silicon's contact.
+struct MeasuredTrend {
+  const RoughnessTrend* trend = nullptr;
+  double load = 0;            ///< NaN: of the coefficient mu, the slope over the loads
+  Uncertain simulated, measured;
+  Uncertain over() const;
+  double sigmas() const;
+  /// Both have a sign at two standard deviations, and not the same.
+  bool is_opposite() const;
+};
+
+struct AgainstPublished {
+  std::vector<MeasuredMagnitude> magnitudes;
+  std::vector<MeasuredTrend> trends;
+  std::vector<std::string> remarks;  ///< why a number of the paper has no partner
+};
+
+/// `trends` must outlive the result.
+AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends, const Published& published);
+
+}  // namespace asperity

@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dem_compare/resistance/findings.h"
+#include "dem_compare/resistance/sentences.h"
+
+namespace asperity {
+namespace {
+
+using Sentences = std::vector<std::string>;
+using Sign = Trend::Sign;
+constexpr double nm = 1e-9;
+
+const char* verdict_words(LengthAnswer::Verdict verdict) {
+  switch (verdict) {
+    case LengthAnswer::Verdict::particle_radius:
+      return "lambda = r";
+    case LengthAnswer::Verdict::contact_radius:
+      return "lambda = a";
+    case LengthAnswer::Verdict::neither:
+      return "neither lambda = r nor lambda = a";
+    default:
+      return "cannot tell";
+  }
+}
+
+std::string exponent_words(const ScalingExponent& exponent) {
+  const std::string where = exponent.over == "load" ? "with load (" + exponent.what + ")" : "with the particle's radius (at " + exponent.what + ")";
+  if (!exponent.exponent.slope.has_sd()) return where + " in a way that cannot be told";
+  const auto sigmas = [](double distance) { return number_text({std::round(10 * std::abs(distance)) / 10}) + " sigma"; };
+  return where + " to the power " + number_text(exponent.exponent.slope) + " (lambda = r: " + number_text({exponent.with_radius}) + ", " +
+         sigmas(exponent.from_radius()) + " off; lambda = a: " + number_text({exponent.with_contact}) + ", " + sigmas(exponent.from_contact()) + " off)";
+}
+
+std::string odds_words(const LengthChoice& choice) {
+  constexpr double most_that_matters = 1e6;
+  const double odds = std::exp(std::abs(choice.log_odds));
+  if (choice.log_odds == 0) return "";
+  return "; with an offset h left free, odds " + (odds > most_that_matters ? std::string("above 10^6") : number_text({odds})) + " to 1 for lambda = " +
+         (choice.log_odds > 0 ? "a" : "r") + (choice.is_told() ? "" : ", no answer (20 to 1 would be one)");
+}
+
+Sentences length_sentences(const ResistanceFindings& findings) {
+  Sentences list;
+  for (const auto& answer : findings.lengths) {
+    std::string text = motion_name(*answer.mode, true) + " of " + answer.contact + ": " + verdict_words(answer.verdict) + ". The moment grows ";
+    for (std::size_t i = 0; i < answer.exponents.size(); ++i) text += (i ? "; " : "") + exponent_words(answer.exponents[i]);
+    list.push_back(text + (answer.choice ? odds_words(*answer.choice) : "") + ".");
+  }
+  return list;
+}
+
+/// Slope of a part over the mean of the whole, over the loads [per metre].
+Uncertain part_of(const RoughnessTrend& trend, Trend TrendAtLoad::*part) {
+  std::vector<Uncertain> shares;
+  for (const auto& at : trend.loads) {
+    const Uncertain& slope = (at.*part).slope;
+    shares.push_back({slope.value / at.total.mean.value, slope.sd / std::abs(at.total.mean.value)});
+  }
+  return cautious_mean(shares);
+}
+
+struct Part {
+  const char* name;
+  Trend TrendAtLoad::*member;
+};
+const std::vector<Part>& parts() {
+  static const std::vector<Part> list{
+      {"slip", &TrendAtLoad::friction}, {"yielding", &TrendAtLoad::plastic}, {"bonds", &TrendAtLoad::adhesion}};
+  return list;
+}
+
+std::string parts_words(const RoughnessTrend& trend) {
+  std::string text;
+  for (const auto& part : parts()) {
+    const Uncertain share = part_of(trend, part.member);
+    if (std::isfinite(share.value)) text += (text.empty() ? "" : ", ") + (part.name + (" " + change_percent({share.value * nm, share.sd * nm})));
+  }
+  return text.empty() ? "" : " Of this, per nm: " + text + ".";
+}
+
+std::string at_loads(const RoughnessTrend& trend) {
+  std::string text;
+  for (const auto& at : trend.loads) {
+    const Uncertain change = at.total.relative();
+    text += (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent({change.value * nm, change.sd * nm});
+  }
+  return trend.loads.size() > 1 ? " (" + text + ")" : "";
+}
+
+/// Parts whose own slope has the sign.
+std::string causes(const RoughnessTrend& trend, Sign sign) {
+  std::string names;
+  for (const auto& part : parts())
+    if (sign_of(part_of(trend, part.member)) == sign) names += (names.empty() ? "" : " and ") + std::string(part.name);
+  return names;
+}
+
+std::string cause_words(const RoughnessTrend& trend) {
+  const bool rolls = trend.mode == &rolling_mode(), slides = trend.mode == &sliding_mode();
+  if (!rolls && !slides) return "";
+  const Sign asked = rolls ? Sign::falls : Sign::rises;
+  const std::string names = causes(trend, asked), verb = rolls ? "makes rolling friction fall" : "makes sliding friction rise";
+  if (names.empty()) return " No mechanism of the simulation " + verb + " with roughness, as far as two standard deviations tell.";
+  return " What " + verb + " with roughness is " + names + (trend.sign() == asked ? "." : ", but not the resistance as a whole.");
+}
+
+std::string coefficient_words(const RoughnessTrend& trend) {
+  const Uncertain change = trend.coefficient.relative();
+  if (!std::isfinite(change.value)) return "";
+  return " Its coefficient mu, the slope over the loads, " + trend_words(change) + ".";
+}
+
+Sentences roughness_sentences(const ResistanceFindings& findings) {
+  Sentences list;
+  for (const auto& trend : findings.trends) {
+    std::string over;
+    for (const auto* contact : trend.contacts) over += (over.empty() ? "" : " to ") + number_text({contact->bodies.rms / nm});
+    list.push_back(motion_name(*trend.mode, true) + " resistance (RMS " + over + " nm) " + trend_words(trend.relative) + at_loads(trend) + "." +
+                   parts_words(trend) + cause_words(trend) + coefficient_words(trend));
+  }
+  return list;
+}
+
+Sentences mechanism_sentences(const ResistanceFindings& findings) {
+  Sentences list;
+  for (const auto& one : findings.contributions) {
+    const bool yielding = one.mechanism == Contribution::Mechanism::yielding;
+    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " +
+                       (yielding ? "yielding" : "adhesion");
+    const Uncertain share = one.share();
+    if (!one.difference.has_sd()) text += " changes the resistance by " + change_percent(share) + "; whether that means anything cannot be told";
+    else if (!one.is_told()) text += " contributes nothing that shows (" + change_percent(share) + " of the resistance)";
+    else text += " contributes " + change_percent(share) + " of the resistance";
+    list.push_back(text + " (beside " + one.without->label + ").");
+  }
+  return list;
+}
+
+std::string sigma_words(double sigmas) { return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma"; }
+
+std::string trend_against_paper(const MeasuredTrend& one) {
+  const bool coefficient = std::isnan(one.load), rolls = one.trend->mode == &rolling_mode();
+  const std::string what = motion_name(*one.trend->mode, true) +
+                           (coefficient ? ", trend of the coefficient with RMS" : ", trend with RMS at " + force_text(one.load)) +
+                           (rolls ? " (at the silicon's contact: twice what the paper's mean over both contacts shows)" : "");
+  const auto per_nm = [](const Uncertain& slope) { return number_text({slope.value * nm, slope.sd * nm}) + " per nm"; };
+  std::string text = what + ": simulated " + per_nm(one.simulated) + ", measured " + per_nm(one.measured);
+  if (!std::isfinite(one.sigmas())) return text + "; cannot tell whether they agree.";
+  constexpr double two_sigma = 2;
+  if (one.is_opposite()) return text + ". The simulations contradict the measurement: opposite signs, " + sigma_words(one.sigmas()) + " apart.";
+  return text + (std::abs(one.sigmas()) > two_sigma ? ". The simulations contradict the measurement: ratio " : ": they agree, ratio ") +
+         number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart.";
+}
+
+std::string magnitude_against_paper(const MeasuredMagnitude& one) {
+  const bool torsion = one.mode == &torsion_mode();
+  const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) + ": " +
+                           (torsion || one.mode == &rolling_mode() ? "M/(P r)" : "F/P") + " simulated " + number_text(one.simulated) + ", measured " +
+                           number_text(one.measured);
+  if (!std::isfinite(one.sigmas())) return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
+  constexpr double two_sigma = 2;
+  return text + (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio " : "; they agree: ratio ") + number_text(one.over()) +
+         ", " + sigma_words(one.sigmas()) + " apart.";
+}
+
+std::string length_headline(const ResistanceFindings& findings, const MotionMode& mode) {
+  Sentences verdicts;
+  for (const auto& answer : findings.lengths)
+    if (answer.mode == &mode && !std::count(verdicts.begin(), verdicts.end(), verdict_words(answer.verdict)))
+      verdicts.emplace_back(verdict_words(answer.verdict));
+  if (verdicts.empty()) return "";
+  std::string text;
+  for (const auto& verdict : verdicts) text += (text.empty() ? "" : " / ") + verdict;
+  return "Length of " + motion_name(mode) + ": " + text + (verdicts.size() > 1 ? " (it depends on the contact)" : "") + ". ";
+}
+
+std::string trend_headline(const ResistanceFindings& findings, const MotionMode& mode) {
+  for (const auto& trend : findings.trends)
+    if (trend.mode == &mode) {
+      const Sign sign = trend.sign();
+      return motion_name(mode, true) + (sign == Sign::rises ? " resistance rises with roughness. "
+                                        : sign == Sign::falls ? " resistance falls with roughness. "
+                                        : sign == Sign::none  ? " resistance shows no trend with roughness. "
+                                                              : " resistance: its trend with roughness cannot be told. ");
+    }
+  return "";
+}
+
+}  // namespace
+
+ResistanceAnswers answers(const ResistanceFindings& findings) {
+  ResistanceAnswers result;
+  for (const auto* mode : {&rolling_mode(), &torsion_mode()}) result.headline += length_headline(findings, *mode);
+  for (const auto* mode : {&rolling_mode(), &sliding_mode()}) result.headline += trend_headline(findings, *mode);
+  if (result.headline.empty()) result.headline = "Resistances are below; one load and one roughness answer neither question. ";
+  result.headline.pop_back();
+  result.length = length_sentences(findings);
+  if (result.length.empty())
+    result.length.push_back("Which length rolling and torsion follow cannot be told: no contact was rolled or spun under two loads, or with two radii.");
+  result.roughness = roughness_sentences(findings);
+  if (result.roughness.empty())
+    result.roughness.push_back("How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
+  result.mechanisms = mechanism_sentences(findings);
+  for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
+  for (const auto& one : findings.published.magnitudes) result.measurement.push_back(magnitude_against_paper(one));
+  for (const auto& remark : findings.published.remarks) result.measurement.push_back("No partner in the paper for " + remark + ".");
+  result.care = findings.study.remarks;
+  return result;
+}
+
+}  // namespace asperity

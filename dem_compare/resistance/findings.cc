@@ -1,0 +1,16 @@
+#include "dem_compare/resistance/findings.h"
+
+namespace asperity {
+
+ResistanceFindings find_resistances(const CaseCollection& collection, const std::optional<Published>& published) {
+  ResistanceFindings findings;
+  findings.study = collect_moving(collection);
+  if (findings.empty()) return findings;
+  findings.trends = roughness_trends(findings.study);
+  findings.lengths = length_answers(findings.study);
+  findings.contributions = contributions(findings.study);
+  if (published) findings.published = against_published(findings.study, findings.trends, *published);
+  return findings;
+}
+
+}  // namespace asperity

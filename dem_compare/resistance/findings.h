@@ -1,0 +1,44 @@
+// What a study of moving contacts says on the paper's two open questions: which length rolling and torsion resistance follow, and why
+// rolling friction falls and sliding friction rises with roughness. Numbers, and the answers in sentences. SI units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_compare/resistance/against_published.h"
+#include "dem_compare/resistance/length_answer.h"
+#include "dem_compare/resistance/switched_off.h"
+
+namespace asperity {
+
+/// Points into `study` and `trends` of its own: not to be copied.
+struct ResistanceFindings {
+  MovingStudy study;
+  std::vector<RoughnessTrend> trends;
+  std::vector<LengthAnswer> lengths;
+  std::vector<Contribution> contributions;
+  AgainstPublished published;
+
+  ResistanceFindings() = default;
+  ResistanceFindings(const ResistanceFindings&) = delete;
+  ResistanceFindings(ResistanceFindings&&) = default;
+  ResistanceFindings& operator=(ResistanceFindings&&) = default;
+  bool empty() const { return study.empty(); }
+};
+
+/// `published`: the paper's numbers; without them nothing is set beside them.
+ResistanceFindings find_resistances(const CaseCollection& collection, const std::optional<Published>& published);
+
+/// Plain text; "+-" before an uncertainty.
+struct ResistanceAnswers {
+  std::string headline;
+  std::vector<std::string> length;        ///< on lambda
+  std::vector<std::string> roughness;     ///< trends with RMS, and which mechanism makes them
+  std::vector<std::string> mechanisms;    ///< what switching one off changes
+  std::vector<std::string> measurement;   ///< where simulations and the paper disagree, and by how much
+  std::vector<std::string> care;          ///< what stands in the way of more
+};
+ResistanceAnswers answers(const ResistanceFindings& findings);
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "dem_compare/resistance/length_answer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem_compare/derive/case_numbers.h"
+
+namespace asperity {
+namespace {
+
+using Contacts = std::vector<const MovingContact*>;
+
+bool differ_by_radius(const MovingContact& one, const MovingContact& other) {
+  const auto differ = differing_inputs(one, other);
+  return differ.size() == 1 && differ.front() == "Particle/Radius";
+}
+
+ScalingExponent over_loads(const MovingContact& contact, const MotionMode& mode) {
+  std::vector<double> loads;
+  std::vector<Uncertain> moments;
+  for (const auto* state : contact.of(mode)) loads.push_back(state->load), moments.push_back(state->resistance);
+  constexpr double four_thirds = 4.0 / 3.0;
+  return {"load", contact.label, fit_exponent_of(loads, moments), 1, four_thirds};
+}
+
+/// One exponent for each load that several radii have.
+std::vector<ScalingExponent> over_radii(const Contacts& contacts, const MotionMode& mode) {
+  std::vector<ScalingExponent> exponents;
+  for (const auto* lead : contacts.front()->of(mode)) {
+    std::vector<double> radii;
+    std::vector<Uncertain> moments;
+    for (const auto* contact : contacts)
+      if (const MovingState* state = contact->find(mode, lead->load)) radii.push_back(contact->bodies.radius), moments.push_back(state->resistance);
+    if (radii.size() < 2) continue;
+    constexpr double third = 1.0 / 3.0;
+    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1, third});
+  }
+  return exponents;
+}
+
+/// Contacts whose moment is known to be positive.
+std::vector<ResistancePoint> points_of(const Contacts& contacts, const MotionMode& mode) {
+  std::vector<ResistancePoint> points;
+  for (const auto* contact : contacts)
+    for (const auto* state : contact->of(mode))
+      for (const auto& item : state->cases) {
+        const Uncertain moment = item.first.resistance();
+        constexpr double two_sigma = 2;
+        if (moment.has_sd() && moment.value > two_sigma * moment.sd)
+          points.push_back({item.load, moment.value, moment.sd, item.seeds + " at " + format_quantity(contact->bodies.radius, Dimension::length),
+                            contact->bodies.radius, state->hertz_radius});
+      }
+  return points;
+}
+
+/// Odds must be telling; an exponent that lies more than three standard deviations off the law they choose speaks against it.
+LengthAnswer::Verdict judge(const LengthAnswer& answer) {
+  using Verdict = LengthAnswer::Verdict;
+  constexpr double contradicts = 3;
+  bool against_radius = false, against_contact = false;
+  for (const auto& exponent : answer.exponents) {
+    against_radius = against_radius || std::abs(exponent.from_radius()) > contradicts;
+    against_contact = against_contact || std::abs(exponent.from_contact()) > contradicts;
+  }
+  if (!answer.choice || !answer.choice->is_told()) return against_radius && against_contact ? Verdict::neither : Verdict::cannot_tell;
+  const bool is_contact = answer.choice->log_odds > 0;
+  if (is_contact ? against_contact : against_radius) return Verdict::neither;
+  return is_contact ? Verdict::contact_radius : Verdict::particle_radius;
+}
+
+}  // namespace
+
+std::vector<LengthAnswer> length_answers(const MovingStudy& study) {
+  std::vector<LengthAnswer> answers;
+  std::vector<const MovingContact*> seen;
+  for (const auto& lead : study.contacts) {
+    if (std::count(seen.begin(), seen.end(), &lead)) continue;
+    Contacts family{&lead};
+    for (const auto& other : study.contacts)
+      if (&other != &lead && differ_by_radius(lead, other)) family.push_back(&other), seen.push_back(&other);
+    for (const MotionMode* mode : {&rolling_mode(), &torsion_mode()}) {
+      Contacts moved;
+      for (const auto* contact : family)
+        if (!contact->of(*mode).empty()) moved.push_back(contact);
+      if (moved.empty()) continue;
+      LengthAnswer answer;
+      answer.mode = mode;
+      answer.contact = moved.front()->label;
+      for (const auto* contact : moved) {
+        answer.radii.push_back(contact->bodies.radius);
+        if (contact->of(*mode).size() > 1) answer.exponents.push_back(over_loads(*contact, *mode));
+      }
+      for (auto& exponent : over_radii(moved, *mode)) answer.exponents.push_back(std::move(exponent));
+      if (answer.exponents.empty()) continue;
+      const auto points = points_of(moved, *mode);
+      if (points.size() > 1) answer.choice = choose_length(points);
+      answer.verdict = judge(answer);
+      answers.push_back(std::move(answer));
+    }
+  }
+  return answers;
+}
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// Does the moment of a rolling or spinning contact, M = mu lambda (f + h), follow the particle's radius or that of the contact? Two
+// looks at the same moments: exponents in load and radius, and odds between both laws (derive/length_choice.h). SI units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_compare/derive/length_choice.h"
+#include "dem_compare/resistance/moving_study.h"
+#include "dem_compare/resistance/trend.h"
+
+namespace asperity {
+
+/// An exponent beside what both lengths predict (without h).
+struct ScalingExponent {
+  std::string over;   ///< "load" or "radius"
+  std::string what;   ///< which cases
+  Trend exponent;     ///< its slope
+  double with_radius = 0, with_contact = 0;
+  /// Distances in standard deviations; NaN where unknown.
+  double from_radius() const { return (exponent.slope.value - with_radius) / exponent.slope.sd; }
+  double from_contact() const { return (exponent.slope.value - with_contact) / exponent.slope.sd; }
+};
+
+struct LengthAnswer {
+  enum class Verdict { cannot_tell, particle_radius, contact_radius, neither };
+  const MotionMode* mode = nullptr;
+  std::string contact;                       ///< its label; with others of other radii
+  std::vector<double> radii;                 ///< of the particle [m]
+  std::vector<ScalingExponent> exponents;
+  std::optional<LengthChoice> choice;        ///< with two contacts (loads or radii) or more
+  Verdict verdict = Verdict::cannot_tell;
+};
+
+/// Of rolling and torsion, each contact with two loads or more, with those that differ from it by the particle's radius alone.
+std::vector<LengthAnswer> length_answers(const MovingStudy& study);
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+// The steady resistance of one solved case that slid, rolled or spun: its mean force or moment, and what it dissipated per way
+// by mechanism. The second is far better known: hills of rough surfaces give back what they take, so that the force of a short way
+// is mostly theirs, while dissipated energy only ever grows. Over a long way both agree. SI units.
+//
+// Steady is the first way, over surfaces that the contact has not yet passed, after the onset:
+// - sliding, torsion: from the first step with at most 2 % of the closed nodes sticking. Where the history does not say, from where
+//   the resistance has reached 95 % of its mean over the second half of the way.
+// - rolling: after one contact radius of way, so that the contact that was pressed has been left.
+// It is cut into stretches of about a contact radius, four at least; how they differ gives the uncertainty (stretches.h).
+// The way back, over the own track, is told apart: what has yielded there need not yield again.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/resistance/energy_history.h"
+
+namespace asperity {
+
+/// Dissipated per way [N], or per angle [N m]; the sum is as uncertain as it fluctuates itself.
+struct ResistanceParts {
+  Uncertain friction{nan(""), nan("")}, plastic{nan(""), nan("")}, adhesion{nan(""), nan("")}, total{nan(""), nan("")};
+};
+
+struct SteadyWay {
+  ResistanceParts dissipated;
+  Uncertain force{nan(""), nan("")};  ///< mean of force or moment against the motion
+  double unbalanced = nan("");        ///< energy per way that the balance of the computation leaves open
+  double way = 0;                     ///< [m] or [rad]
+  int stretches = 0;
+  double drift = nan("");  ///< dissipation of the second half less that of the first, over the mean
+  double drift_error = nan("");
+
+  bool reached() const { return stretches > 0; }
+  /// Energy dissipated per way where the history has it, else the mean force; the open balance counts as a standard deviation.
+  Uncertain resistance() const;
+  /// By three standard errors and more than 5 %.
+  bool still_changes() const;
+};
+
+struct MovingCase {
+  std::string folder, seeds;  ///< seeds of both surfaces
+  double load = 0;            ///< [N]
+  double spacing = 0;         ///< of the interface's mesh [m]
+  double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady way [m], [m^2]
+  double way_in_radii = 0;    ///< steady first way; of torsion that of the rim
+  SteadyWay first, back;
+};
+
+/// Length of a stretch of a motion: the contact radius, for rolling as an angle; torsion: an angle of 1.
+double stretch_length(const MotionMode& mode, double contact_radius, double particle_radius);
+
+/// Steady way between two rows of the history; the rows are those after the onset.
+SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch);
+
+/// Throws InputError where the history lacks a column.
+MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode);
+
+/// The mode of motion of a case; nullptr for one that is only pressed.
+const MotionMode* mode_of(const SolvedCase& solved);
+
+}  // namespace asperity

@@ -1,0 +1,226 @@
+#include "dem_compare/resistance/moving_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+
+#include "core/error.h"
+#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/resistance/stretches.h"
+
+namespace asperity {
+namespace {
+
+using Inputs = std::map<std::string, std::string>;
+
+/// Number of an entry; `otherwise` where it is missing.
+double number(const Inputs& inputs, const std::string& entry, Dimension dimension, double otherwise) {
+  const auto found = inputs.find(entry);
+  return found == inputs.end() ? otherwise : parse_quantity(found->second, dimension);
+}
+
+bool yields(const Inputs& inputs, const std::string& body) {
+  return std::isfinite(number(inputs, body + "/Yield stress", Dimension::pressure, INFINITY));
+}
+
+Inputs inputs_of(const SolvedCase& solved) {
+  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)"), blanks(R"(\s+)");
+  Inputs inputs;
+  for (const auto& [path, text] : solved.entries.all()) {
+    const std::string section = path.substr(0, path.find('/'));
+    if (section == "Particle" || section == "Substrate" || section == "Interface")
+      inputs[path] = std::regex_replace(std::regex_replace(text, seed, ""), blanks, " ");
+  }
+  for (const std::string body : {"Particle", "Substrate"})
+    if (!yields(inputs, body))
+      for (const char* entry : {"/Yield stress", "/Hardening modulus", "/Hardening", "/Voce saturation", "/Voce rate"}) inputs.erase(body + entry);
+  if (number(inputs, "Interface/Work of adhesion", Dimension::surface_energy, 0) == 0)
+    for (const char* entry : {"Work of adhesion", "Opening work", "Adhesion law", "Adhesion range"}) inputs.erase(std::string("Interface/") + entry);
+  return inputs;
+}
+
+/// A moving case and where it belongs.
+struct Found {
+  const CaseGroup* group;
+  const MotionMode* mode;
+  MovingCase moving;
+};
+
+class Sorter {
+ public:
+  Sorter(const CaseCollection& collection, MovingStudy& study) : collection_(collection), study_(study) {}
+
+  void sort() {
+    for (const auto& group : collection_.groups)
+      for (const auto& solved : group.cases)
+        if (const MotionMode* mode = mode_of(solved)) add(group, solved, *mode);
+    for (std::size_t i = 0; i < study_.contacts.size(); ++i) name(i);
+    for (auto& contact : study_.contacts) finish(contact);
+    auto& contacts = study_.contacts;
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty(); }), contacts.end());
+  }
+
+ private:
+  void add(const CaseGroup& group, const SolvedCase& solved, const MotionMode& mode) {
+    MovingCase moving = moving_case(solved, mode);
+    if (!moving.first.reached()) {
+      study_.remarks.push_back(moving.folder + ": its way ends before the motion is steady for three steps; left out (" + mode.way_entry +
+                               " must be more)");
+      return;
+    }
+    const Inputs inputs = inputs_of(solved);
+    std::size_t at = 0;
+    while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
+    if (at == study_.contacts.size()) {
+      MovingContact contact;
+      contact.inputs = inputs;
+      contact.bodies = contact_of(group);
+      contact.can_yield = yields(inputs, "Particle") || yields(inputs, "Substrate");
+      contact.adheres = inputs.count("Interface/Work of adhesion") > 0;
+      study_.contacts.push_back(std::move(contact));
+      groups_.emplace_back();
+    }
+    if (groups_[at].empty() || groups_[at].back() != &group) groups_[at].push_back(&group);
+    MovingState& state = state_of(study_.contacts[at], mode, moving.load);
+    const double finest = state.cases.empty() ? INFINITY : state.spacing;
+    constexpr double rounding = 1e-6;
+    if (moving.spacing > finest * (1 + rounding)) return;  // coarser meshes judge the finest, they do not count as realisations
+    if (moving.spacing < finest * (1 - rounding)) state.cases.clear();
+    state.spacing = moving.spacing;
+    state.cases.push_back(std::move(moving));
+  }
+
+  static MovingState& state_of(MovingContact& contact, const MotionMode& mode, double load) {
+    for (auto& state : contact.states)
+      if (state.mode == &mode && same_load(state.load, load)) return state;
+    contact.states.push_back({});
+    contact.states.back().mode = &mode;
+    contact.states.back().load = load;
+    return contact.states.back();
+  }
+
+  /// Values of the axes that tell contacts apart: those that no contact has several of.
+  void name(std::size_t at) {
+    auto& contact = study_.contacts[at];
+    const CaseGroup& first = *groups_[at].front();
+    for (std::size_t axis = 0; axis < collection_.axes.size() && axis < first.values.size(); ++axis)
+      if (collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis))
+        contact.label += (contact.label.empty() ? "" : ", ") + first.values[axis];
+    if (contact.label.empty()) contact.label = collection_.axes.empty() ? first.label : "the contact";
+    for (std::size_t other = 0; other < at; ++other)
+      if (study_.contacts[other].label == contact.label) contact.label += " (" + std::to_string(at + 1) + ")";
+  }
+
+  bool varies_within_a_contact(std::size_t axis) const {
+    for (const auto& groups : groups_)
+      for (const CaseGroup* group : groups)
+        if (axis < group->values.size() && group->values[axis] != groups.front()->values[axis]) return true;
+    return false;
+  }
+
+  void finish(MovingContact& contact) {
+    const Hertz hertz = contact.bodies.hertz();
+    for (auto& state : contact.states) {
+      state.hertz_radius = hertz.contact_radius(state.load);
+      const double mu = contact.bodies.friction, full_slip = state.mode == &torsion_mode() ? 3 * M_PI / 16 * state.hertz_radius : 1;
+      state.coulomb = mu > 0 && state.mode != &rolling_mode() ? mu * state.load * full_slip : NAN;
+      average(state);
+      remark(contact, state);
+    }
+    std::stable_sort(contact.states.begin(), contact.states.end(), [](const MovingState& a, const MovingState& b) {
+      const auto place = [](const MotionMode* mode) { return std::find(all_motions().begin(), all_motions().end(), mode); };
+      return place(a.mode) != place(b.mode) ? place(a.mode) < place(b.mode) : a.load < b.load;
+    });
+  }
+
+  static void average(MovingState& state) {
+    const auto mean = [&](const auto& of) {
+      std::vector<Uncertain> values;
+      for (const auto& item : state.cases) values.push_back(of(item));
+      return mean_of_realisations(values);
+    };
+    state.parts.friction = mean([](const MovingCase& c) { return c.first.dissipated.friction; });
+    state.parts.plastic = mean([](const MovingCase& c) { return c.first.dissipated.plastic; });
+    state.parts.adhesion = mean([](const MovingCase& c) { return c.first.dissipated.adhesion; });
+    state.parts.total = mean([](const MovingCase& c) { return c.first.dissipated.total; });
+    state.resistance = mean([](const MovingCase& c) { return c.first.resistance(); });
+    state.force = mean([](const MovingCase& c) { return c.first.force; });
+    state.back_over_first = mean([](const MovingCase& c) {
+      return c.back.reached() ? ratio(c.back.resistance(), c.first.resistance()) : Uncertain{NAN, NAN};
+    });
+    for (const auto& item : state.cases) {
+      state.contact_area += item.contact_area / static_cast<double>(state.cases.size());
+      if (std::abs(item.first.unbalanced) > std::abs(state.unbalanced)) state.unbalanced = item.first.unbalanced;
+    }
+  }
+
+  void remark(const MovingContact& contact, const MovingState& state) {
+    const std::string name = std::string(state.mode->experiment) + " of " + contact.label + " at " + format_quantity(state.load, Dimension::force);
+    const double size = std::abs(state.resistance.value);
+    constexpr double much = 0.1;
+    if (std::abs(state.unbalanced) > much * size)
+      study_.remarks.push_back(name + ": the energy balance leaves " + format_quantity(100 * std::abs(state.unbalanced) / size, Dimension::none, 2) +
+                               " % of the resistance open; it counts as a standard deviation");
+    for (const auto& item : state.cases)
+      if (item.first.still_changes()) {
+        study_.remarks.push_back(name + ": the resistance still changes along the way (by " +
+                                 format_quantity(100 * item.first.drift, Dimension::none, 2) + " % from its first half to its second)");
+        break;
+      }
+  }
+
+  const CaseCollection& collection_;
+  MovingStudy& study_;
+  std::vector<std::vector<const CaseGroup*>> groups_;  ///< of each contact
+};
+
+}  // namespace
+
+double MovingState::scale() const { return mode == &sliding_mode() ? load : load * hertz_radius; }
+
+const MovingState* MovingContact::find(const MotionMode& mode, double load) const {
+  for (const auto& state : states)
+    if (state.mode == &mode && same_load(state.load, load)) return &state;
+  return nullptr;
+}
+
+std::vector<const MovingState*> MovingContact::of(const MotionMode& mode) const {
+  std::vector<const MovingState*> found;
+  for (const auto& state : states)
+    if (state.mode == &mode) found.push_back(&state);
+  return found;
+}
+
+MovingStudy collect_moving(const CaseCollection& collection) {
+  MovingStudy study;
+  Sorter(collection, study).sort();
+  return study;
+}
+
+std::vector<std::string> differing_inputs(const MovingContact& one, const MovingContact& other) {
+  std::vector<std::string> names;
+  std::set<std::string> entries;
+  for (const auto& contact : {&one, &other})
+    for (const auto& [entry, text] : contact->inputs) entries.insert(entry);
+  for (const auto& entry : entries) {
+    const auto a = one.inputs.find(entry), b = other.inputs.find(entry);
+    if (a == one.inputs.end() || b == other.inputs.end() || a->second != b->second) names.push_back(entry);
+  }
+  return names;
+}
+
+bool same_realisation(const std::string& seeds, const std::string& others) {
+  const auto split = [](const std::string& text) { return std::pair{text.substr(0, text.find(" on ")), text.substr(text.find(" on ") + 4)}; };
+  const auto alike = [](const std::string& a, const std::string& b) { return a == b || a == "-" || b == "-"; };
+  const auto [particle, plane] = split(seeds);
+  const auto [other_particle, other_plane] = split(others);
+  return alike(particle, other_particle) && alike(plane, other_plane);
+}
+
+const std::vector<const MotionMode*>& all_motions() {
+  static const std::vector<const MotionMode*> motions{&sliding_mode(), &rolling_mode(), &torsion_mode()};
+  return motions;
+}
+
+}  // namespace asperity

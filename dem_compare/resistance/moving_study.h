@@ -1,0 +1,62 @@
+// The moving cases of a study, sorted: contacts (same bodies, surfaces but for their seeds, and laws of the interface), and of each
+// contact its motions and loads with the realisations of the surfaces. SI units.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/resistance/moving_case.h"
+
+namespace asperity {
+
+/// One contact in one motion under one load, over the realisations of its surfaces.
+struct MovingState {
+  const MotionMode* mode = nullptr;
+  double load = 0;                 ///< [N]
+  double spacing = 0;              ///< the finest solved [m]
+  std::vector<MovingCase> cases;   ///< those on that spacing that reached a steady way
+  ResistanceParts parts;           ///< means over realisations [N] or [N m]
+  Uncertain resistance;            ///< mean; its sd holds the open balance too
+  Uncertain force;                 ///< mean force or moment
+  Uncertain back_over_first;       ///< resistance on the way back, over the own track, over that of the first way
+  double unbalanced = 0;           ///< energy per way that the balances leave open, largest of the cases
+  double hertz_radius = 0;         ///< of the smooth elastic bodies [m]
+  double contact_area = 0;         ///< real, mean [m^2]
+  /// What makes a resistance of this motion dimensionless: P (sliding), P a (rolling, torsion), a of Hertz.
+  double scale() const;
+  /// What smooth Coulomb bodies resist with: mu P, 3 pi/16 mu P a; NaN for rolling and without Coulomb friction.
+  double coulomb = 0;
+};
+
+struct MovingContact {
+  std::string label;
+  std::map<std::string, std::string> inputs;  ///< all that makes the contact, without what cannot matter (hardening without yielding)
+  ComparedContact bodies;                     ///< radius, RMS of the substrate, local friction
+  bool can_yield = false, adheres = false;
+  std::vector<MovingState> states;            ///< by motion, then load
+
+  const MovingState* find(const MotionMode& mode, double load) const;
+  std::vector<const MovingState*> of(const MotionMode& mode) const;
+};
+
+struct MovingStudy {
+  std::vector<MovingContact> contacts;
+  std::vector<std::string> remarks;  ///< sentences on cases that are left out, or to be taken with care
+
+  bool empty() const { return contacts.empty(); }
+};
+
+/// Cases that were only pressed are passed over.
+MovingStudy collect_moving(const CaseCollection& collection);
+
+/// Names of the inputs in which two contacts differ.
+std::vector<std::string> differing_inputs(const MovingContact& one, const MovingContact& other);
+
+/// Seeds that name the same realisation; a surface without a seed goes with any.
+bool same_realisation(const std::string& seeds, const std::string& others);
+
+const std::vector<const MotionMode*>& all_motions();
+
+}  // namespace asperity

@@ -1,0 +1,159 @@
+#include "dem_compare/resistance/resistance_file.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cell(double value) {
+  if (!std::isfinite(value)) return "";
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.9g", value);
+  return buffer;
+}
+
+std::string cells(const Uncertain& number) { return "," + cell(number.value) + "," + cell(number.sd); }
+
+std::string quoted(const std::string& text) {
+  std::string safe = "\"";
+  for (const char c : text) safe += c == '"' ? '\'' : c;
+  return safe + "\"";
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_of(const Uncertain& value) { return {{"value", number(value.value)}, {"sd", number(value.sd)}}; }
+Json json_of(const ResistanceParts& parts) {
+  return {{"friction", json_of(parts.friction)}, {"plastic", json_of(parts.plastic)}, {"adhesion", json_of(parts.adhesion)},
+          {"total", json_of(parts.total)}};
+}
+Json json_of(const Trend& trend) { return {{"slope", json_of(trend.slope)}, {"mean", json_of(trend.mean)}, {"points", trend.points}}; }
+
+Json json_of(const MovingCase& item) {
+  return {{"folder", item.folder},
+          {"load", item.load},
+          {"spacing", number(item.spacing)},
+          {"contact_radius", item.contact_radius},
+          {"way_in_contact_radii", item.way_in_radii},
+          {"stretches", item.first.stretches},
+          {"dissipated", json_of(item.first.dissipated)},
+          {"force", json_of(item.first.force)},
+          {"unbalanced", number(item.first.unbalanced)},
+          {"drift", number(item.first.drift)},
+          {"drift_error", number(item.first.drift_error)},
+          {"way_back", item.back.reached() ? json_of(item.back.dissipated) : Json(nullptr)}};
+}
+
+Json json_of(const MovingContact& contact) {
+  Json states = Json::array();
+  for (const auto& state : contact.states) {
+    Json cases = Json::array();
+    for (const auto& item : state.cases) cases.push_back(json_of(item));
+    states.push_back({{"experiment", state.mode->experiment},
+                      {"load", state.load},
+                      {"resistance", json_of(state.resistance)},
+                      {"parts", json_of(state.parts)},
+                      {"force", json_of(state.force)},
+                      {"way_back_over_first", json_of(state.back_over_first)},
+                      {"hertz_radius", state.hertz_radius},
+                      {"contact_area", state.contact_area},
+                      {"coulomb", number(state.coulomb)},
+                      {"cases", cases}});
+  }
+  return {{"label", contact.label},
+          {"radius", contact.bodies.radius},
+          {"rms", number(contact.bodies.rms)},
+          {"friction_coefficient", contact.bodies.friction},
+          {"can_yield", contact.can_yield},
+          {"adheres", contact.adheres},
+          {"states", states}};
+}
+
+Json json_of(const RoughnessTrend& trend) {
+  Json loads = Json::array(), coefficients = Json::array(), contacts = Json::array();
+  for (const auto* contact : trend.contacts) contacts.push_back(contact->label);
+  for (const auto& at : trend.loads)
+    loads.push_back({{"load", at.load}, {"total", json_of(at.total)}, {"friction", json_of(at.friction)}, {"plastic", json_of(at.plastic)},
+                     {"adhesion", json_of(at.adhesion)}, {"force", json_of(at.force)}});
+  for (const auto& one : trend.coefficients)
+    coefficients.push_back({{"rms", one.rms}, {"coefficient", json_of(one.coefficient)}, {"offset", json_of(one.offset)}});
+  return {{"experiment", trend.mode->experiment}, {"contacts", contacts},           {"relative_per_metre", json_of(trend.relative)},
+          {"loads", loads},                       {"coefficients", coefficients}, {"coefficient", json_of(trend.coefficient)}};
+}
+
+Json json_of(const LengthAnswer& answer) {
+  static const char* const verdicts[] = {"cannot tell", "r", "a", "neither"};
+  Json exponents = Json::array();
+  for (const auto& exponent : answer.exponents)
+    exponents.push_back({{"over", exponent.over}, {"of", exponent.what}, {"exponent", json_of(exponent.exponent.slope)},
+                         {"with_r", exponent.with_radius}, {"with_a", exponent.with_contact}});
+  return {{"experiment", answer.mode->experiment}, {"contact", answer.contact}, {"radii", answer.radii}, {"exponents", exponents},
+          {"laws", answer.choice ? to_json(*answer.choice) : Json(nullptr)}, {"verdict", verdicts[static_cast<int>(answer.verdict)]}};
+}
+
+Json json_of(const Contribution& one) {
+  return {{"mechanism", one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
+          {"with", one.with->label},
+          {"without", one.without->label},
+          {"experiment", one.mode->experiment},
+          {"load", one.load},
+          {"realisations", one.realisations},
+          {"difference", json_of(one.difference)},
+          {"parts", json_of(one.parts)},
+          {"share", json_of(one.share())}};
+}
+
+Json json_of(const AgainstPublished& published) {
+  Json magnitudes = Json::array(), trends = Json::array();
+  for (const auto& one : published.magnitudes)
+    magnitudes.push_back({{"contact", one.contact->label}, {"experiment", one.mode->experiment}, {"load", one.load},
+                          {"simulated", json_of(one.simulated)}, {"measured", json_of(one.measured)}, {"ratio", json_of(one.over())},
+                          {"sigmas", number(one.sigmas())}, {"source", one.source}});
+  for (const auto& one : published.trends)
+    trends.push_back({{"experiment", one.trend->mode->experiment}, {"load", number(one.load)}, {"simulated", json_of(one.simulated)},
+                      {"measured", json_of(one.measured)}, {"ratio", json_of(one.over())}, {"sigmas", number(one.sigmas())},
+                      {"opposite", one.is_opposite()}});
+  return {{"magnitudes", magnitudes}, {"trends", trends}, {"remarks", published.remarks}};
+}
+
+template <class List>
+Json list_of(const List& items) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(json_of(item));
+  return list;
+}
+
+}  // namespace
+
+std::string resistance_csv(const MovingStudy& study) {
+  std::string text =
+      "contact,experiment,load [N],radius [m],rms [m],realisations,spacing [m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
+      "adhesion,adhesion_sd,mean_force,mean_force_sd,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,way_back_over_first,"
+      "way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
+  for (const auto& contact : study.contacts)
+    for (const auto& state : contact.states) {
+      const auto over = [&](double unit) { return Uncertain{state.resistance.value / unit, state.resistance.sd / unit}; };
+      text += quoted(contact.label) + "," + state.mode->experiment + "," + cell(state.load) + "," + cell(contact.bodies.radius) + "," +
+              cell(contact.bodies.rms) + "," + std::to_string(state.cases.size()) + "," + cell(state.spacing) + cells(state.resistance) +
+              cells(state.parts.friction) + cells(state.parts.plastic) + cells(state.parts.adhesion) + cells(state.force) + "," +
+              cell(state.unbalanced) + cells(over(state.scale())) + cells(over(state.coulomb)) + cells(state.back_over_first) + "," +
+              cell(state.hertz_radius) + "," + cell(state.contact_area) + "\n";
+    }
+  return text;
+}
+
+Json resistance_json(const ResistanceFindings& findings) {
+  const ResistanceAnswers said = answers(findings);
+  return {{"format", "asperity-resistance/1"},
+          {"answers", {{"headline", said.headline}, {"length", said.length}, {"roughness", said.roughness}, {"mechanisms", said.mechanisms},
+                       {"measurement", said.measurement}, {"care", said.care}}},
+          {"contacts", list_of(findings.study.contacts)},
+          {"roughness", list_of(findings.trends)},
+          {"length", list_of(findings.lengths)},
+          {"contributions", list_of(findings.contributions)},
+          {"published", json_of(findings.published)}};
+}
+
+}  // namespace asperity

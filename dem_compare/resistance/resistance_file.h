@@ -1,0 +1,15 @@
+// The findings as files: one row per contact, motion and load, and everything as JSON. SI units.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "dem_compare/resistance/findings.h"
+
+namespace asperity {
+
+std::string resistance_csv(const MovingStudy& study);
+/// Format "asperity-resistance/1".
+nlohmann::ordered_json resistance_json(const ResistanceFindings& findings);
+
+}  // namespace asperity

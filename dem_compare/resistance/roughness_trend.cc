@@ -1,0 +1,157 @@
+#include "dem_compare/resistance/roughness_trend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/resistance/stretches.h"
+
+namespace asperity {
+namespace {
+
+using Contacts = std::vector<const MovingContact*>;
+using States = std::vector<const MovingState*>;
+using PartOf = std::function<Uncertain(const MovingCase&)>;
+
+std::string spectrum_of(const MovingContact& contact) {
+  static const std::regex rms(R"(rms\s*=\s*[^,)]+,?\s*)");
+  const auto found = contact.inputs.find("Substrate/Topography");
+  return found == contact.inputs.end() ? "smooth" : std::regex_replace(found->second, rms, "");
+}
+
+bool same_family(const MovingContact& one, const MovingContact& other) {
+  const auto differ = differing_inputs(one, other);
+  if (differ.size() != 1 || differ.front() != "Substrate/Topography") return false;
+  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms) return false;
+  return spectrum_of(one) == spectrum_of(other) || one.bodies.rms == 0 || other.bodies.rms == 0;
+}
+
+/// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to all.
+std::vector<Contacts> families(const MovingStudy& study) {
+  std::vector<Contacts> found;
+  std::vector<const MovingContact*> seen;
+  for (const auto& lead : study.contacts) {
+    if (lead.bodies.rms == 0 || std::count(seen.begin(), seen.end(), &lead)) continue;
+    Contacts family{&lead};
+    for (const auto& other : study.contacts)
+      if (&other != &lead && same_family(lead, other)) family.push_back(&other);
+    for (const auto* contact : family)
+      if (contact->bodies.rms > 0) seen.push_back(contact);
+    std::stable_sort(family.begin(), family.end(), [](const auto* a, const auto* b) { return a->bodies.rms < b->bodies.rms; });
+    if (family.size() > 1) found.push_back(family);
+  }
+  return found;
+}
+
+/// One slope per realisation that all states share; empty if none is shared by all.
+std::vector<Trend> by_realisation(const std::vector<double>& rms, const States& states, const PartOf& part) {
+  std::vector<Trend> slopes;
+  for (const auto& lead : states.back()->cases) {
+    std::vector<Uncertain> y;
+    for (const auto* state : states)
+      for (const auto& item : state->cases)
+        if (same_realisation(item.seeds, lead.seeds)) {
+          y.push_back(part(item) * (1 / state->scale()));
+          break;
+        }
+    if (y.size() != states.size()) return {};
+    slopes.push_back(fit_trend(rms, y));
+  }
+  return slopes;
+}
+
+Trend trend_of(const std::vector<double>& rms, const States& states, const PartOf& part) {
+  std::vector<Uncertain> means;
+  for (const auto* state : states) {
+    std::vector<Uncertain> values;
+    for (const auto& item : state->cases) values.push_back(part(item) * (1 / state->scale()));
+    means.push_back(mean_of_realisations(values));
+  }
+  Trend trend = fit_trend(rms, means);
+  const auto slopes = by_realisation(rms, states, part);
+  if (slopes.size() < 2) return trend;
+  std::vector<Uncertain> each;
+  for (const auto& slope : slopes) each.push_back(slope.slope);
+  trend.slope = mean_of_realisations(each);
+  return trend;
+}
+
+void add_loads(RoughnessTrend& trend) {
+  std::vector<double> loads;
+  for (const auto* contact : trend.contacts)
+    for (const auto* state : contact->of(*trend.mode)) {
+      const bool known = std::any_of(loads.begin(), loads.end(), [&](double load) { return same_load(load, state->load); });
+      if (!known) loads.push_back(state->load);
+    }
+  std::sort(loads.begin(), loads.end());
+  for (const double load : loads) {
+    std::vector<double> rms;
+    States states;
+    for (const auto* contact : trend.contacts)
+      if (const MovingState* state = contact->find(*trend.mode, load)) rms.push_back(contact->bodies.rms), states.push_back(state);
+    if (states.size() < 2) continue;
+    trend.loads.push_back({load, trend_of(rms, states, [](const auto& c) { return c.first.resistance(); }),
+                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.friction; }),
+                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.plastic; }),
+                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.adhesion; }),
+                           trend_of(rms, states, [](const auto& c) { return c.first.force; })});
+  }
+  std::vector<Uncertain> relative;
+  for (const auto& at : trend.loads) relative.push_back(at.total.relative());
+  trend.relative = cautious_mean(relative);
+}
+
+void add_coefficients(RoughnessTrend& trend) {
+  std::vector<double> rms;
+  std::vector<Uncertain> values;
+  for (const auto* contact : trend.contacts) {
+    std::vector<double> loads;
+    std::vector<Uncertain> resistances;
+    for (const auto* state : contact->of(*trend.mode)) {
+      const double length = trend.mode == &sliding_mode() ? 1 : contact->bodies.radius;
+      loads.push_back(state->load);
+      resistances.push_back(state->resistance * (1 / length));
+    }
+    if (loads.size() < 2) continue;
+    // mu is the slope; mu h the value at no load.
+    const Trend line = fit_trend(loads, resistances);
+    double mean_load = 0, weights = 0;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      const double w = resistances[i].sd > 0 ? 1 / (resistances[i].sd * resistances[i].sd) : 1;
+      mean_load += w * loads[i], weights += w;
+    }
+    mean_load /= weights;
+    const Uncertain offset = ratio(line.mean, line.slope);
+    trend.coefficients.push_back({contact->bodies.rms, line.slope, {offset.value - mean_load, offset.sd}});
+    rms.push_back(contact->bodies.rms);
+    values.push_back(line.slope);
+  }
+  trend.coefficient = fit_trend(rms, values);
+}
+
+}  // namespace
+
+Trend::Sign RoughnessTrend::sign() const {
+  Trend all;
+  all.slope = relative;
+  return all.sign();
+}
+
+std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study) {
+  std::vector<RoughnessTrend> trends;
+  for (const auto& family : families(study))
+    for (const MotionMode* mode : all_motions()) {
+      RoughnessTrend trend;
+      trend.mode = mode;
+      for (const auto* contact : family)
+        if (!contact->of(*mode).empty()) trend.contacts.push_back(contact);
+      add_loads(trend);
+      if (trend.loads.empty()) continue;
+      add_coefficients(trend);
+      trends.push_back(std::move(trend));
+    }
+  return trends;
+}
+
+}  // namespace asperity

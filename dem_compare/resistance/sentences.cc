@@ -1,0 +1,66 @@
+#include "dem_compare/resistance/sentences.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+namespace asperity {
+namespace {
+
+constexpr double nm = 1e-9, per_cent = 100;
+
+std::string with_decimals(double value, int decimals) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", std::max(0, decimals), value);
+  return buffer;
+}
+
+}  // namespace
+
+std::string motion_name(const MotionMode& mode, bool capital) {
+  std::string name = mode.experiment;
+  if (capital) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+std::string number_text(const Uncertain& number) {
+  if (!std::isfinite(number.value)) return "unknown";
+  char buffer[64];
+  const double size = std::max(std::abs(number.value), std::isfinite(number.sd) ? number.sd : 0);
+  constexpr double large = 1e5, small = 1e-3;
+  if (!number.has_sd() || number.sd == 0 || size >= large || size < small) {
+    std::snprintf(buffer, sizeof buffer, number.has_sd() && number.sd > 0 ? "%.3g +- %.2g" : "%.3g", number.value, number.sd);
+    return buffer;
+  }
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(number.sd)));
+  return with_decimals(number.value, decimals) + " +- " + with_decimals(number.sd, decimals);
+}
+
+std::string change_percent(const Uncertain& share) {
+  return (share.value > 0 ? "+" : "") + number_text({per_cent * share.value, per_cent * share.sd}) + " %";
+}
+
+std::string force_text(double force) { return format_quantity(force, Dimension::force); }
+
+Trend::Sign sign_of(const Uncertain& number) {
+  Trend trend;
+  trend.slope = number;
+  return trend.sign();
+}
+
+std::string trend_words(const Uncertain& relative) {
+  const Uncertain per_nm{relative.value * nm * per_cent, relative.sd * nm * per_cent};
+  switch (sign_of(relative)) {
+    case Trend::Sign::rises:
+      return "rises by " + number_text(per_nm) + " % per nm of RMS";
+    case Trend::Sign::falls:
+      return "falls by " + number_text({-per_nm.value, per_nm.sd}) + " % per nm of RMS";
+    case Trend::Sign::none:
+      return "has no trend within " + number_text({2 * per_nm.sd}) + " % per nm of RMS (" + number_text(per_nm) + ")";
+    default:
+      return "changes with RMS in a way that cannot be told: its uncertainty is not known";
+  }
+}
+
+}  // namespace asperity

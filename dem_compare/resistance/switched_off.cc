@@ -1,0 +1,76 @@
+#include "dem_compare/resistance/switched_off.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "dem_compare/resistance/stretches.h"
+
+namespace asperity {
+namespace {
+
+using Mechanism = Contribution::Mechanism;
+
+bool is_of(Mechanism mechanism, const std::string& entry) {
+  const auto ends_with = [&](const std::string& name) {
+    return entry.size() >= name.size() && entry.compare(entry.size() - name.size(), name.size(), name) == 0;
+  };
+  if (mechanism == Mechanism::adhesion)
+    return entry == "Interface/Work of adhesion" || entry == "Interface/Opening work" || entry == "Interface/Adhesion law" ||
+           entry == "Interface/Adhesion range";
+  return ends_with("/Yield stress") || ends_with("/Hardening modulus") || ends_with("/Hardening") || ends_with("/Voce saturation") ||
+         ends_with("/Voce rate");
+}
+
+std::optional<Mechanism> mechanism_between(const MovingContact& with, const MovingContact& without) {
+  const auto differ = differing_inputs(with, without);
+  for (const Mechanism mechanism : {Mechanism::yielding, Mechanism::adhesion}) {
+    const bool switched = mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield : with.adheres && !without.adheres;
+    if (switched && std::all_of(differ.begin(), differ.end(), [&](const auto& entry) { return is_of(mechanism, entry); })) return mechanism;
+  }
+  return std::nullopt;
+}
+
+void compare(const MovingState& with, const MovingState& without, Contribution& result) {
+  std::vector<Uncertain> total, friction, plastic, adhesion;
+  for (const auto& one : with.cases)
+    for (const auto& other : without.cases) {
+      if (!same_realisation(one.seeds, other.seeds)) continue;
+      const ResistanceParts &a = one.first.dissipated, &b = other.first.dissipated;
+      total.push_back(one.first.resistance() - other.first.resistance());
+      friction.push_back(a.friction - b.friction);
+      plastic.push_back(a.plastic - b.plastic);
+      adhesion.push_back(a.adhesion - b.adhesion);
+      break;
+    }
+  result.realisations = static_cast<int>(total.size());
+  result.whole = with.resistance;
+  result.difference = mean_of_realisations(total);
+  result.parts = {mean_of_realisations(friction), mean_of_realisations(plastic), mean_of_realisations(adhesion), result.difference};
+}
+
+}  // namespace
+
+Uncertain Contribution::share() const { return ratio(difference, whole); }
+
+std::vector<Contribution> contributions(const MovingStudy& study) {
+  std::vector<Contribution> found;
+  for (const auto& with : study.contacts)
+    for (const auto& without : study.contacts) {
+      const auto mechanism = mechanism_between(with, without);
+      if (!mechanism) continue;
+      for (const auto& state : with.states) {
+        const MovingState* other = without.find(*state.mode, state.load);
+        if (!other) continue;
+        Contribution contribution;
+        contribution.mechanism = *mechanism;
+        contribution.with = &with, contribution.without = &without;
+        contribution.mode = state.mode, contribution.load = state.load;
+        compare(state, *other, contribution);
+        if (contribution.realisations > 0) found.push_back(contribution);
+      }
+    }
+  return found;
+}
+
+}  // namespace asperity

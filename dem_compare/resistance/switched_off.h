@@ -1,0 +1,30 @@
+// What one mechanism contributes: contacts that differ in it alone, on the same surfaces. SI units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_compare/resistance/moving_study.h"
+
+namespace asperity {
+
+struct Contribution {
+  enum class Mechanism { yielding, adhesion } mechanism = Mechanism::yielding;
+  const MovingContact *with = nullptr, *without = nullptr;
+  const MotionMode* mode = nullptr;
+  double load = 0;
+  int realisations = 0;   ///< compared, each with itself
+  Uncertain whole;        ///< resistance with the mechanism [N] or [N m]
+  Uncertain difference;   ///< with less without
+  /// Part by part: switching yielding off also changes what slip takes, by another area and other hills.
+  ResistanceParts parts;
+
+  Uncertain share() const;
+  /// At two standard deviations.
+  bool is_told() const { return std::abs(difference.value) > 2 * difference.sd; }
+};
+
+/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all else the same.
+std::vector<Contribution> contributions(const MovingStudy& study);
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+// A straight line through a few numbers with standard deviations, and whether its slope has a sign.
+#pragma once
+
+#include <vector>
+
+#include "dem_compare/paper/uncertain.h"
+
+namespace asperity {
+
+struct Trend {
+  Uncertain slope{std::nan(""), std::nan("")};  ///< weighted least squares; its sd grows with the misfit of three points or more
+  Uncertain mean{std::nan(""), std::nan("")};   ///< of y, at the weighted mean of x
+  int points = 0;
+
+  enum class Sign { unknown, none, rises, falls };
+  /// At two standard deviations; unknown where there is no sd.
+  Sign sign() const;
+  /// Slope over the mean.
+  Uncertain relative() const;
+};
+
+/// Points that are not numbers are left out; fewer than two different x give an unknown slope.
+Trend fit_trend(const std::vector<double>& x, const std::vector<Uncertain>& y);
+
+/// Exponent n of y ~ x^n, fitted to the logarithms; values that are not positive by two standard deviations make it unknown.
+Trend fit_exponent_of(const std::vector<double>& x, const std::vector<Uncertain>& y);
+
+/// Weighted mean of numbers of which it is not known how their errors are related: its sd assumes that they err together.
+Uncertain cautious_mean(const std::vector<Uncertain>& values);
+
+}  // namespace asperity

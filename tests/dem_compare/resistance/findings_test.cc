@@ -1,0 +1,243 @@
+// Studies made from known laws: the answers must be those that went in, and "cannot tell" where too little did.
+#include "dem_compare/resistance/findings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem_compare/resistance/resistance_file.h"
+#include "tests/dem_compare/resistance/moving_study.h"
+#include "tests/dem_compare/engines/canonical_contact.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::MovingFolder;
+using test::StudyEntry;
+using test::TemporaryFolder;
+using Verdict = LengthAnswer::Verdict;
+
+constexpr double nm = 1e-9;
+const std::vector<double> three_loads{3e-5, 1e-4, 3e-4};
+
+MovingFolder rolling(double load, double moment, unsigned random) {
+  MovingFolder made;
+  made.experiment = "rolling";
+  made.load = load;
+  made.friction = 0.6 * moment, made.plastic = 0.4 * moment, made.adhesion = 0;
+  made.noise = 0.1, made.hills = 3, made.random = random;
+  return made;
+}
+
+/// Rolling at three loads on spheres of three radii, with M = mu lambda P.
+std::vector<StudyEntry> scaled(bool with_contact) {
+  std::vector<StudyEntry> entries;
+  unsigned random = 10;
+  for (const double radius : {2.5e-6, 8.5e-6, 50e-6})
+    for (const double load : three_loads) {
+      MovingFolder made = rolling(load, 0, ++random);
+      made.radius = radius;
+      const double moment = 1e-3 * load * (with_contact ? made.contact_radius() : radius);
+      made.friction = 0.6 * moment, made.plastic = 0.4 * moment;
+      entries.push_back({"R " + std::to_string(std::lround(radius * 1e7)), made});
+    }
+  return entries;
+}
+
+/// Sliding and rolling on three surfaces; relative changes per nm of RMS of what slip and yielding take.
+std::vector<StudyEntry> of_roughness(double slip, double yielding, int realisations = 1, double noise = 0.05) {
+  std::vector<StudyEntry> entries;
+  unsigned random = 50;
+  for (const double rms : {0.3, 1.5, 2.7})
+    for (const char* type : {"sliding", "rolling"})
+      for (int seed = 1; seed <= realisations; ++seed)
+        for (const double load : three_loads) {
+          MovingFolder made;
+          made.experiment = type, made.load = load, made.rms = rms, made.seed = seed, made.noise = noise, made.random = ++random;
+          // A realisation has a scatter of its own, on all surfaces: it must not hide the trend.
+          const double size = load * (seed == 2 ? 1.2 : 1) * (std::string(type) == "rolling" ? made.contact_radius() : 1);
+          made.friction = 0.2 * size * (1 + slip * (rms - 1.5)), made.plastic = 0.02 * size * (1 + yielding * (rms - 1.5));
+          entries.push_back({std::to_string(rms).substr(0, 3) + " nm", made});
+        }
+  return entries;
+}
+
+/// A study as it is read; keeps what the findings point into.
+struct Study {
+  explicit Study(const std::vector<StudyEntry>& entries, const std::optional<Published>& published = std::nullopt)
+      : findings(find_resistances(collect_cases({test::write_moving_study(root.path, entries)}), published)) {}
+  TemporaryFolder root;
+  ResistanceFindings findings;
+};
+
+bool says(const std::vector<std::string>& sentences, const std::string& part) {
+  return std::any_of(sentences.begin(), sentences.end(), [&](const auto& text) { return text.find(part) != std::string::npos; });
+}
+
+TEST(ResistanceLength_analytic, moments_that_follow_the_contact_radius_are_told_to) {
+  const Study study(scaled(true));
+  ASSERT_EQ(study.findings.lengths.size(), 1u);
+  const LengthAnswer& answer = study.findings.lengths.front();
+  EXPECT_EQ(answer.verdict, Verdict::contact_radius);
+  EXPECT_EQ(answer.radii.size(), 3u);
+  ASSERT_EQ(answer.exponents.size(), 6u);  // three radii over load, three loads over radius
+  for (const auto& exponent : answer.exponents) {
+    EXPECT_LT(std::abs(exponent.from_contact()), 3) << exponent.over << " " << exponent.what;
+    EXPECT_GT(std::abs(exponent.from_radius()), 3) << exponent.over << " " << exponent.what;
+  }
+  EXPECT_NE(answers(study.findings).headline.find("Length of rolling: lambda = a"), std::string::npos);
+}
+
+TEST(ResistanceLength_analytic, moments_that_follow_the_particle_radius_are_told_to) {
+  const Study study(scaled(false));
+  ASSERT_EQ(study.findings.lengths.size(), 1u);
+  EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::particle_radius);
+}
+
+TEST(ResistanceLength_analytic, moments_that_follow_neither_are_not_pressed_into_one) {
+  auto entries = scaled(true);
+  for (auto& entry : entries) {  // M ~ P^(5/3) R^(2/3)
+    const double moment = 1e-3 * entry.made.load * std::pow(entry.made.contact_radius(), 2) / 1e-7;
+    entry.made.friction = 0.6 * moment, entry.made.plastic = 0.4 * moment;
+  }
+  EXPECT_EQ(Study(entries).findings.lengths.front().verdict, Verdict::neither);
+}
+
+TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
+  std::vector<StudyEntry> entries;
+  for (const double load : {1e-4, 1.2e-4}) {
+    MovingFolder made = rolling(load, 1e-13 * load / 1e-4, load > 1e-4 ? 1 : 2);
+    made.way_in_radii = 3, made.noise = 0.3;
+    entries.push_back({"one", made});
+  }
+  const Study study(entries);
+  ASSERT_EQ(study.findings.lengths.size(), 1u);
+  EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::cannot_tell);
+  EXPECT_TRUE(says(answers(study.findings).length, "cannot tell"));
+}
+
+TEST(ResistanceTrend_analytic, slopes_come_back_with_their_mechanism) {
+  const Study study(of_roughness(0.05, -0.2));
+  ASSERT_EQ(study.findings.trends.size(), 2u);
+  for (const auto& trend : study.findings.trends) {
+    ASSERT_EQ(trend.loads.size(), 3u);
+    for (const auto& at : trend.loads) {
+      const double scale = 1 / nm;
+      EXPECT_NEAR(at.friction.slope.value / scale, 0.2 * 0.05, 3 * at.friction.slope.sd / scale);
+      EXPECT_NEAR(at.plastic.slope.value / scale, -0.02 * 0.2, 3 * at.plastic.slope.sd / scale);
+      EXPECT_EQ(at.plastic.sign(), Trend::Sign::falls);
+    }
+    // (0.2 0.05 - 0.02 0.2)/0.22 = 2.7 % per nm
+    EXPECT_NEAR(trend.relative.value * nm, 0.0273, 3 * trend.relative.sd * nm);
+    EXPECT_EQ(trend.sign(), Trend::Sign::rises);
+  }
+  const auto said = answers(study.findings);
+  EXPECT_TRUE(says(said.roughness, "What makes sliding friction rise with roughness is slip."));
+  EXPECT_TRUE(says(said.roughness, "What makes rolling friction fall with roughness is yielding, but not the resistance as a whole."));
+}
+
+TEST(ResistanceTrend_analytic, no_trend_is_said_with_its_bound) {
+  const Study study(of_roughness(0, 0));
+  for (const auto& trend : study.findings.trends) EXPECT_LT(std::abs(trend.relative.value), 3 * trend.relative.sd);
+  const Study noisy(of_roughness(0.001, 0.001, 1, 0.3));
+  EXPECT_EQ(noisy.findings.trends.front().sign(), Trend::Sign::none);
+  EXPECT_TRUE(says(answers(noisy.findings).roughness, "has no trend within"));
+}
+
+TEST(ResistanceTrend_analytic, scatter_that_a_realisation_has_on_all_surfaces_does_not_hide_the_trend) {
+  const Study study(of_roughness(0.03, 0.03, 2));
+  for (const auto& trend : study.findings.trends) {
+    EXPECT_EQ(trend.sign(), Trend::Sign::rises);
+    for (const auto* contact : trend.contacts) EXPECT_EQ(contact->states.front().cases.size(), 2u);
+  }
+}
+
+TEST(ResistanceTrend_analytic, a_single_roughness_tells_no_trend) {
+  const Study study({{"one", rolling(1e-4, 1e-13, 1)}, {"one", rolling(3e-4, 4e-13, 2)}});
+  EXPECT_TRUE(study.findings.trends.empty());
+  EXPECT_TRUE(says(answers(study.findings).roughness, "cannot be told"));
+}
+
+TEST(ResistanceContribution_analytic, a_mechanism_switched_off_shows_what_it_contributes) {
+  std::vector<StudyEntry> entries;
+  MovingFolder full;
+  full.friction = 20e-6, full.plastic = 5e-6, full.adhesion = 2e-6, full.noise = 0.03, full.work_of_adhesion = "77 mJ/m^2";
+  MovingFolder elastic = full, dry = full;
+  elastic.plastic = 0, elastic.yield_stress = "inf", elastic.random = 2;
+  dry.adhesion = 0, dry.friction = 19e-6, dry.work_of_adhesion = "0 J/m^2", dry.random = 3;
+  const Study study({{"full", full}, {"elastic", elastic}, {"without adhesion", dry}});
+  ASSERT_EQ(study.findings.contributions.size(), 2u);
+  for (const auto& one : study.findings.contributions) {
+    const bool yielding = one.mechanism == Contribution::Mechanism::yielding;
+    EXPECT_EQ(one.without->label, yielding ? "elastic" : "without adhesion");
+    EXPECT_TRUE(one.is_told());
+    EXPECT_NEAR(one.difference.value, yielding ? 5e-6 : 3e-6, 3 * one.difference.sd);
+    EXPECT_NEAR(one.share().value, (yielding ? 5. : 3.) / 27, 3 * one.share().sd);
+  }
+}
+
+TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2) {
+  // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign must not.
+  const Published published = read_published(test::paper_run("published"));
+  std::vector<StudyEntry> entries;
+  unsigned random = 0;
+  for (const auto& surface : published.surfaces) {
+    MovingFolder made;
+    made.load = 1e-4, made.rms = surface.rms.value / nm, made.noise = 0.01, made.random = ++random;
+    made.friction = surface.sliding.value * (made.load + surface.sliding_offset.value);
+    entries.push_back({surface.name, made});
+    made.experiment = "rolling";
+    made.friction = 1e-3 * made.load * made.radius * (1 - 0.2 * made.rms);
+    entries.push_back({surface.name, made});
+  }
+  const Study study(entries, published);
+  int sliding = 0, rolls = 0;
+  for (const auto& one : study.findings.published.magnitudes) {
+    if (one.mode != &sliding_mode()) continue;
+    ++sliding;
+    EXPECT_NEAR(one.over().value, 1, 0.02) << one.contact->label;
+    EXPECT_LT(std::abs(one.sigmas()), 2) << one.contact->label;
+  }
+  EXPECT_EQ(sliding, 3);
+  for (const auto& one : study.findings.published.trends)
+    if (one.trend->mode == &rolling_mode()) {
+      ++rolls;
+      // At 100 uN the measured resistance rises with roughness, by its offset h; only its coefficient falls.
+      EXPECT_GT(one.measured.value, 0);
+      EXPECT_LT(one.simulated.value, 0);
+    } else {
+      EXPECT_LT(std::abs(one.sigmas()), 2);
+    }
+  EXPECT_EQ(rolls, 1);
+}
+
+TEST(ResistanceStudy, coarser_meshes_do_not_count_as_realisations) {
+  MovingFolder fine, coarse;
+  coarse.spacing = 2e-8, coarse.friction = 30e-6;
+  const Study study({{"one", coarse}, {"one", fine}, {"one", coarse}});
+  ASSERT_EQ(study.findings.study.contacts.size(), 1u);
+  const auto& state = study.findings.study.contacts.front().states.front();
+  EXPECT_EQ(state.cases.size(), 1u);
+  EXPECT_NEAR(state.resistance.value / fine.friction, 1, 1e-6);
+}
+
+TEST(ResistanceStudy, files_hold_every_state_and_the_answers) {
+  const Study study(of_roughness(0.05, -0.2));
+  const std::string csv = resistance_csv(study.findings.study);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 3);
+  const auto json = resistance_json(study.findings);
+  EXPECT_EQ(json["format"], "asperity-resistance/1");
+  EXPECT_EQ(json["contacts"].size(), 3u);
+  EXPECT_FALSE(json["answers"]["roughness"].empty());
+}
+
+TEST(ResistanceStudy, cases_that_were_only_pressed_are_passed_over) {
+  MovingFolder pressed;
+  pressed.experiment = "normal";
+  EXPECT_TRUE(Study({{"one", pressed}}).findings.empty());
+}
+
+}  // namespace
+}  // namespace asperity
