@@ -17,14 +17,17 @@ void write_report(const std::filesystem::path& directory) {
   vtkObject::GlobalWarningDisplayOff();  // what matters is said in the page
   report::SectionPainter painter;
   std::string page;
-  if (is_study_folder(directory))
-    page = report::study_report_html(directory, painter);
-  else if (is_case_folder(directory))
+  if (is_study_folder(directory)) {
+    const report::StudyReport study = report::study_report(directory, painter);
+    for (const auto& [name, content] : study.files) write_file_atomically(directory / name, content);
+    page = study.page;
+  } else if (is_case_folder(directory)) {
     page = report::case_report_html(directory, painter);
-  else
+  } else {
     throw InputError(directory.string() +
                      ": holds neither a solved case (history.csv) nor a study (study.json); name a folder that 'asperity solve' "
                      "or 'asperity study' wrote");
+  }
   write_file_atomically(directory / "report.html", page);
 }
 

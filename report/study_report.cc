@@ -1,11 +1,15 @@
 #include "report/study_report.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "dem_compare/comparison.h"
+#include "dem_compare/resistance/resistance_file.h"
 #include "report/axis.h"
 #include "report/case_report.h"
 #include "report/page.h"
+#include "report/resistance_section.h"
 #include "report/result_tables.h"
 #include "report/study_figures.h"
 #include "report/study_tables.h"
@@ -54,21 +58,20 @@ std::string which_mesh(const std::vector<StudyCurve>& curves) {
               " at the interface); the coarser ones serve to tell its error.");
 }
 
-}  // namespace
+/// Groups whose cases were loaded and unloaded only. Loading before a motion has too few steps to be set beside Hertz.
+CaseCollection only_pressed(const CaseCollection& collection) {
+  CaseCollection pressed = collection;
+  auto& groups = pressed.groups;
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const CaseGroup& group) { return mode_of(group.first()) != nullptr; }), groups.end());
+  return pressed;
+}
 
-std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
-  const CaseCollection collection = collect_cases({folder});
-  const Comparison comparison = compare_with_hertz(collection, tolerance);
-  const std::vector<StudyCurve> curves = curves_of(collection, comparison);
-  const std::string title = collection.title.empty() || collection.title == "untitled" ? "Study" : collection.title;
-
-  std::string body;
-  if (!collection.groups.empty()) body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
-  body += missing_html(collection);
-  if (collection.groups.empty()) return page_html(title, subtitle_of(folder, nullptr), body);
-  const SolvedCase& first = collection.groups.front().first();
-  body += study_verdict(collection, curves);
-  body += which_mesh(curves);
+/// Empty without any.
+std::string pressed_sections(const CaseCollection& pressed, SectionPainter& painter) {
+  if (pressed.groups.empty()) return "";
+  const Comparison comparison = compare_with_hertz(pressed, tolerance);
+  const std::vector<StudyCurve> curves = curves_of(pressed, comparison);
+  std::string body = study_verdict(pressed, curves) + which_mesh(curves);
   body += section_html("Against Hertz", load_figures(curves));
   const std::string dependence = roughness_dependence_figures(curves), surfaces = surfaces_table(curves);
   if (!(dependence + surfaces).empty()) body += section_html("RMS and spectrum", surfaces + dependence);
@@ -76,10 +79,44 @@ std::string study_report_html(const fs::path& folder, SectionPainter& painter) {
   body += section_html("Contact and pressure, load by load", contact_table(curves));
   body += section_html("What stays behind, and what a fit would report", imprint_and_fit_table(curves));
   body += section_html("The contacts in pictures", gallery(curves, painter));
+  return body;
+}
+
+/// The paper's numbers, where they lie beside the program's sources.
+std::optional<Published> published_numbers() {
+  const fs::path folder = ASPERITY_RUNS "/paper/published";
+  if (!fs::exists(folder)) return std::nullopt;
+  return read_published(folder);
+}
+
+}  // namespace
+
+StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
+  const CaseCollection collection = collect_cases({folder});
+  const std::string title = collection.title.empty() || collection.title == "untitled" ? "Study" : collection.title;
+  StudyReport report;
+  std::string body;
+  if (!collection.groups.empty()) body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
+  body += missing_html(collection);
+  if (collection.groups.empty()) {
+    report.page = page_html(title, subtitle_of(folder, nullptr), body);
+    return report;
+  }
+  const ResistanceFindings findings = find_resistances(collection, published_numbers());
+  if (!findings.empty()) {
+    body += resistance_verdict(findings) + resistance_sections(findings);
+    report.files["resistance.csv"] = resistance_csv(findings.study);
+    report.files["resistance.json"] = resistance_json(findings).dump(1) + "\n";
+  }
+  const CaseCollection pressed = only_pressed(collection);
+  body += pressed_sections(pressed, painter);
+  const SolvedCase& first = collection.groups.front().first();
   body += section_html("How far to trust it, and what it cost",
-                       case_list(collection) + details_html("First case: mesh, cost, versions", remaining_tables(first)));
+                       (pressed.groups.empty() ? paragraph(worst_balance_sentence(collection)) : "") + case_list(collection) +
+                           details_html("First case: mesh, cost, versions", remaining_tables(first)));
   body += section_html("What went in", note("Of the first case:") + inputs_table(first));
-  return page_html(title, subtitle_of(folder, first.result), body);
+  report.page = page_html(title, subtitle_of(folder, first.result), body);
+  return report;
 }
 
 }  // namespace asperity::report

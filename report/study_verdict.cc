@@ -65,6 +65,8 @@ std::string mesh_sentence(const std::vector<StudyCurve>& curves) {
                  "Mesh/Interface spacing to have it.";
 }
 
+}  // namespace
+
 std::string worst_balance_sentence(const CaseCollection& collection) {
   std::map<std::string, double> worst;
   for (const auto& group : collection.groups)
@@ -76,8 +78,6 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
   for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
   return text.empty() ? "" : "Largest relative errors of the balances over all cases: " + text + ".";
 }
-
-}  // namespace
 
 std::string study_verdict(const CaseCollection& collection, const std::vector<StudyCurve>& curves) {
   std::vector<std::string> sentences;

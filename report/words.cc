@@ -68,15 +68,21 @@ std::string what_was_asked(const SolvedCase& solved) {
              in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
   const std::string type = entries.text("Experiment/Type", "normal");
   const std::string back = entries.text("Experiment/Reverse", "true") == "true" ? " and back" : "";
-  if (type == "sliding") words += ", slid by " + in_units(entries.quantity("Experiment/Distance", Dimension::length, NAN), Dimension::length) + back;
-  if (type == "rolling") words += ", rolled by " + in_units(entries.quantity("Experiment/Distance", Dimension::length, NAN), Dimension::length) + back;
-  if (type == "torsion") words += ", spun by " + in_units(entries.quantity("Experiment/Angle", Dimension::angle, NAN), Dimension::angle) + back;
+  // 0 stands for a way that the solver derives from the load.
+  const auto way = [&](const char* entry, Dimension dimension) {
+    const double length = entries.quantity(entry, dimension, 0);
+    return (length > 0 ? " by " + in_units(length, dimension) : "") + back;
+  };
+  if (type == "sliding") words += ", slid" + way("Experiment/Distance", Dimension::length);
+  if (type == "rolling") words += ", rolled" + way("Experiment/Distance", Dimension::length);
+  if (type == "torsion") words += ", spun" + way("Experiment/Angle", Dimension::angle);
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");
     words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
   }
   if (type != "normal")
     words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
+  if (type != "normal") return words + ". What resists this motion, and which mechanism takes how much of it?";
   return words + ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), and what stays "
                  "behind when the load has gone?";
 }

@@ -1,0 +1,19 @@
+// Tables of moving contacts.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/resistance/findings.h"
+
+namespace asperity::report {
+
+/// Of one motion, a row per contact and load.
+std::string resistance_table(const MovingStudy& study, const MotionMode& mode);
+/// Changes per nm of RMS; empty without trends.
+std::string trend_table(const ResistanceFindings& findings);
+/// What switching yielding or adhesion off changes; empty without such pairs.
+std::string contribution_table(const ResistanceFindings& findings);
+/// Beside the paper; empty where it measured nothing alike.
+std::string measurement_table(const ResistanceFindings& findings);
+
+}  // namespace asperity::report
