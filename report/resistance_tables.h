@@ -9,6 +9,8 @@ namespace asperity::report {
 
 /// Of one motion, a row per contact and load.
 std::string resistance_table(const MovingStudy& study, const MotionMode& mode);
+/// Exponents of the moments in load and radius; empty without any.
+std::string exponent_table(const ResistanceFindings& findings);
 /// Changes per nm of RMS; empty without trends.
 std::string trend_table(const ResistanceFindings& findings);
 /// What switching yielding or adhesion off changes; empty without such pairs.

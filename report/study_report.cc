@@ -112,7 +112,7 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
   body += pressed_sections(pressed, painter);
   const SolvedCase& first = collection.groups.front().first();
   body += section_html("How far to trust it, and what it cost",
-                       (pressed.groups.empty() ? paragraph(worst_balance_sentence(collection)) : "") + case_list(collection) +
+                       (pressed.groups.empty() ? note(worst_balance_sentence(collection)) : "") + case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(first)));
   body += section_html("What went in", note("Of the first case:") + inputs_table(first));
   report.page = page_html(title, subtitle_of(folder, first.result), body);

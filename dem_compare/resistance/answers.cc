@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/derive/law_report.h"
 #include "dem_compare/resistance/findings.h"
 #include "dem_compare/resistance/sentences.h"
 
@@ -24,28 +25,48 @@ const char* verdict_words(LengthAnswer::Verdict verdict) {
   }
 }
 
-std::string exponent_words(const ScalingExponent& exponent) {
-  const std::string where = exponent.over == "load" ? "with load (" + exponent.what + ")" : "with the particle's radius (at " + exponent.what + ")";
-  if (!exponent.exponent.slope.has_sd()) return where + " in a way that cannot be told";
-  const auto sigmas = [](double distance) { return number_text({std::round(10 * std::abs(distance)) / 10}) + " sigma"; };
-  return where + " to the power " + number_text(exponent.exponent.slope) + " (lambda = r: " + number_text({exponent.with_radius}) + ", " +
-         sigmas(exponent.from_radius()) + " off; lambda = a: " + number_text({exponent.with_contact}) + ", " + sigmas(exponent.from_contact()) + " off)";
+/// "1.31 +- 0.01", or "1.31 to 1.34" of several; "" where none is known.
+std::string exponents_words(const LengthAnswer& answer, const std::string& over, const std::string& with_radius, const std::string& with_contact) {
+  double low = INFINITY, high = -INFINITY;
+  std::string single;
+  for (const auto& exponent : answer.exponents) {
+    const Uncertain& found = exponent.exponent.slope;
+    if (exponent.over != over || !std::isfinite(found.value)) continue;
+    low = std::min(low, found.value), high = std::max(high, found.value);
+    single = number_text(found);
+  }
+  if (single.empty()) return "";
+  constexpr double hundred = 100;
+  const auto rounded = [](double value) { return number_text({std::round(hundred * value) / hundred}); };
+  return " With the " + over + " the moment grows to the power " + (low == high ? single : rounded(low) + " to " + rounded(high)) +
+         " (lambda = r without offset: " + with_radius + ", lambda = a: " + with_contact + ").";
 }
 
 std::string odds_words(const LengthChoice& choice) {
+  if (choice.log_odds == 0) return "";
   constexpr double most_that_matters = 1e6;
   const double odds = std::exp(std::abs(choice.log_odds));
-  if (choice.log_odds == 0) return "";
-  return "; with an offset h left free, odds " + (odds > most_that_matters ? std::string("above 10^6") : number_text({odds})) + " to 1 for lambda = " +
-         (choice.log_odds > 0 ? "a" : "r") + (choice.is_told() ? "" : ", no answer (20 to 1 would be one)");
+  const bool is_contact = choice.log_odds > 0;
+  return " Odds " + (odds > most_that_matters ? std::string("above 10^6") : number_text({odds})) + " to 1 for lambda = " + (is_contact ? "a" : "r") +
+         ", an offset h left free" + (choice.is_told() ? "" : " (20 to 1 would be an answer)") + "; with it " +
+         to_text(is_contact ? choice.with_contact : choice.with_radius) + ".";
+}
+
+std::string without_offset_words(const LengthAnswer& answer) {
+  if (answer.verdict != LengthAnswer::Verdict::cannot_tell) return "";
+  const auto alone = answer.without_offset();
+  if (alone == LengthAnswer::Verdict::cannot_tell) return "";
+  return std::string(" Without an offset the exponents would say: ") + verdict_words(alone) + "; more loads or radii would tell h apart.";
 }
 
 Sentences length_sentences(const ResistanceFindings& findings) {
   Sentences list;
   for (const auto& answer : findings.lengths) {
-    std::string text = motion_name(*answer.mode, true) + " of " + answer.contact + ": " + verdict_words(answer.verdict) + ". The moment grows ";
-    for (std::size_t i = 0; i < answer.exponents.size(); ++i) text += (i ? "; " : "") + exponent_words(answer.exponents[i]);
-    list.push_back(text + (answer.choice ? odds_words(*answer.choice) : "") + ".");
+    std::string radii;
+    for (const double radius : answer.radii) radii += (radii.empty() ? "" : ", ") + format_quantity(radius, Dimension::length);
+    list.push_back(motion_name(*answer.mode, true) + " of " + answer.contact + (answer.radii.size() > 1 ? " (radii " + radii + ")" : "") + ": " +
+                   verdict_words(answer.verdict) + "." + (answer.choice ? odds_words(*answer.choice) : "") +
+                   exponents_words(answer, "load", "1", "1.33") + exponents_words(answer, "radius", "1", "0.33") + without_offset_words(answer));
   }
   return list;
 }
@@ -154,25 +175,34 @@ std::string trend_against_paper(const MeasuredTrend& one) {
 }
 
 std::string magnitude_against_paper(const MeasuredMagnitude& one) {
-  const bool torsion = one.mode == &torsion_mode();
   const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) + ": " +
-                           (torsion || one.mode == &rolling_mode() ? "M/(P r)" : "F/P") + " simulated " + number_text(one.simulated) + ", measured " +
+                           (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " + number_text(one.simulated) + ", measured " +
                            number_text(one.measured);
   if (!std::isfinite(one.sigmas())) return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
+  // Local friction went in: its size says nothing of the simulation.
+  if (one.mode != &rolling_mode())
+    return text + ", ratio " + number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart; the size follows from the local friction of " +
+           number_text({one.contact->bodies.friction}) + " that went in.";
   constexpr double two_sigma = 2;
   return text + (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio " : "; they agree: ratio ") + number_text(one.over()) +
          ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
+/// Those that tell, or that none does.
 std::string length_headline(const ResistanceFindings& findings, const MotionMode& mode) {
   Sentences verdicts;
-  for (const auto& answer : findings.lengths)
-    if (answer.mode == &mode && !std::count(verdicts.begin(), verdicts.end(), verdict_words(answer.verdict)))
-      verdicts.emplace_back(verdict_words(answer.verdict));
-  if (verdicts.empty()) return "";
+  bool any = false;
+  for (const auto& answer : findings.lengths) {
+    if (answer.mode != &mode) continue;
+    any = true;
+    const std::string words = verdict_words(answer.verdict);
+    if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words)) verdicts.push_back(words);
+  }
+  if (!any) return "";
   std::string text;
   for (const auto& verdict : verdicts) text += (text.empty() ? "" : " / ") + verdict;
-  return "Length of " + motion_name(mode) + ": " + text + (verdicts.size() > 1 ? " (it depends on the contact)" : "") + ". ";
+  return "Length of " + motion_name(mode) + " resistance: " + (text.empty() ? "cannot tell" : text) +
+         (verdicts.size() > 1 ? " (it depends on the contact)" : "") + ". ";
 }
 
 std::string trend_headline(const ResistanceFindings& findings, const MotionMode& mode) {

@@ -53,22 +53,43 @@ std::vector<ResistancePoint> points_of(const Contacts& contacts, const MotionMod
   return points;
 }
 
-/// Odds must be telling; an exponent that lies more than three standard deviations off the law they choose speaks against it.
-LengthAnswer::Verdict judge(const LengthAnswer& answer) {
+constexpr double contradicts = 3;  // standard deviations
+
+/// Root mean square of the relative sds: what a law that holds may miss the points by.
+double doubt_of(const std::vector<ResistancePoint>& points) {
+  double squares = 0;
+  for (const auto& point : points) squares += std::pow(point.sd / point.value, 2) / static_cast<double>(points.size());
+  return std::sqrt(squares);
+}
+
+/// A law with whatever offset cannot be: an exponent in the radius, or its misfit, is too far off.
+bool is_contradicted(const LengthAnswer& answer, bool by_contact, const std::vector<ResistancePoint>& points) {
+  for (const auto& exponent : answer.exponents)
+    if (exponent.over == "radius" && std::abs(by_contact ? exponent.from_contact() : exponent.from_radius()) > contradicts) return true;
+  const ResistanceLaw& law = by_contact ? answer.choice->with_contact : answer.choice->with_radius;
+  return law.degrees_of_freedom > 0 && law.misfit > contradicts * doubt_of(points);
+}
+
+LengthAnswer::Verdict judge(const LengthAnswer& answer, const std::vector<ResistancePoint>& points) {
   using Verdict = LengthAnswer::Verdict;
-  constexpr double contradicts = 3;
-  bool against_radius = false, against_contact = false;
-  for (const auto& exponent : answer.exponents) {
-    against_radius = against_radius || std::abs(exponent.from_radius()) > contradicts;
-    against_contact = against_contact || std::abs(exponent.from_contact()) > contradicts;
-  }
-  if (!answer.choice || !answer.choice->is_told()) return against_radius && against_contact ? Verdict::neither : Verdict::cannot_tell;
-  const bool is_contact = answer.choice->log_odds > 0;
-  if (is_contact ? against_contact : against_radius) return Verdict::neither;
+  if (!answer.choice) return Verdict::cannot_tell;
+  const bool is_contact = answer.choice->log_odds > 0, against = is_contradicted(answer, is_contact, points);
+  if (against && (answer.choice->is_told() || is_contradicted(answer, !is_contact, points))) return Verdict::neither;
+  if (!answer.choice->is_told()) return Verdict::cannot_tell;
   return is_contact ? Verdict::contact_radius : Verdict::particle_radius;
 }
 
 }  // namespace
+
+LengthAnswer::Verdict LengthAnswer::without_offset() const {
+  bool against_radius = false, against_contact = false;
+  for (const auto& exponent : exponents) {
+    against_radius = against_radius || std::abs(exponent.from_radius()) > contradicts;
+    against_contact = against_contact || std::abs(exponent.from_contact()) > contradicts;
+  }
+  if (against_radius == against_contact) return against_radius ? Verdict::neither : Verdict::cannot_tell;
+  return against_radius ? Verdict::contact_radius : Verdict::particle_radius;
+}
 
 std::vector<LengthAnswer> length_answers(const MovingStudy& study) {
   std::vector<LengthAnswer> answers;
@@ -94,7 +115,7 @@ std::vector<LengthAnswer> length_answers(const MovingStudy& study) {
       if (answer.exponents.empty()) continue;
       const auto points = points_of(moved, *mode);
       if (points.size() > 1) answer.choice = choose_length(points);
-      answer.verdict = judge(answer);
+      answer.verdict = judge(answer, points);
       answers.push_back(std::move(answer));
     }
   }

@@ -1,5 +1,7 @@
 // Does the moment of a rolling or spinning contact, M = mu lambda (f + h), follow the particle's radius or that of the contact? Two
-// looks at the same moments: exponents in load and radius, and odds between both laws (derive/length_choice.h). SI units.
+// looks at the same moments: exponents in load and radius, and odds between both laws with h left free (derive/length_choice.h). An
+// offset h bends the first (M grows less than with the power of the load), so only the odds decide; exponents in the radius, which
+// h leaves alone, and a misfit of the law can contradict them. SI units.
 #pragma once
 
 #include <optional>
@@ -31,6 +33,9 @@ struct LengthAnswer {
   std::vector<ScalingExponent> exponents;
   std::optional<LengthChoice> choice;        ///< with two contacts (loads or radii) or more
   Verdict verdict = Verdict::cannot_tell;
+
+  /// What the exponents alone say, that is with h = 0.
+  Verdict without_offset() const;
 };
 
 /// Of rolling and torsion, each contact with two loads or more, with those that differ from it by the particle's radius alone.

@@ -58,6 +58,7 @@ class Sorter {
     for (std::size_t i = 0; i < study_.contacts.size(); ++i) name(i);
     for (auto& contact : study_.contacts) finish(contact);
     auto& contacts = study_.contacts;
+    remark_on_realisations();
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty(); }), contacts.end());
   }
 
@@ -132,6 +133,15 @@ class Sorter {
       const auto place = [](const MotionMode* mode) { return std::find(all_motions().begin(), all_motions().end(), mode); };
       return place(a.mode) != place(b.mode) ? place(a.mode) < place(b.mode) : a.load < b.load;
     });
+  }
+
+  void remark_on_realisations() {
+    std::size_t most = 0;
+    for (const auto& contact : study_.contacts)
+      for (const auto& state : contact.states) most = std::max(most, state.cases.size());
+    if (most == 1)
+      study_.remarks.emplace_back("one realisation of each surface: how stretches of its way differ stands in for how realisations would; features "
+                                  "longer than the way are not in the uncertainty");
   }
 
   static void average(MovingState& state) {

@@ -62,7 +62,7 @@ TEST(ResistancePage, a_study_of_moving_contacts_alone_answers_both_questions_wit
   const TemporaryFolder root;
   const std::string html = report_of(test::write_moving_study(root.path, moving_contacts()));
   for (const char* part :
-       {"Length of rolling: λ = a", "Length of torsion: λ = a", "What resists sliding", "What resists rolling", "What resists torsion", "With roughness",
+       {"Length of rolling resistance: λ = a", "Length of torsion resistance: λ = a", "What resists sliding", "What resists rolling", "What resists torsion", "With roughness",
         "With a mechanism switched off", "Beside the measurement", "What makes rolling friction fall with roughness is yielding", "R 2.5 µm",
         "What resists this motion", "Largest relative errors"})
     EXPECT_TRUE(has(html, part)) << part;

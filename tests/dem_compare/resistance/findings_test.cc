@@ -87,7 +87,7 @@ TEST(ResistanceLength_analytic, moments_that_follow_the_contact_radius_are_told_
     EXPECT_LT(std::abs(exponent.from_contact()), 3) << exponent.over << " " << exponent.what;
     EXPECT_GT(std::abs(exponent.from_radius()), 3) << exponent.over << " " << exponent.what;
   }
-  EXPECT_NE(answers(study.findings).headline.find("Length of rolling: lambda = a"), std::string::npos);
+  EXPECT_NE(answers(study.findings).headline.find("Length of rolling resistance: lambda = a"), std::string::npos);
 }
 
 TEST(ResistanceLength_analytic, moments_that_follow_the_particle_radius_are_told_to) {
@@ -116,6 +116,19 @@ TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
   ASSERT_EQ(study.findings.lengths.size(), 1u);
   EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::cannot_tell);
   EXPECT_TRUE(says(answers(study.findings).length, "cannot tell"));
+}
+
+TEST(ResistanceLength_analytic, an_offset_does_not_pass_for_another_length) {
+  // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is lambda = a all the same.
+  auto entries = scaled(true);
+  for (auto& entry : entries) {
+    const double moment = 1e-3 * (entry.made.load + 3e-5) * entry.made.contact_radius();
+    entry.made.friction = 0.6 * moment, entry.made.plastic = 0.4 * moment;
+  }
+  const LengthAnswer answer = std::move(Study(entries).findings.lengths.front());
+  EXPECT_EQ(answer.verdict, Verdict::contact_radius);
+  EXPECT_GT(std::abs(answer.exponents.front().from_contact()), 3);
+  EXPECT_NEAR(answer.choice->with_contact.offset, 3e-5, 3 * answer.choice->with_contact.offset_sd());
 }
 
 TEST(ResistanceTrend_analytic, slopes_come_back_with_their_mechanism) {

@@ -101,7 +101,8 @@ inline std::filesystem::path write_moving(const std::filesystem::path& folder, c
       << "\n set Normal load = " << made.load * 1e6 << " uN\nend\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
   write_file_atomically(folder / "case.prm", prm.str());
   write_file_atomically(folder / "history.csv", moving_history(made));
-  write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1", "experiment": ")" + made.experiment + R"(", "effective": {}})");
+  write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1", "experiment": ")" + made.experiment + R"(", "effective": {},
+    "balance": {"force": 2e-7, "energy": 0.003}})");
   return folder;
 }
 
