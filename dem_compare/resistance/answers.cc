@@ -136,19 +136,32 @@ Sentences roughness_sentences(const ResistanceFindings& findings) {
   Sentences list;
   for (const auto& trend : findings.trends) {
     std::string over;
-    for (const auto* contact : trend.contacts) over += (over.empty() ? "" : " to ") + number_text({contact->bodies.rms / nm});
-    list.push_back(motion_name(*trend.mode, true) + " resistance (RMS " + over + " nm) " + trend_words(trend.relative) + at_loads(trend) + "." +
+    for (const auto* contact : trend.contacts) over += (over.empty() ? "" : "; ") + contact->label;
+    list.push_back(motion_name(*trend.mode, true) + " resistance (" + over + ") " + trend_words(trend.relative) + at_loads(trend) + "." +
                    parts_words(trend) + cause_words(trend) + coefficient_words(trend));
   }
   return list;
 }
 
+const char* name_of(Contribution::Mechanism mechanism) { return mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"; }
+
+/// First what changes with roughness, then pair by pair.
 Sentences mechanism_sentences(const ResistanceFindings& findings) {
   Sentences list;
+  for (const auto& trend : findings.contribution_trends) {
+    const Contribution &low = *trend.smoothest, &high = *trend.roughest;
+    const Uncertain change{trend.relative().value * nm, trend.relative().sd * nm};
+    const Sign sign = sign_of(trend.difference.slope);
+    list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " + motion_name(*low.mode) + " at " + force_text(low.load) +
+                   (sign == Sign::rises   ? " rises with roughness"
+                    : sign == Sign::falls ? " falls with roughness"
+                    : sign == Sign::none  ? " shows no trend with roughness"
+                                          : " changes with roughness in a way that cannot be told") +
+                   ": " + change_percent(change) + " of the resistance per nm of RMS, from " + change_percent(low.share()) + " (" + low.with->label +
+                   ") to " + change_percent(high.share()) + " (" + high.with->label + ").");
+  }
   for (const auto& one : findings.contributions) {
-    const bool yielding = one.mechanism == Contribution::Mechanism::yielding;
-    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " +
-                       (yielding ? "yielding" : "adhesion");
+    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " + name_of(one.mechanism);
     const Uncertain share = one.share();
     if (!one.difference.has_sd()) text += " changes the resistance by " + change_percent(share) + "; whether that means anything cannot be told";
     else if (!one.is_told()) text += " contributes nothing that shows (" + change_percent(share) + " of the resistance)";

@@ -9,6 +9,7 @@ ResistanceFindings find_resistances(const CaseCollection& collection, const std:
   findings.trends = roughness_trends(findings.study);
   findings.lengths = length_answers(findings.study);
   findings.contributions = contributions(findings.study);
+  findings.contribution_trends = contribution_trends(findings.contributions);
   if (published) findings.published = against_published(findings.study, findings.trends, *published);
   return findings;
 }

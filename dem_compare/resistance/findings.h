@@ -12,12 +12,13 @@
 
 namespace asperity {
 
-/// Points into `study` and `trends` of its own: not to be copied.
+/// Points into lists of its own: not to be copied.
 struct ResistanceFindings {
   MovingStudy study;
   std::vector<RoughnessTrend> trends;
   std::vector<LengthAnswer> lengths;
   std::vector<Contribution> contributions;
+  std::vector<ContributionTrend> contribution_trends;
   AgainstPublished published;
 
   ResistanceFindings() = default;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <regex>
 #include <set>
 
@@ -24,13 +25,27 @@ bool yields(const Inputs& inputs, const std::string& body) {
   return std::isfinite(number(inputs, body + "/Yield stress", Dimension::pressure, INFINITY));
 }
 
+/// Without the seed, and with lengths in metres: further realisations are written anew, "0.7 nm" as "700 pm".
+std::string without_seed(std::string text) {
+  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)"), blanks(R"(\s+)"), length(R"(([0-9.]+(?:e[+-]?[0-9]+)?) ?(pm|nm|um|mm|m)\b)");
+  text = std::regex_replace(std::regex_replace(text, seed, ""), blanks, " ");
+  std::smatch found;
+  std::string rest = text, result;
+  while (std::regex_search(rest, found, length)) {
+    char metres[32];
+    std::snprintf(metres, sizeof metres, "%.6g", parse_quantity(found.str(), Dimension::length));
+    result += found.prefix().str() + metres;
+    rest = found.suffix().str();
+  }
+  return result + rest;
+}
+
 Inputs inputs_of(const SolvedCase& solved) {
-  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)"), blanks(R"(\s+)");
   Inputs inputs;
   for (const auto& [path, text] : solved.entries.all()) {
     const std::string section = path.substr(0, path.find('/'));
     if (section == "Particle" || section == "Substrate" || section == "Interface")
-      inputs[path] = std::regex_replace(std::regex_replace(text, seed, ""), blanks, " ");
+      inputs[path] = without_seed(text);
   }
   for (const std::string body : {"Particle", "Substrate"})
     if (!yields(inputs, body))
@@ -70,7 +85,7 @@ class Sorter {
                                " must be more)");
       return;
     }
-    const Inputs inputs = inputs_of(solved);
+    const Inputs inputs = inputs_of(group.first());  // realisations of one cell of a study are one contact
     std::size_t at = 0;
     while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
     if (at == study_.contacts.size()) {

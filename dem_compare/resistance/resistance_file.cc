@@ -105,6 +105,15 @@ Json json_of(const Contribution& one) {
           {"share", json_of(one.share())}};
 }
 
+Json json_of(const ContributionTrend& one) {
+  return {{"mechanism", one.smoothest->mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
+          {"experiment", one.smoothest->mode->experiment},
+          {"load", one.smoothest->load},
+          {"from", one.smoothest->with->label},
+          {"to", one.roughest->with->label},
+          {"relative_per_metre", json_of(one.relative())}};
+}
+
 Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array();
   for (const auto& one : published.magnitudes)
@@ -153,6 +162,7 @@ Json resistance_json(const ResistanceFindings& findings) {
           {"roughness", list_of(findings.trends)},
           {"length", list_of(findings.lengths)},
           {"contributions", list_of(findings.contributions)},
+          {"contributions_over_roughness", list_of(findings.contribution_trends)},
           {"published", json_of(findings.published)}};
 }
 

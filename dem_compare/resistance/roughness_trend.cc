@@ -20,13 +20,6 @@ std::string spectrum_of(const MovingContact& contact) {
   return found == contact.inputs.end() ? "smooth" : std::regex_replace(found->second, rms, "");
 }
 
-bool same_family(const MovingContact& one, const MovingContact& other) {
-  const auto differ = differing_inputs(one, other);
-  if (differ.size() != 1 || differ.front() != "Substrate/Topography") return false;
-  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms) return false;
-  return spectrum_of(one) == spectrum_of(other) || one.bodies.rms == 0 || other.bodies.rms == 0;
-}
-
 /// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to all.
 std::vector<Contacts> families(const MovingStudy& study) {
   std::vector<Contacts> found;
@@ -35,7 +28,7 @@ std::vector<Contacts> families(const MovingStudy& study) {
     if (lead.bodies.rms == 0 || std::count(seen.begin(), seen.end(), &lead)) continue;
     Contacts family{&lead};
     for (const auto& other : study.contacts)
-      if (&other != &lead && same_family(lead, other)) family.push_back(&other);
+      if (&other != &lead && differ_by_roughness(lead, other)) family.push_back(&other);
     for (const auto* contact : family)
       if (contact->bodies.rms > 0) seen.push_back(contact);
     std::stable_sort(family.begin(), family.end(), [](const auto* a, const auto* b) { return a->bodies.rms < b->bodies.rms; });
@@ -136,6 +129,13 @@ Trend::Sign RoughnessTrend::sign() const {
   Trend all;
   all.slope = relative;
   return all.sign();
+}
+
+bool differ_by_roughness(const MovingContact& one, const MovingContact& other) {
+  const auto differ = differing_inputs(one, other);
+  if (differ.size() != 1 || differ.front() != "Substrate/Topography") return false;
+  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms) return false;
+  return spectrum_of(one) == spectrum_of(other) || one.bodies.rms == 0 || other.bodies.rms == 0;
 }
 
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study) {

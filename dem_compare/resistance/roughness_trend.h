@@ -33,6 +33,9 @@ struct RoughnessTrend {
   Trend::Sign sign() const;
 };
 
+/// True for contacts that differ by the RMS of the substrate alone; a smooth substrate goes with every spectrum.
+bool differ_by_roughness(const MovingContact& one, const MovingContact& other);
+
 /// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at the same load. Where the
 /// same realisations were solved on all surfaces, slopes are taken realisation by realisation: a common scatter drops out.
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/resistance/roughness_trend.h"
 #include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
@@ -71,6 +73,38 @@ std::vector<Contribution> contributions(const MovingStudy& study) {
       }
     }
   return found;
+}
+
+std::vector<ContributionTrend> contribution_trends(const std::vector<Contribution>& contributions) {
+  std::vector<ContributionTrend> trends;
+  std::vector<bool> used(contributions.size(), false);
+  for (std::size_t i = 0; i < contributions.size(); ++i) {
+    if (used[i]) continue;
+    const Contribution& lead = contributions[i];
+    std::vector<const Contribution*> family;
+    for (std::size_t k = i; k < contributions.size(); ++k) {
+      const Contribution& other = contributions[k];
+      if (other.mechanism != lead.mechanism || other.mode != lead.mode || !same_load(other.load, lead.load)) continue;
+      if (&other != &lead && !differ_by_roughness(*lead.with, *other.with)) continue;
+      used[k] = true;
+      family.push_back(&other);
+    }
+    if (family.size() < 2) continue;
+    std::stable_sort(family.begin(), family.end(), [](const auto* a, const auto* b) { return a->with->bodies.rms < b->with->bodies.rms; });
+    std::vector<double> rms;
+    std::vector<Uncertain> differences;
+    ContributionTrend trend;
+    for (const auto* one : family) {
+      const double scale = one->with->find(*one->mode, one->load)->scale();
+      rms.push_back(one->with->bodies.rms);
+      differences.push_back(one->difference * (1 / scale));
+      trend.whole += one->whole.value / scale / static_cast<double>(family.size());
+    }
+    trend.smoothest = family.front(), trend.roughest = family.back();
+    trend.difference = fit_trend(rms, differences);
+    trends.push_back(trend);
+  }
+  return trends;
 }
 
 }  // namespace asperity

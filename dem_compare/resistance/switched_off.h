@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem_compare/resistance/moving_study.h"
+#include "dem_compare/resistance/trend.h"
 
 namespace asperity {
 
@@ -24,7 +25,17 @@ struct Contribution {
   bool is_told() const { return std::abs(difference.value) > 2 * difference.sd; }
 };
 
+/// How what a mechanism contributes changes with the substrate's RMS: pairs on surfaces of one spectrum.
+struct ContributionTrend {
+  const Contribution *smoothest = nullptr, *roughest = nullptr;
+  Trend difference;   ///< over MovingState::scale(), per metre of RMS
+  double whole = 0;   ///< mean of the resistances with the mechanism, over the same scale
+  Uncertain relative() const { return {difference.slope.value / whole, difference.slope.sd / whole}; }
+};
+
 /// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all else the same.
 std::vector<Contribution> contributions(const MovingStudy& study);
+/// Point into `contributions`.
+std::vector<ContributionTrend> contribution_trends(const std::vector<Contribution>& contributions);
 
 }  // namespace asperity

@@ -191,6 +191,28 @@ TEST(ResistanceContribution_analytic, a_mechanism_switched_off_shows_what_it_con
   }
 }
 
+TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over_roughness) {
+  std::vector<StudyEntry> entries;
+  unsigned random = 0;
+  for (const double rms : {0.3, 2.7}) {
+    const std::string surface = rms < 1 ? "smoother" : "rougher";
+    MovingFolder with;
+    with.experiment = "rolling", with.rms = rms, with.noise = 0.03, with.work_of_adhesion = "77 mJ/m^2", with.random = ++random;
+    with.friction = 1e-13, with.adhesion = 1e-13 * (1 - 0.2 * rms);
+    MovingFolder dry = with;
+    dry.adhesion = 0, dry.work_of_adhesion = "0 J/m^2", dry.random = ++random;
+    entries.push_back({surface, with}), entries.push_back({surface + " dry", dry});
+  }
+  const Study study(entries);
+  ASSERT_EQ(study.findings.contribution_trends.size(), 1u);
+  const ContributionTrend& trend = study.findings.contribution_trends.front();
+  // -0.2e-13 per nm over the mean of 1.94e-13 and 1.46e-13
+  EXPECT_NEAR(trend.relative().value * nm, -0.2 / 1.7, 3 * trend.relative().sd * nm);
+  EXPECT_EQ(trend.difference.sign(), Trend::Sign::falls);
+  EXPECT_EQ(study.findings.trends.size(), 2u);  // with and without
+  EXPECT_TRUE(says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
+}
+
 TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2) {
   // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign must not.
   const Published published = read_published(test::paper_run("published"));
@@ -244,6 +266,19 @@ TEST(ResistanceStudy, files_hold_every_state_and_the_answers) {
   EXPECT_EQ(json["format"], "asperity-resistance/1");
   EXPECT_EQ(json["contacts"].size(), 3u);
   EXPECT_FALSE(json["answers"]["roughness"].empty());
+}
+
+TEST(ResistanceStudy, a_realisation_written_in_other_units_is_the_same_contact) {
+  MovingFolder first, second;
+  first.rms = 0.7, second.rms = 0.7, second.seed = 1001;
+  const Study study({{"one", first}, {"one", second}});
+  const std::string file = (study.root.path / "case2" / "case.prm").string();
+  std::string text = read_file(file);
+  text.replace(text.rfind("rms=0.7 nm"), 10, "rms=700 pm");
+  write_file_atomically(file, text);
+  const auto findings = find_resistances(collect_cases({study.root.path / "case1", study.root.path / "case2"}), std::nullopt);
+  ASSERT_EQ(findings.study.contacts.size(), 1u);
+  EXPECT_EQ(findings.study.contacts.front().states.front().cases.size(), 2u);
 }
 
 TEST(ResistanceStudy, cases_that_were_only_pressed_are_passed_over) {
