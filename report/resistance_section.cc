@@ -84,7 +84,7 @@ std::string motion_section(const MovingStudy& study, const MotionMode& mode) {
 std::string answer_html(const std::string& sentence) {
   static const std::vector<std::pair<std::regex, std::string>> symbols{
       {std::regex(R"( \+- )"), " ± "}, {std::regex(R"(\blambda\b)"), "λ"}, {std::regex(R"(\bsigma\b)"), "σ"},
-      {std::regex(R"(\bmu\b)"), "µ"},  {std::regex(R"(10\^6)"), "10⁶"},    {std::regex(R"((^|[ (])-(\d))"), "$1−$2"}};
+      {std::regex(R"(\bmu\b)"), "µ"},  {std::regex(R"(10\^(\d+))"), "10<sup>$1</sup>"}, {std::regex(R"(10\^-(\d+))"), "10<sup>−$1</sup>"}, {std::regex(R"((^|[ (])-(\d))"), "$1−$2"}};
   std::string html = readable(sentence);
   for (const auto& [pattern, symbol] : symbols) html = std::regex_replace(html, pattern, symbol);
   return html;

@@ -66,15 +66,17 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 }
 
 std::string exponent_table(const ResistanceFindings& findings) {
-  Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by"}, {}, true};
+  Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by", "bonds along a smooth rim: off by"}, {}, true};
   const auto off = [](double distance) { return std::isfinite(distance) ? rounded(std::abs(distance), 2) + " σ" : std::string("–"); };
   for (const auto& answer : findings.lengths)
     for (const auto& exponent : answer.exponents) {
       const bool load = exponent.over == "load";
       table.rows.push_back({motion_name(*answer.mode), readable(load ? exponent.what : answer.contact), load ? "load" : "radius, at " + readable(exponent.what),
-                            cell(exponent.exponent.slope), off(exponent.from_radius()), rounded(exponent.with_contact) + ", " + off(exponent.from_contact())});
+                            cell(exponent.exponent.slope), off(exponent.from_radius()), rounded(exponent.with_contact) + ", " + off(exponent.from_contact()),
+                            std::isfinite(exponent.with_bonds) ? rounded(exponent.with_bonds) + ", " + off(exponent.from_bonds()) : "–"});
     }
-  return table.rows.empty() ? "" : table_html(table) + note("Without an offset h, which makes the power of the load smaller. A dash: a moment is not known to be positive.");
+  return table.rows.empty() ? "" : table_html(table) + note("Without an offset h, which makes the power of the load smaller. Bonds that cost Δw more to open than they give dissipate "
+                                                               "2 a r Δw per angle along the rim of a smooth contact: a law that is neither. A dash: a moment is not known to be positive.");
 }
 
 std::string trend_table(const ResistanceFindings& findings) {

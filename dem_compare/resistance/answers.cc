@@ -26,7 +26,8 @@ const char* verdict_words(LengthAnswer::Verdict verdict) {
 }
 
 /// "1.31 +- 0.01", or "1.31 to 1.34" of several; "" where none is known.
-std::string exponents_words(const LengthAnswer& answer, const std::string& over, const std::string& with_radius, const std::string& with_contact) {
+std::string exponents_words(const LengthAnswer& answer, const std::string& over, const std::string& with_radius, const std::string& with_contact,
+                            const std::string& with_bonds) {
   double low = INFINITY, high = -INFINITY;
   std::string single;
   for (const auto& exponent : answer.exponents) {
@@ -39,7 +40,7 @@ std::string exponents_words(const LengthAnswer& answer, const std::string& over,
   constexpr double hundred = 100;
   const auto rounded = [](double value) { return number_text({std::round(hundred * value) / hundred}); };
   return " With the " + over + " the moment grows to the power " + (low == high ? single : rounded(low) + " to " + rounded(high)) +
-         " (lambda = r without offset: " + with_radius + ", lambda = a: " + with_contact + ").";
+         " (lambda = r without offset: " + with_radius + ", lambda = a: " + with_contact + (answer.mode == &rolling_mode() ? ", bonds along a smooth rim: " + with_bonds : "") + ").";
 }
 
 std::string odds_words(const LengthChoice& choice) {
@@ -66,7 +67,7 @@ Sentences length_sentences(const ResistanceFindings& findings) {
     for (const double radius : answer.radii) radii += (radii.empty() ? "" : ", ") + format_quantity(radius, Dimension::length);
     list.push_back(motion_name(*answer.mode, true) + " of " + answer.contact + (answer.radii.size() > 1 ? " (radii " + radii + ")" : "") + ": " +
                    verdict_words(answer.verdict) + "." + (answer.choice ? odds_words(*answer.choice) : "") +
-                   exponents_words(answer, "load", "1", "1.33") + exponents_words(answer, "radius", "1", "0.33") + without_offset_words(answer));
+                   exponents_words(answer, "load", "1", "1.33", "0.33") + exponents_words(answer, "radius", "1", "0.33", "1.33") + without_offset_words(answer));
   }
   return list;
 }
@@ -121,9 +122,11 @@ std::string cause_words(const RoughnessTrend& trend) {
   const bool rolls = trend.mode == &rolling_mode(), slides = trend.mode == &sliding_mode();
   if (!rolls && !slides) return "";
   const Sign asked = rolls ? Sign::falls : Sign::rises;
-  const std::string names = causes(trend, asked), verb = rolls ? "makes rolling friction fall" : "makes sliding friction rise";
-  if (names.empty()) return " No mechanism of the simulation " + verb + " with roughness, as far as two standard deviations tell.";
-  return " What " + verb + " with roughness is " + names + (trend.sign() == asked ? "." : ", but not the resistance as a whole.");
+  const std::string names = causes(trend, asked);
+  const std::string verb = rolls ? "rolling friction fall" : "sliding friction rise", own = rolls ? "falls" : "rises";
+  if (names.empty()) return " No mechanism of the simulation makes " + verb + " with roughness, as far as two standard deviations tell.";
+  if (trend.sign() == asked) return " What makes " + verb + " with roughness is " + names + ".";
+  return " What goes into " + names + " " + own + " with roughness; the resistance as a whole does not.";
 }
 
 std::string coefficient_words(const RoughnessTrend& trend) {
@@ -201,17 +204,31 @@ std::string magnitude_against_paper(const MeasuredMagnitude& one) {
          ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
+/// True for a contact that stands for another one with a mechanism switched off: it was not measured.
+bool is_reduced(const ResistanceFindings& findings, const MovingContact& contact) {
+  return std::any_of(findings.contributions.begin(), findings.contributions.end(), [&](const auto& one) { return one.without == &contact; });
+}
+
+/// The coefficient of the paper's rolling friction is a slope over loads.
+Sentences coefficients_that_lack(const ResistanceFindings& findings) {
+  for (const auto& one : findings.published.trends)
+    if (one.trend->mode == &rolling_mode() && !one.trend->coefficient.slope.has_sd())
+      return {"What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of 0.1 to 3 mN; at a load "
+              "below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at least two surfaces "
+              "need two loads each: without them it cannot be told."};
+  return {};
+}
+
 /// Those that tell, or that none does.
 std::string length_headline(const ResistanceFindings& findings, const MotionMode& mode) {
   Sentences verdicts;
-  bool any = false;
+  const bool moves = std::any_of(findings.study.contacts.begin(), findings.study.contacts.end(), [&](const auto& contact) { return !contact.of(mode).empty(); });
+  if (!moves) return "";
   for (const auto& answer : findings.lengths) {
     if (answer.mode != &mode) continue;
-    any = true;
     const std::string words = verdict_words(answer.verdict);
     if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words)) verdicts.push_back(words);
   }
-  if (!any) return "";
   std::string text;
   for (const auto& verdict : verdicts) text += (text.empty() ? "" : " / ") + verdict;
   return "Length of " + motion_name(mode) + " resistance: " + (text.empty() ? "cannot tell" : text) +
@@ -246,7 +263,10 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
     result.roughness.push_back("How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
   result.mechanisms = mechanism_sentences(findings);
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
-  for (const auto& one : findings.published.magnitudes) result.measurement.push_back(magnitude_against_paper(one));
+  const Sentences missing = coefficients_that_lack(findings);
+  result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());
+  for (const auto& one : findings.published.magnitudes)
+    if (!is_reduced(findings, *one.contact)) result.measurement.push_back(magnitude_against_paper(one));
   for (const auto& remark : findings.published.remarks) result.measurement.push_back("No partner in the paper for " + remark + ".");
   result.care = findings.study.remarks;
   return result;

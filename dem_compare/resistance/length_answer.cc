@@ -20,7 +20,7 @@ ScalingExponent over_loads(const MovingContact& contact, const MotionMode& mode)
   std::vector<Uncertain> moments;
   for (const auto* state : contact.of(mode)) loads.push_back(state->load), moments.push_back(state->resistance);
   constexpr double four_thirds = 4.0 / 3.0;
-  return {"load", contact.label, fit_exponent_of(loads, moments), 1, four_thirds};
+  return {"load", contact.label, fit_exponent_of(loads, moments), 1, four_thirds, &mode == &rolling_mode() ? 1.0 / 3.0 : NAN};
 }
 
 /// One exponent for each load that several radii have.
@@ -33,7 +33,7 @@ std::vector<ScalingExponent> over_radii(const Contacts& contacts, const MotionMo
       if (const MovingState* state = contact->find(mode, lead->load)) radii.push_back(contact->bodies.radius), moments.push_back(state->resistance);
     if (radii.size() < 2) continue;
     constexpr double third = 1.0 / 3.0;
-    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1, third});
+    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1, third, &mode == &rolling_mode() ? 1 + third : NAN});
   }
   return exponents;
 }

@@ -20,9 +20,13 @@ struct ScalingExponent {
   std::string what;   ///< which cases
   Trend exponent;     ///< its slope
   double with_radius = 0, with_contact = 0;
+  /// Of bonds that cost dw more to open than they give, along the rim of a smooth contact: 2 a r dw per angle .
+  /// No law of the paper's form; NaN for torsion.
+  double with_bonds = 0;
   /// Distances in standard deviations; NaN where unknown.
   double from_radius() const { return (exponent.slope.value - with_radius) / exponent.slope.sd; }
   double from_contact() const { return (exponent.slope.value - with_contact) / exponent.slope.sd; }
+  double from_bonds() const { return (exponent.slope.value - with_bonds) / exponent.slope.sd; }
 };
 
 struct LengthAnswer {

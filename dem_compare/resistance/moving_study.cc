@@ -70,7 +70,7 @@ class Sorter {
     for (const auto& group : collection_.groups)
       for (const auto& solved : group.cases)
         if (const MotionMode* mode = mode_of(solved)) add(group, solved, *mode);
-    for (std::size_t i = 0; i < study_.contacts.size(); ++i) name(i);
+    name_contacts();
     for (auto& contact : study_.contacts) finish(contact);
     auto& contacts = study_.contacts;
     remark_on_realisations();
@@ -116,16 +116,40 @@ class Sorter {
     return contact.states.back();
   }
 
-  /// Values of the axes that tell contacts apart: those that no contact has several of.
-  void name(std::size_t at) {
-    auto& contact = study_.contacts[at];
-    const CaseGroup& first = *groups_[at].front();
-    for (std::size_t axis = 0; axis < collection_.axes.size() && axis < first.values.size(); ++axis)
-      if (collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis))
-        contact.label += (contact.label.empty() ? "" : ", ") + first.values[axis];
-    if (contact.label.empty()) contact.label = collection_.axes.empty() ? first.label : "the contact";
-    for (std::size_t other = 0; other < at; ++other)
-      if (study_.contacts[other].label == contact.label) contact.label += " (" + std::to_string(at + 1) + ")";
+  /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell contacts apart. Of
+  /// an axis with several values, the first one names the contact.
+  void name_contacts() {
+    const std::size_t count = collection_.axes.size();
+    std::vector<bool> named(count, false);
+    for (std::size_t axis = 0; axis < count; ++axis)
+      named[axis] = collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis) && !is_of_experiment(axis);
+    for (std::size_t axis = 0; axis < count; ++axis) {
+      if (named[axis] || is_of_experiment(axis)) continue;
+      std::vector<bool> more = named;
+      more[axis] = true;
+      if (different_labels(more) > different_labels(named)) named = more;
+    }
+    for (std::size_t at = 0; at < groups_.size(); ++at) {
+      std::string& label = study_.contacts[at].label;
+      label = label_of(at, named);
+      if (label.empty()) label = count == 0 ? groups_[at].front()->label : "the contact";
+      for (std::size_t other = 0; other < at; ++other)
+        if (study_.contacts[other].label == label) label += " (" + std::to_string(at + 1) + ")";
+    }
+  }
+
+  std::string label_of(std::size_t at, const std::vector<bool>& named) const {
+    const std::vector<std::string>& values = groups_[at].front()->values;
+    std::string label;
+    for (std::size_t axis = 0; axis < named.size() && axis < values.size(); ++axis)
+      if (named[axis]) label += (label.empty() ? "" : ", ") + values[axis];
+    return label;
+  }
+
+  std::size_t different_labels(const std::vector<bool>& named) const {
+    std::set<std::string> labels;
+    for (std::size_t at = 0; at < groups_.size(); ++at) labels.insert(label_of(at, named));
+    return labels.size();
   }
 
   bool varies_within_a_contact(std::size_t axis) const {
@@ -133,6 +157,19 @@ class Sorter {
       for (const CaseGroup* group : groups)
         if (axis < group->values.size() && group->values[axis] != groups.front()->values[axis]) return true;
     return false;
+  }
+
+  /// True for an axis that varies an entry of the experiment, as motion or load.
+  bool is_of_experiment(std::size_t axis) const {
+    for (const auto& groups : groups_)
+      for (const CaseGroup* group : groups) {
+        const auto& entries = group->first().entries.all();
+        const bool found = axis < group->values.size() && std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+          return entry.first.rfind("Experiment/", 0) == 0 && entry.second == group->values[axis];
+        });
+        if (!found) return false;
+      }
+    return true;
   }
 
   void finish(MovingContact& contact) {

@@ -88,7 +88,7 @@ Json json_of(const LengthAnswer& answer) {
   Json exponents = Json::array();
   for (const auto& exponent : answer.exponents)
     exponents.push_back({{"over", exponent.over}, {"of", exponent.what}, {"exponent", json_of(exponent.exponent.slope)},
-                         {"with_r", exponent.with_radius}, {"with_a", exponent.with_contact}});
+                         {"with_r", exponent.with_radius}, {"with_a", exponent.with_contact}, {"with_bonds", number(exponent.with_bonds)}});
   return {{"experiment", answer.mode->experiment}, {"contact", answer.contact}, {"radii", answer.radii}, {"exponents", exponents},
           {"laws", answer.choice ? to_json(*answer.choice) : Json(nullptr)}, {"verdict", verdicts[static_cast<int>(answer.verdict)]}};
 }

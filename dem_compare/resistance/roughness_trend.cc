@@ -109,12 +109,8 @@ void add_coefficients(RoughnessTrend& trend) {
     if (loads.size() < 2) continue;
     // mu is the slope; mu h the value at no load.
     const Trend line = fit_trend(loads, resistances);
-    double mean_load = 0, weights = 0;
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-      const double w = resistances[i].sd > 0 ? 1 / (resistances[i].sd * resistances[i].sd) : 1;
-      mean_load += w * loads[i], weights += w;
-    }
-    mean_load /= weights;
+    double mean_load = 0;
+    for (const double load : loads) mean_load += load / static_cast<double>(loads.size());
     const Uncertain offset = ratio(line.mean, line.slope);
     trend.coefficients.push_back({contact->bodies.rms, line.slope, {offset.value - mean_load, offset.sd}});
     rms.push_back(contact->bodies.rms);

@@ -13,7 +13,14 @@ constexpr double nm = 1e-9, per_cent = 100;
 std::string with_decimals(double value, int decimals) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.*f", std::max(0, decimals), value);
-  return buffer;
+  const std::string text = buffer;
+  return text.find_first_of("123456789") == std::string::npos && text.front() == '-' ? text.substr(1) : text;  // no -0.0
+}
+
+/// As many decimals as two digits of the sd ask for.
+std::string value_and_sd(double value, double sd) {
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(sd)));
+  return with_decimals(value, decimals) + " +- " + with_decimals(sd, decimals);
 }
 
 }  // namespace
@@ -26,15 +33,18 @@ std::string motion_name(const MotionMode& mode, bool capital) {
 
 std::string number_text(const Uncertain& number) {
   if (!std::isfinite(number.value)) return "unknown";
-  char buffer[64];
-  const double size = std::max(std::abs(number.value), std::isfinite(number.sd) ? number.sd : 0);
-  constexpr double large = 1e5, small = 1e-3;
-  if (!number.has_sd() || number.sd == 0 || size >= large || size < small) {
-    std::snprintf(buffer, sizeof buffer, number.has_sd() && number.sd > 0 ? "%.3g +- %.2g" : "%.3g", number.value, number.sd);
+  const bool has_sd = number.has_sd() && number.sd > 0;
+  if (!has_sd) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%.3g", number.value == 0 ? 0 : number.value);
     return buffer;
   }
-  const int decimals = 1 - static_cast<int>(std::floor(std::log10(number.sd)));
-  return with_decimals(number.value, decimals) + " +- " + with_decimals(number.sd, decimals);
+  constexpr double large = 1e5, small = 1e-3;
+  const double size = std::max(std::abs(number.value), number.sd);
+  if (size >= small && size < large) return value_and_sd(number.value, number.sd);
+  const int exponent = static_cast<int>(std::floor(std::log10(size)));
+  const double unit = std::pow(10.0, exponent);
+  return "(" + value_and_sd(number.value / unit, number.sd / unit) + ") 10^" + std::to_string(exponent);
 }
 
 std::string change_percent(const Uncertain& share) {

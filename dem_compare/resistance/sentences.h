@@ -11,7 +11,7 @@ namespace asperity {
 
 /// "Sliding", "rolling"
 std::string motion_name(const MotionMode& mode, bool capital = false);
-/// "31 +- 4": as many digits as the sd leaves, two of its own; a sd that is not known is left out.
+/// "31.2 +- 4.1", "(3.79 +- 0.54) 10^-4": two digits of the sd; one that is not known, or zero, is left out.
 std::string number_text(const Uncertain& number);
 /// "+3.1 +- 0.5 %"
 std::string change_percent(const Uncertain& share);

@@ -8,29 +8,6 @@ namespace {
 
 constexpr double two_sigma = 2;
 
-struct Points {
-  std::vector<double> x, y, sd;
-  bool has_sds = true;
-};
-
-/// Where the sds are zero (nothing is dissipated, say), they are taken as a tiny share of the values.
-Points usable(const std::vector<double>& x, const std::vector<Uncertain>& y) {
-  constexpr double tiny = 1e-9;
-  Points points;
-  double largest = 0;
-  for (const auto& value : y)
-    if (std::isfinite(value.value)) largest = std::max(largest, std::abs(value.value));
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!std::isfinite(x[i]) || !std::isfinite(y[i].value)) continue;
-    points.x.push_back(x[i]), points.y.push_back(y[i].value);
-    points.sd.push_back(std::max(y[i].sd, std::max(tiny * largest, std::numeric_limits<double>::min())));
-    points.has_sds = points.has_sds && y[i].has_sd();
-  }
-  if (!points.has_sds) points.sd.assign(points.x.size(), 1);
-  // Weights matter by their ratios alone: no underflow of energies in joule.
-  return points;
-}
-
 }  // namespace
 
 Trend::Sign Trend::sign() const {
@@ -44,31 +21,35 @@ Uncertain Trend::relative() const {
   return {share, std::hypot(slope.sd / mean.value, share * mean.sd / mean.value)};
 }
 
-Trend fit_trend(const std::vector<double>& x, const std::vector<Uncertain>& y) {
-  const Points p = usable(x, y);
+Trend fit_trend(const std::vector<double>& all_x, const std::vector<Uncertain>& all_y) {
+  std::vector<double> x;
+  std::vector<Uncertain> y;
+  for (std::size_t i = 0; i < all_x.size(); ++i)
+    if (std::isfinite(all_x[i]) && std::isfinite(all_y[i].value)) x.push_back(all_x[i]), y.push_back(all_y[i]);
   Trend trend;
-  trend.points = static_cast<int>(p.x.size());
-  if (p.x.empty()) return trend;
-  const double unit = *std::min_element(p.sd.begin(), p.sd.end());
-  double weights = 0, mean_x = 0, mean_y = 0;
-  for (std::size_t i = 0; i < p.x.size(); ++i) {
-    const double w = std::pow(unit / p.sd[i], 2);
-    weights += w, mean_x += w * p.x[i], mean_y += w * p.y[i];
+  trend.points = static_cast<int>(x.size());
+  if (x.empty()) return trend;
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0, variance = 0;
+  trend.mean.value = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / count, trend.mean.value += y[i].value / count;
+    variance += y[i].sd * y[i].sd / (count * count);
   }
-  mean_x /= weights, mean_y /= weights;
-  trend.mean = {mean_y, p.has_sds ? unit / std::sqrt(weights) : std::nan("")};
-  double xx = 0, xy = 0;
-  for (std::size_t i = 0; i < p.x.size(); ++i) {
-    const double w = std::pow(unit / p.sd[i], 2);
-    xx += w * (p.x[i] - mean_x) * (p.x[i] - mean_x), xy += w * (p.x[i] - mean_x) * (p.y[i] - mean_y);
+  trend.mean.sd = std::sqrt(variance);
+  double xx = 0, xy = 0, of_points = 0, misfit = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double from_mean = x[i] - mean_x;
+    xx += from_mean * from_mean, xy += from_mean * y[i].value;
+    of_points += from_mean * from_mean * y[i].sd * y[i].sd;
   }
-  if (p.x.size() < 2 || !(xx > 0)) return trend;
+  if (x.size() < 2 || !(xx > 0)) return trend;
   trend.slope.value = xy / xx;
-  double misfit = 0;
-  for (std::size_t i = 0; i < p.x.size(); ++i)
-    misfit += std::pow((p.y[i] - mean_y - trend.slope.value * (p.x[i] - mean_x)) / p.sd[i], 2);
-  const double freedom = static_cast<double>(p.x.size()) - 2, excess = freedom > 0 ? std::max(1.0, misfit / freedom) : 1;
-  if (p.has_sds) trend.slope.sd = unit * std::sqrt(excess / xx);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    misfit += std::pow(y[i].value - trend.mean.value - trend.slope.value * (x[i] - mean_x), 2);
+  const double of_misfit = x.size() > 2 ? std::sqrt(misfit / (count - 2) / xx) : 0;
+  of_points = std::sqrt(of_points) / xx;
+  trend.slope.sd = std::isfinite(of_points) ? std::max(of_points, of_misfit) : of_points;
   return trend;
 }
 

@@ -1,4 +1,4 @@
-// A straight line through a few numbers with standard deviations, and whether its slope has a sign.
+// The slope of a few numbers with standard deviations, and whether it has a sign.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,10 @@
 namespace asperity {
 
 struct Trend {
-  Uncertain slope{std::nan(""), std::nan("")};  ///< weighted least squares; its sd grows with the misfit of three points or more
-  Uncertain mean{std::nan(""), std::nan("")};   ///< of y, at the weighted mean of x
+  /// Least squares with equal weights: how much y changes over the range of x, whether or not on a straight line. A number that is
+  /// known exactly, as that nothing yields, does not outweigh the others. Its sd is that of the points, or from their misfit if larger.
+  Uncertain slope{std::nan(""), std::nan("")};
+  Uncertain mean{std::nan(""), std::nan("")};  ///< of y, at the mean of x
   int points = 0;
 
   enum class Sign { unknown, none, rises, falls };

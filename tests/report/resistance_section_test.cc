@@ -113,6 +113,7 @@ TEST(ResistancePage_analytic, charts_show_what_went_in) {
 
 TEST(ResistancePage, sentences_get_their_symbols_and_cannot_break_the_page) {
   EXPECT_EQ(report::answer_html("lambda = a: 3 +- 1 % at 100 uN, -2 sigma <b>"), "λ = a: 3 ± 1 % at 100 µN, −2 σ &lt;b&gt;");
+  EXPECT_EQ(report::answer_html("(3.79 +- 0.54) 10^-4"), "(3.79 ± 0.54) 10<sup>−4</sup>");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "dem_compare/resistance/sentences.h"
 #include "dem_compare/resistance/trend.h"
 
 namespace asperity {
@@ -47,17 +48,24 @@ TEST(Stretches_analytic, realisations_err_as_they_scatter_or_as_each_leaves_open
   EXPECT_FALSE(std::isfinite(mean_of_realisations({}).value));
 }
 
-TEST(Trend_analytic, weighted_line_has_slope_and_error_of_the_closed_form) {
+TEST(Trend_analytic, line_has_slope_and_error_of_the_closed_form) {
   // Slope (3 - 1)/2 with error (0.3^2 + 0.4^2)^(1/2)/2.
   const Trend two = fit_trend({1, 3}, {{1, 0.3}, {3, 0.4}});
   EXPECT_NEAR(two.slope.value, 1, 1e-12);
   EXPECT_NEAR(two.slope.sd, 0.25, 1e-12);
   EXPECT_EQ(two.sign(), Trend::Sign::rises);
-  // y = 0, 1, 0 at -1, 0, 1: no slope; misfit chi^2 = (2/3)/0.01 of one degree of freedom widens 0.1/2^(1/2).
+  // y = 0, 1, 0 at -1, 0, 1: no slope; a misfit of (2/3)^(1/2) with one degree of freedom, over 2^(1/2).
   const Trend three = fit_trend({-1, 0, 1}, {{0, 0.1}, {1, 0.1}, {0, 0.1}});
   EXPECT_NEAR(three.slope.value, 0, 1e-12);
-  EXPECT_NEAR(three.slope.sd, 0.1 / std::sqrt(2.) * std::sqrt(2. / 3. / 0.01), 1e-12);
+  EXPECT_NEAR(three.slope.sd, std::sqrt(1. / 3.), 1e-12);
   EXPECT_EQ(three.sign(), Trend::Sign::none);
+}
+
+TEST(Trend_analytic, numbers_that_are_exact_do_not_outweigh_the_others) {
+  // Nothing yields on two surfaces, 1 +- 0.3 does on the third: (1 - 0)/2 +- 0.3/2, and a misfit of (1/6)^(1/2) over 2^(1/2).
+  const Trend trend = fit_trend({0, 1, 2}, {{0, 0}, {0, 0}, {1, 0.3}});
+  EXPECT_NEAR(trend.slope.value, 0.5, 1e-12);
+  EXPECT_NEAR(trend.slope.sd, std::sqrt(1. / 12.), 1e-12);
 }
 
 TEST(Trend_analytic, without_uncertainty_or_with_one_abscissa_nothing_is_told) {
@@ -74,6 +82,14 @@ TEST(Trend_analytic, exponent_of_a_power_law_is_found_in_units_of_any_size) {
   const Trend trend = fit_exponent_of({1e-4, 3e-4, 1e-3}, {law(1e-4), law(3e-4), law(1e-3)});
   EXPECT_NEAR(trend.slope.value, 4. / 3., 1e-9);
   EXPECT_GT(trend.slope.sd, 0);
+}
+
+TEST(Sentences, numbers_have_two_digits_of_their_sd) {
+  EXPECT_EQ(number_text({31.234, 4.12}), "31.2 +- 4.1");
+  EXPECT_EQ(number_text({3.79e-4, 5.4e-5}), "(3.79 +- 0.54) 10^-4");
+  EXPECT_EQ(number_text({-1e-4, 0.5}), "0.00 +- 0.50");
+  EXPECT_EQ(number_text({0.25}), "0.25");
+  EXPECT_EQ(number_text({NAN}), "unknown");
 }
 
 TEST(Trend_analytic, mean_of_slopes_that_may_err_together_is_no_better_than_each) {
