@@ -33,13 +33,17 @@ void add(Series& series, double x, const Uncertain& y) {
   series.error.push_back(y.sd);
 }
 
-ResistanceUnit own_unit(const MotionMode& mode) { return &mode == &sliding_mode() ? ResistanceUnit::load : ResistanceUnit::contact; }
+ResistanceUnit own_unit(const MotionMode& mode) {
+  return &mode == &sliding_mode() ? ResistanceUnit::load : ResistanceUnit::contact;
+}
 
 /// The paper's values, in the unit of the figure.
 void add_measured(const RoughnessTrend& trend, const AgainstPublished& published, Chart& chart) {
   Series measured{"measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points, {}, {}, {}};
   for (const auto& one : published.magnitudes) {
-    if (one.mode != trend.mode || std::find(trend.contacts.begin(), trend.contacts.end(), one.contact) == trend.contacts.end()) continue;
+    if (one.mode != trend.mode ||
+        std::find(trend.contacts.begin(), trend.contacts.end(), one.contact) == trend.contacts.end())
+      continue;
     const MovingState* state = one.contact->find(*one.mode, one.load);
     const double length = one.mode == &sliding_mode() ? 1 : one.contact->bodies.radius;
     add(measured, one.contact->bodies.rms / nm, one.measured * (one.load * length / state->scale()));
@@ -79,7 +83,12 @@ Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& p
   chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
   chart.width = narrow;
   for (const auto& at : trend.loads) {
-    Series series{in_units(at.load, Dimension::force), line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{in_units(at.load, Dimension::force),
+                  line_colour(chart.series.size()),
+                  Series::Style::line_with_points,
+                  {},
+                  {},
+                  {}};
     for (const auto* contact : trend.contacts)
       if (const MovingState* state = contact->find(*trend.mode, at.load))
         add(series, contact->bodies.rms / nm, state->resistance * (1 / state->scale()));
@@ -98,7 +107,8 @@ Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
     const char* name;
     Uncertain ResistanceParts::*member;
   };
-  for (const auto& part : {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic}, Part{"bonds", &ResistanceParts::adhesion}}) {
+  for (const auto& part : {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
+                           Part{"bonds", &ResistanceParts::adhesion}}) {
     Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
     bool any = false;
     for (const auto* contact : trend.contacts)

@@ -11,10 +11,10 @@ namespace asperity::report {
 
 /// What a resistance is divided by in a figure.
 enum class ResistanceUnit {
-  load,           ///< P: sliding
-  contact,        ///< P a, a of Hertz
-  particle,       ///< P r
-  coulomb         ///< 3 pi/16 mu P a: torsion of smooth Coulomb bodies
+  load,      ///< P: sliding
+  contact,   ///< P a, a of Hertz
+  particle,  ///< P r
+  coulomb    ///< 3 pi/16 mu P a: torsion of smooth Coulomb bodies
 };
 /// "M / (P a)"
 std::string unit_label(const MotionMode& mode, ResistanceUnit unit);

@@ -14,10 +14,14 @@ namespace {
 
 constexpr double uN = 1e-6, pN_m = 1e-12, nm = 1e-9, per_cent = 100;
 
-std::string cell(const Uncertain& number) { return std::isfinite(number.value) ? answer_html(number_text(number)) : "–"; }
+std::string cell(const Uncertain& number) {
+  return std::isfinite(number.value) ? answer_html(number_text(number)) : "–";
+}
 
 std::string share_of(const Uncertain& part, const Uncertain& whole) {
-  return std::isfinite(part.value) ? cell(Uncertain{part.value / whole.value * per_cent, part.sd / std::abs(whole.value) * per_cent}) : "–";
+  return std::isfinite(part.value)
+             ? cell(Uncertain{part.value / whole.value * per_cent, part.sd / std::abs(whole.value) * per_cent})
+             : "–";
 }
 
 std::string rounded(double value, int digits = 3) {
@@ -41,20 +45,27 @@ Uncertain per_nm_in_percent(const Uncertain& slope, double mean) {
 
 std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode(), spins = &mode == &torsion_mode();
-  Table table{{"contact", "load", "realisations", slides ? "resistance [µN]" : "resistance [pN m]", slides ? "over load" : "over P a"}, {}, true};
+  Table table{{"contact", "load", "realisations", slides ? "resistance [µN]" : "resistance [pN m]",
+               slides ? "over load" : "over P a"},
+              {},
+              true};
   if (!slides) table.head.emplace_back("over P r");
   if (!mode.has_length || spins) table.head.emplace_back(slides ? "over µ P" : "over 3π/16 µ P a");
   for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
   table.head.emplace_back(slides ? "mean force [µN]" : "mean moment [pN m]");
-  for (const char* head : {"balance open [%]", spins ? "way [rad]" : "way [contact radii]", "way back over first", "real area over Hertz"}) table.head.emplace_back(head);
+  for (const char* head :
+       {"balance open [%]", spins ? "way [rad]" : "way [contact radii]", "way back over first", "real area over Hertz"})
+    table.head.emplace_back(head);
   for (const auto& contact : study.contacts)
     for (const auto* state : contact.of(mode)) {
       const double unit = slides ? uN : pN_m;
-      std::vector<std::string> row{readable(contact.label), in_units(state->load, Dimension::force), std::to_string(state->cases.size()),
-                                   cell(state->resistance * (1 / unit)), cell(state->resistance * (1 / state->scale()))};
+      std::vector<std::string> row{readable(contact.label), in_units(state->load, Dimension::force),
+                                   std::to_string(state->cases.size()), cell(state->resistance * (1 / unit)),
+                                   cell(state->resistance * (1 / state->scale()))};
       if (!slides) row.push_back(cell(state->resistance * (1 / (state->load * contact.bodies.radius))));
       if (!mode.has_length || spins) row.push_back(cell(state->resistance * (1 / state->coulomb)));
-      for (const auto& part : {state->parts.friction, state->parts.plastic, state->parts.adhesion}) row.push_back(share_of(part, state->parts.total));
+      for (const auto& part : {state->parts.friction, state->parts.plastic, state->parts.adhesion})
+        row.push_back(share_of(part, state->parts.total));
       row.push_back(cell(state->force * (1 / unit)));
       row.push_back(rounded(per_cent * std::abs(state->unbalanced) / std::abs(state->resistance.value), 2));
       row.push_back(rounded(shortest_way(*state)));
@@ -66,22 +77,37 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 }
 
 std::string exponent_table(const ResistanceFindings& findings) {
-  Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by", "bonds along a smooth rim: off by"}, {}, true};
-  const auto off = [](double distance) { return std::isfinite(distance) ? rounded(std::abs(distance), 2) + " σ" : std::string("–"); };
+  Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by",
+               "bonds along a smooth rim: off by"},
+              {},
+              true};
+  const auto off = [](double distance) {
+    return std::isfinite(distance) ? rounded(std::abs(distance), 2) + " σ" : std::string("–");
+  };
   for (const auto& answer : findings.lengths)
     for (const auto& exponent : answer.exponents) {
       const bool load = exponent.over == "load";
-      table.rows.push_back({motion_name(*answer.mode), readable(load ? exponent.what : answer.contact), load ? "load" : "radius, at " + readable(exponent.what),
-                            cell(exponent.exponent.slope), off(exponent.from_radius()), rounded(exponent.with_contact) + ", " + off(exponent.from_contact()),
-                            std::isfinite(exponent.with_bonds) ? rounded(exponent.with_bonds) + ", " + off(exponent.from_bonds()) : "–"});
+      table.rows.push_back(
+          {motion_name(*answer.mode), readable(load ? exponent.what : answer.contact),
+           load ? "load" : "radius, at " + readable(exponent.what), cell(exponent.exponent.slope),
+           off(exponent.from_radius()), rounded(exponent.with_contact) + ", " + off(exponent.from_contact()),
+           std::isfinite(exponent.with_bonds) ? rounded(exponent.with_bonds) + ", " + off(exponent.from_bonds())
+                                              : "–"});
     }
-  return table.rows.empty() ? "" : table_html(table) + note("Without an offset h, which makes the power of the load smaller. Bonds that cost Δw more to open than they give dissipate "
-                                                               "2 a r Δw per angle along the rim of a smooth contact: a law that is neither. A dash: a moment is not known to be positive.");
+  return table.rows.empty() ? ""
+                            : table_html(table) + note(
+                                                      "Without an offset h, which makes the power of the load smaller. "
+                                                      "Bonds that cost Δw more to open than they give dissipate "
+                                                      "2 a r Δw per angle along the rim of a smooth contact: a law "
+                                                      "that is neither. A dash: a moment is not known to be positive.");
 }
 
 std::string trend_table(const ResistanceFindings& findings) {
   if (findings.trends.empty()) return "";
-  Table table{{"motion", "load", "resistance [% per nm]", "of it slip", "yielding", "bonds", "mean force or moment [% per nm]"}, {}, true};
+  Table table{
+      {"motion", "load", "resistance [% per nm]", "of it slip", "yielding", "bonds", "mean force or moment [% per nm]"},
+      {},
+      true};
   for (const auto& trend : findings.trends)
     for (const auto& at : trend.loads) {
       std::vector<std::string> row{motion_name(*trend.mode), in_units(at.load, Dimension::force)};
@@ -90,45 +116,59 @@ std::string trend_table(const ResistanceFindings& findings) {
       row.push_back(cell(per_nm_in_percent(at.force.slope, at.force.mean.value)));
       table.rows.push_back(std::move(row));
     }
-  return table_html(table) + note("Slope of a straight line over the RMS, over the mean resistance. The parts add up to the whole.");
+  return table_html(table) +
+         note("Slope of a straight line over the RMS, over the mean resistance. The parts add up to the whole.");
 }
 
 std::string contribution_table(const ResistanceFindings& findings) {
   if (findings.contributions.empty()) return "";
-  Table table{{"what is switched off", "contact", "beside", "motion", "load", "change of resistance [%]", "of slip [%]", "of yielding [%]", "of bonds [%]"}, {}, true};
+  Table table{{"what is switched off", "contact", "beside", "motion", "load", "change of resistance [%]", "of slip [%]",
+               "of yielding [%]", "of bonds [%]"},
+              {},
+              true};
   for (const auto& one : findings.contributions) {
     // What switching off changes: the negative of the contribution.
-    std::vector<std::string> row{one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion", readable(one.with->label),
-                                 readable(one.without->label), motion_name(*one.mode), in_units(one.load, Dimension::force)};
+    std::vector<std::string> row{one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion",
+                                 readable(one.with->label), readable(one.without->label), motion_name(*one.mode),
+                                 in_units(one.load, Dimension::force)};
     for (const auto& part : {one.difference, one.parts.friction, one.parts.plastic, one.parts.adhesion})
       row.push_back(share_of(part * -1, one.whole));
     table.rows.push_back(std::move(row));
   }
-  return table_html(table) + note("The same surfaces, seed by seed, with a mechanism and without it. Switching yielding off also changes what slip "
-                                  "takes, because hills stay higher and the real contact is another; the last columns say so.");
+  return table_html(table) +
+         note(
+             "The same surfaces, seed by seed, with a mechanism and without it. Switching yielding off also changes "
+             "what slip "
+             "takes, because hills stay higher and the real contact is another; the last columns say so.");
 }
 
 std::string measurement_table(const ResistanceFindings& findings) {
   if (findings.published.magnitudes.empty() && findings.published.trends.empty()) return "";
   Table table{{"quantity", "contact", "load", "simulated", "measured", "simulated / measured", "apart by"}, {}, true};
-  const auto row = [&](const std::string& what, const std::string& contact, const std::string& load, const Uncertain& simulated, const Uncertain& measured,
-                       double sigmas) {
+  const auto row = [&](const std::string& what, const std::string& contact, const std::string& load,
+                       const Uncertain& simulated, const Uncertain& measured, double sigmas) {
     table.rows.push_back({what, contact, load, cell(simulated), cell(measured), cell(ratio(simulated, measured)),
                           std::isfinite(sigmas) ? rounded(std::abs(sigmas), 2) + " σ" : "–"});
   };
   for (const auto& one : findings.published.trends)
-    row(motion_name(*one.trend->mode) + (std::isnan(one.load) ? ": coefficient µ per nm of RMS" : ": per nm of RMS"), "all of the spectrum",
-        std::isnan(one.load) ? "slope over loads" : in_units(one.load, Dimension::force), one.simulated * nm, one.measured * nm, one.sigmas());
+    row(motion_name(*one.trend->mode) + (std::isnan(one.load) ? ": coefficient µ per nm of RMS" : ": per nm of RMS"),
+        "all of the spectrum", std::isnan(one.load) ? "slope over loads" : in_units(one.load, Dimension::force),
+        one.simulated * nm, one.measured * nm, one.sigmas());
   for (const auto& one : findings.published.magnitudes)
-    row(motion_name(*one.mode) + (one.mode == &sliding_mode() ? ": F/P" : ": M/(P r)"), readable(one.contact->label), in_units(one.load, Dimension::force),
-        one.simulated, one.measured, one.sigmas());
-  return table_html(table) +
-         note("Fuchs, Weinhart et al. (2014), Table 2, where sphere, plane, RMS and load are the paper's. Its rolling numbers are means over two "
-              "contacts of the sphere, silicon below and a diamond indenter above: what roughness changes at the silicon is twice what the mean "
-              "shows, and that is what stands here as measured trend; the magnitudes are the paper's means. At a load the measured rolling "
-              "resistance is µ(1 + h/P), and h grows with roughness: below about 0.6 mN the resistance itself rises, and only the coefficient µ "
-              "falls. The local friction of the simulations is an input: the size of sliding and torsion resistance follows from it, "
-              "how they change with roughness does not.");
+    row(motion_name(*one.mode) + (one.mode == &sliding_mode() ? ": F/P" : ": M/(P r)"), readable(one.contact->label),
+        in_units(one.load, Dimension::force), one.simulated, one.measured, one.sigmas());
+  return table_html(table) + note(
+                                 "Fuchs, Weinhart et al. (2014), Table 2, where sphere, plane, RMS and load are the "
+                                 "paper's. Its rolling numbers are means over two "
+                                 "contacts of the sphere, silicon below and a diamond indenter above: what roughness "
+                                 "changes at the silicon is twice what the mean "
+                                 "shows, and that is what stands here as measured trend; the magnitudes are the "
+                                 "paper's means. At a load the measured rolling "
+                                 "resistance is µ(1 + h/P), and h grows with roughness: below about 0.6 mN the "
+                                 "resistance itself rises, and only the coefficient µ "
+                                 "falls. The local friction of the simulations is an input: the size of sliding and "
+                                 "torsion resistance follows from it, "
+                                 "how they change with roughness does not.");
 }
 
 }  // namespace asperity::report

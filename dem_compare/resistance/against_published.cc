@@ -33,9 +33,10 @@ Trend published_trend(const Published& published, const MotionMode& mode, double
   std::vector<Uncertain> values;
   for (const auto& surface : published.surfaces) {
     rms.push_back(surface.rms.value);
-    values.push_back(std::isnan(load) ? coefficient(surface, mode)
-                                      : propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); },
-                                                  {coefficient(surface, mode), offset(surface, mode)}));
+    values.push_back(std::isnan(load)
+                         ? coefficient(surface, mode)
+                         : propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); },
+                                     {coefficient(surface, mode), offset(surface, mode)}));
   }
   return fit_trend(rms, values);
 }
@@ -45,37 +46,46 @@ bool was_measured(const PublishedColumn& column, const MovingContact& contact, c
   return column.value(quantity_of(mode), contact.bodies, load).known();
 }
 
-void add_trends(const RoughnessTrend& trend, const PublishedColumn& column, const Published& published, AgainstPublished& result) {
+void add_trends(const RoughnessTrend& trend, const PublishedColumn& column, const Published& published,
+                AgainstPublished& result) {
   if (trend.mode == &torsion_mode() || column.plane_of(trend.contacts.front()->bodies) != "silicon") return;
   const double length = trend.mode == &sliding_mode() ? 1 : trend.contacts.front()->bodies.radius;
   const double both = contacts_in_mean(*trend.mode);
   for (const auto& at : trend.loads) {
-    const bool inside = std::any_of(trend.contacts.begin(), trend.contacts.end(),
-                                    [&](const auto* contact) { return was_measured(column, *contact, *trend.mode, at.load); });
+    const bool inside = std::any_of(trend.contacts.begin(), trend.contacts.end(), [&](const auto* contact) {
+      return was_measured(column, *contact, *trend.mode, at.load);
+    });
     if (!inside) continue;
     const MovingState* state = nullptr;
     for (const auto* contact : trend.contacts)
       if (!state) state = contact->find(*trend.mode, at.load);
     const double to_paper = state->scale() / (at.load * length);
-    result.trends.push_back({&trend, at.load, at.total.slope * to_paper, published_trend(published, *trend.mode, at.load).slope * both});
+    result.trends.push_back(
+        {&trend, at.load, at.total.slope * to_paper, published_trend(published, *trend.mode, at.load).slope * both});
   }
   if (std::isfinite(trend.coefficient.slope.value))
-    result.trends.push_back({&trend, NAN, trend.coefficient.slope, published_trend(published, *trend.mode, NAN).slope * both});
+    result.trends.push_back(
+        {&trend, NAN, trend.coefficient.slope, published_trend(published, *trend.mode, NAN).slope * both});
 }
 
 }  // namespace
 
 Uncertain MeasuredMagnitude::over() const { return ratio(simulated, measured); }
-double MeasuredMagnitude::sigmas() const { return (simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd); }
+double MeasuredMagnitude::sigmas() const {
+  return (simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd);
+}
 Uncertain MeasuredTrend::over() const { return ratio(simulated, measured); }
-double MeasuredTrend::sigmas() const { return (simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd); }
+double MeasuredTrend::sigmas() const {
+  return (simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd);
+}
 
 bool MeasuredTrend::is_opposite() const {
   const auto told = [](const Uncertain& slope) { return std::abs(slope.value) > two_sigma * slope.sd; };
   return told(simulated) && told(measured) && simulated.value * measured.value < 0;
 }
 
-AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends, const Published& published) {
+AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends,
+                                   const Published& published) {
   const PublishedColumn column(published);
   AgainstPublished result;
   std::set<std::string> reasons;
@@ -87,8 +97,12 @@ AgainstPublished against_published(const MovingStudy& study, const std::vector<R
         continue;
       }
       const double length = state.mode == &sliding_mode() ? 1 : contact.bodies.radius;
-      result.magnitudes.push_back(
-          {&contact, state.mode, state.load, state.resistance * (1 / (state.load * length)), {value.value, value.sd}, value.source});
+      result.magnitudes.push_back({&contact,
+                                   state.mode,
+                                   state.load,
+                                   state.resistance * (1 / (state.load * length)),
+                                   {value.value, value.sd},
+                                   value.source});
     }
   for (const auto& trend : trends) add_trends(trend, column, published, result);
   result.remarks.assign(reasons.begin(), reasons.end());

@@ -1,6 +1,6 @@
-// Simulated resistances and their trend with roughness beside the paper's Table 2, where contact and load are the paper's.
-// The paper's rolling numbers are means over two contacts of the sphere, with silicon below and a diamond indenter above: what
-// roughness of the silicon changes at its own contact is twice what it changes in the mean.
+// Simulated resistances and their trend with roughness beside the paper's Table 2, where contact and load are the
+// paper's. The paper's rolling numbers are means over two contacts of the sphere, with silicon below and a diamond
+// indenter above: what roughness of the silicon changes at its own contact is twice what it changes in the mean.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct MeasuredMagnitude {
   double load = 0;
   Uncertain simulated, measured;
   std::string source;
-  Uncertain over() const;     ///< simulated over measured
-  double sigmas() const;      ///< difference over both sds
+  Uncertain over() const;  ///< simulated over measured
+  double sigmas() const;   ///< difference over both sds
 };
 
 /// Change per metre of RMS of the silicon's contact.
 struct MeasuredTrend {
   const RoughnessTrend* trend = nullptr;
-  double load = 0;            ///< NaN: of the coefficient mu, the slope over the loads
+  double load = 0;  ///< NaN: of the coefficient mu, the slope over the loads
   Uncertain simulated, measured;
   Uncertain over() const;
   double sigmas() const;
@@ -40,6 +40,7 @@ struct AgainstPublished {
 };
 
 /// `trends` must outlive the result.
-AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends, const Published& published);
+AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends,
+                                   const Published& published);
 
 }  // namespace asperity

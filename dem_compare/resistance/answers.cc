@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/derive/law_report.h"
 #include "dem_compare/resistance/findings.h"
+#include "dem_compare/resistance/length_sentences.h"
 #include "dem_compare/resistance/sentences.h"
 
 namespace asperity {
@@ -11,66 +11,6 @@ namespace {
 using Sentences = std::vector<std::string>;
 using Sign = Trend::Sign;
 constexpr double nm = 1e-9;
-
-const char* verdict_words(LengthAnswer::Verdict verdict) {
-  switch (verdict) {
-    case LengthAnswer::Verdict::particle_radius:
-      return "lambda = r";
-    case LengthAnswer::Verdict::contact_radius:
-      return "lambda = a";
-    case LengthAnswer::Verdict::neither:
-      return "neither lambda = r nor lambda = a";
-    default:
-      return "cannot tell";
-  }
-}
-
-/// "1.31 +- 0.01", or "1.31 to 1.34" of several; "" where none is known.
-std::string exponents_words(const LengthAnswer& answer, const std::string& over, const std::string& with_radius, const std::string& with_contact,
-                            const std::string& with_bonds) {
-  double low = INFINITY, high = -INFINITY;
-  std::string single;
-  for (const auto& exponent : answer.exponents) {
-    const Uncertain& found = exponent.exponent.slope;
-    if (exponent.over != over || !std::isfinite(found.value)) continue;
-    low = std::min(low, found.value), high = std::max(high, found.value);
-    single = number_text(found);
-  }
-  if (single.empty()) return "";
-  constexpr double hundred = 100;
-  const auto rounded = [](double value) { return number_text({std::round(hundred * value) / hundred}); };
-  return " With the " + over + " the moment grows to the power " + (low == high ? single : rounded(low) + " to " + rounded(high)) +
-         " (lambda = r without offset: " + with_radius + ", lambda = a: " + with_contact + (answer.mode == &rolling_mode() ? ", bonds along a smooth rim: " + with_bonds : "") + ").";
-}
-
-std::string odds_words(const LengthChoice& choice) {
-  if (choice.log_odds == 0) return "";
-  constexpr double most_that_matters = 1e6;
-  const double odds = std::exp(std::abs(choice.log_odds));
-  const bool is_contact = choice.log_odds > 0;
-  return " Odds " + (odds > most_that_matters ? std::string("above 10^6") : number_text({odds})) + " to 1 for lambda = " + (is_contact ? "a" : "r") +
-         ", an offset h left free" + (choice.is_told() ? "" : " (20 to 1 would be an answer)") + "; with it " +
-         to_text(is_contact ? choice.with_contact : choice.with_radius) + ".";
-}
-
-std::string without_offset_words(const LengthAnswer& answer) {
-  if (answer.verdict != LengthAnswer::Verdict::cannot_tell) return "";
-  const auto alone = answer.without_offset();
-  if (alone == LengthAnswer::Verdict::cannot_tell) return "";
-  return std::string(" Without an offset the exponents would say: ") + verdict_words(alone) + "; more loads or radii would tell h apart.";
-}
-
-Sentences length_sentences(const ResistanceFindings& findings) {
-  Sentences list;
-  for (const auto& answer : findings.lengths) {
-    std::string radii;
-    for (const double radius : answer.radii) radii += (radii.empty() ? "" : ", ") + format_quantity(radius, Dimension::length);
-    list.push_back(motion_name(*answer.mode, true) + " of " + answer.contact + (answer.radii.size() > 1 ? " (radii " + radii + ")" : "") + ": " +
-                   verdict_words(answer.verdict) + "." + (answer.choice ? odds_words(*answer.choice) : "") +
-                   exponents_words(answer, "load", "1", "1.33", "0.33") + exponents_words(answer, "radius", "1", "0.33", "1.33") + without_offset_words(answer));
-  }
-  return list;
-}
 
 /// Slope of a part over the mean of the whole, over the loads [per metre].
 Uncertain part_of(const RoughnessTrend& trend, Trend TrendAtLoad::*part) {
@@ -96,7 +36,8 @@ std::string parts_words(const RoughnessTrend& trend) {
   std::string text;
   for (const auto& part : parts()) {
     const Uncertain share = part_of(trend, part.member);
-    if (std::isfinite(share.value)) text += (text.empty() ? "" : ", ") + (part.name + (" " + change_percent({share.value * nm, share.sd * nm})));
+    if (std::isfinite(share.value))
+      text += (text.empty() ? "" : ", ") + (part.name + (" " + change_percent({share.value * nm, share.sd * nm})));
   }
   return text.empty() ? "" : " Of this, per nm: " + text + ".";
 }
@@ -105,7 +46,8 @@ std::string at_loads(const RoughnessTrend& trend) {
   std::string text;
   for (const auto& at : trend.loads) {
     const Uncertain change = at.total.relative();
-    text += (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent({change.value * nm, change.sd * nm});
+    text +=
+        (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent({change.value * nm, change.sd * nm});
   }
   return trend.loads.size() > 1 ? " (" + text + ")" : "";
 }
@@ -124,7 +66,8 @@ std::string cause_words(const RoughnessTrend& trend) {
   const Sign asked = rolls ? Sign::falls : Sign::rises;
   const std::string names = causes(trend, asked);
   const std::string verb = rolls ? "rolling friction fall" : "sliding friction rise", own = rolls ? "falls" : "rises";
-  if (names.empty()) return " No mechanism of the simulation makes " + verb + " with roughness, as far as two standard deviations tell.";
+  if (names.empty())
+    return " No mechanism of the simulation makes " + verb + " with roughness, as far as two standard deviations tell.";
   if (trend.sign() == asked) return " What makes " + verb + " with roughness is " + names + ".";
   return " What goes into " + names + " " + own + " with roughness; the resistance as a whole does not.";
 }
@@ -140,13 +83,15 @@ Sentences roughness_sentences(const ResistanceFindings& findings) {
   for (const auto& trend : findings.trends) {
     std::string over;
     for (const auto* contact : trend.contacts) over += (over.empty() ? "" : "; ") + contact->label;
-    list.push_back(motion_name(*trend.mode, true) + " resistance (" + over + ") " + trend_words(trend.relative) + at_loads(trend) + "." +
-                   parts_words(trend) + cause_words(trend) + coefficient_words(trend));
+    list.push_back(motion_name(*trend.mode, true) + " resistance (" + over + ") " + trend_words(trend.relative) +
+                   at_loads(trend) + "." + parts_words(trend) + cause_words(trend) + coefficient_words(trend));
   }
   return list;
 }
 
-const char* name_of(Contribution::Mechanism mechanism) { return mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"; }
+const char* name_of(Contribution::Mechanism mechanism) {
+  return mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion";
+}
 
 /// First what changes with roughness, then pair by pair.
 Sentences mechanism_sentences(const ResistanceFindings& findings) {
@@ -155,20 +100,26 @@ Sentences mechanism_sentences(const ResistanceFindings& findings) {
     const Contribution &low = *trend.smoothest, &high = *trend.roughest;
     const Uncertain change{trend.relative().value * nm, trend.relative().sd * nm};
     const Sign sign = sign_of(trend.difference.slope);
-    list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " + motion_name(*low.mode) + " at " + force_text(low.load) +
+    list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " + motion_name(*low.mode) +
+                   " at " + force_text(low.load) +
                    (sign == Sign::rises   ? " rises with roughness"
                     : sign == Sign::falls ? " falls with roughness"
                     : sign == Sign::none  ? " shows no trend with roughness"
                                           : " changes with roughness in a way that cannot be told") +
-                   ": " + change_percent(change) + " of the resistance per nm of RMS, from " + change_percent(low.share()) + " (" + low.with->label +
-                   ") to " + change_percent(high.share()) + " (" + high.with->label + ").");
+                   ": " + change_percent(change) + " of the resistance per nm of RMS, from " +
+                   change_percent(low.share()) + " (" + low.with->label + ") to " + change_percent(high.share()) +
+                   " (" + high.with->label + ").");
   }
   for (const auto& one : findings.contributions) {
-    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " + name_of(one.mechanism);
+    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " +
+                       name_of(one.mechanism);
     const Uncertain share = one.share();
-    if (!one.difference.has_sd()) text += " changes the resistance by " + change_percent(share) + "; whether that means anything cannot be told";
-    else if (!one.is_told()) text += " contributes nothing that shows (" + change_percent(share) + " of the resistance)";
-    else text += " contributes " + change_percent(share) + " of the resistance";
+    if (!one.difference.has_sd())
+      text += " changes the resistance by " + change_percent(share) + "; whether that means anything cannot be told";
+    else if (!one.is_told())
+      text += " contributes nothing that shows (" + change_percent(share) + " of the resistance)";
+    else
+      text += " contributes " + change_percent(share) + " of the resistance";
     list.push_back(text + " (beside " + one.without->label + ").");
   }
   return list;
@@ -178,56 +129,69 @@ std::string sigma_words(double sigmas) { return number_text({std::round(10 * std
 
 std::string trend_against_paper(const MeasuredTrend& one) {
   const bool coefficient = std::isnan(one.load), rolls = one.trend->mode == &rolling_mode();
-  const std::string what = motion_name(*one.trend->mode, true) +
-                           (coefficient ? ", trend of the coefficient with RMS" : ", trend with RMS at " + force_text(one.load)) +
-                           (rolls ? " (at the silicon's contact: twice what the paper's mean over both contacts shows)" : "");
+  const std::string what =
+      motion_name(*one.trend->mode, true) +
+      (coefficient ? ", trend of the coefficient with RMS" : ", trend with RMS at " + force_text(one.load)) +
+      (rolls ? " (at the silicon's contact: twice what the paper's mean over both contacts shows)" : "");
   const auto per_nm = [](const Uncertain& slope) { return number_text({slope.value * nm, slope.sd * nm}) + " per nm"; };
   std::string text = what + ": simulated " + per_nm(one.simulated) + ", measured " + per_nm(one.measured);
   if (!std::isfinite(one.sigmas())) return text + "; cannot tell whether they agree.";
   constexpr double two_sigma = 2;
-  if (one.is_opposite()) return text + ". The simulations contradict the measurement: opposite signs, " + sigma_words(one.sigmas()) + " apart.";
-  return text + (std::abs(one.sigmas()) > two_sigma ? ". The simulations contradict the measurement: ratio " : ": they agree, ratio ") +
+  if (one.is_opposite())
+    return text + ". The simulations contradict the measurement: opposite signs, " + sigma_words(one.sigmas()) +
+           " apart.";
+  return text +
+         (std::abs(one.sigmas()) > two_sigma ? ". The simulations contradict the measurement: ratio "
+                                             : ": they agree, ratio ") +
          number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
 std::string magnitude_against_paper(const MeasuredMagnitude& one) {
-  const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) + ": " +
-                           (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " + number_text(one.simulated) + ", measured " +
-                           number_text(one.measured);
-  if (!std::isfinite(one.sigmas())) return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
+  const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) +
+                           ": " + (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " +
+                           number_text(one.simulated) + ", measured " + number_text(one.measured);
+  if (!std::isfinite(one.sigmas()))
+    return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
   // Local friction went in: its size says nothing of the simulation.
   if (one.mode != &rolling_mode())
-    return text + ", ratio " + number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart; the size follows from the local friction of " +
-           number_text({one.contact->bodies.friction}) + " that went in.";
+    return text + ", ratio " + number_text(one.over()) + ", " + sigma_words(one.sigmas()) +
+           " apart; the size follows from the local friction of " + number_text({one.contact->bodies.friction}) +
+           " that went in.";
   constexpr double two_sigma = 2;
-  return text + (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio " : "; they agree: ratio ") + number_text(one.over()) +
-         ", " + sigma_words(one.sigmas()) + " apart.";
+  return text + (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio " : "; they agree: ratio ") +
+         number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
 /// True for a contact that stands for another one with a mechanism switched off: it was not measured.
 bool is_reduced(const ResistanceFindings& findings, const MovingContact& contact) {
-  return std::any_of(findings.contributions.begin(), findings.contributions.end(), [&](const auto& one) { return one.without == &contact; });
+  return std::any_of(findings.contributions.begin(), findings.contributions.end(),
+                     [&](const auto& one) { return one.without == &contact; });
 }
 
 /// The coefficient of the paper's rolling friction is a slope over loads.
 Sentences coefficients_that_lack(const ResistanceFindings& findings) {
   for (const auto& one : findings.published.trends)
     if (one.trend->mode == &rolling_mode() && !one.trend->coefficient.slope.has_sd())
-      return {"What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of 0.1 to 3 mN; at a load "
-              "below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at least two surfaces "
-              "need two loads each: without them it cannot be told."};
+      return {
+          "What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of "
+          "0.1 to 3 mN; at a load "
+          "below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at "
+          "least two surfaces "
+          "need two loads each: without them it cannot be told."};
   return {};
 }
 
 /// Those that tell, or that none does.
 std::string length_headline(const ResistanceFindings& findings, const MotionMode& mode) {
   Sentences verdicts;
-  const bool moves = std::any_of(findings.study.contacts.begin(), findings.study.contacts.end(), [&](const auto& contact) { return !contact.of(mode).empty(); });
+  const bool moves = std::any_of(findings.study.contacts.begin(), findings.study.contacts.end(),
+                                 [&](const auto& contact) { return !contact.of(mode).empty(); });
   if (!moves) return "";
   for (const auto& answer : findings.lengths) {
     if (answer.mode != &mode) continue;
     const std::string words = verdict_words(answer.verdict);
-    if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words)) verdicts.push_back(words);
+    if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words))
+      verdicts.push_back(words);
   }
   std::string text;
   for (const auto& verdict : verdicts) text += (text.empty() ? "" : " / ") + verdict;
@@ -239,10 +203,11 @@ std::string trend_headline(const ResistanceFindings& findings, const MotionMode&
   for (const auto& trend : findings.trends)
     if (trend.mode == &mode) {
       const Sign sign = trend.sign();
-      return motion_name(mode, true) + (sign == Sign::rises ? " resistance rises with roughness. "
+      return motion_name(mode, true) + (sign == Sign::rises   ? " resistance rises with roughness. "
                                         : sign == Sign::falls ? " resistance falls with roughness. "
-                                        : sign == Sign::none  ? " resistance shows no trend with roughness. "
-                                                              : " resistance: its trend with roughness cannot be told. ");
+                                        : sign == Sign::none
+                                            ? " resistance shows no trend with roughness. "
+                                            : " resistance: its trend with roughness cannot be told. ");
     }
   return "";
 }
@@ -253,21 +218,26 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
   ResistanceAnswers result;
   for (const auto* mode : {&rolling_mode(), &torsion_mode()}) result.headline += length_headline(findings, *mode);
   for (const auto* mode : {&rolling_mode(), &sliding_mode()}) result.headline += trend_headline(findings, *mode);
-  if (result.headline.empty()) result.headline = "Resistances are below; one load and one roughness answer neither question. ";
+  if (result.headline.empty())
+    result.headline = "Resistances are below; one load and one roughness answer neither question. ";
   result.headline.pop_back();
   result.length = length_sentences(findings);
   if (result.length.empty())
-    result.length.push_back("Which length rolling and torsion follow cannot be told: no contact was rolled or spun under two loads, or with two radii.");
+    result.length.push_back(
+        "Which length rolling and torsion follow cannot be told: no contact was rolled or spun under two loads, or "
+        "with two radii.");
   result.roughness = roughness_sentences(findings);
   if (result.roughness.empty())
-    result.roughness.push_back("How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
+    result.roughness.push_back(
+        "How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
   result.mechanisms = mechanism_sentences(findings);
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
   const Sentences missing = coefficients_that_lack(findings);
   result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());
   for (const auto& one : findings.published.magnitudes)
     if (!is_reduced(findings, *one.contact)) result.measurement.push_back(magnitude_against_paper(one));
-  for (const auto& remark : findings.published.remarks) result.measurement.push_back("No partner in the paper for " + remark + ".");
+  for (const auto& remark : findings.published.remarks)
+    result.measurement.push_back("No partner in the paper for " + remark + ".");
   result.care = findings.study.remarks;
   return result;
 }

@@ -13,12 +13,12 @@ struct EnergyHistory {
   std::vector<double> position;    ///< way of the mode of motion [m] or [rad]
   std::vector<double> resistance;  ///< [N] or [N m]
   std::vector<double> normal_force, contact_radius, contact_area;
-  std::vector<double> friction;   ///< dissipated by slip [J]
-  std::vector<double> plastic;    ///< plastic work less what hardening stores [J]
-  std::vector<double> adhesion;   ///< lost by bonds that form and break [J]
-  std::vector<double> unbalanced; ///< work less stored less dissipated [J]; zero but for errors of the computation
-  std::vector<double> sticking;   ///< share of the closed nodes that stick; empty where the file lacks it
-  bool has_energies = false;      ///< the file tells the mechanisms apart
+  std::vector<double> friction;    ///< dissipated by slip [J]
+  std::vector<double> plastic;     ///< plastic work less what hardening stores [J]
+  std::vector<double> adhesion;    ///< lost by bonds that form and break [J]
+  std::vector<double> unbalanced;  ///< work less stored less dissipated [J]; zero but for errors of the computation
+  std::vector<double> sticking;    ///< share of the closed nodes that stick; empty where the file lacks it
+  bool has_energies = false;       ///< the file tells the mechanisms apart
 
   std::size_t size() const { return position.size(); }
 };

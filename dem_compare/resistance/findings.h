@@ -1,5 +1,6 @@
-// What a study of moving contacts says on the paper's two open questions: which length rolling and torsion resistance follow, and why
-// rolling friction falls and sliding friction rises with roughness. Numbers, and the answers in sentences. SI units.
+// What a study of moving contacts says on the paper's two open questions: which length rolling and torsion resistance
+// follow, and why rolling friction falls and sliding friction rises with roughness. Numbers, and the answers in
+// sentences. SI units.
 #pragma once
 
 #include <optional>
@@ -34,11 +35,11 @@ ResistanceFindings find_resistances(const CaseCollection& collection, const std:
 /// Plain text; "+-" before an uncertainty.
 struct ResistanceAnswers {
   std::string headline;
-  std::vector<std::string> length;        ///< on lambda
-  std::vector<std::string> roughness;     ///< trends with RMS, and which mechanism makes them
-  std::vector<std::string> mechanisms;    ///< what switching one off changes
-  std::vector<std::string> measurement;   ///< where simulations and the paper disagree, and by how much
-  std::vector<std::string> care;          ///< what stands in the way of more
+  std::vector<std::string> length;       ///< on lambda
+  std::vector<std::string> roughness;    ///< trends with RMS, and which mechanism makes them
+  std::vector<std::string> mechanisms;   ///< what switching one off changes
+  std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
+  std::vector<std::string> care;         ///< what stands in the way of more
 };
 ResistanceAnswers answers(const ResistanceFindings& findings);
 

@@ -20,7 +20,8 @@ ScalingExponent over_loads(const MovingContact& contact, const MotionMode& mode)
   std::vector<Uncertain> moments;
   for (const auto* state : contact.of(mode)) loads.push_back(state->load), moments.push_back(state->resistance);
   constexpr double four_thirds = 4.0 / 3.0;
-  return {"load", contact.label, fit_exponent_of(loads, moments), 1, four_thirds, &mode == &rolling_mode() ? 1.0 / 3.0 : NAN};
+  return {"load", contact.label, fit_exponent_of(loads, moments),
+          1,      four_thirds,   &mode == &rolling_mode() ? 1.0 / 3.0 : NAN};
 }
 
 /// One exponent for each load that several radii have.
@@ -30,10 +31,12 @@ std::vector<ScalingExponent> over_radii(const Contacts& contacts, const MotionMo
     std::vector<double> radii;
     std::vector<Uncertain> moments;
     for (const auto* contact : contacts)
-      if (const MovingState* state = contact->find(mode, lead->load)) radii.push_back(contact->bodies.radius), moments.push_back(state->resistance);
+      if (const MovingState* state = contact->find(mode, lead->load))
+        radii.push_back(contact->bodies.radius), moments.push_back(state->resistance);
     if (radii.size() < 2) continue;
     constexpr double third = 1.0 / 3.0;
-    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1, third, &mode == &rolling_mode() ? 1 + third : NAN});
+    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1,
+                         third, &mode == &rolling_mode() ? 1 + third : NAN});
   }
   return exponents;
 }
@@ -47,7 +50,8 @@ std::vector<ResistancePoint> points_of(const Contacts& contacts, const MotionMod
         const Uncertain moment = item.first.resistance();
         constexpr double two_sigma = 2;
         if (moment.has_sd() && moment.value > two_sigma * moment.sd)
-          points.push_back({item.load, moment.value, moment.sd, item.seeds + " at " + format_quantity(contact->bodies.radius, Dimension::length),
+          points.push_back({item.load, moment.value, moment.sd,
+                            item.seeds + " at " + format_quantity(contact->bodies.radius, Dimension::length),
                             contact->bodies.radius, state->hertz_radius});
       }
   return points;
@@ -65,7 +69,9 @@ double doubt_of(const std::vector<ResistancePoint>& points) {
 /// A law with whatever offset cannot be: an exponent in the radius, or its misfit, is too far off.
 bool is_contradicted(const LengthAnswer& answer, bool by_contact, const std::vector<ResistancePoint>& points) {
   for (const auto& exponent : answer.exponents)
-    if (exponent.over == "radius" && std::abs(by_contact ? exponent.from_contact() : exponent.from_radius()) > contradicts) return true;
+    if (exponent.over == "radius" &&
+        std::abs(by_contact ? exponent.from_contact() : exponent.from_radius()) > contradicts)
+      return true;
   const ResistanceLaw& law = by_contact ? answer.choice->with_contact : answer.choice->with_radius;
   return law.degrees_of_freedom > 0 && law.misfit > contradicts * doubt_of(points);
 }

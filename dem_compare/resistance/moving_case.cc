@@ -43,7 +43,8 @@ std::size_t onset(const EnergyHistory& history, const MotionLeg& leg, const Moti
 Values work_against_motion(const EnergyHistory& history) {
   Values work(history.size(), 0.0);
   for (std::size_t i = 1; i < history.size(); ++i)
-    work[i] = work[i - 1] + 0.5 * (history.resistance[i] + history.resistance[i - 1]) * (history.position[i] - history.position[i - 1]);
+    work[i] = work[i - 1] + 0.5 * (history.resistance[i] + history.resistance[i - 1]) *
+                                (history.position[i] - history.position[i - 1]);
   return work;
 }
 
@@ -55,7 +56,8 @@ Values sum_of(const Values& a, const Values& b, const Values& c) {
 
 void add_drift(const Values& rates, SteadyWay& steady) {
   const auto half = static_cast<long>(rates.size() / 2);
-  const Uncertain change = mean_of_stretches({rates.end() - half, rates.end()}) - mean_of_stretches({rates.begin(), rates.begin() + half});
+  const Uncertain change =
+      mean_of_stretches({rates.end() - half, rates.end()}) - mean_of_stretches({rates.begin(), rates.begin() + half});
   const double mean = mean_of_stretches(rates).value;
   steady.drift = change.value / mean;
   steady.drift_error = change.sd / std::abs(mean);
@@ -98,13 +100,16 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   const auto wanted = static_cast<std::size_t>(std::max<long>(std::lround(steady.way / stretch), fewest_stretches));
   const std::size_t count = std::min(wanted, last - first);
   steady.stretches = static_cast<int>(count);
-  const auto mean_rate = [&](const Values& sum) { return mean_of_stretches(rates_of_stretches(x, sum, first, last, count)); };
+  const auto mean_rate = [&](const Values& sum) {
+    return mean_of_stretches(rates_of_stretches(x, sum, first, last, count));
+  };
   steady.force = mean_rate(work_against_motion(history));
   if (!history.has_energies) return steady;
   steady.dissipated.friction = mean_rate(history.friction);
   steady.dissipated.plastic = mean_rate(history.plastic);
   steady.dissipated.adhesion = mean_rate(history.adhesion);
-  const Values rates = rates_of_stretches(x, sum_of(history.friction, history.plastic, history.adhesion), first, last, count);
+  const Values rates =
+      rates_of_stretches(x, sum_of(history.friction, history.plastic, history.adhesion), first, last, count);
   steady.dissipated.total = mean_of_stretches(rates);
   steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.way;
   if (count >= fewest_stretches) add_drift(rates, steady);
@@ -126,7 +131,8 @@ MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
     const bool reached = from + fewest_rows <= leg.last + 1;
     SteadyWay& way = is_first ? moving.first : moving.back;
     if (reached && !way.reached()) {
-      const double radius = mean_of(history.contact_radius, from, leg.last), stretch = stretch_length(mode, radius, particle_radius);
+      const double radius = mean_of(history.contact_radius, from, leg.last),
+                   stretch = stretch_length(mode, radius, particle_radius);
       way = steady_way(history, from, leg.last, stretch);
       if (is_first) {
         moving.contact_radius = radius;

@@ -1,13 +1,14 @@
-// The steady resistance of one solved case that slid, rolled or spun: its mean force or moment, and what it dissipated per way
-// by mechanism. The second is far better known: hills of rough surfaces give back what they take, so that the force of a short way
-// is mostly theirs, while dissipated energy only ever grows. Over a long way both agree. SI units.
+// The steady resistance of one solved case that slid, rolled or spun: its mean force or moment, and what it dissipated
+// per way by mechanism. The second is far better known: hills of rough surfaces give back what they take, so that the
+// force of a short way is mostly theirs, while dissipated energy only ever grows. Over a long way both agree. SI units.
 //
 // Steady is the first way, over surfaces that the contact has not yet passed, after the onset:
-// - sliding, torsion: from the first step with at most 2 % of the closed nodes sticking. Where the history does not say, from where
+// - sliding, torsion: from the first step with at most 2 % of the closed nodes sticking. Where the history does not
+// say, from where
 //   the resistance has reached 95 % of its mean over the second half of the way.
 // - rolling: after one contact radius of way, so that the contact that was pressed has been left.
-// It is cut into stretches of about a contact radius, four at least; how they differ gives the uncertainty (stretches.h).
-// The way back, over the own track, is told apart: what has yielded there need not yield again.
+// It is cut into stretches of about a contact radius, four at least; how they differ gives the uncertainty
+// (stretches.h). The way back, over the own track, is told apart: what has yielded there need not yield again.
 #pragma once
 
 #include <string>
@@ -32,18 +33,19 @@ struct SteadyWay {
   double drift_error = nan("");
 
   bool reached() const { return stretches > 0; }
-  /// Energy dissipated per way where the history has it, else the mean force; the open balance counts as a standard deviation.
+  /// Energy dissipated per way where the history has it, else the mean force; the open balance counts as a standard
+  /// deviation.
   Uncertain resistance() const;
   /// By three standard errors and more than 5 %.
   bool still_changes() const;
 };
 
 struct MovingCase {
-  std::string folder, seeds;  ///< seeds of both surfaces
-  double load = 0;            ///< [N]
-  double spacing = 0;         ///< of the interface's mesh [m]
+  std::string folder, seeds;                    ///< seeds of both surfaces
+  double load = 0;                              ///< [N]
+  double spacing = 0;                           ///< of the interface's mesh [m]
   double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady way [m], [m^2]
-  double way_in_radii = 0;    ///< steady first way; of torsion that of the rim
+  double way_in_radii = 0;                      ///< steady first way; of torsion that of the rim
   SteadyWay first, back;
 };
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <regex>
 #include <set>
 
 #include "core/error.h"
@@ -12,55 +10,6 @@
 
 namespace asperity {
 namespace {
-
-using Inputs = std::map<std::string, std::string>;
-
-/// Number of an entry; `otherwise` where it is missing.
-double number(const Inputs& inputs, const std::string& entry, Dimension dimension, double otherwise) {
-  const auto found = inputs.find(entry);
-  return found == inputs.end() ? otherwise : parse_quantity(found->second, dimension);
-}
-
-bool yields(const Inputs& inputs, const std::string& body) {
-  return std::isfinite(number(inputs, body + "/Yield stress", Dimension::pressure, INFINITY));
-}
-
-/// Without the seed, and with lengths in metres: further realisations are written anew, "0.7 nm" as "700 pm".
-std::string without_seed(std::string text) {
-  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)"), blanks(R"(\s+)"), length(R"(([0-9.]+(?:e[+-]?[0-9]+)?) ?(pm|nm|um|mm|m)\b)");
-  text = std::regex_replace(std::regex_replace(text, seed, ""), blanks, " ");
-  std::smatch found;
-  std::string rest = text, result;
-  while (std::regex_search(rest, found, length)) {
-    char metres[32];
-    std::snprintf(metres, sizeof metres, "%.6g", parse_quantity(found.str(), Dimension::length));
-    result += found.prefix().str() + metres;
-    rest = found.suffix().str();
-  }
-  return result + rest;
-}
-
-Inputs inputs_of(const SolvedCase& solved) {
-  Inputs inputs;
-  for (const auto& [path, text] : solved.entries.all()) {
-    const std::string section = path.substr(0, path.find('/'));
-    if (section == "Particle" || section == "Substrate" || section == "Interface")
-      inputs[path] = without_seed(text);
-  }
-  for (const std::string body : {"Particle", "Substrate"})
-    if (!yields(inputs, body))
-      for (const char* entry : {"/Yield stress", "/Hardening modulus", "/Hardening", "/Voce saturation", "/Voce rate"}) inputs.erase(body + entry);
-  if (number(inputs, "Interface/Work of adhesion", Dimension::surface_energy, 0) == 0)
-    for (const char* entry : {"Work of adhesion", "Opening work", "Adhesion law", "Adhesion range"}) inputs.erase(std::string("Interface/") + entry);
-  return inputs;
-}
-
-/// A moving case and where it belongs.
-struct Found {
-  const CaseGroup* group;
-  const MotionMode* mode;
-  MovingCase moving;
-};
 
 class Sorter {
  public:
@@ -74,18 +23,20 @@ class Sorter {
     for (auto& contact : study_.contacts) finish(contact);
     auto& contacts = study_.contacts;
     remark_on_realisations();
-    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty(); }), contacts.end());
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty(); }),
+                   contacts.end());
   }
 
  private:
   void add(const CaseGroup& group, const SolvedCase& solved, const MotionMode& mode) {
     MovingCase moving = moving_case(solved, mode);
     if (!moving.first.reached()) {
-      study_.remarks.push_back(moving.folder + ": its way ends before the motion is steady for three steps; left out (" + mode.way_entry +
-                               " must be more)");
+      study_.remarks.push_back(moving.folder +
+                               ": its way ends before the motion is steady for three steps; left out (" +
+                               mode.way_entry + " must be more)");
       return;
     }
-    const Inputs inputs = inputs_of(group.first());  // realisations of one cell of a study are one contact
+    const ContactInputs inputs = inputs_of(group.first());  // realisations of one cell of a study are one contact
     std::size_t at = 0;
     while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
     if (at == study_.contacts.size()) {
@@ -101,7 +52,8 @@ class Sorter {
     MovingState& state = state_of(study_.contacts[at], mode, moving.load);
     const double finest = state.cases.empty() ? INFINITY : state.spacing;
     constexpr double rounding = 1e-6;
-    if (moving.spacing > finest * (1 + rounding)) return;  // coarser meshes judge the finest, they do not count as realisations
+    if (moving.spacing > finest * (1 + rounding))
+      return;  // coarser meshes judge the finest, they do not count as realisations
     if (moving.spacing < finest * (1 - rounding)) state.cases.clear();
     state.spacing = moving.spacing;
     state.cases.push_back(std::move(moving));
@@ -116,13 +68,14 @@ class Sorter {
     return contact.states.back();
   }
 
-  /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell contacts apart. Of
-  /// an axis with several values, the first one names the contact.
+  /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell
+  /// contacts apart. Of an axis with several values, the first one names the contact.
   void name_contacts() {
     const std::size_t count = collection_.axes.size();
     std::vector<bool> named(count, false);
     for (std::size_t axis = 0; axis < count; ++axis)
-      named[axis] = collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis) && !is_of_experiment(axis);
+      named[axis] =
+          collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis) && !is_of_experiment(axis);
     for (std::size_t axis = 0; axis < count; ++axis) {
       if (named[axis] || is_of_experiment(axis)) continue;
       std::vector<bool> more = named;
@@ -164,9 +117,10 @@ class Sorter {
     for (const auto& groups : groups_)
       for (const CaseGroup* group : groups) {
         const auto& entries = group->first().entries.all();
-        const bool found = axis < group->values.size() && std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
-          return entry.first.rfind("Experiment/", 0) == 0 && entry.second == group->values[axis];
-        });
+        const bool found =
+            axis < group->values.size() && std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+              return entry.first.rfind("Experiment/", 0) == 0 && entry.second == group->values[axis];
+            });
         if (!found) return false;
       }
     return true;
@@ -176,13 +130,16 @@ class Sorter {
     const Hertz hertz = contact.bodies.hertz();
     for (auto& state : contact.states) {
       state.hertz_radius = hertz.contact_radius(state.load);
-      const double mu = contact.bodies.friction, full_slip = state.mode == &torsion_mode() ? 3 * M_PI / 16 * state.hertz_radius : 1;
+      const double mu = contact.bodies.friction,
+                   full_slip = state.mode == &torsion_mode() ? 3 * M_PI / 16 * state.hertz_radius : 1;
       state.coulomb = mu > 0 && state.mode != &rolling_mode() ? mu * state.load * full_slip : NAN;
       average(state);
       remark(contact, state);
     }
     std::stable_sort(contact.states.begin(), contact.states.end(), [](const MovingState& a, const MovingState& b) {
-      const auto place = [](const MotionMode* mode) { return std::find(all_motions().begin(), all_motions().end(), mode); };
+      const auto place = [](const MotionMode* mode) {
+        return std::find(all_motions().begin(), all_motions().end(), mode);
+      };
       return place(a.mode) != place(b.mode) ? place(a.mode) < place(b.mode) : a.load < b.load;
     });
   }
@@ -192,8 +149,10 @@ class Sorter {
     for (const auto& contact : study_.contacts)
       for (const auto& state : contact.states) most = std::max(most, state.cases.size());
     if (most == 1)
-      study_.remarks.emplace_back("one realisation of each surface: how stretches of its way differ stands in for how realisations would; features "
-                                  "longer than the way are not in the uncertainty");
+      study_.remarks.emplace_back(
+          "one realisation of each surface: how stretches of its way differ stands in for how realisations would; "
+          "features "
+          "longer than the way are not in the uncertainty");
   }
 
   static void average(MovingState& state) {
@@ -218,16 +177,19 @@ class Sorter {
   }
 
   void remark(const MovingContact& contact, const MovingState& state) {
-    const std::string name = std::string(state.mode->experiment) + " of " + contact.label + " at " + format_quantity(state.load, Dimension::force);
+    const std::string name = std::string(state.mode->experiment) + " of " + contact.label + " at " +
+                             format_quantity(state.load, Dimension::force);
     const double size = std::abs(state.resistance.value);
     constexpr double much = 0.1;
     if (std::abs(state.unbalanced) > much * size)
-      study_.remarks.push_back(name + ": the energy balance leaves " + format_quantity(100 * std::abs(state.unbalanced) / size, Dimension::none, 2) +
+      study_.remarks.push_back(name + ": the energy balance leaves " +
+                               format_quantity(100 * std::abs(state.unbalanced) / size, Dimension::none, 2) +
                                " % of the resistance open; it counts as a standard deviation");
     for (const auto& item : state.cases)
       if (item.first.still_changes()) {
         study_.remarks.push_back(name + ": the resistance still changes along the way (by " +
-                                 format_quantity(100 * item.first.drift, Dimension::none, 2) + " % from its first half to its second)");
+                                 format_quantity(100 * item.first.drift, Dimension::none, 2) +
+                                 " % from its first half to its second)");
         break;
       }
   }
@@ -261,19 +223,13 @@ MovingStudy collect_moving(const CaseCollection& collection) {
 }
 
 std::vector<std::string> differing_inputs(const MovingContact& one, const MovingContact& other) {
-  std::vector<std::string> names;
-  std::set<std::string> entries;
-  for (const auto& contact : {&one, &other})
-    for (const auto& [entry, text] : contact->inputs) entries.insert(entry);
-  for (const auto& entry : entries) {
-    const auto a = one.inputs.find(entry), b = other.inputs.find(entry);
-    if (a == one.inputs.end() || b == other.inputs.end() || a->second != b->second) names.push_back(entry);
-  }
-  return names;
+  return differing_entries(one.inputs, other.inputs);
 }
 
 bool same_realisation(const std::string& seeds, const std::string& others) {
-  const auto split = [](const std::string& text) { return std::pair{text.substr(0, text.find(" on ")), text.substr(text.find(" on ") + 4)}; };
+  const auto split = [](const std::string& text) {
+    return std::pair{text.substr(0, text.find(" on ")), text.substr(text.find(" on ") + 4)};
+  };
   const auto alike = [](const std::string& a, const std::string& b) { return a == b || a == "-" || b == "-"; };
   const auto [particle, plane] = split(seeds);
   const auto [other_particle, other_plane] = split(others);

@@ -1,12 +1,12 @@
-// The moving cases of a study, sorted: contacts (same bodies, surfaces but for their seeds, and laws of the interface), and of each
-// contact its motions and loads with the realisations of the surfaces. SI units.
+// The moving cases of a study, sorted: contacts (same bodies, surfaces but for their seeds, and laws of the interface),
+// and of each contact its motions and loads with the realisations of the surfaces. SI units.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/resistance/contact_inputs.h"
 #include "dem_compare/resistance/moving_case.h"
 
 namespace asperity {
@@ -14,16 +14,16 @@ namespace asperity {
 /// One contact in one motion under one load, over the realisations of its surfaces.
 struct MovingState {
   const MotionMode* mode = nullptr;
-  double load = 0;                 ///< [N]
-  double spacing = 0;              ///< the finest solved [m]
-  std::vector<MovingCase> cases;   ///< those on that spacing that reached a steady way
-  ResistanceParts parts;           ///< means over realisations [N] or [N m]
-  Uncertain resistance;            ///< mean; its sd holds the open balance too
-  Uncertain force;                 ///< mean force or moment
-  Uncertain back_over_first;       ///< resistance on the way back, over the own track, over that of the first way
-  double unbalanced = 0;           ///< energy per way that the balances leave open, largest of the cases
-  double hertz_radius = 0;         ///< of the smooth elastic bodies [m]
-  double contact_area = 0;         ///< real, mean [m^2]
+  double load = 0;                ///< [N]
+  double spacing = 0;             ///< the finest solved [m]
+  std::vector<MovingCase> cases;  ///< those on that spacing that reached a steady way
+  ResistanceParts parts;          ///< means over realisations [N] or [N m]
+  Uncertain resistance;           ///< mean; its sd holds the open balance too
+  Uncertain force;                ///< mean force or moment
+  Uncertain back_over_first;      ///< resistance on the way back, over the own track, over that of the first way
+  double unbalanced = 0;          ///< energy per way that the balances leave open, largest of the cases
+  double hertz_radius = 0;        ///< of the smooth elastic bodies [m]
+  double contact_area = 0;        ///< real, mean [m^2]
   /// What makes a resistance of this motion dimensionless: P (sliding), P a (rolling, torsion), a of Hertz.
   double scale() const;
   /// What smooth Coulomb bodies resist with: mu P, 3 pi/16 mu P a; NaN for rolling and without Coulomb friction.
@@ -32,10 +32,10 @@ struct MovingState {
 
 struct MovingContact {
   std::string label;
-  std::map<std::string, std::string> inputs;  ///< all that makes the contact, without what cannot matter (hardening without yielding)
-  ComparedContact bodies;                     ///< radius, RMS of the substrate, local friction
+  ContactInputs inputs;
+  ComparedContact bodies;  ///< radius, RMS of the substrate, local friction
   bool can_yield = false, adheres = false;
-  std::vector<MovingState> states;            ///< by motion, then load
+  std::vector<MovingState> states;  ///< by motion, then load
 
   const MovingState* find(const MotionMode& mode, double load) const;
   std::vector<const MovingState*> of(const MotionMode& mode) const;

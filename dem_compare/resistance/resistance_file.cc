@@ -26,10 +26,14 @@ std::string quoted(const std::string& text) {
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json json_of(const Uncertain& value) { return {{"value", number(value.value)}, {"sd", number(value.sd)}}; }
 Json json_of(const ResistanceParts& parts) {
-  return {{"friction", json_of(parts.friction)}, {"plastic", json_of(parts.plastic)}, {"adhesion", json_of(parts.adhesion)},
+  return {{"friction", json_of(parts.friction)},
+          {"plastic", json_of(parts.plastic)},
+          {"adhesion", json_of(parts.adhesion)},
           {"total", json_of(parts.total)}};
 }
-Json json_of(const Trend& trend) { return {{"slope", json_of(trend.slope)}, {"mean", json_of(trend.mean)}, {"points", trend.points}}; }
+Json json_of(const Trend& trend) {
+  return {{"slope", json_of(trend.slope)}, {"mean", json_of(trend.mean)}, {"points", trend.points}};
+}
 
 Json json_of(const MovingCase& item) {
   return {{"folder", item.folder},
@@ -75,22 +79,39 @@ Json json_of(const RoughnessTrend& trend) {
   Json loads = Json::array(), coefficients = Json::array(), contacts = Json::array();
   for (const auto* contact : trend.contacts) contacts.push_back(contact->label);
   for (const auto& at : trend.loads)
-    loads.push_back({{"load", at.load}, {"total", json_of(at.total)}, {"friction", json_of(at.friction)}, {"plastic", json_of(at.plastic)},
-                     {"adhesion", json_of(at.adhesion)}, {"force", json_of(at.force)}});
+    loads.push_back({{"load", at.load},
+                     {"total", json_of(at.total)},
+                     {"friction", json_of(at.friction)},
+                     {"plastic", json_of(at.plastic)},
+                     {"adhesion", json_of(at.adhesion)},
+                     {"force", json_of(at.force)}});
   for (const auto& one : trend.coefficients)
-    coefficients.push_back({{"rms", one.rms}, {"coefficient", json_of(one.coefficient)}, {"offset", json_of(one.offset)}});
-  return {{"experiment", trend.mode->experiment}, {"contacts", contacts},           {"relative_per_metre", json_of(trend.relative)},
-          {"loads", loads},                       {"coefficients", coefficients}, {"coefficient", json_of(trend.coefficient)}};
+    coefficients.push_back(
+        {{"rms", one.rms}, {"coefficient", json_of(one.coefficient)}, {"offset", json_of(one.offset)}});
+  return {{"experiment", trend.mode->experiment},
+          {"contacts", contacts},
+          {"relative_per_metre", json_of(trend.relative)},
+          {"loads", loads},
+          {"coefficients", coefficients},
+          {"coefficient", json_of(trend.coefficient)}};
 }
 
 Json json_of(const LengthAnswer& answer) {
   static const char* const verdicts[] = {"cannot tell", "r", "a", "neither"};
   Json exponents = Json::array();
   for (const auto& exponent : answer.exponents)
-    exponents.push_back({{"over", exponent.over}, {"of", exponent.what}, {"exponent", json_of(exponent.exponent.slope)},
-                         {"with_r", exponent.with_radius}, {"with_a", exponent.with_contact}, {"with_bonds", number(exponent.with_bonds)}});
-  return {{"experiment", answer.mode->experiment}, {"contact", answer.contact}, {"radii", answer.radii}, {"exponents", exponents},
-          {"laws", answer.choice ? to_json(*answer.choice) : Json(nullptr)}, {"verdict", verdicts[static_cast<int>(answer.verdict)]}};
+    exponents.push_back({{"over", exponent.over},
+                         {"of", exponent.what},
+                         {"exponent", json_of(exponent.exponent.slope)},
+                         {"with_r", exponent.with_radius},
+                         {"with_a", exponent.with_contact},
+                         {"with_bonds", number(exponent.with_bonds)}});
+  return {{"experiment", answer.mode->experiment},
+          {"contact", answer.contact},
+          {"radii", answer.radii},
+          {"exponents", exponents},
+          {"laws", answer.choice ? to_json(*answer.choice) : Json(nullptr)},
+          {"verdict", verdicts[static_cast<int>(answer.verdict)]}};
 }
 
 Json json_of(const Contribution& one) {
@@ -117,12 +138,21 @@ Json json_of(const ContributionTrend& one) {
 Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array();
   for (const auto& one : published.magnitudes)
-    magnitudes.push_back({{"contact", one.contact->label}, {"experiment", one.mode->experiment}, {"load", one.load},
-                          {"simulated", json_of(one.simulated)}, {"measured", json_of(one.measured)}, {"ratio", json_of(one.over())},
-                          {"sigmas", number(one.sigmas())}, {"source", one.source}});
+    magnitudes.push_back({{"contact", one.contact->label},
+                          {"experiment", one.mode->experiment},
+                          {"load", one.load},
+                          {"simulated", json_of(one.simulated)},
+                          {"measured", json_of(one.measured)},
+                          {"ratio", json_of(one.over())},
+                          {"sigmas", number(one.sigmas())},
+                          {"source", one.source}});
   for (const auto& one : published.trends)
-    trends.push_back({{"experiment", one.trend->mode->experiment}, {"load", number(one.load)}, {"simulated", json_of(one.simulated)},
-                      {"measured", json_of(one.measured)}, {"ratio", json_of(one.over())}, {"sigmas", number(one.sigmas())},
+    trends.push_back({{"experiment", one.trend->mode->experiment},
+                      {"load", number(one.load)},
+                      {"simulated", json_of(one.simulated)},
+                      {"measured", json_of(one.measured)},
+                      {"ratio", json_of(one.over())},
+                      {"sigmas", number(one.sigmas())},
                       {"opposite", one.is_opposite()}});
   return {{"magnitudes", magnitudes}, {"trends", trends}, {"remarks", published.remarks}};
 }
@@ -138,17 +168,22 @@ Json list_of(const List& items) {
 
 std::string resistance_csv(const MovingStudy& study) {
   std::string text =
-      "contact,experiment,load [N],radius [m],rms [m],realisations,spacing [m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
-      "adhesion,adhesion_sd,mean_force,mean_force_sd,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,way_back_over_first,"
+      "contact,experiment,load [N],radius [m],rms [m],realisations,spacing "
+      "[m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
+      "adhesion,adhesion_sd,mean_force,mean_force_sd,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,"
+      "way_back_over_first,"
       "way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
   for (const auto& contact : study.contacts)
     for (const auto& state : contact.states) {
-      const auto over = [&](double unit) { return Uncertain{state.resistance.value / unit, state.resistance.sd / unit}; };
-      text += quoted(contact.label) + "," + state.mode->experiment + "," + cell(state.load) + "," + cell(contact.bodies.radius) + "," +
-              cell(contact.bodies.rms) + "," + std::to_string(state.cases.size()) + "," + cell(state.spacing) + cells(state.resistance) +
-              cells(state.parts.friction) + cells(state.parts.plastic) + cells(state.parts.adhesion) + cells(state.force) + "," +
-              cell(state.unbalanced) + cells(over(state.scale())) + cells(over(state.coulomb)) + cells(state.back_over_first) + "," +
-              cell(state.hertz_radius) + "," + cell(state.contact_area) + "\n";
+      const auto over = [&](double unit) {
+        return Uncertain{state.resistance.value / unit, state.resistance.sd / unit};
+      };
+      text += quoted(contact.label) + "," + state.mode->experiment + "," + cell(state.load) + "," +
+              cell(contact.bodies.radius) + "," + cell(contact.bodies.rms) + "," + std::to_string(state.cases.size()) +
+              "," + cell(state.spacing) + cells(state.resistance) + cells(state.parts.friction) +
+              cells(state.parts.plastic) + cells(state.parts.adhesion) + cells(state.force) + "," +
+              cell(state.unbalanced) + cells(over(state.scale())) + cells(over(state.coulomb)) +
+              cells(state.back_over_first) + "," + cell(state.hertz_radius) + "," + cell(state.contact_area) + "\n";
     }
   return text;
 }
@@ -156,8 +191,13 @@ std::string resistance_csv(const MovingStudy& study) {
 Json resistance_json(const ResistanceFindings& findings) {
   const ResistanceAnswers said = answers(findings);
   return {{"format", "asperity-resistance/1"},
-          {"answers", {{"headline", said.headline}, {"length", said.length}, {"roughness", said.roughness}, {"mechanisms", said.mechanisms},
-                       {"measurement", said.measurement}, {"care", said.care}}},
+          {"answers",
+           {{"headline", said.headline},
+            {"length", said.length},
+            {"roughness", said.roughness},
+            {"mechanisms", said.mechanisms},
+            {"measurement", said.measurement},
+            {"care", said.care}}},
           {"contacts", list_of(findings.study.contacts)},
           {"roughness", list_of(findings.trends)},
           {"length", list_of(findings.lengths)},

@@ -20,7 +20,8 @@ std::string spectrum_of(const MovingContact& contact) {
   return found == contact.inputs.end() ? "smooth" : std::regex_replace(found->second, rms, "");
 }
 
-/// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to all.
+/// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to
+/// all.
 std::vector<Contacts> families(const MovingStudy& study) {
   std::vector<Contacts> found;
   std::vector<const MovingContact*> seen;
@@ -31,7 +32,8 @@ std::vector<Contacts> families(const MovingStudy& study) {
       if (&other != &lead && differ_by_roughness(lead, other)) family.push_back(&other);
     for (const auto* contact : family)
       if (contact->bodies.rms > 0) seen.push_back(contact);
-    std::stable_sort(family.begin(), family.end(), [](const auto* a, const auto* b) { return a->bodies.rms < b->bodies.rms; });
+    std::stable_sort(family.begin(), family.end(),
+                     [](const auto* a, const auto* b) { return a->bodies.rms < b->bodies.rms; });
     if (family.size() > 1) found.push_back(family);
   }
   return found;
@@ -74,7 +76,8 @@ void add_loads(RoughnessTrend& trend) {
   std::vector<double> loads;
   for (const auto* contact : trend.contacts)
     for (const auto* state : contact->of(*trend.mode)) {
-      const bool known = std::any_of(loads.begin(), loads.end(), [&](double load) { return same_load(load, state->load); });
+      const bool known =
+          std::any_of(loads.begin(), loads.end(), [&](double load) { return same_load(load, state->load); });
       if (!known) loads.push_back(state->load);
     }
   std::sort(loads.begin(), loads.end());
@@ -82,7 +85,8 @@ void add_loads(RoughnessTrend& trend) {
     std::vector<double> rms;
     States states;
     for (const auto* contact : trend.contacts)
-      if (const MovingState* state = contact->find(*trend.mode, load)) rms.push_back(contact->bodies.rms), states.push_back(state);
+      if (const MovingState* state = contact->find(*trend.mode, load))
+        rms.push_back(contact->bodies.rms), states.push_back(state);
     if (states.size() < 2) continue;
     trend.loads.push_back({load, trend_of(rms, states, [](const auto& c) { return c.first.resistance(); }),
                            trend_of(rms, states, [](const auto& c) { return c.first.dissipated.friction; }),
@@ -130,7 +134,8 @@ Trend::Sign RoughnessTrend::sign() const {
 bool differ_by_roughness(const MovingContact& one, const MovingContact& other) {
   const auto differ = differing_inputs(one, other);
   if (differ.size() != 1 || differ.front() != "Substrate/Topography") return false;
-  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms) return false;
+  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms)
+    return false;
   return spectrum_of(one) == spectrum_of(other) || one.bodies.rms == 0 || other.bodies.rms == 0;
 }
 

@@ -1,4 +1,5 @@
-// How resistances change with the RMS roughness of the substrate, its spectrum kept: at each load, part by part, and over the loads.
+// How resistances change with the RMS roughness of the substrate, its spectrum kept: at each load, part by part, and
+// over the loads.
 #pragma once
 
 #include <string>
@@ -26,9 +27,9 @@ struct RoughnessTrend {
   const MotionMode* mode = nullptr;
   std::vector<const MovingContact*> contacts;  ///< by RMS
   std::vector<TrendAtLoad> loads;
-  Uncertain relative;                               ///< slope over mean per metre, over the loads; errors assumed to be common
-  std::vector<CoefficientOverLoads> coefficients;   ///< of contacts with two loads or more
-  Trend coefficient;                                ///< of mu over RMS
+  Uncertain relative;  ///< slope over mean per metre, over the loads; errors assumed to be common
+  std::vector<CoefficientOverLoads> coefficients;  ///< of contacts with two loads or more
+  Trend coefficient;                               ///< of mu over RMS
 
   Trend::Sign sign() const;
 };
@@ -36,8 +37,9 @@ struct RoughnessTrend {
 /// True for contacts that differ by the RMS of the substrate alone; a smooth substrate goes with every spectrum.
 bool differ_by_roughness(const MovingContact& one, const MovingContact& other);
 
-/// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at the same load. Where the
-/// same realisations were solved on all surfaces, slopes are taken realisation by realisation: a common scatter drops out.
+/// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at the same
+/// load. Where the same realisations were solved on all surfaces, slopes are taken realisation by realisation: a common
+/// scatter drops out.
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study);
 
 }  // namespace asperity

@@ -14,7 +14,8 @@ std::string with_decimals(double value, int decimals) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.*f", std::max(0, decimals), value);
   const std::string text = buffer;
-  return text.find_first_of("123456789") == std::string::npos && text.front() == '-' ? text.substr(1) : text;  // no -0.0
+  return text.find_first_of("123456789") == std::string::npos && text.front() == '-' ? text.substr(1)
+                                                                                     : text;  // no -0.0
 }
 
 /// As many decimals as two digits of the sd ask for.

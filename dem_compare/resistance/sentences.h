@@ -17,7 +17,8 @@ std::string number_text(const Uncertain& number);
 std::string change_percent(const Uncertain& share);
 /// "100 uN"
 std::string force_text(double force);
-/// "rises by 3.1 +- 0.5 % per nm of RMS", "has no trend within 0.8 % per nm of RMS", "... cannot be told"; `relative` is per metre.
+/// "rises by 3.1 +- 0.5 % per nm of RMS", "has no trend within 0.8 % per nm of RMS", "... cannot be told"; `relative`
+/// is per metre.
 std::string trend_words(const Uncertain& relative);
 Trend::Sign sign_of(const Uncertain& number);
 

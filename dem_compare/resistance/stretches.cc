@@ -36,8 +36,8 @@ Uncertain mean_of_realisations(const std::vector<Uncertain>& values) {
                                               : std::numeric_limits<double>::quiet_NaN()};
 }
 
-std::vector<double> rates_of_stretches(const std::vector<double>& x, const std::vector<double>& sum, std::size_t first, std::size_t last,
-                                       std::size_t count) {
+std::vector<double> rates_of_stretches(const std::vector<double>& x, const std::vector<double>& sum, std::size_t first,
+                                       std::size_t last, std::size_t count) {
   const double length = (x[last] - x[first]) / static_cast<double>(count);
   std::vector<double> rates;
   std::size_t i = first;

@@ -18,17 +18,20 @@ bool is_of(Mechanism mechanism, const std::string& entry) {
     return entry.size() >= name.size() && entry.compare(entry.size() - name.size(), name.size(), name) == 0;
   };
   if (mechanism == Mechanism::adhesion)
-    return entry == "Interface/Work of adhesion" || entry == "Interface/Opening work" || entry == "Interface/Adhesion law" ||
-           entry == "Interface/Adhesion range";
-  return ends_with("/Yield stress") || ends_with("/Hardening modulus") || ends_with("/Hardening") || ends_with("/Voce saturation") ||
-         ends_with("/Voce rate");
+    return entry == "Interface/Work of adhesion" || entry == "Interface/Opening work" ||
+           entry == "Interface/Adhesion law" || entry == "Interface/Adhesion range";
+  return ends_with("/Yield stress") || ends_with("/Hardening modulus") || ends_with("/Hardening") ||
+         ends_with("/Voce saturation") || ends_with("/Voce rate");
 }
 
 std::optional<Mechanism> mechanism_between(const MovingContact& with, const MovingContact& without) {
   const auto differ = differing_inputs(with, without);
   for (const Mechanism mechanism : {Mechanism::yielding, Mechanism::adhesion}) {
-    const bool switched = mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield : with.adheres && !without.adheres;
-    if (switched && std::all_of(differ.begin(), differ.end(), [&](const auto& entry) { return is_of(mechanism, entry); })) return mechanism;
+    const bool switched =
+        mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield : with.adheres && !without.adheres;
+    if (switched &&
+        std::all_of(differ.begin(), differ.end(), [&](const auto& entry) { return is_of(mechanism, entry); }))
+      return mechanism;
   }
   return std::nullopt;
 }
@@ -48,7 +51,8 @@ void compare(const MovingState& with, const MovingState& without, Contribution& 
   result.realisations = static_cast<int>(total.size());
   result.whole = with.resistance;
   result.difference = mean_of_realisations(total);
-  result.parts = {mean_of_realisations(friction), mean_of_realisations(plastic), mean_of_realisations(adhesion), result.difference};
+  result.parts = {mean_of_realisations(friction), mean_of_realisations(plastic), mean_of_realisations(adhesion),
+                  result.difference};
 }
 
 }  // namespace
@@ -90,7 +94,8 @@ std::vector<ContributionTrend> contribution_trends(const std::vector<Contributio
       family.push_back(&other);
     }
     if (family.size() < 2) continue;
-    std::stable_sort(family.begin(), family.end(), [](const auto* a, const auto* b) { return a->with->bodies.rms < b->with->bodies.rms; });
+    std::stable_sort(family.begin(), family.end(),
+                     [](const auto* a, const auto* b) { return a->with->bodies.rms < b->with->bodies.rms; });
     std::vector<double> rms;
     std::vector<Uncertain> differences;
     ContributionTrend trend;

@@ -14,9 +14,9 @@ struct Contribution {
   const MovingContact *with = nullptr, *without = nullptr;
   const MotionMode* mode = nullptr;
   double load = 0;
-  int realisations = 0;   ///< compared, each with itself
-  Uncertain whole;        ///< resistance with the mechanism [N] or [N m]
-  Uncertain difference;   ///< with less without
+  int realisations = 0;  ///< compared, each with itself
+  Uncertain whole;       ///< resistance with the mechanism [N] or [N m]
+  Uncertain difference;  ///< with less without
   /// Part by part: switching yielding off also changes what slip takes, by another area and other hills.
   ResistanceParts parts;
 
@@ -28,12 +28,13 @@ struct Contribution {
 /// How what a mechanism contributes changes with the substrate's RMS: pairs on surfaces of one spectrum.
 struct ContributionTrend {
   const Contribution *smoothest = nullptr, *roughest = nullptr;
-  Trend difference;   ///< over MovingState::scale(), per metre of RMS
-  double whole = 0;   ///< mean of the resistances with the mechanism, over the same scale
+  Trend difference;  ///< over MovingState::scale(), per metre of RMS
+  double whole = 0;  ///< mean of the resistances with the mechanism, over the same scale
   Uncertain relative() const { return {difference.slope.value / whole, difference.slope.sd / whole}; }
 };
 
-/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all else the same.
+/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all else the
+/// same.
 std::vector<Contribution> contributions(const MovingStudy& study);
 /// Point into `contributions`.
 std::vector<ContributionTrend> contribution_trends(const std::vector<Contribution>& contributions);

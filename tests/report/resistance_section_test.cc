@@ -31,7 +31,8 @@ std::vector<StudyEntry> moving_contacts() {
       for (const double load : {1e-4, 3e-4}) {
         made.experiment = type, made.load = load, made.noise = 0.05, made.hills = 2, made.random = ++random;
         const double length = std::string(type) == "sliding" ? 1 : made.contact_radius();
-        made.friction = 0.2 * load * length, made.plastic = made.yield_stress == "inf" ? 0 : 0.1 * load * length * (1 - 0.1 * made.rms);
+        made.friction = 0.2 * load * length,
+        made.plastic = made.yield_stress == "inf" ? 0 : 0.1 * load * length * (1 - 0.1 * made.rms);
         entries.push_back({label, made});
       }
   };
@@ -53,7 +54,8 @@ std::string report_of(const fs::path& root) {
   const std::string page = read_file(root / "report.html");
   if (const char* kept = std::getenv("ASPERITY_KEEP_REPORTS")) {
     fs::create_directories(kept);
-    write_file_atomically(fs::path(kept) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".html"), page);
+    write_file_atomically(
+        fs::path(kept) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".html"), page);
   }
   return page;
 }
@@ -62,11 +64,13 @@ TEST(ResistancePage, a_study_of_moving_contacts_alone_answers_both_questions_wit
   const TemporaryFolder root;
   const std::string html = report_of(test::write_moving_study(root.path, moving_contacts()));
   for (const char* part :
-       {"Length of rolling resistance: λ = a", "Length of torsion resistance: λ = a", "What resists sliding", "What resists rolling", "What resists torsion", "With roughness",
-        "With a mechanism switched off", "Beside the measurement", "What makes rolling friction fall with roughness is yielding", "R 2.5 µm",
+       {"Length of rolling resistance: λ = a", "Length of torsion resistance: λ = a", "What resists sliding",
+        "What resists rolling", "What resists torsion", "With roughness", "With a mechanism switched off",
+        "Beside the measurement", "What makes rolling friction fall with roughness is yielding", "R 2.5 µm",
         "What resists this motion", "Largest relative errors"})
     EXPECT_TRUE(has(html, part)) << part;
-  for (const char* part : {"Against Hertz", "imprint", "unloading", "There is nothing to judge", "lambda", "+-"}) EXPECT_FALSE(has(html, part)) << part;
+  for (const char* part : {"Against Hertz", "imprint", "unloading", "There is nothing to judge", "lambda", "+-"})
+    EXPECT_FALSE(has(html, part)) << part;
   const std::string csv = read_file(root.path / "resistance.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 3 * 2);
   const auto json = nlohmann::json::parse(read_file(root.path / "resistance.json"));
@@ -81,11 +85,15 @@ TEST(ResistancePage, pressed_and_moving_cases_in_one_study_have_both_parts) {
   test::write_synthetic_case(pressed, root.path / "pressed");
   auto study = nlohmann::ordered_json::parse(read_file(root.path / "study.json"));
   study["axes"][0]["values"].push_back("normal");
-  study["cases"].push_back({{"name", "pressed"}, {"folder", "pressed"}, {"values", {{"Type", "normal"}, {"Normal load", "1 mN"}, {"Variant", "rough"}}},
-                            {"realisation", 1}, {"state", "done"}});
+  study["cases"].push_back({{"name", "pressed"},
+                            {"folder", "pressed"},
+                            {"values", {{"Type", "normal"}, {"Normal load", "1 mN"}, {"Variant", "rough"}}},
+                            {"realisation", 1},
+                            {"state", "done"}});
   write_file_atomically(root.path / "study.json", study.dump());
   const std::string html = report_of(root.path);
-  for (const char* part : {"What resists sliding", "Against Hertz", "Stiffness, load by load", "cannot be told"}) EXPECT_TRUE(has(html, part)) << part;
+  for (const char* part : {"What resists sliding", "Against Hertz", "Stiffness, load by load", "cannot be told"})
+    EXPECT_TRUE(has(html, part)) << part;
   EXPECT_FALSE(has(html, "What resists rolling"));
 }
 
@@ -100,7 +108,8 @@ TEST(ResistancePage, a_study_that_was_only_pressed_has_no_words_on_motion) {
 
 TEST(ResistancePage_analytic, charts_show_what_went_in) {
   const TemporaryFolder root;
-  const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, moving_contacts())}), std::nullopt);
+  const auto findings =
+      find_resistances(collect_cases({test::write_moving_study(root.path, moving_contacts())}), std::nullopt);
   const auto over_load = report::resistance_over_load(findings.study, rolling_mode(), report::ResistanceUnit::contact);
   ASSERT_EQ(over_load.series.size(), 6u);
   EXPECT_NEAR(over_load.series[1].x[0], 100, 1e-6);
@@ -112,7 +121,8 @@ TEST(ResistancePage_analytic, charts_show_what_went_in) {
 }
 
 TEST(ResistancePage, sentences_get_their_symbols_and_cannot_break_the_page) {
-  EXPECT_EQ(report::answer_html("lambda = a: 3 +- 1 % at 100 uN, -2 sigma <b>"), "λ = a: 3 ± 1 % at 100 µN, −2 σ &lt;b&gt;");
+  EXPECT_EQ(report::answer_html("lambda = a: 3 +- 1 % at 100 uN, -2 sigma <b>"),
+            "λ = a: 3 ± 1 % at 100 µN, −2 σ &lt;b&gt;");
   EXPECT_EQ(report::answer_html("(3.79 +- 0.54) 10^-4"), "(3.79 ± 0.54) 10<sup>−4</sup>");
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "dem_compare/resistance/resistance_file.h"
-#include "tests/dem_compare/resistance/moving_study.h"
 #include "tests/dem_compare/engines/canonical_contact.h"
+#include "tests/dem_compare/resistance/moving_study.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -55,10 +55,13 @@ std::vector<StudyEntry> of_roughness(double slip, double yielding, int realisati
       for (int seed = 1; seed <= realisations; ++seed)
         for (const double load : three_loads) {
           MovingFolder made;
-          made.experiment = type, made.load = load, made.rms = rms, made.seed = seed, made.noise = noise, made.random = ++random;
+          made.experiment = type, made.load = load, made.rms = rms, made.seed = seed, made.noise = noise,
+          made.random = ++random;
           // A realisation has a scatter of its own, on all surfaces: it must not hide the trend.
-          const double size = load * (seed == 2 ? 1.2 : 1) * (std::string(type) == "rolling" ? made.contact_radius() : 1);
-          made.friction = 0.2 * size * (1 + slip * (rms - 1.5)), made.plastic = 0.02 * size * (1 + yielding * (rms - 1.5));
+          const double size =
+              load * (seed == 2 ? 1.2 : 1) * (std::string(type) == "rolling" ? made.contact_radius() : 1);
+          made.friction = 0.2 * size * (1 + slip * (rms - 1.5)),
+          made.plastic = 0.02 * size * (1 + yielding * (rms - 1.5));
           entries.push_back({std::to_string(rms).substr(0, 3) + " nm", made});
         }
   return entries;
@@ -73,7 +76,8 @@ struct Study {
 };
 
 bool says(const std::vector<std::string>& sentences, const std::string& part) {
-  return std::any_of(sentences.begin(), sentences.end(), [&](const auto& text) { return text.find(part) != std::string::npos; });
+  return std::any_of(sentences.begin(), sentences.end(),
+                     [&](const auto& text) { return text.find(part) != std::string::npos; });
 }
 
 TEST(ResistanceLength_analytic, moments_that_follow_the_contact_radius_are_told_to) {
@@ -114,7 +118,8 @@ TEST(ResistanceLength_analytic, bonds_along_a_smooth_rim_are_neither_and_known_b
   }
   const LengthAnswer answer = std::move(Study(entries).findings.lengths.front());
   EXPECT_EQ(answer.verdict, Verdict::neither);
-  for (const auto& exponent : answer.exponents) EXPECT_LT(std::abs(exponent.from_bonds()), 3) << exponent.over << " " << exponent.what;
+  for (const auto& exponent : answer.exponents)
+    EXPECT_LT(std::abs(exponent.from_bonds()), 3) << exponent.over << " " << exponent.what;
 }
 
 TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
@@ -131,7 +136,8 @@ TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
 }
 
 TEST(ResistanceLength_analytic, an_offset_does_not_pass_for_another_length) {
-  // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is lambda = a all the same.
+  // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is lambda =
+  // a all the same.
   auto entries = scaled(true);
   for (auto& entry : entries) {
     const double moment = 1e-3 * (entry.made.load + 3e-5) * entry.made.contact_radius();
@@ -160,7 +166,8 @@ TEST(ResistanceTrend_analytic, slopes_come_back_with_their_mechanism) {
   }
   const auto said = answers(study.findings);
   EXPECT_TRUE(says(said.roughness, "What makes sliding friction rise with roughness is slip."));
-  EXPECT_TRUE(says(said.roughness, "What goes into yielding falls with roughness; the resistance as a whole does not."));
+  EXPECT_TRUE(
+      says(said.roughness, "What goes into yielding falls with roughness; the resistance as a whole does not."));
 }
 
 TEST(ResistanceTrend_analytic, no_trend_is_said_with_its_bound) {
@@ -188,7 +195,8 @@ TEST(ResistanceTrend_analytic, a_single_roughness_tells_no_trend) {
 TEST(ResistanceContribution_analytic, a_mechanism_switched_off_shows_what_it_contributes) {
   std::vector<StudyEntry> entries;
   MovingFolder full;
-  full.friction = 20e-6, full.plastic = 5e-6, full.adhesion = 2e-6, full.noise = 0.03, full.work_of_adhesion = "77 mJ/m^2";
+  full.friction = 20e-6, full.plastic = 5e-6, full.adhesion = 2e-6, full.noise = 0.03,
+  full.work_of_adhesion = "77 mJ/m^2";
   MovingFolder elastic = full, dry = full;
   elastic.plastic = 0, elastic.yield_stress = "inf", elastic.random = 2;
   dry.adhesion = 0, dry.friction = 19e-6, dry.work_of_adhesion = "0 J/m^2", dry.random = 3;
@@ -209,7 +217,8 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
   for (const double rms : {0.3, 2.7}) {
     const std::string surface = rms < 1 ? "smoother" : "rougher";
     MovingFolder with;
-    with.experiment = "rolling", with.rms = rms, with.noise = 0.03, with.work_of_adhesion = "77 mJ/m^2", with.random = ++random;
+    with.experiment = "rolling", with.rms = rms, with.noise = 0.03, with.work_of_adhesion = "77 mJ/m^2",
+    with.random = ++random;
     with.friction = 1e-13, with.adhesion = 1e-13 * (1 - 0.2 * rms);
     MovingFolder dry = with;
     dry.adhesion = 0, dry.work_of_adhesion = "0 J/m^2", dry.random = ++random;
@@ -222,11 +231,13 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
   EXPECT_NEAR(trend.relative().value * nm, -0.2 / 1.7, 3 * trend.relative().sd * nm);
   EXPECT_EQ(trend.difference.sign(), Trend::Sign::falls);
   EXPECT_EQ(study.findings.trends.size(), 2u);  // with and without
-  EXPECT_TRUE(says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
+  EXPECT_TRUE(
+      says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
 }
 
 TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2) {
-  // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign must not.
+  // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign
+  // must not.
   const Published published = read_published(test::paper_run("published"));
   std::vector<StudyEntry> entries;
   unsigned random = 0;
@@ -299,7 +310,8 @@ TEST(ResistanceStudy, a_realisation_written_in_other_units_is_the_same_contact) 
   std::string text = read_file(file);
   text.replace(text.rfind("rms=0.7 nm"), 10, "rms=700 pm");
   write_file_atomically(file, text);
-  const auto findings = find_resistances(collect_cases({study.root.path / "case1", study.root.path / "case2"}), std::nullopt);
+  const auto findings =
+      find_resistances(collect_cases({study.root.path / "case1", study.root.path / "case2"}), std::nullopt);
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   EXPECT_EQ(findings.study.contacts.front().states.front().cases.size(), 2u);
 }

@@ -44,7 +44,8 @@ TEST(MovingCase_analytic, stated_uncertainty_holds_the_truth_19_times_in_20) {
   int resistance = 0, plastic = 0;
   for (int i = 0; i < repetitions; ++i) {
     MovingFolder made;
-    made.friction = 3e-6, made.plastic = 2e-6, made.hills = 2, made.noise = 0.3, made.random = 100 + static_cast<unsigned>(i);
+    made.friction = 3e-6, made.plastic = 2e-6, made.hills = 2, made.noise = 0.3,
+    made.random = 100 + static_cast<unsigned>(i);
     const MovingCase moving = solved(root, made);
     resistance += std::abs(moving.first.resistance().value - 5e-6) < 2 * moving.first.resistance().sd;
     plastic += std::abs(moving.first.dissipated.plastic.value - 2e-6) < 2 * moving.first.dissipated.plastic.sd;

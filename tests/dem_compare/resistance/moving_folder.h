@@ -1,5 +1,5 @@
-// Folders of moving cases as `asperity solve` writes them, made from known powers of each mechanism and from hills that give back
-// what they take.
+// Folders of moving cases as `asperity solve` writes them, made from known powers of each mechanism and from hills that
+// give back what they take.
 #pragma once
 
 #include <cmath>
@@ -16,16 +16,17 @@ namespace asperity::test {
 
 struct MovingFolder {
   std::string experiment = "sliding";
-  double load = 1e-4;                                 ///< [N]
-  double radius = 8.5e-6;                             ///< [m]
-  double friction = 20e-6, plastic = 0, adhesion = 0; ///< dissipated per way [N] or [N m], with hardening stored beside it
-  double noise = 0;                                   ///< of each power along the way, relative, correlated over a quarter of a contact radius
-  double hills = 0;                                   ///< amplitude of the force of hills, over the whole of the powers
-  double unbalanced = 0;                              ///< energy per way that is lost from the balance
-  double way_in_radii = 10;                           ///< for torsion: the angle
+  double load = 1e-4;      ///< [N]
+  double radius = 8.5e-6;  ///< [m]
+  double friction = 20e-6, plastic = 0,
+         adhesion = 0;       ///< dissipated per way [N] or [N m], with hardening stored beside it
+  double noise = 0;          ///< of each power along the way, relative, correlated over a quarter of a contact radius
+  double hills = 0;          ///< amplitude of the force of hills, over the whole of the powers
+  double unbalanced = 0;     ///< energy per way that is lost from the balance
+  double way_in_radii = 10;  ///< for torsion: the angle
   bool reverse = false;
-  double back = 1;                                    ///< plastic power on the way back, over that of the first
-  double rms = 1.5;                                   ///< of the substrate [nm]; 0: smooth
+  double back = 1;   ///< plastic power on the way back, over that of the first
+  double rms = 1.5;  ///< of the substrate [nm]; 0: smooth
   int seed = 1;
   std::string yield_stress = "3 GPa", work_of_adhesion = "0 J/m^2";
   double local_friction = 0.2, spacing = 1e-8;
@@ -35,27 +36,67 @@ struct MovingFolder {
   Hertz hertz() const { return {reduced_modulus({71e9, 0.17}, {179e9, 0.25}), radius}; }
   double contact_radius() const { return hertz().contact_radius(load); }
   /// Way of one contact radius.
-  double unit() const { return experiment == "sliding" ? contact_radius() : experiment == "rolling" ? contact_radius() / radius : 1; }
+  double unit() const {
+    return experiment == "sliding" ? contact_radius() : experiment == "rolling" ? contact_radius() / radius : 1;
+  }
 };
 
-/// Loading in four steps, two steps of onset with everything sticking, then steady motion in steps of a twentieth of a contact radius.
+/// Loading in four steps, two steps of onset with everything sticking, then steady motion in steps of a twentieth of a
+/// contact radius.
 inline std::string moving_history(const MovingFolder& made) {
-  const std::vector<std::string> names{"step", "time [s]", "normal_displacement [m]", "normal_force [N]", "lateral_displacement [m]",
-                                       "lateral_force [N]", "rolling_angle [rad]", "rolling_moment [N m]", "torsion_angle [rad]",
-                                       "torsion_moment [N m]", "contact_radius [m]", "contact_area [m^2]", "max_pressure [Pa]",
-                                       "plastic_volume [m^3]", "dissipated_energy [J]", "elastic_energy [J]", "hardening_energy [J]",
-                                       "plastic_work [J]", "friction_work [J]", "adhesion_energy [J]", "adhesion_loss [J]", "work [J]",
+  const std::vector<std::string> names{"step",
+                                       "time [s]",
+                                       "normal_displacement [m]",
+                                       "normal_force [N]",
+                                       "lateral_displacement [m]",
+                                       "lateral_force [N]",
+                                       "rolling_angle [rad]",
+                                       "rolling_moment [N m]",
+                                       "torsion_angle [rad]",
+                                       "torsion_moment [N m]",
+                                       "contact_radius [m]",
+                                       "contact_area [m^2]",
+                                       "max_pressure [Pa]",
+                                       "plastic_volume [m^3]",
+                                       "dissipated_energy [J]",
+                                       "elastic_energy [J]",
+                                       "hardening_energy [J]",
+                                       "plastic_work [J]",
+                                       "friction_work [J]",
+                                       "adhesion_energy [J]",
+                                       "adhesion_loss [J]",
+                                       "work [J]",
                                        "sticking_share"};
   std::vector<std::vector<double>> columns(made.with_energies ? names.size() : 15);
   std::mt19937 random(made.random);
   std::normal_distribution<double> normal;
   double friction = 0, plastic = 0, hardening = 0, adhesion = 0, work = 0, position = 0, step = 0;
   const auto add = [&](double force, double resistance, double elastic, double sticking) {
-    const bool slides = made.experiment == "sliding", rolls = made.experiment == "rolling", spins = made.experiment == "torsion";
-    const std::vector<double> row{++step, step, made.hertz().approach(force), force, slides ? position : 0, slides ? resistance : 0,
-                                  rolls ? position : 0, rolls ? resistance : 0, spins ? position : 0, spins ? resistance : 0,
-                                  made.hertz().contact_radius(force), made.hertz().contact_area(force), 1e9, 0,
-                                  friction + plastic - hardening + adhesion, elastic, hardening, plastic, friction, 0, adhesion, work, sticking};
+    const bool slides = made.experiment == "sliding", rolls = made.experiment == "rolling",
+               spins = made.experiment == "torsion";
+    const std::vector<double> row{++step,
+                                  step,
+                                  made.hertz().approach(force),
+                                  force,
+                                  slides ? position : 0,
+                                  slides ? resistance : 0,
+                                  rolls ? position : 0,
+                                  rolls ? resistance : 0,
+                                  spins ? position : 0,
+                                  spins ? resistance : 0,
+                                  made.hertz().contact_radius(force),
+                                  made.hertz().contact_area(force),
+                                  1e9,
+                                  0,
+                                  friction + plastic - hardening + adhesion,
+                                  elastic,
+                                  hardening,
+                                  plastic,
+                                  friction,
+                                  0,
+                                  adhesion,
+                                  work,
+                                  sticking};
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].push_back(row[i]);
   };
   for (int i = 1; i <= 4; ++i) add(made.load * i / 4, 0, 0, 1);
@@ -80,7 +121,8 @@ inline std::string moving_history(const MovingFolder& made) {
       plastic += p * length / 0.75, hardening += p * length * 0.25 / 0.75;
       const double done = (f + p / 0.75 + a + made.unbalanced) * length + after - before;
       work += done;
-      add(made.load, direction * (onset ? 0 : f + p + a) + made.hills * all * std::cos(hill_wave * position), after, onset ? 0.5 : 0.01);
+      add(made.load, direction * (onset ? 0 : f + p + a) + made.hills * all * std::cos(hill_wave * position), after,
+          onset ? 0.5 : 0.01);
     }
   };
   move(1, 1);
@@ -91,17 +133,24 @@ inline std::string moving_history(const MovingFolder& made) {
 inline std::filesystem::path write_moving(const std::filesystem::path& folder, const MovingFolder& made) {
   std::filesystem::create_directories(folder);
   std::ostringstream surface, prm;
-  if (made.rms > 0) surface << "generated(rms=" << made.rms << " nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=" << made.seed << ")";
-  else surface << "smooth";
-  prm << "subsection Particle\n set Radius = " << made.radius * 1e6 << " um\n set Young modulus = 71 GPa\n set Poisson ratio = 0.17\n set Yield stress = "
-      << made.yield_stress << "\n set Topography = generated(rms=0.7 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=" << 100 + made.seed
-      << ")\nend\nsubsection Substrate\n set Young modulus = 179 GPa\n set Poisson ratio = 0.25\n set Yield stress = " << made.yield_stress
-      << "\n set Topography = " << surface.str() << "\nend\nsubsection Interface\n set Friction coefficient = " << made.local_friction
-      << "\n set Work of adhesion = " << made.work_of_adhesion << "\nend\nsubsection Experiment\n set Type = " << made.experiment
-      << "\n set Normal load = " << made.load * 1e6 << " uN\nend\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
+  if (made.rms > 0)
+    surface << "generated(rms=" << made.rms << " nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=" << made.seed
+            << ")";
+  else
+    surface << "smooth";
+  prm << "subsection Particle\n set Radius = " << made.radius * 1e6
+      << " um\n set Young modulus = 71 GPa\n set Poisson ratio = 0.17\n set Yield stress = " << made.yield_stress
+      << "\n set Topography = generated(rms=0.7 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=" << 100 + made.seed
+      << ")\nend\nsubsection Substrate\n set Young modulus = 179 GPa\n set Poisson ratio = 0.25\n set Yield stress = "
+      << made.yield_stress << "\n set Topography = " << surface.str()
+      << "\nend\nsubsection Interface\n set Friction coefficient = " << made.local_friction
+      << "\n set Work of adhesion = " << made.work_of_adhesion
+      << "\nend\nsubsection Experiment\n set Type = " << made.experiment << "\n set Normal load = " << made.load * 1e6
+      << " uN\nend\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
   write_file_atomically(folder / "case.prm", prm.str());
   write_file_atomically(folder / "history.csv", moving_history(made));
-  write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1", "experiment": ")" + made.experiment + R"(", "effective": {},
+  write_file_atomically(folder / "result.json",
+                        R"({"format": "asperity-result/1", "experiment": ")" + made.experiment + R"(", "effective": {},
     "balance": {"force": 2e-7, "energy": 0.003}})");
   return folder;
 }

@@ -15,7 +15,8 @@ struct StudyEntry {
 };
 
 /// Axes: Type, Normal load, Variant; the realisation is the seed.
-inline std::filesystem::path write_moving_study(const std::filesystem::path& root, const std::vector<StudyEntry>& entries) {
+inline std::filesystem::path write_moving_study(const std::filesystem::path& root,
+                                                const std::vector<StudyEntry>& entries) {
   const auto load_of = [](const MovingFolder& made) {
     std::ostringstream text;
     text << made.load * 1e6 << " uN";
@@ -30,8 +31,11 @@ inline std::filesystem::path write_moving_study(const std::filesystem::path& roo
       if (std::find(labels[i].begin(), labels[i].end(), values[i]) == labels[i].end()) labels[i].push_back(values[i]);
     const std::string name = "case" + std::to_string(++number);
     write_moving(root / name, made);
-    cases.push_back({{"name", name}, {"folder", name}, {"values", {{"Type", values[0]}, {"Normal load", values[1]}, {"Variant", surface}}},
-                     {"realisation", made.seed}, {"state", "done"}});
+    cases.push_back({{"name", name},
+                     {"folder", name},
+                     {"values", {{"Type", values[0]}, {"Normal load", values[1]}, {"Variant", surface}}},
+                     {"realisation", made.seed},
+                     {"state", "done"}});
   }
   nlohmann::ordered_json study{{"format", "asperity-study/1"}, {"title", "Moving"}, {"realisations", 1}};
   const char* names[3] = {"Type", "Normal load", "Variant"};

@@ -42,9 +42,9 @@ TEST(Stretches_analytic, two_sds_hold_the_truth_19_times_in_20_even_of_few_stret
 }
 
 TEST(Stretches_analytic, realisations_err_as_they_scatter_or_as_each_leaves_open) {
-  EXPECT_NEAR(mean_of_realisations({{1, 0.1}, {3, 0.1}}).sd, 1, 1e-12);          // sd 2^(1/2) over 2^(1/2)
-  EXPECT_NEAR(mean_of_realisations({{1, 0.3}, {1, 0.4}}).sd, 0.25, 1e-12);       // (0.09 + 0.16)^(1/2)/2
-  EXPECT_FALSE(mean_of_realisations({{1, NAN}, {2, 0.1}}).has_sd());             // two alone do not tell
+  EXPECT_NEAR(mean_of_realisations({{1, 0.1}, {3, 0.1}}).sd, 1, 1e-12);     // sd 2^(1/2) over 2^(1/2)
+  EXPECT_NEAR(mean_of_realisations({{1, 0.3}, {1, 0.4}}).sd, 0.25, 1e-12);  // (0.09 + 0.16)^(1/2)/2
+  EXPECT_FALSE(mean_of_realisations({{1, NAN}, {2, 0.1}}).has_sd());        // two alone do not tell
   EXPECT_FALSE(std::isfinite(mean_of_realisations({}).value));
 }
 
@@ -62,7 +62,8 @@ TEST(Trend_analytic, line_has_slope_and_error_of_the_closed_form) {
 }
 
 TEST(Trend_analytic, numbers_that_are_exact_do_not_outweigh_the_others) {
-  // Nothing yields on two surfaces, 1 +- 0.3 does on the third: (1 - 0)/2 +- 0.3/2, and a misfit of (1/6)^(1/2) over 2^(1/2).
+  // Nothing yields on two surfaces, 1 +- 0.3 does on the third: (1 - 0)/2 +- 0.3/2, and a misfit of (1/6)^(1/2) over
+  // 2^(1/2).
   const Trend trend = fit_trend({0, 1, 2}, {{0, 0}, {0, 0}, {1, 0.3}});
   EXPECT_NEAR(trend.slope.value, 0.5, 1e-12);
   EXPECT_NEAR(trend.slope.sd, std::sqrt(1. / 12.), 1e-12);
@@ -71,7 +72,8 @@ TEST(Trend_analytic, numbers_that_are_exact_do_not_outweigh_the_others) {
 TEST(Trend_analytic, without_uncertainty_or_with_one_abscissa_nothing_is_told) {
   EXPECT_EQ(fit_trend({1, 2}, {{1, NAN}, {2, 0.1}}).sign(), Trend::Sign::unknown);
   EXPECT_EQ(fit_trend({1, 1}, {{1, 0.1}, {2, 0.1}}).sign(), Trend::Sign::unknown);
-  EXPECT_EQ(fit_exponent_of({1, 2}, {{1, 0.9}, {2, 0.1}}).sign(), Trend::Sign::unknown);  // 1 +- 0.9 may be nothing at all
+  EXPECT_EQ(fit_exponent_of({1, 2}, {{1, 0.9}, {2, 0.1}}).sign(),
+            Trend::Sign::unknown);  // 1 +- 0.9 may be nothing at all
 }
 
 TEST(Trend_analytic, exponent_of_a_power_law_is_found_in_units_of_any_size) {
