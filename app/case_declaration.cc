@@ -199,13 +199,13 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
   entries.push_back(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading."));
   entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
-                             "Lateral path of sliding and rolling, one way."));
+                             "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, two contact diameters of them steady."));
   entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-                             "Angle of torsion, one way."));
+                             "Angle of torsion, one way; 0: three times that at which a smooth contact slips as a whole."));
   entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true", "Come back along the path: half a friction loop."));
   entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
                                  "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
-                                 "then half an interface spacing."));
+                                 "then an interface spacing, half of one at the rim of a contact that spins."));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {

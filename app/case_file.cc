@@ -45,7 +45,6 @@ class Checker {
 
   void check() const {
     check_load();
-    check_motion();
     check_mesh();
     check_hardening("Particle", input_.particle);
     check_hardening("Substrate", input_.substrate);
@@ -90,16 +89,6 @@ class Checker {
              "this load would press the sphere flat over a contact radius of " +
                  format_quantity(hertz_radius(), Dimension::length) + " (Hertz), more than half its radius of " +
                  format_quantity(input_.radius, Dimension::length) + "; small strain does not hold there: lower it");
-  }
-
-  void check_motion() const {
-    const auto& experiment = input_.experiment;
-    using Type = ExperimentInput::Type;
-    const bool moves_along = experiment.type == Type::sliding || experiment.type == Type::rolling;
-    if (moves_along && !(experiment.distance > 0))
-      refuse("Experiment/Type", "sliding and rolling need Experiment/Distance above 0; set for example 50 nm");
-    if (experiment.type == Type::torsion && !(experiment.angle > 0))
-      refuse("Experiment/Type", "torsion needs Experiment/Angle above 0; set for example 1 deg");
   }
 
   void check_mesh() const {

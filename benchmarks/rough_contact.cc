@@ -3,11 +3,7 @@
 // `asperity solve` would, so that its peak memory is its own.
 //
 //   rough_contact [--spacing "20 nm,10 nm,5 nm"] [--threads 2] [--output DIR] [--set "Section/Entry=value"]...
-#include <deal.II/base/mpi.h>
 #include <omp.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,11 +15,11 @@
 
 #include "app/case_file.h"
 #include "benchmarks/machine_state.h"
+#include "benchmarks/solve_in_child.h"
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "core/error.h"
 #include "core/quantity.h"
-#include "fem/solve_case.h"
 
 namespace {
 
@@ -64,36 +60,6 @@ struct Size {
             {"balance", {{"force", force_error}, {"energy", energy_error}}}};
   }
 };
-
-/// Solves in a child process; returns its largest resident set [B].
-double solve_in_child(const asperity::CaseInput& input, const fs::path& folder, int threads) {
-  std::fflush(nullptr);
-  const pid_t child = fork();
-  if (child < 0) throw asperity::WorkError("cannot start a process for the next size");
-  if (child == 0) {
-    int status = 1;
-    try {
-      int argc = 0;
-      char** argv = nullptr;
-      const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv, static_cast<unsigned>(threads));
-      omp_set_num_threads(threads);
-      asperity::SolveOptions options;
-      options.output = folder;
-      options.progress = [](const std::string& line) { std::printf("  %s\n", line.c_str()), std::fflush(stdout); };
-      asperity::solve_case(input, options);
-      status = 0;
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "rough_contact: %s\n", error.what());
-    }
-    std::fflush(nullptr);
-    _exit(status);
-  }
-  int status = 0;
-  rusage usage{};
-  if (wait4(child, &status, 0, &usage) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw asperity::WorkError("the case at '" + folder.string() + "' was not solved");
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
 
 Size read_size(const std::string& spacing, const fs::path& folder, double peak_memory) {
   const json result = json::parse(asperity::read_file(folder / "result.json"));
@@ -180,7 +146,7 @@ int main(int argc, char** argv) {
       const fs::path folder = fs::path(output) / (std::to_string(std::lround(metres * 1e12)) + "pm");
       std::printf("spacing %s, %d threads\n", spacing.c_str(), threads);
       const double load_before = asperity::machine_state()["load"][0];
-      const double memory = solve_in_child(input, folder, threads);
+      const double memory = asperity::solve_in_child(input, folder, threads);
       sizes.push_back(read_size(spacing, folder, memory));
       json entry = sizes.back().to_json();
       entry["machine_load_before"] = load_before;

@@ -41,8 +41,7 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
 }
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
-/// and steps of half a spacing at the rim of contact, of a whole one where the
-/// particle rolls and few nodes slip.
+/// and steps of a spacing; of half a one at the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
@@ -53,10 +52,27 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   MotionScales scales;
   scales.full_slip_shift = 3 * friction * lateral / (16 * a);
   scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
-  scales.largest_shift = input.experiment.type == ExperimentInput::Type::rolling ? spacing : spacing / 2;
+  scales.largest_shift = spacing;
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
   return scales;
+}
+
+/// Hertz' contact at the largest load.
+void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
+  const double R = input.radius;
+  const auto compliance = [](const BodyInput& b) { return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus; };
+  setup.reduced_modulus = 1 / (compliance(input.particle) + compliance(input.substrate));
+  const bool force = input.experiment.control == ExperimentInput::Control::force;
+  if (force) {
+    setup.largest_load = input.experiment.normal_load;
+    setup.hertz_radius = std::cbrt(3 * setup.largest_load * R / (4 * setup.reduced_modulus));
+    setup.hertz_approach = setup.hertz_radius * setup.hertz_radius / R;
+  } else {
+    setup.hertz_approach = input.experiment.normal_approach;
+    setup.hertz_radius = std::sqrt(R * setup.hertz_approach);
+    setup.largest_load = 4.0 / 3 * setup.reduced_modulus * std::sqrt(R) * std::pow(setup.hertz_approach, 1.5);
+  }
 }
 
 }  // namespace
@@ -75,21 +91,22 @@ double hertz_separation(double r, double a, double R) {
   return a * a / (M_PI * R) * ((s * s - 2) * std::acos(1 / s) + std::sqrt(s * s - 1));
 }
 
+CaseInput with_derived_way(const CaseInput& input) {
+  using Type = ExperimentInput::Type;
+  CaseInput derived = input;
+  CaseSetup setup;
+  find_hertz_scales(input, setup);
+  auto& e = derived.experiment;
+  if ((e.type == Type::sliding || e.type == Type::rolling) && e.distance == 0) e.distance = 5 * setup.hertz_radius;
+  if (e.type == Type::torsion && e.angle == 0) e.angle = 3 * motion_scales(input, setup, 0).full_slip_angle;
+  return derived;
+}
+
 CaseSetup set_up(const CaseInput& input) {
   CaseSetup setup;
+  find_hertz_scales(input, setup);
   const double R = input.radius;
-  const auto compliance = [](const BodyInput& b) { return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus; };
-  setup.reduced_modulus = 1 / (compliance(input.particle) + compliance(input.substrate));
   const bool force = input.experiment.control == ExperimentInput::Control::force;
-  if (force) {
-    setup.largest_load = input.experiment.normal_load;
-    setup.hertz_radius = std::cbrt(3 * setup.largest_load * R / (4 * setup.reduced_modulus));
-    setup.hertz_approach = setup.hertz_radius * setup.hertz_radius / R;
-  } else {
-    setup.hertz_approach = input.experiment.normal_approach;
-    setup.hertz_radius = std::sqrt(R * setup.hertz_approach);
-    setup.largest_load = 4.0 / 3 * setup.reduced_modulus * std::sqrt(R) * std::pow(setup.hertz_approach, 1.5);
-  }
   const double a = setup.hertz_radius;
   const std::string& upper = input.particle.topography;
   const std::string& lower = input.substrate.topography;

@@ -17,6 +17,10 @@ struct CaseSetup {
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
 };
 
+/// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so that two diameters
+/// of it are steady; three times the spin at which a smooth contact slips as a whole.
+CaseInput with_derived_way(const CaseInput& input);
+
 /// Throws InputError if the mesh parameters do not fit the bodies.
 CaseSetup set_up(const CaseInput& input);
 

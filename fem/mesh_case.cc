@@ -101,7 +101,7 @@ meshing::TetrahedraOptions tetrahedra_options(const meshing::BodySizes& sizes, i
 void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
     throw InputError("meshes are written by one process; start asperity mesh without mpirun");
-  const CaseSetup setup = set_up(input);
+  const CaseSetup setup = set_up(with_derived_way(input));
   const meshing::ContactMeshOptions& options = setup.system.mesh;
   const meshing::RoughGeometry geometry(options);
   const auto forest = meshing::make_forest(MPI_COMM_WORLD, options);

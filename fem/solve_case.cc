@@ -11,7 +11,6 @@ void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
   using Type = ExperimentInput::Type;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };
-  if (e.type == Type::rolling && e.distance == 0) refuse("Experiment/Distance is 0: give the way to roll, e.g. Distance = 500 nm");
   if (e.type == Type::rolling && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
   if (i.work_of_adhesion > 0 && i.adhesion_range == 0)
@@ -20,8 +19,6 @@ void require_solvable(const CaseInput& input) {
     refuse("Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
-  if (e.type == Type::sliding && e.distance == 0) refuse("Experiment/Distance is 0: give the way to slide, e.g. Distance = 1 um");
-  if (e.type == Type::torsion && e.angle == 0) refuse("Experiment/Angle is 0: give the angle to spin, e.g. Angle = 0.02 rad");
   if (e.type != Type::normal && input.interface.friction_coefficient == 0 && input.interface.shear_strength == 0 && e.type == Type::torsion)
     refuse("torsion without friction meets no resistance; set Interface/Friction coefficient or Shear strength");
   if (e.type != Type::normal && e.cycles > 1 && !e.reverse)

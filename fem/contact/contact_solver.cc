@@ -198,9 +198,9 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   Vector<double> residual, direction;
   for (auto* v : {&residual, &direction}) level.initialise(*v);
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
-  // At the start and after a reversal everything sticks.
+  // What slipped slips on if the motion goes that way; at the start and after a reversal everything sticks.
   if (tractions_.has_friction()) {
-    tractions_.hold_all();
+    tractions_.hold_unless_slipping_on(state);
     step_with_held_rows(state, target, tangent, residual, direction, report);
   }
   double error = evaluate(state, target, residual, tangent);

@@ -40,8 +40,11 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOper
 void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before,
                                     const std::vector<double>& gaps) {
   if (!friction_) return;
-  slip_origin_ = slips(system_.interface(), accepted);
-  slip_origin_before_ = slips(system_.interface_before(), accepted);
+  start_ = slip_origin_ = slips(system_.interface(), accepted);
+  start_before_ = slips(system_.interface_before(), accepted);
+  shear_before_ = accepted.shear;
+  limit_before_.resize(pressure_.size());
+  for (std::size_t r = 0; r < pressure_.size(); ++r) limit_before_[r] = friction_->limit(accepted.multiplier[r]);
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation from = rotation(accepted.motion), to = rotation(motion);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
@@ -50,10 +53,7 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
     const auto& point = system_.interface_points()[system_.rows()[r].node];
     const auto before = turned(from, point, radius), after = turned(to, point, radius);
     const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x, after[1] - before[1] + motion.y - accepted.motion.y};
-    for (int c = 0; c < 2; ++c) {
-      slip_origin_[c][r] += open_part * way[c];
-      slip_origin_before_[c][r] += open_part * way[c];
-    }
+    for (int c = 0; c < 2; ++c) slip_origin_[c][r] += open_part * way[c];
   }
   update_limits(accepted);
 }
@@ -99,6 +99,17 @@ double InterfaceTractions::adhesion_energy(const ContactState& state, const std:
   double energy = 0;
   for (std::size_t r = 0; r < attraction_.size(); ++r) energy -= system_.areas()[r] * attraction(state, static_cast<int>(r), gaps[r]).work;
   return energy;
+}
+
+void InterfaceTractions::hold_unless_slipping_on(const ContactState& state) {
+  constexpr double at_limit = 0.99;
+  const auto moved = slips(system_.interface(), state);
+  held_.assign(shear_.size(), 1);
+  for (std::size_t r = 0; r < held_.size(); ++r) {
+    const double tx = state.shear[0][r], ty = state.shear[1][r];
+    const double along = tx * (moved[0][r] - slip_origin_[0][r]) + ty * (moved[1][r] - slip_origin_[1][r]);
+    held_[r] = !(along < 0 && std::hypot(tx, ty) > at_limit * limit_[r]);
+  }
 }
 
 void InterfaceTractions::hold_sticking() {
@@ -181,11 +192,20 @@ std::vector<RowStiffness> InterfaceTractions::stiffness(bool convex) const {
 
 double InterfaceTractions::friction_work(const ContactState& state) const {
   if (!friction_) return 0;
-  const auto before = slips(system_.interface_before(), state);
+  const auto here = slips(system_.interface(), state), seen_before = slips(system_.interface_before(), state);
   double work = 0;
-  for (std::size_t r = 0; r < shear_.size(); ++r)
-    for (int c = 0; c < 2; ++c)
-      work -= system_.areas()[r] * shear_[r].traction[c] * 0.5 * (slip_[c][r] + before[c][r] - slip_origin_before_[c][r]);
+  for (std::size_t r = 0; r < shear_.size(); ++r) {
+    const double tx = shear_[r].traction[0], ty = shear_[r].traction[1], now = std::hypot(tx, ty);
+    if (!shear_[r].slips) {
+      work -= system_.areas()[r] * (tx * slip_[0][r] + ty * slip_[1][r]);
+      continue;
+    }
+    const double way[2] = {0.5 * (here[0][r] - start_[0][r] + seen_before[0][r] - start_before_[0][r]),
+                           0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
+    // What slips does so at its limit, which has changed from the one before: also where contact began or ended on the way.
+    const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r], size = std::hypot(bx, by);
+    if (size > 0) work -= system_.areas()[r] * 0.5 * (limit_before_[r] + now) * (bx * way[0] + by * way[1]) / size;
+  }
   return work;
 }
 

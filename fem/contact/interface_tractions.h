@@ -28,8 +28,9 @@ class InterfaceTractions {
   void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps);
   /// Shear limits from the multipliers of `state`.
   void update_limits(const ContactState& state);
-  /// Rows with friction that stick beyond their limit until release(): all, or those that stick now. For first guesses.
-  void hold_all() { held_.assign(pressure_.size(), 1); }
+  /// Rows with friction that stick beyond their limit until release():
+  /// those whose motion does not carry their slip on, or those that stick now. For first guesses.
+  void hold_unless_slipping_on(const ContactState& state);
   void hold_sticking();
   void release() { held_.clear(); }
   /// Evaluates all rows at a state with the given gaps [m].
@@ -61,8 +62,8 @@ class InterfaceTractions {
   int sticking() const;
   /// Consistent stiffness of the rows at the evaluated state; without what attraction takes from it if `convex`.
   std::vector<RowStiffness> stiffness(bool convex) const;
-  /// Work of the evaluated shear at `state` on the slip since the last accepted state [J]. Slip is the mean of what the couplings
-  /// before and after the step see of the same displacements, which makes the balance of energy one of second order in the step.
+  /// Work of the shear on the slip since the last accepted state, at the mean of both states' limits [J]. Slip is the mean of what the
+  /// couplings before and after the step see of the same displacements. Both make the balance of energy one of second order in the step.
   double friction_work(const ContactState& state) const;
   bool has_friction() const { return friction_ != nullptr; }
 
@@ -75,9 +76,9 @@ class InterfaceTractions {
   AdhesionLaws adhesion_;
   double penalty_;
   std::vector<char> held_;
-  std::vector<double> pressure_, limit_;
+  std::vector<double> pressure_, limit_, limit_before_;
   std::vector<AdhesionLaw::Attraction> attraction_;
-  std::array<std::vector<double>, 2> slip_origin_, slip_origin_before_, slip_;
+  std::array<std::vector<double>, 2> slip_origin_, slip_, start_, start_before_, shear_before_;
   std::vector<Shear> shear_;
 };
 

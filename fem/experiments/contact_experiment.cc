@@ -56,7 +56,7 @@ std::string duration(double s) {
 }  // namespace
 
 ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions& options)
-    : input_(input), options_(options), setup_(set_up(input)), program_(make_program(input.experiment, setup_.motion)) {
+    : input_(with_derived_way(input)), options_(options), setup_(set_up(input_)), program_(make_program(input_.experiment, setup_.motion)) {
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
@@ -145,9 +145,17 @@ RigidMotion ContactExperiment::towards(const Station& station) const {
   RigidMotion motion = station.motion;
   if (input_.experiment.type != ExperimentInput::Type::rolling || records_.empty()) return motion;
   const double radius = setup_.motion.rolling_radius;
-  motion.x = state_.motion.x + radius * (motion.roll - state_.motion.roll);
-  // Free rolling: what lateral force the last step left is given way to.
-  if (lateral_stiffness_ > 0 && solver_->has_friction()) motion.x -= records_.back().lateral_force / lateral_stiffness_;
+  double way_per_angle = radius, back = 0;
+  // Free rolling: what lateral force the last step left is given way to, and a quarter of it enters the way per angle, which is
+  // shorter than the radius by about the approach.
+  const StepRecord& last = records_.back();
+  if (lateral_stiffness_ > 0 && solver_->has_friction()) {
+    back = last.lateral_force / lateral_stiffness_;
+    const StepRecord* before = records_.size() > 1 ? &records_[records_.size() - 2] : nullptr;
+    const double rolled = before ? last.rolling_angle - before->rolling_angle : 0.0;
+    if (rolled != 0) way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
+  }
+  motion.x = state_.motion.x + way_per_angle * (motion.roll - state_.motion.roll) - back;
   return motion;
 }
 
@@ -219,12 +227,15 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
 
 void ContactExperiment::balance_energy() {
   // All steps anew: a step's work becomes better known with the one that follows.
-  std::vector<double> delta, force;
-  for (const auto& r : records_) delta.push_back(r.driven_displacement), force.push_back(r.normal_force);
-  // Attraction makes no power law of the approach: trapezia from the first step, whose own work is what its state stores.
-  const bool adhesion = solver_->has_adhesion();
-  std::vector<double> work = adhesion ? std::vector<double>(force.size(), stored_energy(records_.front())) : external_work(delta, force);
-  for (std::size_t k = 1; adhesion && k < force.size(); ++k) work[k] = work[k - 1] + 0.5 * (force[k - 1] + force[k]) * (delta[k] - delta[k - 1]);
+  std::vector<double> delta, pressing;
+  for (const auto& r : records_) delta.push_back(r.driven_displacement), pressing.push_back(r.normal_force + r.attraction);
+  std::vector<double> work = external_work(delta, pressing);
+  // Attraction makes no power law of the approach, it varies little: trapezia, and for what came before the first step what that stores.
+  double attracted = solver_->has_adhesion() ? work.front() - stored_energy(records_.front()) : 0.0;
+  for (std::size_t k = 0; k < work.size(); ++k) {
+    if (k > 0) attracted += 0.5 * (records_[k - 1].attraction + records_[k].attraction) * (delta[k] - delta[k - 1]);
+    work[k] -= attracted;
+  }
   // Shift and spin: trapezia over their steps.
   double sideways = 0;
   for (std::size_t k = 1; k < records_.size(); ++k) {
@@ -250,6 +261,7 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   StepRecord r;
   r.step = r.time = step;
   r.normal_force = c.force;
+  r.attraction = c.attraction;
   r.driven_displacement = state_.approach;
   r.normal_displacement = state_.approach - far_field_ * c.force;
   const RigidMotion& start = program_.front().motion;

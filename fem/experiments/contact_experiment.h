@@ -33,7 +33,7 @@ class ContactExperiment {
   bool speaks() const { return rank_ == 0; }
   void say(const std::string& line) const;
 
-  const CaseInput& input_;
+  const CaseInput input_;
   SolveOptions options_;
   CaseSetup setup_;
   std::vector<Station> program_;

@@ -29,6 +29,7 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"friction_work [J]", &StepRecord::friction_work},
       {"adhesion_energy [J]", &StepRecord::adhesion_energy},
       {"adhesion_loss [J]", &StepRecord::adhesion_loss},
+      {"attraction [N]", &StepRecord::attraction},
       {"work [J]", &StepRecord::work},
       {"mean_pressure [Pa]", &StepRecord::mean_pressure},
       {"largest_plastic_strain", &StepRecord::largest_plastic_strain},

@@ -19,6 +19,7 @@ struct StepRecord {
   double shift = 0;                ///< of the particle's frame along x, finite bodies included [m]
   double elastic_energy = 0, hardening_energy = 0, plastic_work = 0, friction_work = 0, work = 0;  ///< [J]
   double adhesion_energy = 0, adhesion_loss = 0;  ///< potential of attraction; dissipated by bonds [J]
+  double attraction = 0;           ///< part of the normal force that attracts [N]
   double mean_pressure = 0, largest_plastic_strain = 0, largest_von_mises = 0;
   double force_error = 0, moment_error = 0, energy_error = 0;
   double newton_iterations = 0, linear_iterations = 0, penetration = 0, wall_time = 0;

@@ -100,8 +100,6 @@ TEST(CaseFile, what_contradicts_physics_is_refused_in_a_sentence) {
   EXPECT_CONTAINS(refusal("1 mN", "0 N"), "case.prm:11: Experiment/Normal load must be above 0");
   EXPECT_CONTAINS(refusal("1 mN", "10 N"), "more than half its radius");
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Control=displacement"}), "Normal approach must be above 0");
-  EXPECT_CONTAINS(refusal_of_override({"Experiment/Type=sliding"}), "Experiment/Distance");
-  EXPECT_CONTAINS(refusal_of_override({"Experiment/Type=torsion"}), "Experiment/Angle");
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Cycles=2", "Experiment/Unload=false"}), "set Unload = true");
   EXPECT_CONTAINS(refusal_of_override({"Mesh/Contact region=5 um"}), "less than half the Radius");
   // Hertz: a(1 mN) = 0.494 um for borosilicate on silicon.

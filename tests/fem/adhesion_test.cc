@@ -138,6 +138,39 @@ TEST(AdhesiveRolling_analytic, hysteresis_of_adhesion_resists_rolling_by_its_wor
   EXPECT_NEAR(lost / (steps * h / o.radius), moment / steps, 0.05 * expected);
 }
 
+/// Dominik & Tielens (1995), Phil. Mag. A 72, 783, eq. 32: while its rim is pinned, a contact of radius a resists a roll that brings
+/// the particle's centre ahead by xi with M = 4 F_c (a/a0)^(3/2) xi. That is (P_a - P) xi, P_a = 4 E* a^3 / (3 R): what tilting a bonded
+/// circle takes, less what the load gives. Krijt, Dominik & Tielens (2014), J. Phys. D 47, 175302: the rim moves where its energy
+/// release G (1 -+ e)^2, e = 3 P_a xi / ((P_a - P) a), falls below the closing or rises above the opening work.
+TEST(AdhesiveRolling_analytic, a_pinned_contact_resists_as_Dominik_and_Tielens_found) {
+  FrictionalContactOptions o;
+  o.friction = 0;
+  o.way = 100e-9;
+  constexpr double closing = 0.02, opening = 1, range = 1e-9;
+  o.adhesion = {std::make_shared<fem::Dugdale>(closing, range), std::make_shared<fem::Dugdale>(opening, range)};
+  FrictionalContact c(o);
+  const double R = o.radius, far_field = c.solver.far_field_compliance(0.9 * c.contact_radius);
+  const double P = 0.4 * o.load;
+  for (const double load : {0.85 * o.load, 0.7 * o.load, 0.55 * o.load, P}) c.step({}, load);
+  // The radius of the pinned contact from its stiffness 2 E* a.
+  const double before = c.state.approach;
+  c.step({}, 0.97 * P);
+  const double stiffness = 1 / ((before - c.state.approach) / (0.03 * P) - far_field);
+  c.step({}, P);
+  const double a = stiffness / (2 * c.reduced_modulus), Pa = 4 * c.reduced_modulus * a * a * a / (3 * R), G = (Pa - P) * (Pa - P) / (6 * M_PI * R * Pa);
+  const double critical = (Pa - P) * a / (3 * Pa) * std::min(1 - std::sqrt(closing / G), std::sqrt(opening / G) - 1);
+  std::printf("pinned at a %.1f nm, G %.3f J/m^2, moves from xi %.1f nm\n", 1e9 * a, G, 1e9 * critical);
+  c.options.load = P;
+  const double unrolled = c.roll(0).rolling_moment;
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double xi = share * critical;
+    const double moment = c.roll(xi / R).rolling_moment - unrolled;
+    std::printf("xi %.2f nm: M / ((P_a - P) xi) %.4f\n", 1e9 * xi, moment / ((Pa - P) * xi));
+    EXPECT_NEAR(moment, (Pa - P) * xi, 0.05 * (Pa - P) * xi);
+    EXPECT_LT(std::abs(c.adhesion_loss), 1e-3 * (Pa - P) * xi * xi / R);
+  }
+}
+
 TEST(AdhesiveFriction_analytic, attraction_adds_to_the_load_that_friction_feels) {
   FrictionalContactOptions o;
   o.cells_per_radius = 8, o.friction = 0.3, o.load = 30e-6;

@@ -1,0 +1,111 @@
+// A smooth elastic body with two radii that rolls with longitudinal creep: CONTACT's wheel, and towards Carter's cylinder.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "tests/fem/support/frictional_contact.h"
+#include "tests/support/shared_files.h"
+
+namespace {
+
+using namespace asperity;
+using test::FrictionalContact;
+using test::FrictionalContactOptions;
+
+struct CreepForce {
+  double creep, force;  ///< force over friction times load
+};
+
+/// The first series of CONTACT's curve: Coulomb friction, 0.33, G 82 GPa, nu 0.28, a/b 0.5.
+std::vector<CreepForce> contact_series(const std::filesystem::path& path, std::size_t points) {
+  std::vector<CreepForce> series;
+  std::ifstream stream(path);
+  double creep = 0;
+  for (std::string line; series.size() < points && std::getline(stream, line);) {
+    const bool creeps = line.find("VELOC       CKSI") != std::string::npos, forces = line.find("FX/FSTAT/FN") != std::string::npos;
+    if (!creeps && !forces) continue;
+    std::getline(stream, line);
+    std::istringstream numbers(line);
+    double first, second, third;
+    numbers >> first >> second >> third;
+    if (creeps) numbers >> creep;
+    else series.push_back({creep, -second});
+  }
+  return series;
+}
+
+/// Rolled over `way` contact lengths with the shift lagging by `creep`, from a first shift that makes `guess` of mu P.
+fem::ContactResultants roll_steadily(FrictionalContact& c, double creep, double guess, double way) {
+  const double a = c.contact_radius, h = a / c.options.cells_per_radius, R = c.options.radius;
+  const double mean = a * std::sqrt(c.options.semi_axis_across);
+  fem::RigidMotion motion;
+  motion.x = guess * c.friction_force * (1 / (8 * c.system.reduced_shear_modulus() * mean) + c.lateral_far_field);
+  auto r = c.step(motion);
+  for (double x = h; x < way * a * (1 + 1e-9); x += h) {
+    motion.roll = x / R, motion.x += h * (1 + creep);
+    r = c.step(motion);
+  }
+  return r;
+}
+
+FrictionalContactOptions elliptic(double ratio, double creep_for_mu, double poisson, double force_over_g_ab) {
+  FrictionalContactOptions o;
+  o.poisson[0] = o.poisson[1] = poisson;
+  o.semi_axis_across = ratio;
+  o.friction = creep_for_mu;
+  o.cells_per_radius = 8;
+  // The load at which P / (G a b) is that of the other code, hence a/R too: a^3 is proportional to the load.
+  const double G = o.youngs[0] / (2 * (1 + poisson)), E = o.youngs[0] / (2 * (1 - poisson * poisson));
+  const double k = 3 * o.radius * test::HertzEllipse(ratio).shape / (M_PI * E * ratio);  // a^3 = k P
+  o.load = std::pow(force_over_g_ab * G * ratio, 3) * k * k;
+  return o;
+}
+
+void expect_creep_force(const CreepForce& point, double cells) {
+  // CONTACT's case: P / G = 1.301 mm^2, a = 6.304 mm, b = 12.61 mm.
+  auto o = elliptic(2, 0.33, 0.28, 1.301 / (6.304 * 12.61));
+  const double a_over_R = 6.304 / 625;
+  o.cells_per_radius = cells;
+  o.way = 2 * 2.2 * a_over_R * o.radius;  // the fine region is square, as wide as the contact
+  FrictionalContact c(o);
+  EXPECT_NEAR(c.contact_radius / o.radius, a_over_R, 0.002 * a_over_R);
+  const auto r = roll_steadily(c, point.creep, point.force, 3.5);
+  std::printf("creep %.4f: Q/(mu P) %.4f (CONTACT %.4f)\n", point.creep, r.lateral_force[0] / c.friction_force, point.force);
+  EXPECT_NEAR(r.lateral_force[0] / c.friction_force, point.force, 0.05 * point.force);
+}
+
+TEST(EllipticRolling_other_code, creep_force_of_a_wheel_meets_CONTACT) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "contact_references/tractcurv.ref_out");
+  const auto series = contact_series(path, 8);
+  ASSERT_EQ(series.size(), 8u);
+  expect_creep_force(series[3], 5);
+}
+
+TEST(EllipticRollingNightly_other_code, creep_force_curve_of_a_wheel_meets_CONTACT) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "contact_references/tractcurv.ref_out");
+  for (const auto& point : contact_series(path, 8))
+    if (point.creep > 1e-4) expect_creep_force(point, 8);
+}
+
+/// The middle strip of a contact four times as wide as long. Carter (1926), Proc. R. Soc. A 112, 151; Johnson (1985), eq. 8.31: force
+/// per width over mu P' is 1 - (1 - creep / (mu a/R))^2, where a/R = 2 p0 / E*.
+TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carter) {
+  auto o = elliptic(4, 0.3, 0.28, 0.005);
+  FrictionalContact c(o);
+  const double a = c.contact_radius, h = a / o.cells_per_radius, p0 = 1.5 * o.load / (M_PI * a * a * 4);
+  const double unit = o.friction * 2 * p0 / c.reduced_modulus;
+  const double share = 0.4, expected = 1 - (1 - share) * (1 - share);
+  roll_steadily(c, share * unit, expected, 3);
+  double shear = 0, pressure = 0;
+  for (std::size_t k = 0; k < c.state.multiplier.size(); ++k) {
+    if (std::abs(c.system.interface_points()[c.system.rows()[k].node][1]) > 2.5 * h) continue;
+    shear -= c.state.shear[0][k] * c.system.areas()[k], pressure += c.state.multiplier[k] * c.system.areas()[k];
+  }
+  std::printf("middle strip: Q/(mu P) %.4f (Carter %.4f)\n", shear / (o.friction * pressure), expected);
+  EXPECT_NEAR(shear / (o.friction * pressure), expected, 0.05 * expected);
+}
+
+}  // namespace
