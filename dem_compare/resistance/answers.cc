@@ -130,7 +130,8 @@ std::string sigma_words(double sigmas) { return number_text({std::round(10 * std
 std::string trend_against_paper(const MeasuredTrend& one) {
   const bool coefficient = std::isnan(one.load), rolls = one.trend->mode == &rolling_mode();
   const std::string what =
-      motion_name(*one.trend->mode, true) +
+      motion_name(*one.trend->mode, true) + " of " + one.trend->contacts.front()->label + " to " +
+      one.trend->contacts.back()->label +
       (coefficient ? ", trend of the coefficient with RMS" : ", trend with RMS at " + force_text(one.load)) +
       (rolls ? " (at the silicon's contact: twice what the paper's mean over both contacts shows)" : "");
   const auto per_nm = [](const Uncertain& slope) { return number_text({slope.value * nm, slope.sd * nm}) + " per nm"; };
