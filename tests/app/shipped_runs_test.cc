@@ -1,7 +1,10 @@
 // The case and study files that ship are accepted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/case_file.h"
 #include "app/study.h"
@@ -24,6 +27,21 @@ TEST(ShippedRuns, the_main_job_holds_three_surfaces_two_more_spectra_and_the_smo
   for (std::size_t axis = 0; axis + 1 < study.axes.size(); ++axis) settings *= study.axes[axis].labels.size();
   const std::size_t rough_surfaces = 5;
   EXPECT_EQ(study.cases.size(), settings * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
+}
+
+TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_switches_yielding_and_adhesion_off) {
+  const Study study = read_study(runs / "paper" / "motions.prm");
+  ASSERT_EQ(study.axes.size(), 2u);
+  EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"rolling", "sliding", "torsion"}));
+  EXPECT_EQ(study.cases.size(), study.axes[0].labels.size() * study.axes[1].labels.size() * static_cast<std::size_t>(study.realisations));
+  for (const std::string contact : {"2.7 nm elastic", "2.7 nm without adhesion", "1.5 nm R 2.5 um", "1.5 nm R 50 um", "1.5 nm 200 uN"})
+    EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), contact), 1) << contact;
+}
+
+TEST(ShippedRuns, single_motions_and_the_benchmark_are_accepted) {
+  EXPECT_GT(read_case(runs / "paper" / "sliding.prm").experiment.distance, 0);
+  EXPECT_GT(read_case(runs / "paper" / "rolling.prm").interface.opening_work, 0);
+  EXPECT_EQ(read_case(runs / ".." / "benchmarks" / "rough_sliding.prm").experiment.type, ExperimentInput::Type::sliding);
 }
 
 }  // namespace asperity
