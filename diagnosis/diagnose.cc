@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <set>
 
 #include "core/error.h"
 #include "diagnosis/choose/held_out.h"
+#include "diagnosis/choose/law_error.h"
 #include "diagnosis/choose/search.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/diagnosis.h"
@@ -37,13 +39,6 @@ std::vector<double> residual_of(const FitProblem& problem, const ModelFit& fit) 
   return FitProblem::residual(problem.samples, fit.simulate(problem.samples));
 }
 
-/// What the least exact law of a set may be off by.
-double accuracy_of(const ModelFit& fit) {
-  double accuracy = 0;
-  for (const Effect* effect : fit.explanation->effects()) accuracy = std::max(accuracy, effect->description().accuracy);
-  return accuracy;
-}
-
 /// The interval with what the laws may be off by in it: two standard deviations are taken for the accuracy.
 DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, double accuracy) {
   const double law = accuracy * std::abs(p.value);
@@ -59,12 +54,20 @@ class Diagnoser {
   Diagnosis run() {
     prepare();
     simulate_alone();
-    Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     say("locating the mismatch");
+    auto scanner_of_noise = std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    const IsNoise is_noise = [&](const ModelFit& fit) { return remaining(*scanner_of_noise, fit).p_value > significance; };
+    search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
+    // What the best explanation leaves tells most about the noise.
+    const bool explains = !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
+    if (explains && learn_noise(residual_of(problem_, search_.candidates.front().fit))) {
+      rescore(search_, problem_);
+      baseline_ = search_.alone.fit;
+      scanner_of_noise = std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    }
+    const Scanner& scanner = *scanner_of_noise;
     const ScanResult before = scanner.scan(problem_.baseline_residual);
     const bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
-    const IsNoise is_noise = [&](const ModelFit& fit) { return remaining(scanner, fit).p_value > significance; };
-    search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
     blocks_ = blocks_of(problem_.samples);
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(baseline_), blocks_);
@@ -105,22 +108,33 @@ class Diagnoser {
     say("simulating " + std::to_string(problem_.samples.list.size()) + " samples with the laws named");
     std::vector<double> recorded(problem_.samples.list.size());
     for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = problem_.samples.list[i].response;
-    problem_.noise = estimate_noise(recording_, problem_.samples, recorded);
+    const Noise recorded_noise = problem_.noise = estimate_noise(recording_, problem_.samples, recorded);
     constexpr int rounds = 2;  // a first noise to fit with, then that of the fit's own residuals
     for (int round = 0; round < rounds; ++round) {
-        if (round == 0 && problem_.experiment.mode != Mode::normal) mark_beginnings(problem_.samples, problem_.noise);
+      if (round == 0 && problem_.experiment.mode != Mode::normal) mark_beginnings(problem_.samples, problem_.noise);
       problem_.thin = thinned(problem_.samples, samples_of_search);
       problem_.baseline_residual.clear();
       baseline_ = fit_explanation(problem_, {});
       problem_.baseline_residual = residual_of(problem_, baseline_);
       Noise again = estimate_noise(recording_, problem_.samples, problem_.baseline_residual);
-      // A simulation that is far off adds structure at short distances; the recorded signal itself may be the smoother one.
-      if (round > 0 || again.sd.front() < problem_.noise.sd.front() || !again.is_absolute) problem_.noise = again;
+      // A simulation that is far off, or driven by a noisy displacement, adds structure at short distances: the smoother of both, the
+      // recorded signal and its residual, holds the noise.
+      if (again.sd.front() < recorded_noise.sd.front() || !again.is_absolute) problem_.noise = again;
+      else problem_.noise = recorded_noise;
       if (round == 0) outliers_ = mark_outliers(problem_.samples, problem_.baseline_residual, problem_.noise);
     }
     problem_.thin = thinned(problem_.samples, samples_of_search);
+    short_scale_noise_ = problem_.noise;
+    learn_noise(problem_.baseline_residual);
     baseline_ = fit_explanation(problem_, {});
     problem_.baseline_residual = residual_of(problem_, baseline_);
+  }
+
+  bool learn_noise(const std::vector<double>& residual) {
+    Noise learned = short_scale_noise_;
+    if (!refine_noise(problem_.samples, residual, learned)) return false;
+    problem_.noise = learned;
+    return true;
   }
 
   ModelFit finished(const ModelFit& fit) const { return refitted(problem_, fit, problem_.samples, true, 3); }
@@ -128,10 +142,7 @@ class Diagnoser {
   /// What an explanation leaves, beyond what its laws may be off by.
   ScanResult remaining(const Scanner& scanner, const ModelFit& fit) const {
     const auto residual = residual_of(problem_, fit);
-    std::vector<double> tolerated(residual.size());
-    const double accuracy = accuracy_of(fit);
-    for (std::size_t i = 0; i < residual.size(); ++i) tolerated[i] = accuracy * std::abs(problem_.baseline_residual[i] - residual[i]);
-    return scanner.scan(residual, tolerated);
+    return scanner.scan(residual, law_error(problem_, fit, baseline_));
   }
 
   double excess(const ModelFit& fit) const { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
@@ -157,7 +168,7 @@ class Diagnoser {
       const Candidate* smaller = without.empty() ? &search_.alone : find(without);
       if (!smaller) continue;
       if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another)) return false;
-      const double gained = (smaller->fit.cost - candidate.fit.cost) / search_.overdispersion;
+      const double gained = (smaller->cost - candidate.cost) / search_.overdispersion;
       if (without.empty()) continue;
       const double whole = excess(search_.alone.fit) / search_.overdispersion;
       const bool complete = leaves_noise(scanner, candidate.fit);
@@ -302,7 +313,7 @@ class Diagnoser {
       result_.noise[channel] = {sd[sd.size() / 2], unit_of_channel(channel), problem_.noise.from[t]};
     }
     double correlation = 0;
-    for (const double rho : problem_.noise.correlation) correlation = std::max(correlation, rho);
+    for (const SharedNoise& shared : problem_.noise.shared) correlation = std::max(correlation, shared.neighbours());
     char text[160];
     constexpr double worth_saying = 0.1;
     if (correlation > worth_saying) {
@@ -352,6 +363,7 @@ class Diagnoser {
   const Recording& recording_;
   const DiagnoseOptions& options_;
   FitProblem problem_;
+  Noise short_scale_noise_;  ///< before anything is learned from residuals that are noise
   ModelFit baseline_;
   std::size_t outliers_ = 0;
   SearchResult search_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/one_way.h"
+
 namespace asperity {
 namespace {
 
@@ -97,6 +99,27 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// Lateral paths without the sensor's noise where they go one way.
+void drive_one_way(Samples& samples, const SampleRun& run) {
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    std::vector<double> path;
+    for (; to < run.end && samples.list[to].part == samples.list[from].part; ++to) path.push_back(samples.list[to].lateral_displacement);
+    path = one_way(path, path.back() >= path.front() ? 1 : -1);
+    for (std::size_t i = from; i < to; ++i) samples.list[i].lateral_displacement = path[i - from];
+  }
+}
+
+/// Part of each cycle's path that has passed.
+template <class Driven>
+void follow_cycles(Samples& samples, const SampleRun& run, const Driven& driven) {
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    double path = 0;
+    for (; to < run.end && samples.list[to].cycle == samples.list[from].cycle; ++to)
+      samples.list[to].cycle_part = path += to == run.begin ? 0 : std::abs(driven(samples.list[to]) - driven(samples.list[to - 1]));
+    for (std::size_t i = from; i < to; ++i) samples.list[i].cycle_part /= path > 0 ? path : 1;
+  }
+}
+
 /// Direction, path since reversal, holds, cycles and speed of one run.
 void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed, bool has_cycles, bool has_time,
             bool driven_is_force) {
@@ -104,6 +127,7 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
     return !normal ? s.lateral_displacement : driven_is_force ? s.normal_force : s.normal_displacement;
   };
   Sample* list = samples.list.data();
+  if (!normal) drive_one_way(samples, run);
   double reversal = driven(list[run.begin]), hold_begin = 0;
   int direction = 0, hold = 0;
   double cycle = 0;
@@ -135,6 +159,7 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
     s.hold_time = name == "hold" ? s.time - hold_begin : 0;
     if (!has_cycles) s.cycle = cycle;
   }
+  follow_cycles(samples, run, driven);
   if (has_speed || !has_time || normal) return;
   // Speed from path and time, as a median over neighbours, of one segment.
   constexpr long reach = 3;

@@ -33,6 +33,8 @@ struct EffectDescription {
   bool is_smooth = true;
   /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by as much.
   double accuracy = 0.05;
+  /// The same as a part of the whole response, for laws that part where what they change is still small.
+  double accuracy_of_response = 0;  ///< at most accuracy times the largest change of the run
 };
 
 /// One starting point of a search, a value for each parameter.

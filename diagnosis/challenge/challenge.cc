@@ -32,7 +32,7 @@ std::optional<ChallengeScore> earlier_score(const fs::path& folder, const std::s
 
 ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
   const auto began = std::chrono::steady_clock::now();
-  const ConcealedRecording concealed = conceal(item.options);
+  const ConcealedRecording concealed = conceal(item);
   write_concealed(concealed, folder);
   ChallengeScore score;
   try {

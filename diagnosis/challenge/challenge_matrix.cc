@@ -1,6 +1,7 @@
 #include "diagnosis/challenge/challenge_matrix.h"
 
 #include <cstdio>
+#include <filesystem>
 
 namespace asperity {
 namespace {
@@ -32,6 +33,27 @@ const std::vector<std::pair<Mode, std::vector<std::string>>>& pairs() {
   return list;
 }
 
+/// Cases that the finite-element solver solved, a few kilobytes each (challenge/data), and what they show.
+struct SolvedTruth {
+  const char* name;
+  Mode mode;
+  std::vector<std::string> effects;
+  std::vector<const char*> cases;
+};
+
+const std::vector<SolvedTruth>& solved_truths() {
+  static const std::vector<SolvedTruth> list{
+      {"smooth", Mode::normal, {}, {"smooth"}},
+      {"rough-1", Mode::normal, {"roughness_compliance"}, {"rough_2.7nm_1"}},
+      {"rough-2", Mode::normal, {"roughness_compliance"}, {"rough_2.7nm_2"}},
+      {"rough-3", Mode::normal, {"roughness_compliance"}, {"rough_2.7nm_3"}},
+      {"0.3-J", Mode::normal, {"adhesion"}, {"adhesion_0.3"}},
+      {"0.5-J", Mode::normal, {"adhesion"}, {"adhesion_0.5"}},
+      {"0.2-and-0.8-J", Mode::normal, {"adhesion_hysteresis"}, {"adhesion_hysteresis"}},
+  };
+  return list;
+}
+
 class Matrix {
  public:
   Matrix(bool quick, unsigned seed) : quick_(quick), seed_(seed) {}
@@ -55,6 +77,12 @@ class Matrix {
       for (const char* effect : {"surface_tilt", "lateral_zero_offset"}) add("indistinguishable", Mode::sliding, {effect}, middle_noise, "one_load");
       for (const char* effect : {"thermal_drift", "instrument_compliance"}) add("indistinguishable", Mode::normal, {effect}, middle_noise, "ramp_only");
     }
+    for (const auto& solved : solved_truths())
+      for (const double noise : levels({0.005, middle_noise, 0.02})) {
+        add("finite_elements", solved.mode, solved.effects, noise);
+        items_.back().name += "-" + std::string(solved.name);
+        for (const char* name : solved.cases) items_.back().cases.push_back(std::filesystem::path(ASPERITY_CHALLENGE_DATA) / name);
+      }
     return std::move(items_);
   }
 
@@ -88,5 +116,7 @@ class Matrix {
 }  // namespace
 
 std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed) { return Matrix(quick, seed).items(); }
+
+ConcealedRecording conceal(const ChallengeItem& item) { return item.cases.empty() ? conceal(item.options) : conceal_cases(item.cases, item.options); }
 
 }  // namespace asperity

@@ -11,9 +11,13 @@ namespace asperity {
 
 struct ChallengeItem {
   std::string name;    ///< of its folder
-  std::string family;  ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::string family;  ///< "single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"
   ConcealOptions options;
+  std::vector<std::filesystem::path> cases;  ///< of family "finite_elements": what was solved
 };
+
+/// Conceals what an item asks for.
+ConcealedRecording conceal(const ChallengeItem& item);
 
 /// `quick`: one of most kinds, at the middle level of noise. `seed` is added to those of all recordings.
 std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed = 0);

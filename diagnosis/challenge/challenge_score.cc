@@ -30,7 +30,7 @@ bool ChallengeScore::holds_the_truth() const {
 
 bool ChallengeScore::is_right() const {
   if (!failure.empty()) return false;
-  if (family == "null") return verdict == "no_mismatch";
+  if (truth.empty()) return verdict == "no_mismatch";
   if (family == "outsider") return verdict == "unexplained" || verdict == "partly_explained";
   if (family == "indistinguishable") return verdict == "ambiguous" && holds_the_truth();
   return names_the_truth() && (verdict == "explained" || verdict == "partly_explained");

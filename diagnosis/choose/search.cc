@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/choose/law_error.h"
+
 namespace asperity {
 namespace {
 
@@ -15,17 +17,22 @@ void score(Candidate& candidate, std::size_t admissible, double overdispersion) 
   const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
   const auto effects = static_cast<double>(candidate.fit.explanation->effects().size());
   const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
-  candidate.score = -0.5 * candidate.fit.cost / overdispersion - 0.5 * parameters * std::log(count) -
+  candidate.score = -0.5 * candidate.cost / overdispersion - 0.5 * parameters * std::log(count) -
                     effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
 }
 
 void score_all(SearchResult& result) {
-  double least = result.alone.fit.cost;
-  for (const auto& candidate : result.candidates) least = std::min(least, candidate.fit.cost);
+  double least = result.alone.cost;
+  for (const auto& candidate : result.candidates) least = std::min(least, candidate.cost);
   result.overdispersion = std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
   score(result.alone, result.admissible, result.overdispersion);
   for (auto& candidate : result.candidates) score(candidate, result.admissible, result.overdispersion);
   std::stable_sort(result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+}
+
+double cost_of(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit, const ModelFit& baseline) {
+  const auto residual = FitProblem::residual(problem.samples, fit.simulate(problem.samples));
+  return laws.cost(problem.samples, problem.noise, residual, law_errors(problem, fit, baseline));
 }
 
 /// The best sets of one size.
@@ -42,6 +49,8 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
                             const std::function<void(const std::string&)>& progress) {
   SearchResult result;
   result.alone.fit = baseline;
+  result.alone.cost = baseline.cost;
+  const LawErrors laws(problem.samples);
   Effects admissible;
   for (const auto& effect : effect_catalogue())
     if (effect->acts_in(problem.experiment.mode) && effect->can_show(problem.experiment)) admissible.push_back(effect.get());
@@ -70,7 +79,10 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
       progress("fitting " + std::to_string(sets.size()) + (size == 1 ? " effects" : size == 2 ? " pairs of effects" : " sets of three"));
     std::vector<Candidate> fitted(sets.size());
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t i = 0; i < sets.size(); ++i) fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
+      fitted[i].cost = cost_of(problem, laws, fitted[i].fit, baseline);
+    }
     result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
     score_all(result);
     if (result.candidates.empty()) break;
@@ -81,6 +93,19 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
     if (size >= 2 && is_noise(result.candidates.front().fit)) break;
   }
   return result;
+}
+
+void rescore(SearchResult& result, const FitProblem& problem) {
+  const LawErrors laws(problem.samples);
+  result.alone.fit = refitted(problem, result.alone.fit, problem.samples, false, 0);
+  result.alone.cost = result.alone.fit.cost;
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+    Candidate& candidate = result.candidates[i];
+    candidate.fit = refitted(problem, candidate.fit, problem.samples, false, 0);
+    candidate.cost = cost_of(problem, laws, candidate.fit, result.alone.fit);
+  }
+  score_all(result);
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@ namespace asperity {
 
 struct Candidate {
   ModelFit fit;
+  double cost = 0;   ///< -2 log likelihood, with what the laws may be off by (law_error.h)
   double score = 0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 };
 
@@ -25,5 +26,8 @@ using IsNoise = std::function<bool(const ModelFit&)>;
 
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress);
+
+/// Costs and scores anew, for noise that is known better.
+void rescore(SearchResult& result, const FitProblem& problem);
 
 }  // namespace asperity

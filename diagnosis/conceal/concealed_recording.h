@@ -35,8 +35,9 @@ void write_concealed(const ConcealedRecording& concealed, const std::filesystem:
 std::vector<std::string> concealable_effects(Mode mode);
 std::vector<std::string> outsiders(Mode mode);
 
-/// A solved case's history as a recording of its mode with noise: the finite-element solver as truth. `folder` holds result.json and
-/// history.csv; `effects` say what the case shows. Throws InputError.
+/// A solved case's history as a recording of its mode with noise: the finite-element solver as truth. `folder` holds history.csv and
+/// result.json or case.prm; `effects` say what the case shows. Several cases: a run each, in torsion a load each. Throws InputError.
+ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folders, const ConcealOptions& options);
 ConcealedRecording conceal_case(const std::filesystem::path& folder, const ConcealOptions& options);
 
 }  // namespace asperity

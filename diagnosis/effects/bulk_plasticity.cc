@@ -5,6 +5,7 @@
 //   raises it),  a^2 = R d (w/1.9)^B,  B = 0.14 exp(23 Y/E*).
 // Unloading from w_m (Etsion, Kligerman & Kadin 2005):  f = f_m [(d - d_r)/(d_m - d_r)]^n,  n = 1.5 w_m^(-0.0331),
 //   d_r/d_m = (1 - w_m^(-0.28)) (1 - w_m^(-0.69)).  Reloading follows it back to f_m. For w < 110, a/R < 0.4; no hardening.
+// Against Kogut & Etsion (2002) with the same Y its force is 4 % higher at w = 3, 2 % at 6, 10 % at 30: 3 % of it about a common H/Y.
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
@@ -69,7 +70,7 @@ class BulkPlasticity : public Effect {
         "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
         "Jackson & Green 2005, eqs. (14), (25); Etsion, Kligerman & Kadin 2005, eqs. (12)-(15)",
         "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and an imprint stays.",
-        EffectKind::contact, {Mode::normal}, {}, {"normal_law"}, 1, true, 0.1};
+        EffectKind::contact, {Mode::normal}, {}, {"normal_law"}, 1, true, 0.1, 0.03};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -1,7 +1,6 @@
-// Displacement that grows while the load is held: d = d_contact + A [1 - exp(-t/tau)] in each hold, t since it began; what has
-// grown stays. Under displacement control the force relaxes by it.
-#include <cmath>
-
+// Displacement that grows while the contact is pressed: d = d_contact + q,  tau dq/dt = A d_contact/d_H - q  (a Kelvin element in
+// series), d_H: by Hertz under the largest load. In a hold at that load q goes to A as exp(-t/tau); in the ramps it follows as far as
+// their time allows. Under displacement control the force relaxes by it.
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -11,7 +10,8 @@ class Creep : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "creep", "Creep in holds", "d = d_contact + A [1 - exp(-t_hold/tau)]", "Kelvin & Voigt; Chudoba & Richter 2001, eq. (1)",
+        "creep", "Creep", "d = d_contact + q, tau dq/dt = A d_contact/d_H - q; held at the largest load: q = A [1 - exp(-t/tau)]",
+        "Kelvin & Voigt; Johnson 1985, sec. 6.5; Chudoba & Richter 2001, eq. (1)",
         "The contact goes on giving way while the load is held, quickly at first and then to a limit.",
         EffectKind::contact, {Mode::normal}, {}, {}, 2, true, 0.15};
     return d;
@@ -23,12 +23,7 @@ class Creep : public Effect {
             {"time_constant", "s", "tau", 1e-3 * hold, 30 * hold, true, {0.05 * hold, 0.3 * hold, 2 * hold}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
-    const double amplitude = p[0], tau = p[1];
-    m.normal.shifts.push_back([amplitude, tau, grown = 0.0, in_hold = 0.0, hold = 0](const Sample& s) mutable {
-      if (s.hold != hold) grown += in_hold, in_hold = 0, hold = s.hold;
-      if (s.hold_time > 0) in_hold = amplitude * (1 - std::exp(-s.hold_time / tau));
-      return grown + in_hold;
-    });
+    m.normal.delays.push_back({p[0] / m.experiment.hertz().approach(m.experiment.largest_force), p[1]});
   }
 };
 

@@ -1,4 +1,5 @@
-// Friction that changes from cycle to cycle towards a steady value: mu_n = mu [1 + change exp(-n/cycles)], n = 0, 1, ...
+// Friction that changes from cycle to cycle towards a steady value: mu_n = mu [1 + change exp(-n/cycles)],
+// n: cycles so far, with the part of the present one that has passed.
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
@@ -17,13 +18,13 @@ class RunIn : public Effect {
   }
   bool can_show(const Experiment& e) const override { return e.cycles >= fewest_cycles; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    return {{"change", "", "relative change of mu in the first cycle against the steady value", -0.95, 10, false, {-0.2, 0.2}},
+    return {{"change", "", "relative change of mu at the beginning against the steady value", -0.95, 10, false, {-0.2, 0.2}},
             {"cycles", "", "over which the change fades", 0.1, 10 * e.cycles, true, {0.1 * e.cycles, 0.4 * e.cycles}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double change = p[0], cycles = p[1];
     m.lateral.coefficient_changes.push_back(
-        [change, cycles](double mu, const SlipState& s) { return mu * (1 + change * std::exp(-s.sample->cycle / cycles)); });
+        [change, cycles](double mu, const SlipState& s) { return mu * (1 + change * std::exp(-(s.sample->cycle + s.sample->cycle_part) / cycles)); });
   }
 
  private:

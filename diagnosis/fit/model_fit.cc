@@ -14,11 +14,12 @@ VectorXd to_vector(const std::vector<double>& values) {
 
 /// Residuals of an explanation in the coordinates of its search.
 std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem, const Explanation& explanation, const Samples& samples) {
-  return [&](const VectorXd& x) {
+  const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
+  return [&samples, &explanation, filter](const VectorXd& x) {
     std::vector<double> values(static_cast<std::size_t>(x.size()));
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]);
     const auto simulated = simulate(explanation.mechanics(values), samples);
-    VectorXd white = to_vector(whitened(samples, FitProblem::residual(samples, simulated), problem.noise));
+    VectorXd white = to_vector(filter->whitened(FitProblem::residual(samples, simulated)));
     constexpr double absurd = 1e6;
     for (Eigen::Index i = 0; i < white.size(); ++i)
       if (!std::isfinite(white[i])) white[i] = absurd;
@@ -70,13 +71,7 @@ std::vector<std::vector<double>> starting_points(const FitProblem& problem, cons
     if (near) {
       std::vector<double> known;
       for (std::size_t i = from; i < k; ++i)
-        for (std::size_t j = 0; j < near->explanation->parameters().size(); ++j) {
-          const FreeParameter& other = near->explanation->parameters()[j];
-          const bool same_owner = e < 0 ? other.effect < 0
-                                        : other.effect >= 0 && near->explanation->effects()[static_cast<std::size_t>(other.effect)] ==
-                                                                   explanation.effects()[static_cast<std::size_t>(e)];
-          if (same_owner && other.name == parameters[i].name) known.push_back(near->values[j]);
-        }
+        if (const double* value = near->value_of(parameters[i].name, e < 0 ? nullptr : explanation.effects()[static_cast<std::size_t>(e)])) known.push_back(*value);
       if (known.size() == k - from) options.push_back(known);
     }
     if (options.empty() || jumps) {  // where responses jump, what was found may be a poor place to go on from
@@ -110,6 +105,26 @@ std::vector<double> FitProblem::residual(const Samples& samples, const std::vect
 
 std::vector<double> ModelFit::simulate(const Samples& samples) const {
   return asperity::simulate(explanation->mechanics(values), samples);
+}
+
+ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit& baseline) const {
+  ModelFit fewer;
+  fewer.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
+  for (const FreeParameter& p : fewer.explanation->parameters()) {
+    const Effect* owner = p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
+    const double* value = value_of(p.name, owner);
+    fewer.values.push_back(value ? *value : *baseline.value_of(p.name, owner));
+  }
+  return fewer;
+}
+
+const double* ModelFit::value_of(const std::string& name, const Effect* owner) const {
+  const auto& parameters = explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Effect* own = parameters[k].effect < 0 ? nullptr : explanation->effects()[static_cast<std::size_t>(parameters[k].effect)];
+    if (own == owner && parameters[k].name == name) return &values[k];
+  }
+  return nullptr;
 }
 
 bool ModelFit::is_itself() const {

@@ -32,6 +32,10 @@ struct ModelFit {
   std::vector<std::pair<double, double>> stretch;
 
   std::vector<double> simulate(const Samples& samples) const;
+  /// The same with these of its effects only; parameters that the others replaced are those of `baseline`.
+  ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit& baseline) const;
+  /// Null where it has no such parameter; `owner` null: of the simulation itself.
+  const double* value_of(const std::string& name, const Effect* owner) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
   bool is_itself() const;
   /// 95 % interval of a parameter; `inflation` multiplies the variance.

@@ -8,8 +8,6 @@
 namespace asperity {
 namespace {
 
-/// Noise that is correlated over longer cannot be told from structure without repeats, and is taken for structure.
-constexpr double largest_correlation = 0.8;
 /// Of the square of a unit normal variable: its median, and the mean of its lowest 60 % (0.1288/0.6).
 constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
 
@@ -145,7 +143,7 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
     return sum;
   };
   double best = 0;
-  for (double rho = 0; rho <= largest_correlation; rho += 0.005)
+  for (double rho = 0; rho <= largest_memory; rho += 0.005)
     if (misfit(rho) < misfit(best)) best = rho;
   // The variances scatter by 2/n^(1/2), relative: what does not stand out from that is no correlation.
   const double scatter = 4 / static_cast<double>(std::max<std::size_t>(1, count));
@@ -156,7 +154,7 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual) {
   Noise noise;
   noise.sd.assign(samples.list.size(), 0.0);
-  noise.correlation.assign(samples.runs.size(), 0.0);
+  noise.shared.assign(samples.runs.size(), {});
   for (std::size_t t = 0; t < recording.tables.size(); ++t) {
     const RecordingTable& table = recording.tables[t];
     const bool by_row = table.has(table.response + "_sd");
@@ -193,7 +191,7 @@ Noise estimate_noise(const Recording& recording, const Samples& samples, const s
       if (samples.runs[r].table != t) continue;
       for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
         noise.sd[i] = std::max(floor, by_row && samples.list[i].sd > 0 ? samples.list[i].sd : by_row ? median_given : sd);
-      if (!samples.runs[r].independent_rows && fast.count >= enough) noise.correlation[r] = fast.correlation;
+      if (!samples.runs[r].independent_rows && fast.count >= enough) noise.shared[r] = {1, fast.correlation};
     }
   }
   return noise;
@@ -244,27 +242,36 @@ void mark_beginnings(Samples& samples, const Noise& noise) {
   }
 }
 
-std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
-  std::vector<double> white;
-  white.reserve(samples.list.size());
-  for (std::size_t r = 0; r < samples.runs.size(); ++r) {
-    const SampleRun& run = samples.runs[r];
-    const double rho = run.independent_rows ? 0 : noise.correlation[r];
-    double before = 0;
-    std::size_t last = 0;
-    bool any = false;
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      const Sample& s = samples.list[i];
-      if (!s.counts) continue;
-      const double now = residual[i] / noise.sd[s.index];
-      const double shared = any && rho > 0 ? std::pow(rho, static_cast<double>(s.index - last)) : 0;
-      white.push_back((now - shared * before) / std::sqrt(1 - shared * shared));
-      before = now;
-      last = s.index;
-      any = true;
+bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise) {
+  constexpr double may_be_off = 1.25;  // of an estimate from second differences, if neighbours share a fifth or two of the variance
+  constexpr std::size_t fewest = 100;
+  bool changed = false;
+  for (std::size_t t = 0; t < noise.from.size(); ++t) {
+    if (noise.from[t] == "residuals" || noise.from[t] == "given by row") continue;
+    std::size_t count = 0;
+    bool trace = false;
+    for (const auto& run : samples.runs)
+      if (run.table == t) {
+        trace = !run.independent_rows;
+        for (std::size_t i = run.begin; i < run.end; ++i) count += samples.list[i].counts;
+      }
+    if (!trace || count < fewest) continue;
+    const MeasuredNoise measured = measured_noise(samples, residual, noise.sd, t);
+    if (measured.sd > may_be_off || measured.sd < 1 / may_be_off) continue;
+    changed = true;
+    for (std::size_t r = 0; r < samples.runs.size(); ++r) {
+      const SampleRun& run = samples.runs[r];
+      if (run.table != t) continue;
+      noise.shared[r] = measured.shared;
+      if (noise.from[t] != "high frequencies") continue;
+      for (std::size_t i = run.begin; i < run.end; ++i) noise.sd[samples.list[i].index] *= measured.sd;
     }
   }
-  return white;
+  return changed;
+}
+
+std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+  return NoiseFilter(samples, noise.sd, noise.shared).whitened(residual);
 }
 
 double shared_variance(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/samples.h"
+#include "diagnosis/fit/shared_noise.h"
 
 namespace asperity {
 
 struct Noise {
   std::vector<double> sd;           ///< of each sample
-  std::vector<double> correlation;  ///< rho of neighbouring samples, by run: AR(1), rho^k at a distance of k samples
+  std::vector<SharedNoise> shared;  ///< by run
   std::vector<std::string> from;    ///< by table: "given by row", "given", "repeats", "high frequencies", "residuals"
   bool is_absolute = true;          ///< false where the residuals themselves were taken as noise: no absolute test then
 };
@@ -26,6 +26,10 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
 
 /// From what is given, from repeats, else from the high frequencies of the residuals.
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual);
+
+/// With what the residuals of a fit say of it where they are noise: where what they scatter over neighbours is no more than the estimate may
+/// be off by, deviation and memory by maximum likelihood (the latter alone where the deviation is given). False if nothing changes.
+bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise);
 
 /// Marks samples that lie far off their neighbours (Hampel 1974) as not counting; returns how many.
 std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise);

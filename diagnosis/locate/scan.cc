@@ -38,14 +38,18 @@ void best_runs(const std::vector<double>& excess, std::size_t from, std::size_t 
   best_runs(excess, best.to, to, found, false);
 }
 
-/// AR(1) noise of unit variance in place of every run's residuals.
+/// Noise of unit variance in place of every run's residuals.
 std::vector<double> simulated_noise(const Samples& samples, const Noise& noise, std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<double> values(samples.list.size());
   for (std::size_t r = 0; r < samples.runs.size(); ++r) {
-    const double rho = samples.runs[r].independent_rows ? 0 : noise.correlation[r], fresh = std::sqrt(1 - rho * rho);
-    double last = normal(random);
-    for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i) values[i] = last = i == samples.runs[r].begin ? last : rho * last + fresh * normal(random);
+    const SharedNoise shared = samples.runs[r].independent_rows ? SharedNoise{} : noise.shared[r];
+    const double fresh = std::sqrt(shared.share * (1 - shared.memory * shared.memory)), own = std::sqrt(1 - shared.share);
+    double slow = std::sqrt(shared.share) * normal(random);
+    for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i) {
+      values[i] = slow + own * normal(random);
+      slow = shared.memory * slow + fresh * normal(random);
+    }
   }
   return values;
 }

@@ -1,12 +1,15 @@
 // The mechanical model that a recording is compared with, as parts that effects replace, add in series, or add on top:
 //
-//   normal   d = d_contact + sum of series(f_contact) + sum of shifts(sample),   f_n = f_contact + sum of additions(sample, d)
+//   normal   d = d_contact + sum of series(f_contact) + sum of delayed parts(d_contact) + sum of shifts(sample),
+//              f_n = f_contact + sum of additions(sample, d)
 //   lateral  x = x_contact + C f_l,contact,   |f_l,contact| <= limit,   f_l = f_l,contact + sum of additions(sample)
 //   limit    coefficient x (f_n + offset), each changed by the list of changes
 //
 // Copying it copies the histories: a run of the recording begins with a copy. SI units.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -32,9 +35,27 @@ using CoefficientChange = std::function<double(double coefficient, const SlipSta
 /// Limit of the lateral force [N] -> changed limit.
 using LimitChange = std::function<double(double limit, const SlipState&)>;
 
+/// Gives way later: tau dq/dt = share d_contact - q (Kelvin & Voigt), d_contact straight between samples.
+struct DelayedPart {
+  double share = 0, time_constant = 1;
+  double delayed = 0, last = 0;  ///< q and d_contact at the last sample [m]
+
+  /// q at the end of a step.
+  double after(double displacement, double time_step) const {
+    const double t = time_step / time_constant, now = std::max(0.0, displacement), left = std::exp(-t);
+    const double mean = t > 1e-9 ? (1 - left) / t : 1;  // of the exponential over the step
+    return delayed * left + share * (now * (1 - mean) + last * (mean - left));
+  }
+  void accept(double displacement, double time_step) {
+    delayed = after(displacement, time_step);
+    last = std::max(0.0, displacement);
+  }
+};
+
 struct NormalMechanics {
   std::shared_ptr<const NormalContact> contact;                        ///< without history; cloned for a run
   std::vector<std::function<double(double force)>> series;             ///< displacement [m] of what lies in series
+  std::vector<DelayedPart> delays;                                     ///< displacement [m] that follows the contact's
   std::vector<std::function<double(const Sample&)>> shifts;            ///< displacement [m]; may keep a history
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
 };

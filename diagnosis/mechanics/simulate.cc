@@ -21,37 +21,55 @@ class NormalRun {
   void forget() { contact_ = mechanics_.contact->clone(); }
 
   double force_at(const Sample& sample) {
+    begin_step(sample);
     const double shifted = sample.normal_displacement - shift(sample);
-    const double d = mechanics_.series.empty() ? shifted : contact_displacement(shifted);
-    contact_->accept(d);
+    const double d = mechanics_.series.empty() && mechanics_.delays.empty() ? shifted : contact_displacement(shifted);
+    accept(d);
     return contact_->force(d) + addition(sample, sample.normal_displacement);
   }
 
   double displacement_at(const Sample& sample) {
+    begin_step(sample);
     const double shifted = shift(sample);
     if (mechanics_.additions.empty()) {
       const double d = contact_->displacement(sample.normal_force);
       if (std::isfinite(d)) {
         step_ = d - last_;
         last_ = d;
-        contact_->accept(d);
-        return d + series(sample.normal_force) + shifted;
+        const double whole = d + series(sample.normal_force) + delayed(d) + shifted;
+        accept(d);
+        return whole;
       }
     }
-    const auto whole = [&](double d) { return d + series(contact_->force(d)) + shifted; };
+    const auto whole = [&](double d) { return d + series(contact_->force(d)) + delayed(d) + shifted; };
     const auto excess = [&](double d) { return contact_->force(d) + addition(sample, whole(d)) - sample.normal_force; };
     // As far again as the last step went.
     const double d = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)), displacement_tolerance);
     step_ = d - last_;
     last_ = d;
-    contact_->accept(d);
-    return whole(d);
+    const double displacement = whole(d);
+    accept(d);
+    return displacement;
   }
 
  private:
   static constexpr double displacement_tolerance = 1e-14;  // [m], far below what any instrument resolves
   static constexpr double smallest_step = 1e-12;           // [m], in which a root is looked for
 
+  void begin_step(const Sample& sample) {
+    time_step_ = begun_ ? std::max(0.0, sample.time - time_) : 0;
+    time_ = sample.time;
+    begun_ = true;
+  }
+  void accept(double d) {
+    contact_->accept(d);
+    for (auto& part : mechanics_.delays) part.accept(d, time_step_);
+  }
+  double delayed(double d) const {
+    double sum = 0;
+    for (const auto& part : mechanics_.delays) sum += part.after(d, time_step_);
+    return sum;
+  }
   double shift(const Sample& sample) {
     double sum = 0;
     for (auto& part : mechanics_.shifts) sum += part(sample);
@@ -67,10 +85,10 @@ class NormalRun {
     for (const auto& part : mechanics_.additions) sum += part(sample, displacement);
     return sum;
   }
-  /// Solves d + series(f(d)) = given for the contact's own displacement d.
+  /// Solves d + series(f(d)) + delayed(d) = given for the contact's own displacement d.
   double contact_displacement(double given) {
-    if (given <= contact_->release()) return given;
-    const auto excess = [&](double d) { return d + series(contact_->force(d)) - given; };
+    if (given - delayed(0) <= contact_->release()) return last_given_ = given, last_ = given - delayed(0);
+    const auto excess = [&](double d) { return d + series(contact_->force(d)) + delayed(d) - given; };
     const double step = given - last_given_;
     last_given_ = given;
     last_ = increasing_root(excess, std::min(last_ + step, given), std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
@@ -79,7 +97,8 @@ class NormalRun {
 
   NormalMechanics mechanics_;
   std::unique_ptr<NormalContact> contact_;
-  double last_ = 0, last_given_ = 0, step_ = 0;
+  double last_ = 0, last_given_ = 0, step_ = 0, time_ = 0, time_step_ = 0;
+  bool begun_ = false;
 };
 
 // ---- lateral ---------------------------------------------------------------------------------------------------------

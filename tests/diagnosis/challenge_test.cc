@@ -33,12 +33,25 @@ TEST(Challenge, has_every_effect_at_three_levels_of_noise_and_all_families) {
       EXPECT_EQ(noise[name_of(mode) + "/" + effect].size(), 3u) << effect;
     }
   EXPECT_EQ(noise.size(), concealed);
-  for (const char* family : {"single", "pair", "null", "outsider", "decoy", "indistinguishable"}) EXPECT_GT(families[family], 5) << family;
+  for (const char* family : {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"}) EXPECT_GT(families[family], 5) << family;
   EXPECT_LT(challenge_matrix(true).size(), challenge_matrix(false).size() / 2);
 }
 
 TEST(Challenge, all_its_recordings_can_be_made) {
-  for (const auto& item : challenge_matrix(true)) EXPECT_NO_THROW(conceal(item.options)) << item.name;
+  for (const auto& item : challenge_matrix(true)) EXPECT_NO_THROW(conceal(item)) << item.name;
+}
+
+TEST(Challenge, histories_of_finite_elements_are_the_truth_of_their_own_family) {
+  for (const auto& item : challenge_matrix(true)) {
+    if (item.family != "finite_elements") continue;
+    const ConcealedRecording concealed = conceal(item);
+    ASSERT_EQ(concealed.truth.effects.size(), item.options.effects.size()) << item.name;
+    EXPECT_GE(concealed.recording.tables[0].rows(), 20u) << item.name;
+    for (const auto& effect : concealed.truth.effects) {
+      EXPECT_EQ(effect.model, "finite elements");
+      for (const auto& [name, parameter] : effect.parameters) EXPECT_GT(parameter.value, 0) << item.name << " " << name;
+    }
+  }
 }
 
 ChallengeScore scored(const std::string& family, const std::vector<std::string>& truth, const std::string& verdict, const std::vector<std::string>& named) {
@@ -59,6 +72,8 @@ TEST(Challenge, an_answer_that_lists_more_or_less_than_the_truth_is_wrong) {
 TEST(Challenge, nulls_outsiders_and_look_alikes_have_right_answers_of_their_own) {
   EXPECT_TRUE(scored("null", {}, "no_mismatch", {}).is_right());
   EXPECT_FALSE(scored("null", {}, "unexplained", {}).is_right());
+  EXPECT_TRUE(scored("finite_elements", {}, "no_mismatch", {}).is_right());
+  EXPECT_FALSE(scored("finite_elements", {}, "explained", {"a"}).is_right());
   EXPECT_TRUE(scored("outsider", {"pop_in"}, "unexplained", {}).is_right());
   EXPECT_FALSE(scored("outsider", {"pop_in"}, "explained", {"a"}).is_right());
   ChallengeScore alike = scored("indistinguishable", {"a"}, "ambiguous", {"b"});

@@ -69,7 +69,7 @@ TEST(Noise_analytic, whitening_makes_independent_samples_of_unit_variance) {
   std::mt19937 random(2);
   Noise noise;
   noise.sd.assign(samples.list.size(), 0.5);
-  noise.correlation = {0.6};
+  noise.shared = {{1, 0.6}};
   const auto white = whitened(samples, ar1(samples.list.size(), 0.5, 0.6, random), noise);
   double square = 0, product = 0;
   for (std::size_t i = 1; i < white.size(); ++i) square += white[i] * white[i], product += white[i] * white[i - 1];
@@ -87,7 +87,7 @@ struct ScanCase {
     samples.table_names = {"t.csv"};
     samples.response_channels = {"normal_force"};
     noise.sd.assign(1200, 1.0);
-    noise.correlation = {0.3};
+    noise.shared = {{1, 0.3}};
   }
 };
 
@@ -190,7 +190,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
   const auto noise = ar1(response.size(), 0.01 * largest, 0, random);
   for (std::size_t i = 0; i < response.size(); ++i) samples.list[i].response = response[i] + noise[i];
   problem.noise.sd.assign(response.size(), 0.01 * largest);
-  problem.noise.correlation.assign(samples.runs.size(), 0.0);
+  problem.noise.shared.assign(samples.runs.size(), {});
   problem.thin = samples;
   const ModelFit alone = fit_explanation(problem, {});
   problem.baseline_residual = FitProblem::residual(samples, alone.simulate(samples));

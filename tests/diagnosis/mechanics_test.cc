@@ -65,18 +65,43 @@ TEST(Mechanics_analytic, drift_and_offset_shift_the_displacement) {
   EXPECT_NEAR(f[30], e.hertz().force(30 * nm - 4 * nm - 30 * 0.1 * nm), 1e-12);
 }
 
-TEST(Mechanics_analytic, creep_reaches_63_per_cent_after_its_time_constant_and_stays) {
+TEST(Mechanics_analytic, creep_under_a_held_load_reaches_63_per_cent_after_its_time_constant) {
   const Experiment e = experiment(Mode::normal);
-  Samples path = approach_and_back(0, 40 * nm, 3);
-  path.list[1].normal_displacement = path.list[2].normal_displacement = 40 * nm;
-  path.list[1].hold = path.list[2].hold = 1;
-  path.list[1].hold_time = 7;
-  path.list[3].hold = path.list[4].hold = 1;
-  path.list[3].normal_displacement = 30 * nm;
-  const auto f = simulate(with(e, {{"creep", {2 * nm, 7.0}}}), path);
-  const double grown = 2 * nm * (1 - std::exp(-1));
-  EXPECT_NEAR(f[1], e.hertz().force(40 * nm - grown), 1e-12);
-  EXPECT_NEAR(f[3], e.hertz().force(30 * nm - grown), 1e-12);
+  Samples path = approach_and_back(0, 40 * nm, 2);
+  for (std::size_t i = 0; i < path.list.size(); ++i) path.list[i].normal_force = e.largest_force, path.list[i].time = 7.0 * static_cast<double>(i);
+  path.runs[0].response_is_displacement = true;
+  const auto d = simulate(with(e, {{"creep", {2 * nm, 7.0}}}), path);
+  EXPECT_NEAR(d[0], e.largest_displacement, 1e-13);
+  // The load came at once, before the first sample; from then on it is held.
+  EXPECT_NEAR(d[1] - d[0], 2 * nm * (1 - std::exp(-1)), 1e-3 * nm);
+  EXPECT_NEAR(d[3] - d[0], 2 * nm * (1 - std::exp(-3)), 1e-3 * nm);
+}
+
+TEST(Mechanics_analytic, creep_follows_a_ramp_late_by_its_time_constant) {
+  const Experiment e = experiment(Mode::normal);
+  Samples path = approach_and_back(0, 1, 101);
+  const double tau = 9, duration = 100;  // a sample a second
+  path.list.resize(101);
+  path.runs[0].end = 101;
+  path.runs[0].response_is_displacement = true;
+  // The contact's own displacement grows evenly.
+  for (auto& s : path.list) s.normal_force = e.hertz().force(e.largest_displacement * s.time / duration);
+  const auto d = simulate(with(e, {{"creep", {2 * nm, tau}}}), path);
+  for (const std::size_t i : {20u, 60u, 100u}) {
+    const double t = static_cast<double>(i), late = 2 * nm / duration * (t - tau * (1 - std::exp(-t / tau)));
+    EXPECT_NEAR(d[i], e.largest_displacement * t / duration + late, 1e-3 * nm);
+  }
+}
+
+TEST(Mechanics_analytic, creep_driven_by_displacement_gives_the_force_that_drives_it_there) {
+  const Experiment e = experiment(Mode::normal);
+  Samples path = approach_and_back(0, 40 * nm, 30);
+  const auto force = simulate(with(e, {{"creep", {5 * nm, 12}}}), path);
+  Samples back = path;
+  back.runs[0].response_is_displacement = true;
+  for (std::size_t i = 0; i < back.list.size(); ++i) back.list[i].normal_force = force[i];
+  const auto displacement = simulate(with(e, {{"creep", {5 * nm, 12}}}), back);
+  for (std::size_t i = 1; i < 50; ++i) EXPECT_NEAR(displacement[i], path.list[i].normal_displacement, 1e-3 * nm) << i;
 }
 
 TEST(Mechanics_analytic, a_radius_ratio_of_four_doubles_the_force) {

@@ -1,0 +1,186 @@
+#include "diagnosis/choose/law_error.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+namespace asperity {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Cosines along one coordinate, and the one whose weight is half of the first's: errors of laws vary over a quarter of the way.
+constexpr int most_cosines = 12;
+constexpr double half_weight = 4;
+
+/// Place of each value between the least and the largest; empty where it does not vary.
+std::vector<double> relative(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double from = *low, range = *high - *low;
+  if (!(range > 0)) return {};
+  std::vector<double> places;
+  for (const double value : values) places.push_back((value - from) / range);
+  return places;
+}
+
+/// sqrt(w_k) phi_k: the constant, then cosines along each coordinate; a row for each sample.
+MatrixXd shapes_along(const std::vector<std::vector<double>>& coordinates, std::size_t count) {
+  MatrixXd shapes = MatrixXd::Ones(static_cast<Eigen::Index>(count), 1 + most_cosines * static_cast<Eigen::Index>(coordinates.size()));
+  double weights = 1;
+  for (std::size_t c = 0; c < coordinates.size(); ++c)
+    for (int k = 1; k <= most_cosines; ++k) {
+      const double weight = 1 / (1 + std::pow(k / half_weight, 2));
+      weights += weight;
+      for (std::size_t i = 0; i < count; ++i)
+        shapes(static_cast<Eigen::Index>(i), most_cosines * static_cast<Eigen::Index>(c) + k) =
+            std::sqrt(2 * weight) * std::cos(boost::math::double_constants::pi * k * coordinates[c][i]);
+    }
+  return shapes / std::sqrt(weights);
+}
+
+/// Largest within a twentieth of each part to either side: errors of a law do not vanish where its contribution changes sign.
+LawError largest_nearby(const Samples& samples, const LawError& error) {
+  constexpr double reach_of_part = 0.05;
+  LawError largest = error;
+  for (const auto& run : samples.runs) {
+    if (run.independent_rows) continue;
+    for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+      while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
+      const auto reach = static_cast<std::size_t>(std::ceil(reach_of_part * static_cast<double>(to - from)));
+      for (std::size_t i = from; i < to; ++i)
+        largest[i] = *std::max_element(error.begin() + static_cast<long>(std::max(from + reach, i) - reach),
+                                       error.begin() + static_cast<long>(std::min(to, i + reach + 1)));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+LawErrors::LawErrors(const Samples& samples) {
+  std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> members;
+  for (std::size_t r = 0; r < samples.runs.size(); ++r)
+    for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
+      if (samples.list[i].counts)
+        members[samples.runs[r].independent_rows ? std::pair<std::size_t, int>{samples.runs[r].table, -1} : std::pair{r, samples.list[i].segment}].push_back(i);
+  for (auto& [key, list] : members) {
+    std::vector<std::vector<double>> coordinates;
+    const auto add = [&](const std::function<double(const Sample&)>& value) {
+      std::vector<double> values;
+      for (const std::size_t i : list) values.push_back(value(samples.list[i]));
+      values = relative(values);
+      if (!values.empty()) coordinates.push_back(std::move(values));
+    };
+    if (key.second < 0) {
+      for (const auto& value : {&Sample::normal_force, &Sample::normal_displacement, &Sample::speed, &Sample::rms_roughness, &Sample::rail_angle, &Sample::radius})
+        add([value](const Sample& s) { return s.*value; });
+    } else {
+      // Along the segment, and along one cycle of it where there are several.
+      add([](const Sample& s) { return static_cast<double>(s.index); });
+      std::map<int, std::pair<std::size_t, std::size_t>> parts;
+      for (const std::size_t i : list) {
+        auto& part = parts.try_emplace(samples.list[i].part, i, i).first->second;
+        part.second = i;
+      }
+      if (parts.size() > 1)
+        add([&](const Sample& s) {
+          const auto& [from, to] = parts.at(s.part);
+          return to > from ? static_cast<double>(s.index - from) / static_cast<double>(to - from) : 0.0;
+        });
+    }
+    MatrixXd shapes = shapes_along(coordinates, list.size());
+    groups_.push_back({std::move(list), std::move(shapes)});
+  }
+}
+
+double LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual, const std::vector<LawError>& errors) const {
+  const NoiseFilter filter(samples, noise.sd, noise.shared);
+  const std::vector<double> white = filter.whitened(residual);
+  VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
+  double own = 0;
+  for (const Group& group : groups_) {
+    const auto rows = static_cast<Eigen::Index>(group.samples.size()), columns = group.shapes.cols();
+    const auto count = static_cast<Eigen::Index>(errors.size());
+    if (count == 0) break;
+    MatrixXd B(rows, columns * count);
+    for (Eigen::Index e = 0; e < count; ++e)
+      for (Eigen::Index row = 0; row < rows; ++row)
+        B.row(row).segment(e * columns, columns) = errors[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] * group.shapes.row(row);
+    filter.whiten(group.samples, B);
+    VectorXd part(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) part[row] = r[filter.place(group.samples[static_cast<std::size_t>(row)])];
+    // Coefficients of least cost, by reweighting.
+    VectorXd m = VectorXd::Zero(B.cols()), left = part;
+    MatrixXd H;
+    constexpr int rounds = 6;
+    for (int round = 0; round < rounds; ++round) {
+      VectorXd weight = VectorXd::Ones(rows);
+      for (Eigen::Index row = 0; row < rows; ++row)
+        if (std::abs(left[row]) > huber_bend) weight[row] = huber_bend / std::abs(left[row]);
+      const MatrixXd W = weight.asDiagonal() * B;
+      H = MatrixXd::Identity(B.cols(), B.cols());
+      H.noalias() += B.transpose() * W;
+      m = H.llt().solve(W.transpose() * part);
+      left = part - B * m;
+    }
+    const MatrixXd L = H.llt().matrixL();
+    own += 2 * L.diagonal().array().log().sum() + m.squaredNorm();
+    for (Eigen::Index row = 0; row < rows; ++row) r[filter.place(group.samples[static_cast<std::size_t>(row)])] = left[row];
+  }
+  double sum = own;
+  for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
+std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+  const Samples& samples = problem.samples;
+  std::vector<LawError> errors;
+  const auto& effects = fit.explanation->effects();
+  const auto with = fit.simulate(samples);
+  // What all change together bounds what one does: effects that undo each other lend each other no room.
+  LawError changed(with.size());
+  for (std::size_t i = 0; i < with.size(); ++i) changed[i] = samples.list[i].counts ? std::abs(samples.list[i].response - problem.baseline_residual[i] - with[i]) : 0.0;
+  changed = largest_nearby(samples, changed);
+  const double largest = *std::max_element(changed.begin(), changed.end());
+  for (const Effect* left_out : effects) {
+    std::vector<const Effect*> others;
+    for (const Effect* effect : effects)
+      if (effect != left_out) others.push_back(effect);
+    const ModelFit fewer = fit.only(problem, others, baseline);
+    const auto without = fewer.simulate(samples);
+    // What a coefficient that is calibrated anyway would take over is no contribution.
+    double both = 0, own = 0;
+    for (std::size_t i = 0; i < with.size(); ++i)
+      if (samples.list[i].counts) both += with[i] * without[i], own += without[i] * without[i];
+    const bool calibrated = !fewer.values.empty() && fewer.explanation->parameters().front().effect < 0;
+    const double scale = calibrated && own > 0 ? both / own : 1;
+    LawError error(with.size());
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] = std::abs(with[i] - scale * without[i]);
+    error = largest_nearby(samples, error);
+    const EffectDescription& law = left_out->description();
+    for (std::size_t i = 0; i < error.size(); ++i)
+      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]), std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
+
+LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+  LawError all(problem.samples.list.size(), 0.0);
+  for (const LawError& error : law_errors(problem, fit, baseline))
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::hypot(all[i], error[i]);
+  return all;
+}
+
+double accuracy_of(const ModelFit& fit) {
+  double accuracy = 0;
+  for (const Effect* effect : fit.explanation->effects()) accuracy = std::max(accuracy, effect->description().accuracy);
+  return accuracy;
+}
+
+}  // namespace asperity

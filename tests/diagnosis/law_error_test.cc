@@ -1,0 +1,61 @@
+// Evidence with what the laws may be off by.
+#include "diagnosis/choose/law_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+struct Made {
+  Samples samples = test::approach_and_back(0, 1e-8, 200);
+  Noise noise;
+  std::vector<double> white, error;
+  Made() {
+    for (std::size_t i = 0; i < 400; ++i) samples.list[i].segment = i < 200 ? 0 : 1, samples.list[i].part = i < 200 ? 0 : 1;
+    samples.segment_names = {"load", "unload"};
+    noise.sd.assign(400, 1.0);
+    noise.shared = {{}};
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    for (std::size_t i = 0; i < 400; ++i) white.push_back(normal(random)), error.push_back(5);  // a law off by five deviations
+  }
+  double cost(const std::vector<double>& residual, const std::vector<LawError>& errors) const {
+    return LawErrors(samples).cost(samples, noise, residual, errors);
+  }
+};
+
+TEST(LawError_analytic, without_any_the_cost_is_that_of_the_residuals) {
+  const Made m;
+  double sum = 0;
+  for (const double r : m.white) sum += huber_cost(r);
+  EXPECT_NEAR(m.cost(m.white, {}), sum, 1e-9);
+  EXPECT_NEAR(m.cost(m.white, {LawError(400, 0.0)}), sum, 1e-9);
+}
+
+TEST(LawError, room_that_is_not_needed_costs_evidence) {
+  const Made m;
+  EXPECT_GT(m.cost(m.white, {m.error}), m.cost(m.white, {}) + 10);
+}
+
+TEST(LawError, takes_up_what_varies_slowly_within_it_and_no_more) {
+  const Made m;
+  auto slow = m.white, fast = m.white, far = m.white;
+  for (std::size_t i = 0; i < 400; ++i) {
+    slow[i] += 5 * std::sin(static_cast<double>(i) / 60);
+    fast[i] += 5 * std::sin(static_cast<double>(i) * 1.3);
+    far[i] += 100 * std::sin(static_cast<double>(i) / 60);
+  }
+  const double noise = m.cost(m.white, {m.error});
+  EXPECT_LT(m.cost(slow, {m.error}), noise + 60);
+  EXPECT_GT(m.cost(slow, {}), noise + 2000);
+  EXPECT_GT(m.cost(fast, {m.error}), noise + 2000);
+  EXPECT_GT(m.cost(far, {m.error}), noise + 500);
+}
+
+}  // namespace
+}  // namespace asperity
