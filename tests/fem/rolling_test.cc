@@ -96,7 +96,7 @@ double reference_value(const std::filesystem::path& path, const std::string& id)
   throw std::runtime_error("no " + id + " in " + path.string());
 }
 
-TEST(Rolling_other_code, longitudinal_creep_meets_Kalkers_C11) {
+TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
   const double c11 = kalker(path, "C11_own");
   const auto r = steady_reaction(rolling_contact(friction_along), {small_along, 0, 0}, {c11 * small_along, 0, 0});
@@ -121,7 +121,7 @@ TEST(Rolling_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
   EXPECT_NEAR(r.torsion / small, c33, 0.05 * c33);
 }
 
-TEST(Rolling_other_code, creep_force_with_partial_slip) {
+TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
   // At G a^2 xi / (mu P) = 0.2 and nu = 0.17, Q / (mu P) = 0.6013 (boundary elements, extrapolated).
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling.csv");
   const double expected = reference_value(path, "R-creep-longitudinal-0.17-0.2");
