@@ -111,25 +111,15 @@ json judge(const std::vector<Size>& sizes) {
   return {{"newton_per_step", newton}, {"cg_per_newton", linear}, {"cg_per_step", both}, {"asked", asked_growth}};
 }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    parts.push_back(list.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string file = ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm", spacings = "20 nm,10 nm,5 nm", output = "output/rough_contact";
-  std::vector<std::string> overrides;
+  std::string file = ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm", output = "output/rough_contact";
+  std::vector<std::string> spacings{"20 nm", "10 nm", "5 nm"}, overrides;
   int threads = std::min(2, omp_get_num_procs());
   CLI::App app{"Times rough normal contact of two yielding bodies at a growing number of unknowns"};
   app.add_option("CASE.prm", file, "Case file")->capture_default_str();
-  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")->capture_default_str();
+  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")->delimiter(',')->capture_default_str();
   app.add_option("--threads", threads, "Threads of each solution")->capture_default_str();
   app.add_option("--output", output, "Folder of the results; rough_contact.json goes there")->capture_default_str();
   app.add_option("--set", overrides, "\"Section/Entry=value\": replaces an entry of the case file")->expected(1)->take_all();
@@ -138,7 +128,7 @@ int main(int argc, char** argv) {
     fs::create_directories(output);
     std::vector<Size> sizes;
     json report{{"machine", asperity::machine_state()}, {"case", file}, {"set", overrides}, {"threads", threads}};
-    for (const auto& spacing : split(spacings)) {
+    for (const auto& spacing : spacings) {
       auto settings = overrides;
       settings.push_back("Mesh/Interface spacing=" + spacing);
       const asperity::CaseInput input = asperity::read_case(file, settings);

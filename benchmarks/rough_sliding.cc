@@ -88,25 +88,15 @@ void print(const std::vector<Path>& paths) {
               last.wall_time <= asked_seconds ? "met" : "NOT MET");
 }
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    parts.push_back(list.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string file = ASPERITY_SOURCE_DIR "/benchmarks/rough_sliding.prm", spacings = "20 nm,10 nm", output = "output/rough_sliding";
-  std::vector<std::string> overrides;
+  std::string file = ASPERITY_SOURCE_DIR "/benchmarks/rough_sliding.prm", output = "output/rough_sliding";
+  std::vector<std::string> spacings{"20 nm", "10 nm"}, overrides;
   int threads = std::min(2, omp_get_num_procs());
   CLI::App app{"Times a rough yielding contact in motion"};
   app.add_option("CASE.prm", file, "Case file")->capture_default_str();
-  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")->capture_default_str();
+  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")->delimiter(',')->capture_default_str();
   app.add_option("--threads", threads, "Threads of each solution")->capture_default_str();
   app.add_option("--output", output, "Folder of the results; rough_sliding.json goes there")->capture_default_str();
   app.add_option("--set", overrides, "\"Section/Entry=value\": replaces an entry of the case file")->expected(1)->take_all();
@@ -115,7 +105,7 @@ int main(int argc, char** argv) {
     fs::create_directories(output);
     std::vector<Path> paths;
     json report{{"machine", asperity::machine_state()}, {"case", file}, {"set", overrides}, {"threads", threads}};
-    for (const auto& spacing : split(spacings)) {
+    for (const auto& spacing : spacings) {
       auto settings = overrides;
       settings.push_back("Mesh/Interface spacing=" + spacing);
       const fs::path folder = fs::path(output) / (std::to_string(std::lround(asperity::parse_quantity(spacing, asperity::Dimension::length) * 1e12)) + "pm");

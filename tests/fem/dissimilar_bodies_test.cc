@@ -37,7 +37,7 @@ void expect_spence(const Spence& expected) {
   fem::ContactResultants r;
   constexpr int steps = 10;
   for (int k = 2; k <= steps; ++k) r = c.step({}, o.load * std::pow(k / static_cast<double>(steps), 1.5));
-  // Fitted over the middle, where one node's place in the lattice does not matter: p0 (1 - r^2 / a^2)^(1/2) is flat there.
+  // The largest: p0 (1 - r^2 / a^2)^(1/2) is flat in the middle, where one node's place in the lattice does not matter.
   double peak = 0;
   int misplaced = 0;
   const double contact = expected.radius * a, stick = expected.stick_radius * contact;
@@ -62,7 +62,12 @@ void expect_spence(const Spence& expected) {
 
 TEST(DissimilarBodies_other_code, friction_raises_the_peak_pressure_and_leaves_a_core_that_sticks) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_spence.csv");
-  for (const double stick : {0.5, 0.8}) expect_spence(reference(path, "borosilicate/diamond", stick));
+  expect_spence(reference(path, "borosilicate/diamond", 0.5));
+}
+
+TEST(DissimilarBodiesNightly_other_code, with_more_friction_a_larger_core_sticks) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_spence.csv");
+  expect_spence(reference(path, "borosilicate/diamond", 0.8));
 }
 
 TEST(DissimilarBodies_analytic, without_friction_Hertz_holds) { expect_spence({0, 1, 1, 1, 1}); }

@@ -51,11 +51,11 @@ fem::ContactResultants roll_steadily(FrictionalContact& c, double creep, double 
   return r;
 }
 
-FrictionalContactOptions elliptic(double ratio, double creep_for_mu, double poisson, double force_over_g_ab) {
+FrictionalContactOptions elliptic(double ratio, double friction, double poisson, double force_over_g_ab) {
   FrictionalContactOptions o;
   o.poisson[0] = o.poisson[1] = poisson;
   o.semi_axis_across = ratio;
-  o.friction = creep_for_mu;
+  o.friction = friction;
   o.cells_per_radius = 8;
   // The load at which P / (G a b) is that of the other code, hence a/R too: a^3 is proportional to the load.
   const double G = o.youngs[0] / (2 * (1 + poisson)), E = o.youngs[0] / (2 * (1 - poisson * poisson));

@@ -112,7 +112,7 @@ TEST(Rolling_other_code, lateral_creep_meets_Kalkers_C22) {
   EXPECT_NEAR(r.y / small, c22, 0.05 * c22);
 }
 
-TEST(Rolling_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
+TEST(RollingNightly_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
   const double c23 = kalker(path, "C23_own"), c33 = kalker(path, "C33_own");
   const auto r = steady_reaction(rolling_contact(friction_spin), {0, 0, small}, {0, c23 * small, c33 * small});

@@ -140,7 +140,7 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
   input.experiment.type = ExperimentInput::Type::rolling;
   input.experiment.distance = 200e-9;
   input.experiment.motion_steps = 5;
-  input.experiment.load_steps = 8;  // of which the work is integrated by trapezia
+  input.experiment.load_steps = 8;
   input.experiment.reverse = false;
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
