@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/median.h"
 #include "diagnosis/one_way.h"
 
 namespace asperity {
@@ -91,12 +92,6 @@ std::vector<std::string> inferred_segments(const std::vector<double>& path, bool
     }
   }
   return names;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 /// Lateral paths without the sensor's noise where they go one way.
@@ -249,65 +244,6 @@ Samples samples_of(const Recording& recording) {
     for (std::size_t i = run.begin; i < run.end; ++i) samples.list[i].cycle -= first;
   }
   return samples;
-}
-
-Experiment experiment_of(const Recording& recording, const Samples& samples) {
-  Experiment e;
-  e.mode = recording.mode;
-  e.particle = {recording.particle.youngs_modulus, recording.particle.poissons_ratio};
-  e.substrate = {recording.substrate.youngs_modulus, recording.substrate.poissons_ratio};
-  e.indenter = recording.indenter ? ElasticBody{recording.indenter->youngs_modulus, recording.indenter->poissons_ratio} : e.substrate;
-  e.radius = recording.particle.radius;
-  for (const double yield : {recording.particle.yield_stress, recording.substrate.yield_stress})
-    if (yield > 0) e.yield_hint = e.yield_hint > 0 ? std::min(e.yield_hint, yield) : yield;
-  std::vector<double> forces, speeds;
-  e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
-  bool forward = false, backward = false;
-  double deepest = 0, shallowest = 0;
-  for (const auto& run : samples.runs) {
-    (run.independent_rows ? e.has_series : e.has_trace) = true;
-    e.has_time = e.has_time || recording.tables[run.table].has("time");
-    double left = std::numeric_limits<double>::infinity(), right = -left;
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      const Sample& s = samples.list[i];
-      const double force = recording.mode == Mode::normal && !run.response_is_displacement ? s.response : s.normal_force;
-      forces.push_back(force);
-      if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
-      deepest = std::max(deepest, recording.mode == Mode::normal && run.response_is_displacement ? s.response : s.normal_displacement);
-      shallowest = std::min(shallowest, s.normal_displacement);
-      if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
-      left = std::min(left, s.lateral_displacement);
-      right = std::max(right, s.lateral_displacement);
-      e.hold_duration = std::max(e.hold_duration, s.hold_time);
-      if (s.speed > 0) speeds.push_back(s.speed);
-      e.cycles = std::max(e.cycles, s.cycle + 1);
-      e.smoothest = std::min(e.smoothest, s.rms_roughness);
-      e.roughest = std::max(e.roughest, s.rms_roughness);
-      e.smallest_radius = std::min(e.smallest_radius, s.radius);
-      e.largest_radius = std::max(e.largest_radius, s.radius);
-      (s.direction > 0 ? forward : backward) = true;
-    }
-    e.stroke = std::max(e.stroke, right - left);
-    e.duration = std::max(e.duration, samples.list[run.end - 1].time - samples.list[run.begin].time);
-  }
-  e.largest_force = *std::max_element(forces.begin(), forces.end());
-  std::vector<double> sizes;
-  for (const double f : forces) sizes.push_back(std::abs(f));
-  e.typical_force = median(sizes);
-  if (e.typical_force <= 0) e.typical_force = e.largest_force;
-  e.largest_displacement = recording.mode == Mode::normal && deepest > 0 ? deepest : e.hertz().approach(std::max(e.largest_force, 0.0));
-  e.has_both_directions = forward && backward;
-  e.has_unloading = recording.mode == Mode::normal && backward;
-  e.has_off_contact = recording.mode == Mode::normal && shallowest < 0;
-  if (!speeds.empty()) {
-    constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
-    std::sort(speeds.begin(), speeds.end());
-    const auto count = static_cast<double>(speeds.size() - 1);
-    e.slowest = speeds[static_cast<std::size_t>(std::lround(outermost * count))];
-    e.fastest = speeds[static_cast<std::size_t>(std::lround((1 - outermost) * count))];
-  }
-  if (!std::isfinite(e.smallest_force)) e.smallest_force = e.typical_force;
-  return e;
 }
 
 Samples thinned(const Samples& all, std::size_t most) {

@@ -37,6 +37,12 @@ struct EffectDescription {
   double accuracy_of_response = 0;  ///< at most accuracy times the largest change of the run
 };
 
+/// With fewer different values of a variable, an effect's parameters pass through whatever was recorded, and nothing tests its law.
+struct NeededValues {
+  std::string channel;
+  int count = 0;
+};
+
 /// One starting point of a search, a value for each parameter.
 using EffectStart = std::vector<double>;
 
@@ -47,6 +53,8 @@ class Effect {
   virtual std::vector<EffectParameter> parameters(const Experiment& experiment) const = 0;
   /// Whether such a recording can show it at all (holds, reversals, several speeds, ...).
   virtual bool can_show(const Experiment&) const { return true; }
+  /// What a recording must vary for it, and how often.
+  virtual NeededValues needs() const { return {}; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }
   /// Further starting points read off the residuals before physics is added.
@@ -59,6 +67,13 @@ class Effect {
     for (const Mode known : description().modes)
       if (known == mode) return true;
     return false;
+  }
+  bool has_what_it_needs(const Experiment& experiment) const {
+    const auto varied = experiment.different.find(needs().channel);
+    return (varied == experiment.different.end() ? 0 : varied->second) >= needs().count;
+  }
+  bool is_shown_by(const Experiment& experiment) const {
+    return acts_in(experiment.mode) && has_what_it_needs(experiment) && can_show(experiment);
   }
 };
 

@@ -50,6 +50,8 @@ std::string effects_manual() {
     for (const Mode mode : d.modes) modes += (modes.empty() ? "" : ", ") + name_of(mode);
     text += "\n## " + d.id + "\n\n" + d.title + " (" + (d.kind == EffectKind::contact ? "contact" : "instrument") + "; modes: " + modes + ").\n\n";
     text += "    " + d.equation + "\n\n" + d.meaning + "\n\nSource: " + d.source + "\n";
+    const NeededValues needed = effect->needs();
+    if (needed.count > 0) text += "\nNot named from fewer than " + std::to_string(needed.count) + " different values of `" + needed.channel + "`.\n";
     const auto parameters = effect->parameters(example(d.modes.front()));
     if (parameters.empty()) {
       text += "\nNo parameters.\n";

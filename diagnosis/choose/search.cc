@@ -53,7 +53,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
   const LawErrors laws(problem.samples);
   Effects admissible;
   for (const auto& effect : effect_catalogue())
-    if (effect->acts_in(problem.experiment.mode) && effect->can_show(problem.experiment)) admissible.push_back(effect.get());
+    if (effect->is_shown_by(problem.experiment)) admissible.push_back(effect.get());
   result.admissible = admissible.size();
   std::set<Effects> tried;
   for (std::size_t size = 1; size <= largest_set; ++size) {

@@ -16,7 +16,7 @@ class RoughnessDependentRolling : public Effect {
         EffectKind::contact, {Mode::rolling, Mode::rail}, {"rolling_friction"}, {"rolling_coefficient"}, 1};
     return d;
   }
-  bool can_show(const Experiment& e) const override { return e.roughest > least_ratio * e.smoothest; }
+  NeededValues needs() const override { return {"rms_roughness", one_more_than_its_constants}; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double mu = e.largest_response / e.largest_force, rms = e.roughest;
     return {{"b", "", "of a very rough substrate", 1e-3 * mu, 10 * mu, true, {0.3 * mu, mu}},
@@ -31,7 +31,7 @@ class RoughnessDependentRolling : public Effect {
   }
 
  private:
-  static constexpr double least_ratio = 1.2;  // of roughnesses that count as different
+  static constexpr int one_more_than_its_constants = 4;  // through three roughnesses it always passes
 };
 
 }  // namespace

@@ -217,6 +217,11 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
   return result;
 }
 
+ModelFit finished(const FitProblem& problem, const ModelFit& fit) {
+  constexpr int last_steps = 3;
+  return refitted(problem, fit, problem.samples, true, last_steps);
+}
+
 ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
   constexpr double rise = 4;             // cost at two standard deviations
   constexpr double nearly = 1.3;         // a parabola's width within this factor is believed

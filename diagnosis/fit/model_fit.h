@@ -32,6 +32,7 @@ struct ModelFit {
   std::vector<std::pair<double, double>> stretch;
 
   std::vector<double> simulate(const Samples& samples) const;
+  std::vector<double> residual(const Samples& samples) const { return FitProblem::residual(samples, simulate(samples)); }
   /// The same with these of its effects only; parameters that the others replaced are those of `baseline`.
   ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit& baseline) const;
   /// Null where it has no such parameter; `owner` null: of the simulation itself.
@@ -46,6 +47,8 @@ struct ModelFit {
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit* near = nullptr);
 /// From where a fit stands, on these samples (some of which may not count): parameters and cost there.
 ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance, int iterations);
+/// The last steps, on all samples and with the covariance there.
+ModelFit finished(const FitProblem& problem, const ModelFit& fit);
 
 /// Looks along each parameter (the others following as the covariance says) for where the cost has risen by that of two standard
 /// deviations: the parabola misleads where the response jumps, bends or meets a bound.

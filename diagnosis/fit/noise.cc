@@ -5,18 +5,13 @@
 #include <map>
 #include <numeric>
 
+#include "diagnosis/median.h"
+
 namespace asperity {
 namespace {
 
 /// Of the square of a unit normal variable: its median, and the mean of its lowest 60 % (0.1288/0.6).
 constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Stretches of one table: contiguous counted samples of one part, residual over the given shape of noise.
 std::vector<std::vector<double>> stretches_of(const Samples& samples, const std::vector<double>& residual, std::size_t table) {

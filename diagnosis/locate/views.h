@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/samples.h"
+#include "diagnosis/experiment.h"
 
 namespace asperity {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "diagnosis/mechanics/normal_contact.h"
-#include "diagnosis/samples.h"
+#include "diagnosis/experiment.h"
 
 namespace asperity {
 

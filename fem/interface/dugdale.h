@@ -1,6 +1,7 @@
 // Dugdale's attraction: a constant stress s = w/h0 out to the gap h0, for which Maugis solved the sphere (Maugis 1992, J. Colloid
 // Interface Sci. 150:243; Dugdale 1960). w: work of adhesion [J/m^2], h0: range [m].
-// Its end is a ramp between 0.75 and 1.25 h0, of the same work: a jump has no tangent, and steep ramps need fine meshes.
+// Its end is a ramp of the same work, between 0.75 and 1.25 h0 unless told otherwise: a jump has no tangent, and steep ramps need fine
+// meshes.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +12,19 @@ namespace asperity::fem {
 
 class Dugdale : public AdhesionLaw {
  public:
-  Dugdale(double work, double range) : work_(work), range_(range) {}
+  static constexpr double usual_half_ramp = 0.25;
+
+  /// half_ramp: half the length of the ramp over the range.
+  Dugdale(double work, double range, double half_ramp = usual_half_ramp) : work_(work), range_(range), half_ramp_(half_ramp) {}
 
   Attraction at(double gap) const override {
-    const double full = work_ / range_, first = (1 - half_ramp) * range_, last = (1 + half_ramp) * range_;
+    const double full = work_ / range_, first = (1 - half_ramp_) * range_, last = (1 + half_ramp_) * range_;
     if (gap >= last) return {0, 0, 0};
     if (gap <= first) return {full, 0, work_ - full * gap};
     const double left = (last - gap) / (last - first);
     return {full * left, -full / (last - first), 0.5 * full * left * (last - gap)};
   }
-  double range() const override { return (1 + half_ramp) * range_; }
+  double range() const override { return (1 + half_ramp_) * range_; }
 
   static AdhesionLawEntry entry() {
     return {"dugdale", "s(g) = w/h0 for g < h0", "Dugdale (1960), Maugis (1992)", "Work of adhesion w [J/m^2], Adhesion range h0 [m]",
@@ -29,8 +33,7 @@ class Dugdale : public AdhesionLaw {
   }
 
  private:
-  static constexpr double half_ramp = 0.25;
-  double work_, range_;
+  double work_, range_, half_ramp_;
 };
 
 }  // namespace asperity::fem

@@ -39,6 +39,28 @@ TEST(Catalogue, every_effect_says_what_it_is_and_keeps_its_starts_within_its_bou
   }
 }
 
+TEST(Catalogue, an_effect_is_shown_only_by_as_many_values_as_it_needs) {
+  const Effect& effect = effect_of("roughness_dependent_rolling");
+  Samples samples = test::row(test::experiment(Mode::rolling), 1e-3);
+  Recording recording;
+  recording.mode = Mode::rolling;
+  recording.tables.emplace_back();
+  // The fourth differs from the third by less than a tenth.
+  for (const double rms : {0.3e-9, 0.9e-9, 2.7e-9, 2.8e-9}) {
+    samples.list.push_back(samples.list.front());
+    samples.list.back().rms_roughness = rms;
+  }
+  samples.list.erase(samples.list.begin());
+  samples.runs[0].end = samples.list.size();
+  EXPECT_EQ(experiment_of(recording, samples).different.at("rms_roughness"), 3);
+  EXPECT_EQ(experiment_of(recording, samples).different.at("radius"), 1);
+  EXPECT_FALSE(effect.is_shown_by(experiment_of(recording, samples)));
+  samples.list.back().rms_roughness = 5e-9;
+  EXPECT_EQ(experiment_of(recording, samples).different.at("rms_roughness"), 4);
+  EXPECT_TRUE(effect.is_shown_by(experiment_of(recording, samples)));
+  EXPECT_FALSE(effect.is_shown_by(test::experiment(Mode::sliding)));
+}
+
 TEST(Catalogue, manual_page_is_current) {
   std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/effects.md");
   std::ostringstream text;

@@ -1,6 +1,7 @@
 // Verdicts on recordings made by hand, from formulas and not from the mechanics that diagnoses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -184,6 +185,53 @@ TEST(Diagnose, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_n
   EXPECT_NE(std::find(ids.begin(), ids.end(), "rolling_adhesion_offset"), ids.end());
   EXPECT_NE(std::find(ids.begin(), ids.end(), "lateral_zero_offset"), ids.end());
   EXPECT_NE(d.alternatives[0].told_apart_by.find("opposite direction"), std::string::npos) << d.alternatives[0].told_apart_by;
+}
+
+/// Rolling on substrates of these roughnesses, friction by the law of three constants.
+Recording rolling_on(const std::vector<double>& roughnesses) {
+  Recording r;
+  r.mode = Mode::rolling;
+  r.particle = borosilicate();
+  r.substrate = silicon();
+  r.indenter = diamond();
+  RecordingTable table;
+  table.file = "series.csv";
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.response = "lateral_force";
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  for (const double rms : roughnesses)
+    for (int i = 1; i <= 10; ++i)
+      for (const int way : {1, -1}) {
+        const double load = 200 * i * uN, friction = 3e-4 + 6e-4 * std::exp(-rms / (1.2 * nm));
+        table.columns["normal_force"].push_back(load);
+        table.columns["rms_roughness"].push_back(rms);
+        table.columns["lateral_force"].push_back(way * friction * load + 0.01 * uN * normal(random));
+        table.columns["lateral_force_sd"].push_back(0.01 * uN);
+        table.segment.push_back(way > 0 ? "forward" : "backward");
+      }
+  r.tables = {table};
+  return r;
+}
+
+TEST(Diagnose, a_law_of_three_constants_is_not_named_from_three_roughnesses_but_from_four) {
+  const auto names = [](const Diagnosis& d) {
+    std::vector<std::string> ids;
+    for (const auto& effect : d.left_out) ids.push_back(effect.id);
+    for (const auto& alternative : d.alternatives)
+      for (const auto& effect : alternative.effects) ids.push_back(effect.id);
+    return ids;
+  };
+  const auto three = diagnose(rolling_on({0.3 * nm, 1.5 * nm, 2.7 * nm}));
+  const auto named = names(three);
+  EXPECT_EQ(std::count(named.begin(), named.end(), "roughness_dependent_rolling"), 0);
+  EXPECT_NE(three.verdict, Verdict::no_mismatch);
+  ASSERT_FALSE(three.remarks.empty());
+  EXPECT_EQ(three.remarks.back(), "roughness_dependent_rolling was not tried: 3 different values of rms_roughness cannot test its law, 4 or more would");
+  const auto four = diagnose(rolling_on({0.3 * nm, 0.9 * nm, 1.5 * nm, 2.7 * nm}));
+  EXPECT_EQ(four.verdict, Verdict::explained) << diagnosis_json(four);
+  EXPECT_EQ(names(four), std::vector<std::string>{"roughness_dependent_rolling"});
 }
 
 TEST(Diagnose, outliers_are_left_out_and_said) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/samples.h"
+#include "diagnosis/experiment.h"
 
 namespace asperity::test {
 

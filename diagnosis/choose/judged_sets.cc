@@ -1,0 +1,80 @@
+#include "diagnosis/choose/judged_sets.h"
+
+#include <algorithm>
+#include <set>
+
+#include "diagnosis/choose/law_error.h"
+
+namespace asperity {
+namespace {
+
+using Effects = std::vector<const Effect*>;
+
+/// Log evidence by which an effect must be better than none, and a set than one with a member less.
+constexpr double clear_evidence = 8, evidence_for_another = 4;
+/// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does not: less is what
+/// laws of this kind are off by.
+constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
+constexpr std::size_t most_judged = 6;
+
+double excess(const ModelFit& fit) { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
+
+const Candidate* find(const SearchResult& search, const Effects& effects) {
+  const std::set<const Effect*> wanted(effects.begin(), effects.end());
+  for (const auto& candidate : search.candidates) {
+    const auto& have = candidate.fit.explanation->effects();
+    if (std::set<const Effect*>(have.begin(), have.end()) == wanted) return &candidate;
+  }
+  return nullptr;
+}
+
+/// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes back that is either
+/// large or more than the laws of the others may be off by.
+bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Candidate& candidate) {
+  const auto leaves_noise = [&](const ModelFit& fit) { return remaining(problem, search.alone.fit, scanner, fit).p_value > significance; };
+  const auto& effects = candidate.fit.explanation->effects();
+  const bool complete = effects.size() > 1 && leaves_noise(candidate.fit);
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    Effects without = effects;
+    without.erase(without.begin() + static_cast<long>(k));
+    const Candidate* smaller = without.empty() ? &search.alone : find(search, without);
+    if (!smaller) continue;
+    if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another)) return false;
+    const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
+    if (without.empty()) continue;
+    const double whole = excess(search.alone.fit) / search.overdispersion;
+    if (!complete && gained < least_part_of_incomplete * whole) return false;
+    if (complete && gained < least_part * whole && leaves_noise(smaller->fit)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner, const ModelFit& fit) {
+  return scanner.scan(fit.residual(problem.samples), law_error(problem, fit, baseline));
+}
+
+bool JudgedSet::is_part_of(const JudgedSet& other) const {
+  const auto& have = other.candidate->fit.explanation->effects();
+  const auto& own = candidate->fit.explanation->effects();
+  return std::all_of(own.begin(), own.end(), [&](const Effect* effect) { return std::find(have.begin(), have.end(), effect) != have.end(); });
+}
+
+JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Blocks& blocks,
+                       const HeldOut& baseline_held_out) {
+  JudgedSets judged;
+  for (const auto& candidate : search.candidates) {
+    if (judged.list.size() == most_judged) break;
+    if (candidate.score < search.alone.score + clear_evidence) break;
+    if (!judged.list.empty() && candidate.score < judged.list.front().candidate->score - 4 * as_good) break;
+    if (!candidate.fit.is_itself() || !every_member_counts(problem, search, scanner, candidate)) continue;
+    JudgedSet set{&candidate, finished(problem, candidate.fit), {}};
+    set.held_out = predict_held_out(problem, set.fit, blocks);
+    if (!set.held_out.consistent) judged.inconsistent.push_back(candidate.fit.explanation->name());
+    else if (set.held_out.cost < baseline_held_out.cost) judged.list.push_back(std::move(set));
+  }
+  return judged;
+}
+
+}  // namespace asperity

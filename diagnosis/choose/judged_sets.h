@@ -1,0 +1,39 @@
+// Which of the sets that were fitted may be named at all: each member earns its place, the parameters hold everywhere, and data
+// kept out of the fit are predicted better than by the simulation alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/choose/held_out.h"
+#include "diagnosis/choose/search.h"
+#include "diagnosis/locate/scan.h"
+
+namespace asperity {
+
+/// Probability of calling noise a mismatch.
+constexpr double significance = 0.005;
+/// Log evidence within which two explanations are as good: odds of ten to one.
+constexpr double as_good = 2.3;
+
+/// What an explanation leaves, beyond what its laws may be off by.
+ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner, const ModelFit& fit);
+
+struct JudgedSet {
+  const Candidate* candidate;
+  ModelFit fit;
+  HeldOut held_out;
+
+  /// Its effects are all among those of the other.
+  bool is_part_of(const JudgedSet& other) const;
+};
+
+struct JudgedSets {
+  std::vector<JudgedSet> list;             ///< the best first
+  std::vector<std::string> inconsistent;   ///< would fit only with other parameters in different parts of the data
+};
+
+JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Blocks& blocks,
+                       const HeldOut& baseline_held_out);
+
+}  // namespace asperity

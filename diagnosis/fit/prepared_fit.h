@@ -1,0 +1,23 @@
+// From a recording to what all fits share: its samples, its own simulation calibrated as it says, what is noise, what an outlier.
+#pragma once
+
+#include <functional>
+
+#include "diagnosis/fit/model_fit.h"
+
+namespace asperity {
+
+struct PreparedFit {
+  FitProblem problem;
+  ModelFit baseline;         ///< the recording's own simulation
+  Noise short_scale_noise;   ///< before anything is learned from residuals that are noise
+  std::size_t outliers = 0;
+
+  /// Noise from what a fit leaves, where that is noise; false if nothing changes.
+  bool learn_noise(const std::vector<double>& residual);
+};
+
+/// Throws InputError where nothing presses or responds.
+PreparedFit prepared_fit(const Recording& recording, const std::function<void(const std::string&)>& progress);
+
+}  // namespace asperity

@@ -1,0 +1,131 @@
+// A smooth elastic sphere that attracts a block: the contact jumps in on approach and is pulled off, between DMT's and JKR's limits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "dem_compare/laws/maugis_dugdale.h"
+#include "fem/contact/contact_solver.h"
+#include "fem/interface/dugdale.h"
+
+namespace {
+
+using namespace asperity;
+
+/// Sphere and block of equal elastic constants under displacement control; `cells`: spacings in Maugis' unit of contact radius.
+struct AdhesiveSphere {
+  static constexpr double youngs = 71e9, poisson = 0.17, radius = 8.5e-6, work = 0.1;
+  static constexpr double K = 4.0 / 3 * youngs / (2 * (1 - poisson * poisson));  ///< Maugis' modulus
+  MaugisDugdale law;
+  double unit_radius, unit_approach, range;
+  fem::ContactSystem system;
+  fem::ContactSolver solver;
+  fem::ContactState state;
+  double far_field;
+
+  AdhesiveSphere(double lambda, double cells, double half_ramp)
+      : law(maugis(lambda)),
+        unit_radius(std::cbrt(M_PI * work * radius * radius / K)),
+        unit_approach(unit_radius * unit_radius / radius),
+        range(work / law.cohesive_stress),
+        system(MPI_COMM_WORLD, system_options(cells)),
+        solver(system, solver_options(half_ramp)),
+        state(solver.first_touch()),
+        far_field(solver.far_field_compliance(unit_radius)) {}
+
+  static MaugisDugdale maugis(double lambda) {
+    return {0.75 * K, radius, work, 0.5 * lambda * std::cbrt(M_PI * work * K * K / radius)};
+  }
+
+  fem::ContactSystemOptions system_options(double cells) const {
+    fem::ContactSystemOptions o;
+    o.control = fem::Control::displacement;
+    for (auto& m : o.materials) m = fem::J2Material::elastic(youngs, poisson);
+    auto& s = o.mesh.sizes;
+    s.radius = radius, s.block_half_width = 0.7 * radius;
+    s.spacing_particle = unit_radius / cells;
+    s.spacing_substrate = 1.1 * s.spacing_particle;
+    s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
+    s.region_particle = std::max(2 * unit_radius, 1.2 * std::sqrt(2 * radius * range));  // to where a rigid sphere's gap is the range
+    s.region_substrate = s.region_particle + 3 * s.spacing_particle;
+    return o;
+  }
+  fem::ContactSolverOptions solver_options(double half_ramp) const {
+    fem::ContactSolverOptions o;
+    o.adhesion.closing = o.adhesion.opening = std::make_shared<fem::Dugdale>(work, range, half_ramp);
+    return o;
+  }
+
+  fem::ContactResultants go_to(double approach_in_units) {
+    const auto report = solver.solve(state, approach_in_units * unit_approach);
+    EXPECT_TRUE(report.converged) << approach_in_units;
+    const auto r = solver.resultants(state);
+    EXPECT_NEAR(r.reaction_driven, r.force, 1e-5 * r.attraction);
+    return r;
+  }
+  bool touches() const {
+    for (const double pressure : state.multiplier)
+      if (pressure > 0) return true;
+    return false;
+  }
+  /// Approach of half-spaces, without the finite bodies' own compliance, in Maugis' unit.
+  double approach(const fem::ContactResultants& r) const { return (state.approach - far_field * r.force) / unit_approach; }
+};
+
+void expect_pull_off(double lambda, double cells, double step) {
+  AdhesiveSphere s(lambda, cells, fem::Dugdale::usual_half_ramp);
+  const double unit = M_PI * s.work * s.radius, expected = s.law.pull_off_force();
+  double largest = 0;
+  for (double approach = 0.2; approach > -1.2; approach -= step) {
+    const auto r = s.go_to(approach);
+    largest = std::max(largest, -r.force);
+    if (largest > 0 && -r.force < largest) break;
+  }
+  std::printf("lambda %g: pull-off %.4f (%.4f) pi w R\n", lambda, largest / unit, expected / unit);
+  EXPECT_NEAR(largest, expected, 0.03 * expected);
+}
+
+TEST(PullOff_analytic, follows_Maugis_from_DMT_to_JKR) {
+  for (const double lambda : {0.3, 1.0}) expect_pull_off(lambda, 8, 0.1);
+}
+
+TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_to_JKR_on_a_finer_mesh) {
+  for (const double lambda : {0.1, 0.3, 0.7, 1.0, 2.0, 3.0}) expect_pull_off(lambda, 16, 0.05);
+}
+
+/// Approach at which the contact forms [Maugis' unit], from Dugdale's stress over a circle of radius c without contact, whose gap at its
+/// border is the range (Maugis 1992 at a = 0; Johnson & Greenwood 1997, J. Colloid Interface Sci. 192, 326). Attraction sets in where
+/// the gap is the range, and pulls at once to a finite c. That closes the gap in the middle if lambda > (9/32)^(1/3); if not, the
+/// middle touches when the approach is the bulge 4/3 lambda c.
+double jump_in(double lambda) {
+  const double square = M_PI / 4 * lambda, linear = 4.0 / 3 * lambda * lambda * (M_PI / 2 - 1);
+  const double c = (-linear + std::sqrt(linear * linear + 4 * square)) / (2 * square);
+  const double touch = -4.0 / 3 * lambda * c, onset = -2 / (M_PI * lambda);
+  return std::max(touch, onset);
+}
+
+void expect_jump_in(double lambda, double cells, double step) {
+  AdhesiveSphere s(lambda, cells, 0.02);  // an end of the attraction as sharp as Dugdale's: where it begins is the answer
+  const double expected = jump_in(lambda);
+  double before = 0;
+  fem::ContactResultants r;
+  for (double share = 1.12; share > 0.88 && !s.touches(); share -= step) {
+    before = s.approach(r);
+    r = s.go_to(share * expected);
+  }
+  ASSERT_TRUE(s.touches());
+  // Where it jumped the finite bodies had no force on them yet, or the force before the step.
+  const double found = 0.5 * (before + s.state.approach / s.unit_approach);
+  std::printf("lambda %g: contact forms at %.4f to %.4f (%.4f)\n", lambda, before, s.state.approach / s.unit_approach, expected);
+  EXPECT_NEAR(found, expected, 0.03 * std::abs(expected));
+}
+
+TEST(JumpIn_analytic, contact_forms_where_Maugis_has_it) {
+  for (const double lambda : {0.3, 1.0}) expect_jump_in(lambda, 8, 0.01);
+}
+
+TEST(JumpInNightly_analytic, contact_forms_where_Maugis_has_it_from_DMT_to_JKR) {
+  for (const double lambda : {0.1, 0.3, 0.5, 0.8, 1.0, 2.0, 3.0}) expect_jump_in(lambda, 12, 0.01);
+}
+
+}  // namespace
