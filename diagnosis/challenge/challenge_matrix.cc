@@ -50,6 +50,10 @@ const std::vector<SolvedTruth>& solved_truths() {
       {"0.3-J", Mode::normal, {"adhesion"}, {"adhesion_0.3"}},
       {"0.5-J", Mode::normal, {"adhesion"}, {"adhesion_0.5"}},
       {"0.2-and-0.8-J", Mode::normal, {"adhesion_hysteresis"}, {"adhesion_hysteresis"}},
+      {"1-GPa", Mode::normal, {"bulk_plasticity"}, {"plastic_1GPa"}},
+      {"shift", Mode::sliding, {"partial_slip"}, {"partial_slip"}},
+      {"spin", Mode::torsion, {"contact_radius_scaling"},
+       {"torsion_25uN", "torsion_50uN", "torsion_100uN", "torsion_200uN", "torsion_400uN", "torsion_800uN", "torsion_1600uN"}},
   };
   return list;
 }
