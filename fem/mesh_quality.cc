@@ -131,10 +131,14 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
                          text("%g %%", 100 * allowed_roughness_error) +
                          " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less");
     }
-    if (jacobian <= smallest_allowed_scaled_jacobian)
-      throw InputError(file + ": " + name + "/Topography: the roughness distorts the hexahedra to a scaled Jacobian of " +
-                       text("%.3f", jacobian) + " (more than " + text("%g", smallest_allowed_scaled_jacobian) +
-                       " is needed); its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");
+    if (jacobian > smallest_allowed_scaled_jacobian) continue;
+    const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +
+                              text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
+    if (roughness.smooth())
+      throw InputError(file + ": " + name + ": the way from fine cells at the contact to the body's border distorts" + found +
+                       "use a shorter Experiment/Distance or another Mesh/Interface spacing");
+    throw InputError(file + ": " + name + "/Topography: the roughness distorts" + found +
+                     "its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");
   }
 }
 

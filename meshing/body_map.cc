@@ -9,9 +9,12 @@ Point3 blend(const Point3& a, const Point3& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-/// Level at which 2^level cells over `width` are at least as wide as `spacing`; the stretch makes up the rest.
-int level_for(double width, double spacing) {
-  return std::max(2, static_cast<int>(std::floor(std::log2(width / spacing * (1 + 1e-9)))));
+/// Level at which 2^level cells over `width` are at least as wide as `spacing`; the stretch makes up the rest. Where these are too few
+/// to reach over the uniform part and to widen gently beyond it, one level more, with cells that are narrower than asked.
+int level_for(double width, double spacing, double uniform_half_width) {
+  const int level = std::max(2, static_cast<int>(std::floor(std::log2(width / spacing * (1 + 1e-9)))));
+  const double reached = Stretch::largest_uniform_part * spacing * std::pow(2.0, level - 1);
+  return uniform_half_width > reached ? level + 1 : level;
 }
 
 /// Whether the first axis of a side's tree goes up, rather than its second.
@@ -27,16 +30,17 @@ int BodyMap::equator_face(int tree) {
 BodyMap::BodyMap(const BodySizes& sizes) : sizes_(sizes) {
   const double cap_half = cap_fraction * sizes.radius;
   const double cap_thickness = (1 - core_height_fraction) * sizes.radius;
-  level_particle_ = level_for(2 * cap_half, sizes.spacing_particle);
+  const double uniform_particle = 1.5 * sizes.region_particle + sizes.reach_particle;
+  level_particle_ = level_for(2 * cap_half, sizes.spacing_particle, uniform_particle);
   const double cells_particle = std::pow(2.0, level_particle_);
-  cap_lateral_ = Stretch(cap_half, sizes.spacing_particle * cells_particle / 2, 1.5 * sizes.region_particle + sizes.reach_particle);
+  cap_lateral_ = Stretch(cap_half, sizes.spacing_particle * cells_particle / 2, uniform_particle);
   cap_depth_ = Stretch(cap_thickness, sizes.spacing_particle * cells_particle, sizes.region_particle);
 
   const double half = sizes.block_half_width;
-  level_substrate_ = level_for(2 * half, sizes.spacing_substrate);
+  const double uniform_substrate = 1.5 * sizes.region_substrate + sizes.reach_substrate;
+  level_substrate_ = level_for(2 * half, sizes.spacing_substrate, uniform_substrate);
   const double cells_substrate = std::pow(2.0, level_substrate_);
-  block_lateral_ = Stretch(half, sizes.spacing_substrate * cells_substrate / 2,
-                           1.5 * sizes.region_substrate + sizes.reach_substrate);
+  block_lateral_ = Stretch(half, sizes.spacing_substrate * cells_substrate / 2, uniform_substrate);
   block_depth_ = Stretch(2 * half, sizes.spacing_substrate * cells_substrate, sizes.region_substrate);
 }
 

@@ -11,10 +11,13 @@ namespace asperity::meshing {
 /// slope <= length keeps it monotone.
 class Stretch {
  public:
+  /// Of the logical coordinate; the rest is left to widen in.
+  static constexpr double largest_uniform_part = 0.7;
+
   Stretch() = default;
   /// slope: dx/ds of the uniform part [m]; uniform_half_width: |x| up to which the spacing stays uniform [m].
   Stretch(double length, double slope, double uniform_half_width)
-      : length_(length), slope_(std::min(slope, length)), uniform_part_(std::min(0.7, uniform_half_width / slope_)) {
+      : length_(length), slope_(std::min(slope, length)), uniform_part_(std::min(largest_uniform_part, uniform_half_width / slope_)) {
     cubic_ = (length_ - slope_) / std::pow(1.0 - uniform_part_, 3);
   }
 

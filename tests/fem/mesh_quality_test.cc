@@ -54,6 +54,36 @@ TEST(MeshQuality, smooth_bodies_have_well_shaped_hexahedra) {
   EXPECT_TRUE(quality.roughness[0].smooth());
 }
 
+TEST(MeshQuality, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_good_cells) {
+  CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
+  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.normal_load = 200e-6;
+  input.experiment.distance = 1.7e-6;
+  const Meshed mesh(input);
+  expect_good(mesh.quality());
+  const auto& sizes = mesh.options.sizes;
+  const meshing::BodyMap& map = mesh.geometry.map();
+  const double cells = std::pow(2.0, map.finest_level(meshing::Body::particle));
+  double before = 0, widest = 0;
+  for (double x = 0, k = 1; x < sizes.region_particle + sizes.reach_particle; ++k, before = x) {
+    x = map.position(meshing::cap, {0.5 + k / cells, 0.5, 0})[0];
+    widest = std::max(widest, x - before);
+  }
+  EXPECT_LT(widest, 1.01 * sizes.spacing_particle);
+}
+
+TEST(MeshQuality, bad_cells_of_a_smooth_body_are_not_blamed_on_roughness) {
+  HexMeshQuality quality;
+  quality.smallest_scaled_jacobian = {0.1, 0.9};
+  try {
+    require_quality(quality, meshing::ContactMeshOptions{}, "test.prm");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("roughness"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Experiment/Distance"), std::string::npos);
+  }
+}
+
 class RoughMesh : public testing::TestWithParam<double> {};
 
 TEST_P(RoughMesh, of_4p8_nm_rms_keeps_its_shape_and_follows_the_topography) {
