@@ -2,6 +2,8 @@
 // Salmeron 1999 and Pietrement & Troyon 2000, with s = (alpha + (1 + f/h)^(1/2))/(1 + alpha):
 //   a = a0 s^(2/3),   d = a0^2/R [s^(4/3) - S s^(2 beta/3)],   f = h [((1 + alpha) s - alpha)^2 - 1],
 //   a0 = A (pi w R^2/K)^(1/3),  K = 4/3 E*,  h = F pi w R;  A, F, S, beta polynomials of alpha.
+// Their polynomials leave a contact under large loads up to 3 % off Hertz, and DMT 1 %, more than a weak attraction adds; so depth
+// goes over, by the share s^2/(s^2 + 64 alpha), to a0^3 = (1 + alpha)^2 h R/K: Hertz under large loads, DMT and JKR in the limits.
 // The contact forms at d = 0 and breaks where d(s) has its minimum (fixed grips). Within 1 % of Maugis 1992.
 // On a law other than Hertz' the attraction is a constant force while the surfaces touch (DMT).
 #include <cmath>
@@ -21,6 +23,9 @@ class TransitionContact : public NormalContact {
     beta_ = 0.516 * std::pow(al, 4) - 0.683 * std::pow(al, 3) + 0.235 * al * al + 0.429 * al;
     const double a0 = A * std::cbrt(pull_off / F * law.radius / (4.0 / 3.0 * law.reduced_modulus));
     depth_ = a0 * a0 / law.radius;
+    const double of_hertz = std::cbrt((1 + al) * (1 + al) * pull_off * law.radius / (4.0 / 3.0 * law.reduced_modulus));
+    changeover_ = 64 * al;
+    towards_hertz_ = of_hertz * of_hertz / (a0 * a0) - 1;
     smallest_ = S_ > 0 ? std::pow(S_ * beta_ / 2, 1 / (4.0 / 3 - 2 * beta_ / 3)) : 0;
     release_ = depth_ * depth_of(smallest_);
   }
@@ -38,13 +43,20 @@ class TransitionContact : public NormalContact {
   void accept(double d) override { touching_ = d >= (touching_ ? release_ : 0); }
 
  private:
-  double depth_of(double s) const { return std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3); }
+  double depth_of(double s) const {
+    return (1 + towards_hertz_ * s * s / (s * s + changeover_)) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
+  }
+  double slope_of(double s) const {
+    const double sum = s * s + changeover_;
+    return (1 + towards_hertz_ * s * s / sum) * (4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1)) +
+           towards_hertz_ * 2 * s * changeover_ / (sum * sum) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
+  }
   /// Newton from above, where the function is convex and grows; from the last root, the first step leads above.
   double root(double d) const {
     double s = last_ > 2 * smallest_ ? last_ : std::pow(std::max(0.0, d) + 1 + S_, 0.75);
     bool above = last_ <= 2 * smallest_;
     for (int i = 0; i < 60; ++i) {
-      const double slope = 4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1);
+      const double slope = slope_of(s);
       if (!(slope > 0)) return smallest_;
       const double next = std::max(smallest_, s - (depth_of(s) - d) / slope);
       if (above ? s - next < 1e-9 * s : std::abs(s - next) < 1e-9 * s) return next;
@@ -53,7 +65,7 @@ class TransitionContact : public NormalContact {
     }
     return s;
   }
-  double pull_off_, alpha_, S_ = 0, beta_ = 0, depth_ = 0, smallest_ = 0, release_ = 0;
+  double pull_off_, alpha_, towards_hertz_ = 0, changeover_ = 0, S_ = 0, beta_ = 0, depth_ = 0, smallest_ = 0, release_ = 0;
   bool touching_ = false;
   mutable double last_ = 0;  ///< where the next search begins
 };
@@ -90,7 +102,7 @@ class Adhesion : public Effect {
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_force;
     return {{"pull_off_force", "N", "h", 1e-5 * f, 10 * f, true, {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
-            {"transition", "", "alpha, from DMT (0) to JKR (1)", 0, 1, false, {0.05, 0.3, 0.6, 0.95}}};
+            {"transition", "", "alpha, from DMT (0) to JKR (1)", 0, 1, false, {0, 0.05, 0.3, 0.6, 0.95}}};  // 0 itself: S rises as alpha^0.019
   }
   void assemble(Mechanics& m, const double* p) const override {
     if (const Hertz* law = m.normal.contact->hertz()) m.normal.contact = std::make_shared<TransitionContact>(*law, p[0], p[1]);

@@ -117,6 +117,16 @@ TEST(Diagnose_analytic, a_drift_is_named_with_its_rate) {
   EXPECT_GT(d.baseline.held_out_chi2_reduced, 2);
 }
 
+TEST(Diagnose_analytic, a_constant_attraction_in_contact_is_adhesion_and_nothing_more) {
+  // Derjaguin, Muller & Toporov: Hertz less the pull-off force, which is 2 % of the load here.
+  const double pull_off = 60 * uN;
+  const Diagnosis d = diagnose(indentation([&](double x, double) { return x >= 0 ? hertz(x) - pull_off : 0; }, 12 * uN, 10));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value, pull_off, 0.05 * pull_off);
+}
+
 TEST(Diagnose_analytic, a_compliance_in_series_is_named_and_located_after_the_reversals) {
   const double C = 4e-5;
   const Diagnosis d = diagnose(loops(C, no_change, 4 * uN, 4));

@@ -86,8 +86,12 @@ TEST(PullOff_analytic, follows_Maugis_from_DMT_to_JKR) {
   for (const double lambda : {0.3, 1.0}) expect_pull_off(lambda, 8, 0.1);
 }
 
-TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_to_JKR_on_a_finer_mesh) {
-  for (const double lambda : {0.1, 0.3, 0.7, 1.0, 2.0, 3.0}) expect_pull_off(lambda, 16, 0.05);
+TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_on_a_finer_mesh) {
+  for (const double lambda : {0.1, 0.3, 0.7, 1.0}) expect_pull_off(lambda, 16, 0.05);
+}
+
+TEST(PullOffNightly_analytic, follows_Maugis_to_JKR_on_a_finer_mesh) {
+  for (const double lambda : {2.0, 3.0}) expect_pull_off(lambda, 16, 0.05);
 }
 
 /// Approach at which the contact forms [Maugis' unit], from Dugdale's stress over a circle of radius c without contact, whose gap at its
