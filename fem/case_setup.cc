@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "fem/interface/adhesion_law.h"
 #include "surfaces/sampler.h"
 #include "surfaces/topography_spec.h"
 
@@ -77,6 +78,15 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
 
 }  // namespace
 
+/// Gap at which all but a fiftieth of the work of adhesion has been done [m]; 0 without adhesion.
+double attraction_reach(const InterfaceInput& input) {
+  const auto law = make_adhesion_laws(input).opening;
+  if (!law) return 0;
+  double gap = law->range();
+  while (law->at(0.95 * gap).work < 0.02 * law->at(0).work) gap *= 0.95;
+  return gap;
+}
+
 J2Material material_of(const BodyInput& body) {
   J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
   material.yield_stress = body.yield_stress;
@@ -119,8 +129,8 @@ CaseSetup set_up(const CaseInput& input) {
 
   double region = input.mesh.contact_region;
   if (region == 0) {
-    // Asperities three RMS heights high still touch where smooth surfaces would be that far apart.
-    const double reach = 3 * std::hypot(upper_scales.rms, lower_scales.rms);
+    // Asperities three RMS heights high still touch where smooth surfaces would be that far apart; attraction goes further.
+    const double reach = std::hypot(3 * std::hypot(upper_scales.rms, lower_scales.rms), attraction_reach(input.interface));
     double r = 1.15 * a;
     while (hertz_separation(r, a, R) < reach) r *= 1.02;
     region = r + 2 * spacing;
