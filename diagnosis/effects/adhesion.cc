@@ -43,13 +43,14 @@ class TransitionContact : public NormalContact {
   void accept(double d) override { touching_ = d >= (touching_ ? release_ : 0); }
 
  private:
+  double share_of_hertz(double s) const { return changeover_ > 0 ? s * s / (s * s + changeover_) : 1; }
   double depth_of(double s) const {
-    return (1 + towards_hertz_ * s * s / (s * s + changeover_)) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
+    return (1 + towards_hertz_ * share_of_hertz(s)) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
   }
   double slope_of(double s) const {
-    const double sum = s * s + changeover_;
-    return (1 + towards_hertz_ * s * s / sum) * (4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1)) +
-           towards_hertz_ * 2 * s * changeover_ / (sum * sum) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
+    const double share = share_of_hertz(s), share_slope = s > 0 ? 2 * share * (1 - share) / s : 0;
+    return (1 + towards_hertz_ * share) * (4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1)) +
+           towards_hertz_ * share_slope * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
   }
   /// Newton from above, where the function is convex and grows; from the last root, the first step leads above.
   double root(double d) const {

@@ -133,7 +133,7 @@ TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transi
   const Experiment e = experiment(Mode::normal);
   const Samples path = approach_and_back(1 * nm, 40 * nm, 40);
   for (const double transition : {0.0, 0.1, 0.3, 0.6, 0.88, 1.0}) {
-    const auto f = simulate(with(e, {{"adhesion", {1e-10, transition}}}), path);
+    const auto f = simulate(with(e, {{"adhesion", {1e-12, transition}}}), path);
     for (std::size_t i = 0; i < 40; ++i)
       EXPECT_NEAR(f[i] / e.hertz().force(path.list[i].normal_displacement), 1, 1e-3) << transition << " " << i;
   }
