@@ -46,7 +46,7 @@ double shear_of_proportional_loading(int steps) {
   return r.lateral_force[0] / (alpha * P0);
 }
 
-TEST(Oblique_analytic, load_and_shear_that_grow_in_proportion_below_friction_stick) {
+TEST(ObliqueNightly_analytic, load_and_shear_that_grow_in_proportion_below_friction_stick) {
   // Nodes that a growing load closes do so at the end of a step: first order in the step, so the limit is what is judged.
   const double coarse = shear_of_proportional_loading(10), fine = shear_of_proportional_loading(20);
   std::printf("Q / (alpha P) %.4f, %.4f, extrapolated %.4f\n", coarse, fine, 2 * fine - coarse);

@@ -104,7 +104,7 @@ TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
   EXPECT_NEAR(r.x / small_along, c11, 0.05 * c11);
 }
 
-TEST(Rolling_other_code, lateral_creep_meets_Kalkers_C22) {
+TEST(RollingNightly_other_code, lateral_creep_meets_Kalkers_C22) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
   const double c22 = kalker(path, "C22_own");
   const auto r = steady_reaction(rolling_contact(friction), {0, small, 0}, {0, c22 * small, 0});
