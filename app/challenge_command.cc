@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ChallengeArguments {
   std::string output, only;
   unsigned seed = 0;
   bool quick = false;
@@ -30,7 +30,7 @@ std::string program_mark() {
   return std::to_string(fs::file_size(program)) + "-" + std::to_string(fs::last_write_time(program).time_since_epoch().count());
 }
 
-void run(const Arguments& arguments) {
+void run_challenge(const ChallengeArguments& arguments) {
   ChallengeOptions options;
   options.output = arguments.output;
   options.quick = arguments.quick;
@@ -50,7 +50,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_challenge_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ChallengeArguments>();
   CLI::App* command = app.add_subcommand("challenge", "Conceal effects in some 200 recordings, diagnose them, and say what was found out");
   command->add_option("--output", arguments->output, "Folder for challenge.md, challenge.json and a folder for each recording; "
                                                      "recordings that this program has scored already are not diagnosed again")->required();
@@ -58,7 +58,7 @@ void add_challenge_command(CLI::App& app) {
   command->add_option("--only", arguments->only, "Only recordings whose name holds this text: an effect, a family, a mode");
   command->add_option("--seed", arguments->seed, "Added to the seeds of all recordings: another matrix of the same kind")->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Recordings side by side (default: one for each core)")->check(CLI::PositiveNumber);
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_challenge(*arguments); });
 }
 
 }  // namespace asperity

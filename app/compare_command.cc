@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CompareArguments {
   std::vector<std::string> folders;
   std::string output, engine, parameters, indenter, program;
   std::string published = ASPERITY_RUNS "/paper/published";
@@ -28,7 +28,7 @@ struct Arguments {
   bool json = false;
 };
 
-void run(const Arguments& arguments) {
+void run_compare(const CompareArguments& arguments) {
   if (!arguments.indenter.empty() && arguments.parameters.empty())
     throw InputError(
         "--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
@@ -63,7 +63,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand(
       "compare", "Set solved cases beside Hertz, the reduced laws, a live engine and the published measurement");
   command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")
@@ -88,7 +88,7 @@ void add_compare_command(CLI::App& app) {
       "Folder for comparison.html, .json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
   command->footer("Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_compare(*arguments); });
 }
 
 }  // namespace asperity

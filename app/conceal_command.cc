@@ -12,14 +12,14 @@
 namespace asperity {
 namespace {
 
-struct Arguments {
+struct ConcealArguments {
   std::vector<std::string> effects;
   std::string mode = "normal", output, setting, from_case;
   double noise = 0.01;
   unsigned seed = 1;
 };
 
-void run(const Arguments& arguments) {
+void run_conceal(const ConcealArguments& arguments) {
   ConcealOptions options;
   options.mode = mode_of(arguments.mode);
   for (const auto& effect : arguments.effects)
@@ -46,7 +46,7 @@ std::string list_of_effects() {
 }  // namespace
 
 void add_conceal_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ConcealArguments>();
   CLI::App* command = app.add_subcommand("conceal", "Write a recording in which effects are hidden, from other models than those that diagnose");
   command->add_option("--effect", arguments->effects, "Name, or names separated by commas; none: an experiment without mismatch")->delimiter(',');
   command->add_option("--mode", arguments->mode, "normal, sliding, rolling, rail or torsion")->required();
@@ -57,7 +57,7 @@ void add_conceal_command(CLI::App& app) {
                       "Take the history of this solved case as truth (modes normal and sliding); --effect then only says what it shows");
   command->add_option("--output", arguments->output, "Folder for recording.json, its CSV and truth.json")->required();
   command->footer(list_of_effects() + "Example: asperity conceal --effect lateral_compliance --mode sliding --noise 0.02 --seed 3 --output output/hidden");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_conceal(*arguments); });
 }
 
 }  // namespace asperity

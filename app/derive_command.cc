@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct DeriveArguments {
   std::vector<std::string> folders;
   std::string output = "parameters.json";
   bool json = false;
@@ -28,7 +28,7 @@ fs::path file_of(const fs::path& output, std::size_t set, std::size_t sets) {
          (output.stem().string() + "_" + std::to_string(set + 1) + output.extension().string());
 }
 
-void run(const Arguments& arguments) {
+void run_derive(const DeriveArguments& arguments) {
   const ParameterSets found = collect_parameter_sets({arguments.folders.begin(), arguments.folders.end()});
   const fs::path output = arguments.output;
   if (output.has_parent_path()) fs::create_directories(output.parent_path());
@@ -57,7 +57,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_derive_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DeriveArguments>();
   CLI::App* command = app.add_subcommand(
       "derive", "Derive the laws of a discrete element model from solved cases: parameters.json");
   command->add_option("DIR", arguments->folders, "Folders that solve or study wrote, or folders of such")
@@ -73,7 +73,7 @@ void add_derive_command(CLI::App& app) {
       "Example: asperity derive output/sliding output/torsion --output parameters.json\n"
       "Cases of one set share bodies, roughness (but for its seed) and interface; they may differ by load, "
       "experiment, mesh.");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_derive(*arguments); });
 }
 
 }  // namespace asperity

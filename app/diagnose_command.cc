@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct DiagnoseArguments {
   std::string recording, output = "diagnosis";
   bool json = false, catalogue = false;
 };
@@ -45,7 +45,7 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
   return text + "wrote " + (output / "diagnosis.json").string() + " and " + (output / "report.html").string() + "\n";
 }
 
-void run(const Arguments& arguments) {
+void run_diagnose(const DiagnoseArguments& arguments) {
   if (arguments.catalogue) {
     std::cout << effects_manual() << std::flush;
     return;
@@ -66,7 +66,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_diagnose_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = app.add_subcommand(
       "diagnose", "Locate where a recording and its simulation part, and name the physics that was left out");
   command->add_option("RECORDING", arguments->recording, "Folder with recording.json and its tables")->check(CLI::ExistingPath);
@@ -74,7 +74,7 @@ void add_diagnose_command(CLI::App& app) {
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
   command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_diagnose(*arguments); });
 }
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ struct RunArguments {
   bool json = false;
 };
 
-void run(const RunArguments& arguments) {
+void run_engine(const RunArguments& arguments) {
   const auto engine = make_engine(arguments.engine);
   EngineExperiment experiment;
   experiment.type = engine_experiment_type(arguments.experiment);
@@ -90,7 +90,7 @@ void add_engine_commands(CLI::App& app) {
   engine->add_flag("--json", run_arguments->json, "Print JSON instead of a table");
   engine->footer("Example: asperity engine runs/paper/parameters_silicon.json --indenter runs/paper/parameters_diamond.json"
                  " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
-  engine->callback([run_arguments] { run(*run_arguments); });
+  engine->callback([run_arguments] { run_engine(*run_arguments); });
 
   const auto input_arguments = std::make_shared<InputArguments>();
   CLI::App* input = app.add_subcommand("engine-input", "Write a contact as what a user pastes into a discrete element engine");

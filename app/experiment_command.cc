@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ExperimentArguments {
   std::string type, substrate, indenter, output;
   std::string load = "100 uN", amplitude = "1 um", rail_angle = "45 deg", speed;
   int cycles = 1;
@@ -29,13 +29,13 @@ struct Arguments {
   bool partial_slip = false, normal_adhesion = false, json = false;
 };
 
-SingleParticle particle_of(const Arguments& arguments, const ContactModel& substrate, const ContactModel& indenter) {
+SingleParticle particle_of(const ExperimentArguments& arguments, const ContactModel& substrate, const ContactModel& indenter) {
   if (arguments.type == "glued") return glued_sphere(substrate);
   if (arguments.type == "rolling") return rolling_sphere(substrate, indenter);
   return sphere_in_rail(substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle));
 }
 
-nlohmann::ordered_json to_json(const Arguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
+nlohmann::ordered_json to_json(const ExperimentArguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
                                double load) {
   const auto quantity = [](double value, const char* unit) { return nlohmann::ordered_json{{"value", value}, {"unit", unit}}; };
   nlohmann::ordered_json json{{"format", "asperity-experiment/1"}, {"experiment", arguments.type},
@@ -66,7 +66,7 @@ std::string to_text(const LoopNumbers& numbers, double load) {
          "plateau over normal load           " + format_quantity(numbers.plateau / load, Dimension::none, 5) + "\n";
 }
 
-void run(const Arguments& arguments) {
+void run_experiment(const ExperimentArguments& arguments) {
   ReducedLawOptions options;
   options.partial_slip = arguments.partial_slip;
   options.normal_adhesion = arguments.normal_adhesion;
@@ -102,7 +102,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_experiment_commands(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExperimentArguments>();
   CLI::App* command =
       app.add_subcommand("experiment", "Run one of the paper's experiments with one particle by the reduced laws");
   command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")->required();
@@ -122,7 +122,7 @@ void add_experiment_commands(CLI::App& app) {
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer("Example: asperity experiment runs/paper/parameters_silicon.json --indenter runs/paper/parameters_diamond.json"
                   " --type rail --rail-angle '25 deg' --load '500 uN' --output output/rail");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_experiment(*arguments); });
 
   CLI::App* laws = app.add_subcommand("laws", "Print the manual of the reduced laws");
   laws->callback([] { std::cout << reduced_laws_manual() << std::flush; });

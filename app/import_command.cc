@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-struct Arguments {
+struct ImportArguments {
   std::string file, output, mode = "normal", format, title, response;
   std::string radius, particle_modulus, substrate_modulus, spring_constant;
   std::optional<double> particle_poisson, substrate_poisson;
@@ -26,7 +26,7 @@ std::optional<double> quantity(const std::string& text, Dimension dimension) {
   return text.empty() ? std::nullopt : std::optional<double>(parse_quantity(text, dimension));
 }
 
-void run(const Arguments& arguments) {
+void run_import(const ImportArguments& arguments) {
   ImportOptions options;
   options.format = arguments.format;
   options.title = arguments.title;
@@ -55,7 +55,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_import_command(CLI::App& app) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand("import", "Turn an instrument's own text (Hysitron, Optics11, Fischer, any CSV) into a recording");
   command->add_option("FILE", a->file, "Text as the instrument wrote it; UTF-8 or Latin-1, decimal points or commas")->required();
   command->add_option("--output", a->output, "Folder for recording.json and its CSV")->required();
@@ -75,7 +75,7 @@ void add_import_command(CLI::App& app) {
   command->add_option("--response", a->response, "Channel that is compared");
   command->footer("Example: asperity import test.csv --column 'time [s]=t' --column 'normal_displacement [nm]=depth' --column 'normal_force [mN]=load'"
                   " --radius '5 um' --substrate-modulus '72 GPa' --substrate-poisson 0.17 --output output/test");
-  command->callback([a] { run(*a); });
+  command->callback([a] { run_import(*a); });
 }
 
 }  // namespace asperity

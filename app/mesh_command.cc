@@ -14,12 +14,12 @@
 namespace asperity {
 namespace {
 
-struct Arguments {
+struct MeshArguments {
   std::string file, output;
   std::vector<std::string> overrides;
 };
 
-void run(const Arguments& arguments) {
+void run_mesh(const MeshArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);
   with_mpi(input.solver.threads, [&] {
@@ -34,13 +34,13 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_mesh_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MeshArguments>();
   CLI::App* command = app.add_subcommand("mesh", "Write the meshes of a case; print quality, counts and memory to solve it");
   command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
   command->add_option("--output", arguments->output, "Folder for the meshes")->required();
   command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")
       ->expected(1)->take_all();
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_mesh(*arguments); });
 }
 
 }  // namespace asperity

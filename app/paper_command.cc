@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct PaperArguments {
   std::string data = ASPERITY_RUNS "/paper/published", output, series;
   bool json = false;
 };
 
-void run(const Arguments& arguments) {
+void run_paper(const PaperArguments& arguments) {
   const Published published = read_published(arguments.data);
   const PaperAnalysis analysis =
       arguments.series.empty() ? analyse_paper(published)
@@ -43,7 +43,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_paper_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<PaperArguments>();
   CLI::App* command =
       app.add_subcommand("paper", "The paper's tables, fits and figures from its published numbers, with deviations in sigma");
   command->add_option("--output", arguments->output, "Folder for paper.txt, paper.json, the numbers and each figure's curves as CSV");
@@ -51,7 +51,7 @@ void add_paper_command(CLI::App& app) {
   command->add_option("--series", arguments->series,
                       "Only fit this series (CSV: normal_force [uN], lateral_force [uN], lateral_force_sd [uN]) as the paper does its own");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_paper(*arguments); });
 }
 
 }  // namespace asperity

@@ -16,13 +16,13 @@
 namespace asperity {
 namespace {
 
-struct Arguments {
+struct SolveArguments {
   std::string file, output;
   std::vector<std::string> overrides;
   bool resume = false;
 };
 
-void run(const Arguments& arguments) {
+void run_solve(const SolveArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);
   if (is_speaking_rank()) remember_case(settings, arguments.file, arguments.output, arguments.resume);
@@ -40,7 +40,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_solve_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one case: result.json, history.csv and fields");
   command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
   command->add_option("--output", arguments->output, "Folder for the results")->required();
@@ -52,7 +52,7 @@ void add_solve_command(CLI::App& app) {
     throw CLI::Success();
   }, "Print the reference manual of case files");
   command->footer("On several processes: mpirun -np N asperity solve CASE.prm --output DIR");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_solve(*arguments); });
 }
 
 }  // namespace asperity

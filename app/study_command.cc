@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct StudyArguments {
   std::string file, output, solver;
   bool resume = false;
   int parallel = 0;
 };
 
-void run(const Arguments& arguments) {
+void run_study(const StudyArguments& arguments) {
   Study study = read_study(arguments.file);
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   StudyRunOptions options;
@@ -51,7 +51,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_study_command(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = app.add_subcommand("study", "Solve a matrix of cases, several at a time");
   command->add_option("STUDY.prm", arguments->file, "Study file: a base case and what is varied")->required();
   command->add_option("--output", arguments->output, "Folder for the results, a folder in it for each case")->required();
@@ -60,7 +60,7 @@ void add_study_command(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_option("--solver", arguments->solver, "Program called in place of this one")->group("");
   command->footer(std::string("A study file is a case file with one more subsection:\n\n") + study_example);
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] { run_study(*arguments); });
 }
 
 }  // namespace asperity

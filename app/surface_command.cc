@@ -22,7 +22,7 @@
 namespace asperity {
 namespace {
 
-std::string in_words(double value) { return format_quantity(value, Dimension::length, 4); }
+std::string length_in_words(double value) { return format_quantity(value, Dimension::length, 4); }
 
 // ---- measure
 // ---------------------------------------------------------------------------------------------------------
@@ -97,8 +97,8 @@ SelfAffineSpectrum model_of(const GenerateArguments& arguments, double spacing) 
   model.check();
   constexpr double pixels_per_wave = 2;
   if (model.cutoff < pixels_per_wave * spacing * (1 - 1e-9))
-    throw InputError("a cutoff of " + in_words(model.cutoff) +
-                     " needs pixels of at most half of it, but they are " + in_words(spacing) +
+    throw InputError("a cutoff of " + length_in_words(model.cutoff) +
+                     " needs pixels of at most half of it, but they are " + length_in_words(spacing) +
                      "; pass more --pixels or a longer --cutoff");
   return model;
 }
@@ -135,8 +135,8 @@ void generate_file(const GenerateArguments& arguments) {
       model = calibrated(model, model.rms, afm);
     }
     longest = model.rolloff, options.rms = model.rms, spectrum = model;
-    said = "rms " + in_words(model.rms) + ", hurst " + format_quantity(model.hurst, Dimension::none) +
-           ", rolloff " + in_words(model.rolloff) + ", cutoff " + in_words(model.cutoff);
+    said = "rms " + length_in_words(model.rms) + ", hurst " + format_quantity(model.hurst, Dimension::none) +
+           ", rolloff " + length_in_words(model.rolloff) + ", cutoff " + length_in_words(model.cutoff);
   }
   Topography map =
       arguments.window ? generate_window(spectrum, longest, options) : generate_periodic(spectrum, options);
@@ -144,11 +144,11 @@ void generate_file(const GenerateArguments& arguments) {
                (arguments.window ? ", window" : ", periodic");
   write_gsf(arguments.output, map);
   const HeightMoments moments = height_moments(map);
-  std::cout << arguments.output << ": " << map.nx << " x " << map.ny << " pixels, " << in_words(map.lx)
+  std::cout << arguments.output << ": " << map.nx << " x " << map.ny << " pixels, " << length_in_words(map.lx)
             << ", " << (arguments.window ? "cut from a larger surface" : "periodic") << "\n"
             << said << ", seed " << arguments.seed << "\n"
-            << "Sq of this realisation " << in_words(moments.Sq) << ", peak to valley "
-            << in_words(moments.Sz) << "\n";
+            << "Sq of this realisation " << length_in_words(moments.Sq) << ", peak to valley "
+            << length_in_words(moments.Sz) << "\n";
 }
 
 void add_generate(CLI::App& parent) {

@@ -6,11 +6,10 @@
 #include <limits>
 
 #include "dem_compare/mesh_family.h"
+#include "dem_compare/statistics.h"
 
 namespace asperity {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 GroupNumbers numbers_of(const CaseGroup& group, const MeshFamily& family) {
   GroupNumbers result;

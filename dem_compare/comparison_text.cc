@@ -5,24 +5,23 @@
 #include <cstdlib>
 
 #include "dem_compare/comparison.h"
+#include "dem_compare/json_number.h"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json estimate_json(const Estimate& estimate, const char* unit) {
-  Json object{{"value", number(estimate.mean)},
+  Json object{{"value", number_or_null(estimate.mean)},
               {"unit", unit},
-              {"sd", number(estimate.sd)},
-              {"standard_error", number(estimate.standard_error)},
+              {"sd", number_or_null(estimate.sd)},
+              {"standard_error", number_or_null(estimate.standard_error)},
               {"count", estimate.count}};
   if (estimate.mesh)
-    object["mesh_error"] = {{"relative", number(estimate.mesh->relative_error)},
-                            {"standard_error", number(estimate.mesh->standard_error)},
-                            {"extrapolated", number(estimate.mesh->extrapolated)},
+    object["mesh_error"] = {{"relative", number_or_null(estimate.mesh->relative_error)},
+                            {"standard_error", number_or_null(estimate.mesh->standard_error)},
+                            {"extrapolated", number_or_null(estimate.mesh->extrapolated)},
                             {"order", estimate.mesh->order},
                             {"order_is_assumed", estimate.mesh->order_is_assumed}};
   return object;
@@ -50,14 +49,14 @@ const std::vector<LoadColumn>& load_columns() {
 }
 
 Json numbers_json(const GroupNumbers& numbers) {
-  return {{"normal_force_N", number(numbers.force)},
+  return {{"normal_force_N", number_or_null(numbers.force)},
           {"hertz",
            {{"reduced_modulus_Pa", numbers.hertz.reduced_modulus},
             {"radius_m", numbers.hertz.radius},
-            {"approach_m", number(numbers.hertz.approach(numbers.force))},
-            {"normal_stiffness_N_per_m", number(numbers.hertz.normal_stiffness(numbers.force))},
-            {"contact_area_m2", number(numbers.hertz.contact_area(numbers.force))},
-            {"peak_pressure_Pa", number(numbers.hertz.peak_pressure(numbers.force))}}},
+            {"approach_m", number_or_null(numbers.hertz.approach(numbers.force))},
+            {"normal_stiffness_N_per_m", number_or_null(numbers.hertz.normal_stiffness(numbers.force))},
+            {"contact_area_m2", number_or_null(numbers.hertz.contact_area(numbers.force))},
+            {"peak_pressure_Pa", number_or_null(numbers.hertz.peak_pressure(numbers.force))}}},
           {"approach", estimate_json(numbers.approach, "m")},
           {"loading_stiffness", estimate_json(numbers.loading_stiffness, "N/m")},
           {"unloading_stiffness", estimate_json(numbers.unloading_stiffness, "N/m")},
@@ -71,23 +70,23 @@ Json numbers_json(const GroupNumbers& numbers) {
           {"fitted_radius_with_offset", estimate_json(numbers.fitted_radius_with_offset, "m")},
           {"fitted_exponent", estimate_json(numbers.exponent, "1")},
           {"fitted_exponent_with_offset", estimate_json(numbers.exponent_with_offset, "1")},
-          {"load_step_error_of_stiffness", number(numbers.differencing_error)}};
+          {"load_step_error_of_stiffness", number_or_null(numbers.differencing_error)}};
 }
 
 Json group_json(const GroupComparison& group) {
   Json object{{"label", group.label},
               {"realisations", group.realisations},
-              {"interface_spacing_m", number(group.interface_spacing)},
+              {"interface_spacing_m", number_or_null(group.interface_spacing)},
               {"is_finest_spacing", group.is_finest},
               {"other_spacings_m", group.other_spacings},
               {"verdict", group.verdict},
-              {"hertzian_from_N", number(group.hertzian_from)},
+              {"hertzian_from_N", number_or_null(group.hertzian_from)},
               {"at_largest_load", numbers_json(group.numbers)}};
   object["loads"] = Json::array();
   for (const auto& load : group.loads) {
     Json at{{"normal_force_N", load.force}};
     for (const auto& column : load_columns()) at[column.name] = estimate_json(load.*column.estimate, column.unit);
-    at["load_step_error_of_stiffness"] = number(load.step_error);
+    at["load_step_error_of_stiffness"] = number_or_null(load.step_error);
     object["loads"].push_back(at);
   }
   return object;

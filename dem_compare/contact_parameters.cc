@@ -8,10 +8,10 @@
 namespace asperity {
 namespace {
 
-using Quantity = std::optional<EffectiveQuantity>;
+using OptionalQuantity = std::optional<EffectiveQuantity>;
 
 /// The quantity, or an error that says which key is missing and what it would mean.
-const EffectiveQuantity& need(const ContactParameters& parameters, Quantity ContactParameters::*member) {
+const EffectiveQuantity& need(const ContactParameters& parameters, OptionalQuantity ContactParameters::*member) {
   if (parameters.*member) return *(parameters.*member);
   for (const auto& entry : quantity_entries())
     if (entry.member == member)
@@ -25,10 +25,10 @@ double scaled(const ContactParameters& parameters, const EffectiveQuantity& stif
   return stiffness.value * parameters.contact_radius(load) / parameters.contact_radius(stiffness.at_load);
 }
 
-double value_or_zero(const Quantity& quantity) { return quantity ? quantity->value : 0; }
+double value_or_zero(const OptionalQuantity& quantity) { return quantity ? quantity->value : 0; }
 
-double torque_limit(const ContactParameters& parameters, Quantity ContactParameters::*friction,
-                    Quantity ContactParameters::*offset, double load) {
+double torque_limit(const ContactParameters& parameters, OptionalQuantity ContactParameters::*friction,
+                    OptionalQuantity ContactParameters::*offset, double load) {
   const EffectiveQuantity& mu = need(parameters, friction);
   return mu.value * parameters.length(mu.length_scale, load) * (load + value_or_zero(parameters.*offset));
 }
@@ -102,11 +102,11 @@ double ContactParameters::torsion_limit(double load) const {
   return torque_limit(*this, &ContactParameters::torsion_friction, &ContactParameters::torsion_offset, load);
 }
 
-std::optional<LoadRange> ContactParameters::load_range(Quantity ContactParameters::*friction,
-                                                       Quantity ContactParameters::*offset) const {
+std::optional<LoadRange> ContactParameters::load_range(OptionalQuantity ContactParameters::*friction,
+                                                       OptionalQuantity ContactParameters::*offset) const {
   std::optional<LoadRange> common;
   for (const auto member : {friction, offset}) {
-    const Quantity& quantity = this->*member;
+    const OptionalQuantity& quantity = this->*member;
     if (!quantity || !quantity->load_range) continue;
     if (!common) common = quantity->load_range;
     common->low = std::max(common->low, quantity->load_range->low);

@@ -6,11 +6,11 @@
 
 #include "core/error.h"
 #include "dem_compare/least_squares.h"
+#include "dem_compare/statistics.h"
 
 namespace asperity {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 using Values = std::vector<double>;
 
 /// Slope at x[at] of the parabola through three points, one of which is `at`.

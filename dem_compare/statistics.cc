@@ -16,7 +16,6 @@ Scatter scatter_of(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values)
     if (!std::isnan(value)) sum += value, ++scatter.count;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   scatter.mean = scatter.count ? sum / scatter.count : unknown;
   double squares = 0;
   for (const double value : values)

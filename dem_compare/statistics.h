@@ -7,6 +7,9 @@
 
 namespace asperity {
 
+/// What has no value, in tables and sums of them.
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Mean over realisations of a rough surface.
 struct Scatter {
   int count = 0;

@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
@@ -18,12 +19,6 @@ struct Column {
   std::string channel;  ///< "segment" for the text column
   double factor = 1;    ///< to SI
 };
-
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1));
-}
 
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells;

@@ -7,13 +7,12 @@
 #include <tuple>
 
 #include "report/axis.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/words.h"
 
 namespace asperity::report {
 namespace {
-
-constexpr double uN = 1e-6;
 
 using Rows = std::vector<const ComparisonRow*>;
 

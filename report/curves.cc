@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "report/colour_scale.h"
+#include "report/display_units.h"
 
 namespace asperity::report {
 namespace {
 
-constexpr double nm = 1e-9, kN_per_m = 1e3, um2 = 1e-12;
 const std::string hertz_colour = "#555555";
 const std::string loading_colour = "#0072b2", unloading_colour = "#d55e00", reloading_colour = "#009e73";
 

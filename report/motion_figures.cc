@@ -5,12 +5,12 @@
 
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "report/display_units.h"
 #include "report/page.h"
 
 namespace asperity::report {
 namespace {
 
-constexpr double uN = 1e-6, nm = 1e-9, pN_m = 1e-12, mrad = 1e-3;
 const std::string computed_colour = "#0072b2", law_colour = "#555555";
 
 /// Follows a law of first loading there and, by Masing's rule, back from the largest displacement: one series of both ways.

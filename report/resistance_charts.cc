@@ -5,12 +5,12 @@
 #include "dem_compare/resistance/sentences.h"
 #include "dem_compare/resistance/stretches.h"
 #include "report/colour_scale.h"
+#include "report/display_units.h"
 #include "report/words.h"
 
 namespace asperity::report {
 namespace {
 
-constexpr double uN = 1e-6, nm = 1e-9;
 constexpr int narrow = 520;
 const std::string measured_colour = "#d55e00";
 

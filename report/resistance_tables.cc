@@ -5,6 +5,7 @@
 
 #include "dem_compare/resistance/sentences.h"
 #include "dem_compare/resistance/stretches.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/resistance_section.h"
 #include "report/words.h"
@@ -12,7 +13,7 @@
 namespace asperity::report {
 namespace {
 
-constexpr double uN = 1e-6, pN_m = 1e-12, nm = 1e-9, per_cent = 100;
+constexpr double per_cent = 100;
 
 std::string cell(const Uncertain& number) {
   return std::isfinite(number.value) ? answer_html(number_text(number)) : "–";

@@ -9,13 +9,14 @@
 #include "core/error.h"
 #include "report/axis.h"
 #include "report/case_fields.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/words.h"
 
 namespace asperity::report {
 namespace {
 
-constexpr double GPa = 1e9, percent = 0.01;
+constexpr double percent = 0.01;
 
 /// Largest value of a cell array among cells whose first point lies in the window, without the uppermost outliers.
 ColourRange range_in_window(vtkPolyData& section, const SectionView& view) {

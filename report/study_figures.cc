@@ -9,6 +9,7 @@
 #include "report/case_fields.h"
 #include "report/colour_scale.h"
 #include "report/curves.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/surface_maps.h"
 #include "report/surface_spectra.h"
@@ -17,8 +18,6 @@
 
 namespace asperity::report {
 namespace {
-
-constexpr double kN_per_m = 1e3, GPa = 1e9, nm = 1e-9;
 
 /// First, middle and last load of a path.
 std::vector<std::size_t> shown_loads(const GroupComparison& group) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/axis.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/result_tables.h"
 #include "report/surface_spectra.h"
@@ -12,8 +13,6 @@
 
 namespace asperity::report {
 namespace {
-
-constexpr double kN_per_m = 1e3, GPa = 1e9, nm = 1e-9, um = 1e-6, um3 = 1e-18, fJ = 1e-15;
 
 /// One row per contact and load; the contact is named in its first row.
 template <class Cells>

@@ -7,6 +7,7 @@
 #include "report/axis.h"
 #include "report/case_fields.h"
 #include "report/chart.h"
+#include "report/display_units.h"
 #include "report/page.h"
 #include "report/words.h"
 #include "surfaces/statistics.h"
@@ -16,7 +17,6 @@ namespace asperity::report {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double nm = 1e-9, GPa = 1e9;
 constexpr int map_pixels = 360;
 
 Map scaled(Map map, double unit) {

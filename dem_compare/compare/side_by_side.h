@@ -20,7 +20,7 @@ struct SideBySide {
   std::string engine_version;
   std::string engine_failure;       ///< one sentence; "" if it did not fail
   std::vector<ComparisonRow> rows;  ///< of one contact after the other
-  std::vector<Verdict> verdicts;
+  std::vector<LawVerdict> verdicts;
   std::vector<std::string> remarks;  ///< what is missing, in words
 };
 

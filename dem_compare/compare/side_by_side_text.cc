@@ -3,19 +3,18 @@
 #include <cstdio>
 
 #include "dem_compare/compare/side_by_side.h"
+#include "dem_compare/json_number.h"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json ratio_json(const Uncertain& ratio) { return {{"value", number(ratio.value)}, {"sd", number(ratio.sd)}}; }
+Json ratio_json(const Uncertain& ratio) { return {{"value", number_or_null(ratio.value)}, {"sd", number_or_null(ratio.sd)}}; }
 
 Json value_json(const ComparedValue& value) {
   if (!value.known()) return {{"value", nullptr}, {"reason", value.reason}};
-  return {{"value", value.value}, {"sd", number(value.sd)}, {"source", value.source}};
+  return {{"value", value.value}, {"sd", number_or_null(value.sd)}, {"source", value.source}};
 }
 
 Json row_json(const ComparisonRow& row) {
@@ -25,12 +24,12 @@ Json row_json(const ComparisonRow& row) {
               {"quantity", display.key},
               {"unit", display.si},
               {"load_N", row.load},
-              {"rms_m", number(row.rms)},
-              {"rail_angle_rad", number(row.rail_angle)}};
+              {"rms_m", number_or_null(row.rms)},
+              {"rail_angle_rad", number_or_null(row.rail_angle)}};
   object["finite_elements"] = value_json(row.finite_elements);
   if (row.finite_elements.known()) {
     object["finite_elements"]["realisations"] = row.finite_elements.realisations;
-    object["finite_elements"]["relative_mesh_error"] = number(row.finite_elements.mesh_error);
+    object["finite_elements"]["relative_mesh_error"] = number_or_null(row.finite_elements.mesh_error);
   }
   object["reduced_law"] = value_json(row.reduced_law);
   object["engine"] = value_json(row.engine);
@@ -38,7 +37,7 @@ Json row_json(const ComparisonRow& row) {
   object["ratios"] = {{"law_over_finite_elements", ratio_json(ratio(row.reduced_law, row.finite_elements))},
                       {"law_over_published", ratio_json(ratio(row.reduced_law, row.published))},
                       {"finite_elements_over_published", ratio_json(ratio(row.finite_elements, row.published))},
-                      {"engine_over_law", number(engine_over_law(row))}};
+                      {"engine_over_law", number_or_null(engine_over_law(row))}};
   object["verdict"] = row.verdict;
   return object;
 }
@@ -114,9 +113,9 @@ std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& 
   return text;
 }
 
-std::string good_table(const std::vector<Verdict>& verdicts) {
+std::string good_table(const std::vector<LawVerdict>& verdicts) {
   std::string text = "| simplification | quantity | contact | judged by | good enough |\n| --- | --- | --- | --- | --- |\n";
-  std::vector<const Verdict*> sorted;
+  std::vector<const LawVerdict*> sorted;
   for (const auto& verdict : verdicts) sorted.push_back(&verdict);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) { return a->quantity < b->quantity; });
   for (const auto* verdict : sorted)
@@ -149,11 +148,11 @@ std::string engine_sentence(const SideBySide& comparison) {
   return text;
 }
 
-Json verdict_json(const Verdict& verdict) {
+Json verdict_json(const LawVerdict& verdict) {
   Json object{{"contact", verdict.contact},
               {"mode", mode_name(display_of(verdict.quantity).mode)},
               {"quantity", display_of(verdict.quantity).key},
-              {"rail_angle_rad", number(verdict.rail_angle)},
+              {"rail_angle_rad", number_or_null(verdict.rail_angle)},
               {"law", verdict.law},
               {"against", verdict.reference},
               {"text", verdict.text},

@@ -208,8 +208,8 @@ std::vector<GoodRange> good_ranges(const std::vector<Departure>& compared, doubl
   return good;
 }
 
-std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance) {
-  std::vector<Verdict> found;
+std::vector<LawVerdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance) {
+  std::vector<LawVerdict> found;
   std::vector<const ComparisonRow*> left;
   for (const auto& row : rows)
     if (row.reduced_law.known()) left.push_back(&row);
@@ -229,7 +229,7 @@ std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tol
       const std::vector<Departure> departures = departures_of(same, judgement);
       const std::string judged = *judgement.judged ? judgement.judged : first.reduced_law.source,
                         reference = judgement.reference;
-      const bool said = std::any_of(found.begin(), found.end(), [&](const Verdict& other) {
+      const bool said = std::any_of(found.begin(), found.end(), [&](const LawVerdict& other) {
         return other.contact == first.contact && other.quantity == first.quantity && other.law == judged &&
                other.reference == reference && (std::isnan(first.rail_angle) || other.rail_angle == first.rail_angle);
       });
@@ -254,7 +254,7 @@ std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tol
   return found;
 }
 
-std::string good_words(const Verdict& verdict) {
+std::string good_words(const LawVerdict& verdict) {
   const LoadRange& all = verdict.compared;
   if (verdict.is_own_fit) return "its numbers were fitted to it";
   if (all.low == all.high) return (verdict.good.empty() ? "not at " : "at ") + force(all.low) + ", the only load compared";

@@ -21,7 +21,7 @@ struct GoodRange : LoadRange {
   bool reaches_lowest = false, reaches_highest = false;  ///< of the loads compared: what is beyond was not looked at
 };
 
-struct Verdict {
+struct LawVerdict {
   std::string contact, law, reference;  ///< "finite elements" or "measurement"
   Quantity quantity = Quantity::approach;
   double rail_angle = std::numeric_limits<double>::quiet_NaN();
@@ -40,10 +40,10 @@ std::vector<GoodRange> good_ranges(const std::vector<Departure>& departures, dou
 std::string rail_words(double angle);
 
 /// "from 135 uN on", "at all loads compared", ...
-std::string good_words(const Verdict& verdict);
+std::string good_words(const LawVerdict& verdict);
 
 /// One for each law, quantity and reference of each contact.
-std::vector<Verdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance);
+std::vector<LawVerdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance);
 
 /// The law against finite elements, otherwise against the measurement, at this row's load; "" where neither is known.
 std::string row_verdict(const ComparisonRow& row, double tolerance);

@@ -6,12 +6,12 @@
 
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
+#include "dem_compare/statistics.h"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One case of the mode.
 struct MotionCase {

@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// Hertz fits of one case's first loading.
 struct NormalFit {
   const SolvedCase* solved = nullptr;

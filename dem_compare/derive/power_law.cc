@@ -10,7 +10,6 @@ namespace asperity {
 
 PowerLaw fit_power(const std::vector<CaseNumber>& numbers,
                    const std::function<double(double)>& contact_radius, double exponent) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto n = static_cast<double>(numbers.size());
   PowerLaw law;
   law.loads = {numbers.front().load, numbers.front().load};

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dem_compare/json_number.h"
+
 namespace asperity {
 namespace {
 
@@ -23,8 +25,7 @@ std::string quoted(const std::string& text) {
   return safe + "\"";
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json json_of(const Uncertain& value) { return {{"value", number(value.value)}, {"sd", number(value.sd)}}; }
+Json json_of(const Uncertain& value) { return {{"value", number_or_null(value.value)}, {"sd", number_or_null(value.sd)}}; }
 Json json_of(const ResistanceParts& parts) {
   return {{"friction", json_of(parts.friction)},
           {"plastic", json_of(parts.plastic)},
@@ -38,15 +39,15 @@ Json json_of(const Trend& trend) {
 Json json_of(const MovingCase& item) {
   return {{"folder", item.folder},
           {"load", item.load},
-          {"spacing", number(item.spacing)},
+          {"spacing", number_or_null(item.spacing)},
           {"contact_radius", item.contact_radius},
           {"way_in_contact_radii", item.way_in_radii},
           {"stretches", item.first.stretches},
           {"dissipated", json_of(item.first.dissipated)},
           {"force", json_of(item.first.force)},
-          {"unbalanced", number(item.first.unbalanced)},
-          {"drift", number(item.first.drift)},
-          {"drift_error", number(item.first.drift_error)},
+          {"unbalanced", number_or_null(item.first.unbalanced)},
+          {"drift", number_or_null(item.first.drift)},
+          {"drift_error", number_or_null(item.first.drift_error)},
           {"way_back", item.back.reached() ? json_of(item.back.dissipated) : Json(nullptr)}};
 }
 
@@ -63,12 +64,12 @@ Json json_of(const MovingContact& contact) {
                       {"way_back_over_first", json_of(state.back_over_first)},
                       {"hertz_radius", state.hertz_radius},
                       {"contact_area", state.contact_area},
-                      {"coulomb", number(state.coulomb)},
+                      {"coulomb", number_or_null(state.coulomb)},
                       {"cases", cases}});
   }
   return {{"label", contact.label},
           {"radius", contact.bodies.radius},
-          {"rms", number(contact.bodies.rms)},
+          {"rms", number_or_null(contact.bodies.rms)},
           {"friction_coefficient", contact.bodies.friction},
           {"can_yield", contact.can_yield},
           {"adheres", contact.adheres},
@@ -105,7 +106,7 @@ Json json_of(const LengthAnswer& answer) {
                          {"exponent", json_of(exponent.exponent.slope)},
                          {"with_r", exponent.with_radius},
                          {"with_a", exponent.with_contact},
-                         {"with_bonds", number(exponent.with_bonds)}});
+                         {"with_bonds", number_or_null(exponent.with_bonds)}});
   return {{"experiment", answer.mode->experiment},
           {"contact", answer.contact},
           {"radii", answer.radii},
@@ -144,15 +145,15 @@ Json json_of(const AgainstPublished& published) {
                           {"simulated", json_of(one.simulated)},
                           {"measured", json_of(one.measured)},
                           {"ratio", json_of(one.over())},
-                          {"sigmas", number(one.sigmas())},
+                          {"sigmas", number_or_null(one.sigmas())},
                           {"source", one.source}});
   for (const auto& one : published.trends)
     trends.push_back({{"experiment", one.trend->mode->experiment},
-                      {"load", number(one.load)},
+                      {"load", number_or_null(one.load)},
                       {"simulated", json_of(one.simulated)},
                       {"measured", json_of(one.measured)},
                       {"ratio", json_of(one.over())},
-                      {"sigmas", number(one.sigmas())},
+                      {"sigmas", number_or_null(one.sigmas())},
                       {"opposite", one.is_opposite()}});
   return {{"magnitudes", magnitudes}, {"trends", trends}, {"remarks", published.remarks}};
 }

@@ -30,7 +30,7 @@ Experiment example(Mode mode) {
   return e;
 }
 
-std::string number(double value) {
+std::string plain(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
@@ -59,7 +59,7 @@ std::string effects_manual() {
     }
     text += "\n| parameter | unit | meaning | from | to |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : parameters)
-      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning + " | " + number(p.low) + " | " + number(p.high) + " |\n";
+      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning + " | " + plain(p.low) + " | " + plain(p.high) + " |\n";
   }
   return text;
 }

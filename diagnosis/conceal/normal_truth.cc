@@ -1,13 +1,10 @@
 #include "diagnosis/conceal/normal_truth.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace asperity::hidden {
 namespace {
-
-constexpr double pi = boost::math::double_constants::pi;
 
 }  // namespace
 

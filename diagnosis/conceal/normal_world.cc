@@ -1,6 +1,5 @@
 // Loading, holding and unloading of a sphere.
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
 
@@ -11,9 +10,7 @@
 namespace asperity::hidden {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
-
-struct Program {
+struct NormalProgram {
   std::vector<double> loads;  ///< of an elastic sphere at the end of each run's path [N]
   double off_contact = 0;     ///< path before touch, over the largest approach
   double load_time = 10, hold_time = 10;
@@ -21,9 +18,9 @@ struct Program {
   bool unloads = true, controls_force = false;
 };
 
-Program program_of(const WorldRequest& request, Random& random) {
+NormalProgram normal_program(const WorldRequest& request, Random& random) {
   const auto has = [&](const char* id) { return std::find(request.effects.begin(), request.effects.end(), id) != request.effects.end(); };
-  Program program;
+  NormalProgram program;
   // Loads at which the physics asked for shows; the others come at any.
   double largest = between(random, 0.2e-3, 2e-3);
   if (has("adhesion") || has("adhesion_hysteresis")) largest = between(random, 40e-6, 80e-6);
@@ -51,7 +48,7 @@ Program program_of(const WorldRequest& request, Random& random) {
 }
 
 /// Parameters, scaled so that the effect is as large as instruments show it.
-void choose(World& world, const WorldRequest& request, const Program& program, const Sphere& nominal, Random& random) {
+void choose(World& world, const WorldRequest& request, const NormalProgram& program, const Sphere& nominal, Random& random) {
   const double largest = program.loads.back(), depth = nominal.approach_of(nominal.contact_radius_at_force(largest));
   const double run_time = 2 * program.load_time + program.hold_time;
   for (const auto& id : request.effects) {
@@ -109,7 +106,7 @@ MaugisDugdale adhesive_by_pull_off(const Sphere& sphere, double pull_off) {
 
 class NormalRun {
  public:
-  NormalRun(const World& world, const Program& program, const Sphere& nominal, double depth, bool with_effects)
+  NormalRun(const World& world, const NormalProgram& program, const Sphere& nominal, double depth, bool with_effects)
       : world_(world), program_(program), depth_(depth), with_effects_(with_effects), sphere_(nominal) {
     if (has("effective_radius")) sphere_.radius *= of("effective_radius", "radius_ratio");
     if (has("adhesion"))
@@ -173,7 +170,7 @@ class NormalRun {
   }
 
   const World& world_;
-  const Program& program_;
+  const NormalProgram& program_;
   double depth_;
   bool with_effects_;
   Sphere sphere_;
@@ -188,7 +185,7 @@ World normal_world(const WorldRequest& request) {
   Random random(request.seed);
   World world;
   world.recording = paper_bodies(Mode::normal, "concealed normal loading");
-  const Program program = program_of(request, random);
+  const NormalProgram program = normal_program(request, random);
   const Sphere nominal{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), world.recording.particle.radius};
   choose(world, request, program, nominal, random);
   const double deepest = nominal.approach_of(nominal.contact_radius_at_force(program.loads.back()));

@@ -1,6 +1,5 @@
 #include "diagnosis/conceal/rough_layer.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
 
@@ -9,8 +8,6 @@
 
 namespace asperity::hidden {
 namespace {
-
-constexpr double pi = boost::math::double_constants::pi;
 
 /// int s/(r + s) K(k) ds over a ring, midpoints graded towards s = r where K has a logarithm.
 double ring_integral(double r, double inner, double outer) {

@@ -1,7 +1,6 @@
 // Series of steady lateral forces: rolling between substrate and indenter, rolling in a V-groove, spinning about the normal.
 #include <algorithm>
 #include <Eigen/Dense>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/hertz.h"
@@ -11,7 +10,6 @@
 namespace asperity::hidden {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
 const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25}, diamond{1140e9, 0.07};
 constexpr double radius = 8.5e-6;
 
@@ -20,18 +18,14 @@ struct Row {
   int direction = 1;
 };
 
-bool asks(const WorldRequest& request, const char* id) {
-  return std::find(request.effects.begin(), request.effects.end(), id) != request.effects.end();
-}
-
 std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   const double largest = between(random, 2e-3, 4e-3);
   std::vector<double> loads, speeds{1e-6}, roughness{0.3e-9}, angles{0};
-  const bool few_loads = asks(request, "roughness_dependent_rolling") || asks(request, "viscous_rolling") || request.mode == Mode::rail;
+  const bool few_loads = request.asks_for("roughness_dependent_rolling") || request.asks_for("viscous_rolling") || request.mode == Mode::rail;
   const int count = few_loads ? 7 : 24;
   for (int i = 0; i < count; ++i) loads.push_back(largest * (i + 1) / count);
-  if (asks(request, "viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
-  if (asks(request, "roughness_dependent_rolling")) roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
+  if (request.asks_for("viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
+  if (request.asks_for("roughness_dependent_rolling")) roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
   if (request.mode == Mode::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
   // Both ways of rolling, as loops give them: what keeps its sign belongs to the instrument.
   const std::vector<int> directions = request.mode == Mode::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};

@@ -1,6 +1,5 @@
 // Friction loops of a sphere that is glued to its indenter.
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/shear_moduli.h"
@@ -11,9 +10,7 @@
 namespace asperity::hidden {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
-
-struct Program {
+struct SlidingProgram {
   std::vector<double> loads;   ///< [N]
   std::vector<double> speeds;  ///< of each load's runs [m/s]
   double amplitude = 250e-9;   ///< [m]
@@ -21,31 +18,27 @@ struct Program {
   bool steps_speed = false;    ///< one long way with steps of speed
 };
 
-bool asks(const WorldRequest& request, const char* id) {
-  return std::find(request.effects.begin(), request.effects.end(), id) != request.effects.end();
-}
-
-Program program_of(const WorldRequest& request, Random& random) {
-  Program program;
+SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
+  SlidingProgram program;
   const double largest = between(random, 150e-6, 300e-6);
   program.loads = {largest / 8, largest / 4, largest / 2, largest};
   program.speeds = {1e-6};
-  if (asks(request, "velocity_dependence")) program.speeds = {0.1e-6, 1e-6, 10e-6}, program.loads = {largest / 4, largest}, program.cycles = 1;
-  if (asks(request, "run_in")) program.cycles = 12, program.loads = {largest / 4, largest}, program.samples = 40;
-  if (asks(request, "stick_slip")) {
+  if (request.asks_for("velocity_dependence")) program.speeds = {0.1e-6, 1e-6, 10e-6}, program.loads = {largest / 4, largest}, program.cycles = 1;
+  if (request.asks_for("run_in")) program.cycles = 12, program.loads = {largest / 4, largest}, program.samples = 40;
+  if (request.asks_for("stick_slip")) {
     // At one load it is no question whether friction is the top of the teeth or their mean.
     program.loads = request.effects.size() > 1 ? std::vector<double>{largest / 2, largest} : std::vector<double>{largest, largest};
     program.samples = 240;
     program.cycles = 1;
   }
-  if (asks(request, "partial_slip") || request.setting == "small_loops") {
+  if (request.asks_for("partial_slip") || request.setting == "small_loops") {
     const double heavy = between(random, 1e-3, 3e-3);
     program.loads = {heavy / 3, heavy};
     program.amplitude = 45e-9;
     program.samples = 100;
     program.cycles = 1;
   }
-  if (asks(request, "rate_and_state")) {
+  if (request.asks_for("rate_and_state")) {
     program.steps_speed = true;
     program.loads = {largest};
     program.speeds = {1e-6, 3e-6, 1e-6, 3e-6, 1e-6};  // where ageing and slip laws are still alike
@@ -57,14 +50,14 @@ Program program_of(const WorldRequest& request, Random& random) {
   return program;
 }
 
-void choose(World& world, const WorldRequest& request, const Program& program, double friction, Random& random) {
+void choose(World& world, const WorldRequest& request, const SlidingProgram& program, double friction, Random& random) {
   const double low = program.loads.front(), high = program.loads.back(), middle = std::sqrt(low * high);
   for (const auto& id : request.effects) {
     if (id == "lateral_compliance")
       world.hide(id, "springs in series, stick and slip told by events", "compliance", between(random, 0.06, 0.2) * program.amplitude / (friction * high));
     else if (id == "adhesion_offset")
       // Beside stick-slip an offset also holds the difference between the top of the teeth and their mean.
-      world.hide(id, "constant attraction under Coulomb's law", "adhesion_force", between(random, 0.3, 1.2) * low, !asks(request, "stick_slip"));
+      world.hide(id, "constant attraction under Coulomb's law", "adhesion_force", between(random, 0.3, 1.2) * low, !request.asks_for("stick_slip"));
     else if (id == "static_friction_peak") {
       const char* model = "state that is renewed with slip, integrated in small steps";
       world.hide(id, model, "peak_ratio", between(random, 1.2, 1.6));
@@ -106,7 +99,7 @@ void choose(World& world, const WorldRequest& request, const Program& program, d
 /// One run at one load; driven in small steps between samples.
 class SlidingRun {
  public:
-  SlidingRun(const World& world, const Program& program, double friction, double load, bool with_effects, unsigned seed)
+  SlidingRun(const World& world, const SlidingProgram& program, double friction, double load, bool with_effects, unsigned seed)
       : world_(world), program_(program), with_effects_(with_effects), friction_(friction), load_(load), events_(seed) {
     const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
     radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(load);
@@ -206,7 +199,7 @@ class SlidingRun {
   }
 
   const World& world_;
-  const Program& program_;
+  const SlidingProgram& program_;
   bool with_effects_;
   double friction_, load_, radius_ = 0, stiffness_ = 0;
   Random events_;
@@ -222,7 +215,7 @@ World sliding_world(const WorldRequest& request) {
   Random random(request.seed);
   World world;
   world.recording = paper_bodies(Mode::sliding, "concealed friction loops");
-  const Program program = program_of(request, random);
+  const SlidingProgram program = sliding_program(request, random);
   const double friction = between(random, 0.2, 0.45);
   choose(world, request, program, friction, random);
   if (world.hides("area_proportional_friction")) {

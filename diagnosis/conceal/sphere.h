@@ -4,9 +4,12 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace asperity::hidden {
+
+inline constexpr double pi = boost::math::double_constants::pi;
 
 struct Sphere {
   double reduced_modulus = 0;  ///< E* [Pa]

@@ -2,6 +2,7 @@
 // file; none of them uses anything of what diagnoses. SI units.
 #pragma once
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ struct WorldRequest {
   std::vector<std::string> effects;
   std::string setting;
   unsigned seed = 1;
+
+  bool asks_for(const std::string& effect) const {
+    return std::find(effects.begin(), effects.end(), effect) != effects.end();
+  }
 };
 
 /// Effects that can be concealed in a mode: of the catalogue, and outside of it.

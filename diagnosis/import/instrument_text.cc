@@ -5,17 +5,12 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::uintmax_t largest_file = 256u << 20;
-
-std::string trimmed(const std::string& text) {
-  const char* blank = " \t\r\"";
-  const auto first = text.find_first_not_of(blank);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 /// Is this byte sequence valid UTF-8?
 bool is_utf8(const std::string& text) {

@@ -7,14 +7,10 @@
 #include "core/error.h"
 #include "diagnosis/import/segments.h"
 #include "diagnosis/import/text_formats.h"
+#include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// One entry of the map.
 struct MappedColumn {

@@ -20,7 +20,7 @@ using test::write_solved;
 
 using test::Outcome;
 
-Outcome call(const std::string& arguments) { return test::call("compare " + arguments); }
+Outcome compare(const std::string& arguments) { return test::call("compare " + arguments); }
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
@@ -29,7 +29,7 @@ const std::string with_parameters = " --parameters " + std::string(ASPERITY_SOUR
 TEST(CompareCommand, keeps_the_comparison_with_hertz_and_adds_the_columns) {
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
-  const Outcome outcome = call(solved.string() + with_parameters);
+  const Outcome outcome = compare(solved.string() + with_parameters);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_CONTAINS(outcome.output, "comparison with Hertz");
   EXPECT_CONTAINS(outcome.output,
@@ -47,7 +47,7 @@ TEST(CompareCommand_other_code, sets_lammps_beside_the_laws) {
   if (find_program("lmp").empty()) GTEST_SKIP() << "LAMMPS is not installed: apt-get install lammps";
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
-  const Outcome outcome = call(solved.string() + " --engine lammps --json");
+  const Outcome outcome = compare(solved.string() + " --engine lammps --json");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const auto json = nlohmann::json::parse(outcome.output);
   for (const auto& row : json["side_by_side"]["rows"])
@@ -58,7 +58,7 @@ TEST(CompareCommand_other_code, sets_lammps_beside_the_laws) {
 TEST(CompareCommand, keeps_the_other_columns_where_the_engine_is_missing_and_ends_with_status_1) {
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
-  const Outcome outcome = call(solved.string() + with_parameters + " --engine lammps --program no-such-lmp");
+  const Outcome outcome = compare(solved.string() + with_parameters + " --engine lammps --program no-such-lmp");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_CONTAINS(outcome.output, "asperity: LAMMPS is missing: there is no program 'no-such-lmp'");
   const auto json = nlohmann::json::parse(read_file(solved / "comparison.json"));
@@ -71,11 +71,11 @@ TEST(CompareCommand, keeps_the_other_columns_where_the_engine_is_missing_and_end
 TEST(CompareCommand, refuses_wrong_input_with_status_2) {
   const TemporaryFolder folder;
   const std::string solved = write_solved(folder.path / "case", SolvedFolder{}).string();
-  EXPECT_EQ(call(solved + " --engine lamps").status, 2);
-  EXPECT_EQ(call(solved + " --parameters nothing.json").status, 2);
-  EXPECT_EQ(call(solved + " --tolerance -1").status, 2);
-  EXPECT_EQ(call(folder.path.string()).status, 2);
-  EXPECT_EQ(call(solved + " --indenter " + ASPERITY_SOURCE_DIR + "/runs/paper/parameters_diamond.json").status, 2);
+  EXPECT_EQ(compare(solved + " --engine lamps").status, 2);
+  EXPECT_EQ(compare(solved + " --parameters nothing.json").status, 2);
+  EXPECT_EQ(compare(solved + " --tolerance -1").status, 2);
+  EXPECT_EQ(compare(folder.path.string()).status, 2);
+  EXPECT_EQ(compare(solved + " --indenter " + ASPERITY_SOURCE_DIR + "/runs/paper/parameters_diamond.json").status, 2);
 }
 
 }  // namespace

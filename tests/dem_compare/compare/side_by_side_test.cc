@@ -70,14 +70,14 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
       std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
                     [](const auto& row) { return row.mode() == ComparedMode::rail && row.engine.known() && row.published.known(); }),
       18);  // three rails at three loads each, with offsets and without
-  const auto good_without_offset = std::find_if(compared.result.verdicts.begin(), compared.result.verdicts.end(), [](const Verdict& verdict) {
+  const auto good_without_offset = std::find_if(compared.result.verdicts.begin(), compared.result.verdicts.end(), [](const LawVerdict& verdict) {
     return verdict.law == "Coulomb without offset" && verdict.reference == "measurement";
   });
   ASSERT_NE(good_without_offset, compared.result.verdicts.end());
   // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding.
   EXPECT_EQ(good_words(*good_without_offset).rfind("at no load compared", 0), 0u) << good_words(*good_without_offset);
   for (const ComparedMode mode : {ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion, ComparedMode::rail})
-    EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(), [&](const Verdict& verdict) {
+    EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(), [&](const LawVerdict& verdict) {
       return display_of(verdict.quantity).mode == mode && verdict.reference == "measurement" && !verdict.is_own_fit;
     })) << mode_name(mode);
   const std::string markdown = to_markdown(compared.result);

@@ -55,7 +55,7 @@ TEST(Verdict, finds_the_loads_between_too_much_and_too_little) {
 }
 
 TEST(Verdict, tells_where_a_law_is_good_enough_from_where_nobody_looked) {
-  Verdict verdict;
+  LawVerdict verdict;
   verdict.compared = {100 * uN, 1e-3};
   EXPECT_EQ(good_words(verdict), "at no load compared (100 uN to 1 mN)");
   verdict.good = good_ranges({{100 * uN, 0, NAN}, {1e-3, 0.01, NAN}}, 0.05);
