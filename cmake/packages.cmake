@@ -13,7 +13,6 @@ find_package(pugixml REQUIRED)
 
 if(ASPERITY_COMPONENTS STREQUAL "all")
   find_package(CLI11 REQUIRED)
-  find_package(spdlog REQUIRED)
   find_package(deal.II 9.4 REQUIRED)
   find_package(CGAL REQUIRED)
   find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransforms FiltersCore IOImage IOXML RenderingCore
