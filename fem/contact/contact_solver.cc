@@ -186,12 +186,14 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   // A failed step or a restart may have left the interfaces coupled elsewhere.
   if (!(system_.coupled() == state.coupled)) system_.couple_at(state.coupled, {}, state.displacement);
   const std::vector<double> gaps_before = gaps(state);
+  constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
+  const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before) : target > state.approach;
   const auto elastic = mean_slip_displacement(state);
   RigidMotion surface = motion;
   surface.x += elastic[0], surface.y += elastic[1];
   system_.couple_at(surface, elastic, state.displacement);
   state.coupled = system_.coupled();
-  tractions_.begin_step(state, motion, gaps_before, gaps(state));
+  tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
   else advance_to(state, target, report);

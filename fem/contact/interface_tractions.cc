@@ -38,7 +38,7 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOper
 }
 
 void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before,
-                                    const std::vector<double>& gaps) {
+                                    const std::vector<double>& gaps, bool load_grows) {
   if (!friction_) return;
   start_ = slip_origin_ = slips(system_.interface(), accepted);
   start_before_ = slips(system_.interface_before(), accepted);
@@ -49,7 +49,10 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
   const Rotation from = rotation(accepted.motion), to = rotation(motion);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     if (accepted.multiplier[r] > 0) continue;
-    const double open_part = gaps[r] < 0 && gaps_before[r] > 0 ? gaps_before[r] / (gaps_before[r] - gaps[r]) : 1.0;
+    // Of the gap, what the motion alone closes. A growing load closes the rest, next to a contact whose stress has kept the surfaces
+    // there opposite each other all along.
+    const double by_motion = gaps_before[r] > 0 ? std::max(0.0, 1 - gaps[r] / gaps_before[r]) : 0.0;
+    const double open_part = by_motion > 1 ? 1 / by_motion : load_grows ? by_motion : 1.0;
     const auto& point = system_.interface_points()[system_.rows()[r].node];
     const auto before = turned(from, point, radius), after = turned(to, point, radius);
     const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x, after[1] - before[1] + motion.y - accepted.motion.y};
@@ -158,6 +161,15 @@ double InterfaceTractions::total_force() const {
   double total = 0;
   for (std::size_t r = 0; r < pressure_.size(); ++r) total += pressure_[r] * system_.areas()[r];
   return total;
+}
+
+double InterfaceTractions::carried_load(const ContactState& accepted, const std::vector<double>& gaps) const {
+  double load = 0;
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    const double pull = has_adhesion() ? attraction(accepted, static_cast<int>(r), gaps[r]).stress : 0.0;
+    load += system_.areas()[r] * (accepted.multiplier[r] - pull);
+  }
+  return load;
 }
 
 double InterfaceTractions::shear_share() const {

@@ -24,8 +24,9 @@ class InterfaceTractions {
 
   /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is counted from there.
   /// A row that is open slips only from where it closes, which its gaps at the accepted displacements before and after the
-  /// coupling tell.
-  void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps);
+  /// coupling tell; where the load grows, one that the motion does not close slips from the beginning.
+  void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps,
+                  bool load_grows);
   /// Shear limits from the multipliers of `state`.
   void update_limits(const ContactState& state);
   /// Rows with friction that stick beyond their limit until release():
@@ -54,6 +55,8 @@ class InterfaceTractions {
   /// y += forces of the evaluated tractions on all nodes.
   void add_forces(double* y) const;
   double total_force() const;
+  /// Load that an accepted state carries: its pressures less the attraction at its gaps [N].
+  double carried_load(const ContactState& accepted, const std::vector<double>& gaps) const;
   /// Sum of |shear| over that of the pressures.
   double shear_share() const;
   bool any_closed() const;
