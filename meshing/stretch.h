@@ -28,6 +28,8 @@ class Stretch {
   }
 
   double length() const { return length_; }
+  /// Spacing at the end over that of the uniform part.
+  double widening() const { return 1 + 3 * cubic_ / slope_ * (1 - uniform_part_) * (1 - uniform_part_); }
 
  private:
   double length_ = 1, slope_ = 1, uniform_part_ = 0, cubic_ = 0;

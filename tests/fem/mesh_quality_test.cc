@@ -54,6 +54,17 @@ TEST(MeshQuality, smooth_bodies_have_well_shaped_hexahedra) {
   EXPECT_TRUE(quality.roughness[0].smooth());
 }
 
+TEST(MeshQuality, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_for_any_distance_rolled) {
+  CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
+  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.normal_load = 200e-6;
+  constexpr double gentle = 0.28;  // with the finest cells far from the border: 0.297
+  for (const double distance : {0.2e-6, 0.6e-6, 0.8e-6, 0.9e-6, 1.0e-6, 1.1e-6, 1.2e-6, 1.4e-6, 1.7e-6}) {
+    input.experiment.distance = distance;
+    EXPECT_GT(Meshed(input).quality().smallest_scaled_jacobian[0], gentle) << distance;
+  }
+}
+
 TEST(MeshQuality, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_good_cells) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
   input.experiment.type = ExperimentInput::Type::rolling;
