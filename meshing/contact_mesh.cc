@@ -80,6 +80,17 @@ bool too_coarse(const BodyMap& map, const LogicalBox& box, double layers) {
   return width > std::max(spacing, allowed) * (1 + 1e-9);
 }
 
+/// Too coarse together with all cells that it is a part of. Those are the further the smaller a cell is, but for rounding where they begin
+/// at the region's border; without them a forest and its coarser ones could differ there by two levels.
+bool to_be_refined(const BodyMap& map, LogicalBox box, double layers) {
+  for (;;) {
+    if (!too_coarse(map, box, layers)) return false;
+    if (box.size >= 1) return true;
+    box.size *= 2;
+    for (double& corner : box.corner) corner = std::floor(corner / box.size) * box.size;
+  }
+}
+
 }  // namespace
 
 LogicalBox logical_box(const dealii::Triangulation<3>& forest, const dealii::CellId& id) {
@@ -134,7 +145,7 @@ std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactM
     for (const auto& cell : forest->active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
       const LogicalBox box = logical_box(cell);
-      if (cell->level() >= level_cap(box.tree) || !too_coarse(map, box, options.layers)) continue;
+      if (cell->level() >= level_cap(box.tree) || !to_be_refined(map, box, options.layers)) continue;
       cell->set_refine_flag();
       any = true;
     }

@@ -48,6 +48,29 @@ TEST(ParallelForest, of_every_level_has_the_cells_and_unknowns_of_one_rank) {
       }
 }
 
+/// Cells of a forest that are neither cells of the next coarser one nor children of these.
+int torn_cells(const ContactMeshOptions& options, int coarsenings) {
+  const auto fine = make_forest(MPI_COMM_SELF, options, coarsenings - 1), coarse = make_forest(MPI_COMM_SELF, options, coarsenings);
+  std::set<dealii::CellId> known;
+  for (const auto& cell : coarse->active_cell_iterators()) known.insert(cell->id());
+  int torn = 0;
+  for (const auto& cell : fine->active_cell_iterators())
+    torn += !known.count(cell->id()) && !(cell->level() > 0 && known.count(cell->parent()->id()));
+  return torn;
+}
+
+TEST(Forest, of_each_level_is_the_next_coarser_one_refined_once_at_most) {
+  for (const double region : {0.41e-6, 0.46e-6, 0.512e-6, 0.561e-6})
+    for (const double reach : {0.2e-6, 0.384e-6, 0.5e-6}) {
+      auto options = sphere_of_8p5_um(32e-9, false);
+      options.layers = 2;
+      options.sizes.spacing_substrate = 32e-9;
+      options.sizes.region_particle = region, options.sizes.region_substrate = region + 96e-9;
+      options.sizes.reach_particle = options.sizes.reach_substrate = reach;
+      for (int coarsenings = 1; coarsenings < 6; ++coarsenings) EXPECT_EQ(torn_cells(options, coarsenings), 0) << region << " " << reach << " " << coarsenings;
+    }
+}
+
 /// p4est takes it for granted, and deal.II does not check it.
 TEST(CoarseMesh, has_edges_of_the_same_direction_in_all_trees_that_share_them) {
   const BodyMap map(sphere_of_8p5_um(40e-9, true).sizes);
