@@ -24,6 +24,9 @@ void with_mpi(int threads, const std::function<void()>& work) {
   {
     int argc = 0;
     char** argv = nullptr;
+    // hwloc, which MPI asks for the cores, would ask every X server for its graphics card too, and dies with a server that ends meanwhile.
+    constexpr int unless_set = 0;
+    ::setenv("HWLOC_COMPONENTS", "-gl", unless_set);
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
     // Ours are OpenMP threads; deal.II knows how many cores each rank of this machine may have.
