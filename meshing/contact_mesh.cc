@@ -80,8 +80,8 @@ bool too_coarse(const BodyMap& map, const LogicalBox& box, double layers) {
   return width > std::max(spacing, allowed) * (1 + 1e-9);
 }
 
-/// Too coarse together with all cells that it is a part of. Those are the further the smaller a cell is, but for rounding where they begin
-/// at the region's border; without them a forest and its coarser ones could differ there by two levels.
+/// Whether the cell and all that it is a part of are too coarse. A part is never nearer to the region than the whole, but for rounding where
+/// cells begin just at the border: a part alone could be too coarse there, and a forest differ from the next coarser one by two levels.
 bool to_be_refined(const BodyMap& map, LogicalBox box, double layers) {
   for (;;) {
     if (!too_coarse(map, box, layers)) return false;
