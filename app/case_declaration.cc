@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
 #include "surfaces/scan_spec.h"
@@ -125,6 +126,21 @@ CaseEntry topography(std::string section, Member<std::string> member) {
           }};
 }
 
+CaseEntry motion_program(std::string section) {
+  return {std::move(section), "Program", "none", "",
+          "none | parts separated by ';' of motions joined by 'and': press LOAD, slide LENGTH, slide across LENGTH, roll ANGLE or LENGTH, "
+          "spin ANGLE, indenter LENGTH; 'in N steps' ends a part",
+          "Motions one after the other, or several at once, after the particle was pressed to Normal load (Type = program), e.g. "
+          "slide 200 nm and spin 20 mrad; press 50 uN; roll 30 mrad in 12 steps. press: to a load (an approach with Control = "
+          "displacement) up to the first one; slide: along x, across: along y; roll: about y, by an angle or the arc's length, free of lateral force unless "
+          "the part also slides; spin: about the normal; indenter: rolls freely under a plane on top that moves by LENGTH, an arc of half of it.",
+          [](CaseInput& input, const std::string& text) {
+            const std::string program = text == "none" ? "" : text;
+            parse_motion_program(program);
+            input.experiment.program = program;
+          }};
+}
+
 /// Entries that both bodies have.
 void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
               const std::string& modulus_example, const std::string& ratio_example) {
@@ -181,8 +197,9 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   using Control = ExperimentInput::Control;
   const std::string section = "Experiment";
   entries.push_back(choice<Type>(section, "Type", at(&ExperimentInput::type),
-                                 {{"normal", Type::normal}, {"sliding", Type::sliding}, {"rolling", Type::rolling}, {"torsion", Type::torsion}},
-                                 "normal", "How the particle is moved after the normal load is applied."));
+                                 {{"normal", Type::normal}, {"sliding", Type::sliding}, {"rolling", Type::rolling}, {"torsion", Type::torsion},
+                                  {"program", Type::program}},
+                                 "normal", "How the particle is moved after the normal load is applied; program: as Program says."));
   entries.push_back(choice<Control>(section, "Control", at(&ExperimentInput::control),
                                     {{"force", Control::force}, {"displacement", Control::displacement}}, "force",
                                     "Whether Normal load or Normal approach is prescribed."));
@@ -201,8 +218,9 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
                              "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, two contact diameters of them steady."));
   entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-                             "Angle of torsion, one way; 0: three times that at which a smooth contact slips as a whole."));
+                             "Angle of torsion, one way; 0: six times that at which a smooth contact slips as a whole."));
   entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true", "Come back along the path: half a friction loop."));
+  entries.push_back(motion_program(section));
   entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
                                  "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
                                  "then an interface spacing, half of one at the rim of a contact that spins."));

@@ -5,6 +5,7 @@
 
 #include "app/case_declaration.h"
 #include "core/error.h"
+#include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
 #include "surfaces/scan_spec.h"
@@ -45,6 +46,7 @@ class Checker {
 
   void check() const {
     check_load();
+    check_program();
     check_mesh();
     check_hardening("Particle", input_.particle);
     check_hardening("Substrate", input_.substrate);
@@ -67,6 +69,15 @@ class Checker {
       return std::sqrt(input_.radius * experiment.normal_approach);
     return std::cbrt(0.75 * experiment.normal_load * input_.radius *
                      (plane_strain_compliance(input_.particle) + plane_strain_compliance(input_.substrate)));
+  }
+
+  void check_program() const {
+    const auto& experiment = input_.experiment;
+    const bool is_program = experiment.type == ExperimentInput::Type::program;
+    if (!is_program && !experiment.program.empty()) refuse("Experiment/Program", "Experiment/Program is given but Type is another; set Type = program");
+    if (!is_program) return;
+    const std::string objection = objection_to(parse_motion_program(experiment.program), experiment);
+    if (!objection.empty()) refuse("Experiment/Program", objection);
   }
 
   void check_load() const {

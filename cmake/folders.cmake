@@ -8,6 +8,8 @@ function(asperity_batches target)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  # A test's class in an unnamed namespace is taken for a header's, for its file is included.
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

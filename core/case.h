@@ -31,7 +31,7 @@ struct InterfaceInput {
 
 /// How the particle is moved.
 struct ExperimentInput {
-  enum class Type { normal, sliding, rolling, torsion } type = Type::normal;
+  enum class Type { normal, sliding, rolling, torsion, program } type = Type::normal;
   enum class Control { force, displacement } control = Control::force;
   double normal_load = 0;      ///< largest normal force F [N] (force control)
   double normal_approach = 0;  ///< largest approach [m] (displacement control)
@@ -44,6 +44,7 @@ struct ExperimentInput {
   double distance = 0;         ///< lateral path of sliding and rolling, one way [m]
   double angle = 0;            ///< torsion angle, one way [rad]
   bool reverse = true;         ///< come back along the path
+  std::string program;         ///< motions combined (core/motion_program.h)
   int motion_steps = 0;        ///< equal steps one way; 0: fine where slip begins, then an interface spacing (half of one in torsion)
 };
 

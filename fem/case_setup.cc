@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "fem/experiments/combined_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "surfaces/sampler.h"
 #include "surfaces/topography_spec.h"
@@ -76,6 +77,24 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
   }
 }
 
+/// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves them.
+void fit_to_program(const CaseInput& input, CaseSetup& setup) {
+  const double R = input.radius;
+  const MotionExtent extent = extent_of(combined_program(parse_motion_program(input.experiment.program), input.experiment, setup.motion, {}));
+  auto& sizes = setup.system.mesh.sizes;
+  const auto refuse = [&](const std::string& motion, double longest) {
+    throw InputError(input.file + ": Experiment/Program " + motion + "; let the contact move by " +
+                     format_quantity(std::max(0.0, 2 * longest), Dimension::length) + " at most, to and fro counting once");
+  };
+  sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
+  const double longest = 0.5 * meshing::BodyMap::cap_fraction * R, reach = sizes.region_particle + sizes.reach_particle;
+  if (reach > longest) refuse("rolls the contact out of the particle's finely meshed cap", longest - sizes.region_particle);
+  sizes.reach_substrate = 0.5 * (extent.high_x - extent.low_x);
+  sizes.region_substrate += 0.5 * (extent.high_y - extent.low_y) + R * std::asin(reach / R) - reach;
+  const double widest = sizes.block_half_width / 2;
+  if (sizes.region_substrate + sizes.reach_substrate > widest) refuse("leaves the middle half of the substrate's block", widest - sizes.region_substrate);
+}
+
 }  // namespace
 
 /// Gap at which all but a fiftieth of the work of adhesion has been done [m]; 0 without adhesion.
@@ -108,7 +127,7 @@ CaseInput with_derived_way(const CaseInput& input) {
   find_hertz_scales(input, setup);
   auto& e = derived.experiment;
   if ((e.type == Type::sliding || e.type == Type::rolling) && e.distance == 0) e.distance = 5 * setup.hertz_radius;
-  if (e.type == Type::torsion && e.angle == 0) e.angle = 3 * motion_scales(input, setup, 0).full_slip_angle;
+  if (e.type == Type::torsion && e.angle == 0) e.angle = 6 * motion_scales(input, setup, 0).full_slip_angle;
   return derived;
 }
 
@@ -158,7 +177,7 @@ CaseSetup set_up(const CaseInput& input) {
   using Type = ExperimentInput::Type;
   const Type type = input.experiment.type;
   const bool rough = upper != "smooth" || lower != "smooth";
-  options.tilted_normals = type == Type::sliding || type == Type::rolling || (type == Type::torsion && rough);
+  options.tilted_normals = type == Type::sliding || type == Type::rolling || type == Type::program || (type == Type::torsion && rough);
   if (type == Type::rolling) {
     sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
     const double reach = region + sizes.reach_particle, longest = 0.5 * meshing::BodyMap::cap_fraction * R;
@@ -178,6 +197,7 @@ CaseSetup set_up(const CaseInput& input) {
                        format_quantity(2 * (longest - sizes.region_substrate), Dimension::length) + " or less");
   }
   setup.motion = motion_scales(input, setup, spacing);
+  if (type == Type::program) fit_to_program(input, setup);
   options.mesh.layers = input.mesh.layers;
   const Roughness particle = roughness_of(upper, sizes.region_particle + sizes.reach_particle, spacing);
   const Roughness substrate = roughness_of(lower, sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);

@@ -10,6 +10,7 @@
 #include "fem/case_setup.h"
 #include "fem/mesh_quality.h"
 #include "fem/output/vtk_writer.h"
+#include "fem/vtk_order.h"
 #include "meshing/triangles/export.h"
 
 namespace asperity {
@@ -24,8 +25,6 @@ using Say = std::function<void(const std::string&)>;
 /// interface), 389 MB for 257358 (12 nm).
 constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
 
-/// Lexicographic vertex of each VTK vertex.
-constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 const char* const body_name[2] = {"particle", "substrate"};
 
 std::string length(double metres, int digits = 3) { return format_quantity(metres, Dimension::length, digits); }

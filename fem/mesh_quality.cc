@@ -7,13 +7,12 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "fem/contact/interface_operator.h"
+#include "fem/vtk_order.h"
 #include "meshing/triangles/quality.h"
 
 namespace asperity::fem {
 namespace {
 
-/// Lexicographic vertex of each VTK vertex.
-constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 /// Places per cell width at which the topography is compared with the facets.
 constexpr int samples_per_cell = 4;
 

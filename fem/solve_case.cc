@@ -1,6 +1,9 @@
 #include "fem/solve_case.h"
 
+#include <algorithm>
+
 #include "core/error.h"
+#include "core/motion_program.h"
 #include "fem/experiments/contact_experiment.h"
 
 namespace asperity {
@@ -11,7 +14,15 @@ void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
   using Type = ExperimentInput::Type;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };
-  if (e.type == Type::rolling && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
+  const auto parts = e.type == Type::program ? parse_motion_program(e.program) : std::vector<ProgramPart>{};
+  if (e.type == Type::program) {
+    const std::string objection = objection_to(parts, e);
+    if (!objection.empty()) refuse(objection);
+  } else if (!e.program.empty()) {
+    refuse("Experiment/Program is given but Type is another; set Type = program");
+  }
+  const bool rolls = e.type == Type::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
+  if (rolls && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
   if (i.work_of_adhesion > 0 && i.adhesion_range == 0)
     refuse("Interface/Adhesion range is 0: give the length over which attraction falls, e.g. Adhesion range = 0.5 nm");

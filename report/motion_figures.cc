@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csv.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "report/display_units.h"
@@ -11,7 +12,7 @@
 namespace asperity::report {
 namespace {
 
-const std::string computed_colour = "#0072b2", law_colour = "#555555";
+const std::string computed_colour = "#0072b2", other_colour = "#d55e00", load_colour = "#999999", law_colour = "#555555";
 
 /// Follows a law of first loading there and, by Masing's rule, back from the largest displacement: one series of both ways.
 template <class Law>
@@ -44,6 +45,24 @@ Chart chart_of(const std::vector<double>& x, const std::vector<double>& y, doubl
   Series computed{"computed", computed_colour, Series::Style::line_with_points, {}, {}, {}};
   for (std::size_t i = 0; i < x.size(); ++i) computed.x.push_back(x[i] / unit_x), computed.y.push_back(y[i] / unit_y);
   chart.series.push_back(std::move(computed));
+  return chart;
+}
+
+std::string paragraph_of_program(const SolvedCase& solved) {
+  return "<p>The program: " + escaped(solved.entries.text("Experiment/Program")) + "</p>\n";
+}
+
+void add_over_steps(const std::string& label, const std::string& colour, const std::vector<double>& y, double unit, Chart& chart) {
+  Series series{label, colour, Series::Style::line_with_points, {}, {}, {}};
+  for (std::size_t i = 0; i < y.size(); ++i) series.x.push_back(static_cast<double>(i + 1)), series.y.push_back(y[i] / unit);
+  chart.series.push_back(std::move(series));
+}
+
+Chart chart_over_steps(const std::string& y_label) {
+  Chart chart;
+  chart.y_from_zero = false;
+  chart.x_label = "step";
+  chart.y_label = y_label;
   return chart;
 }
 
@@ -85,7 +104,32 @@ Chart rolling_chart(const SolvedCase& solved) {
   return chart;
 }
 
+Chart program_forces_chart(const SolvedCase& solved) {
+  Chart chart = chart_over_steps("force [µN]");
+  add_over_steps("normal", load_colour, solved.history.normal_force, uN, chart);
+  add_over_steps("lateral, along", computed_colour, solved.history.lateral_force, uN, chart);
+  const CsvTable table = read_csv(solved.folder / "history.csv");
+  add_over_steps("lateral, across", other_colour, table.numbers("lateral_force_across [N]"), uN, chart);
+  return chart;
+}
+
+Chart program_moments_chart(const SolvedCase& solved) {
+  Chart chart = chart_over_steps("moment [pN m]");
+  add_over_steps("rolling", computed_colour, solved.history.rolling_moment, pN_m, chart);
+  add_over_steps("torsion", other_colour, solved.history.torsion_moment, pN_m, chart);
+  return chart;
+}
+
 std::string motion_figure(const SolvedCase& solved) {
+  if (solved.entries.text("Experiment/Type") == "program")
+    return section_html("Program of motions",
+                        paragraph_of_program(solved) +
+                            figure_html("Forces", to_svg(program_forces_chart(solved)),
+                                        "The forces that press and move the particle, step by step; how far it has moved stands in history.csv. Where the whole "
+                                        "contact slips, the lateral force points along the way and is the friction that the load allows.") +
+                            figure_html("Moments", to_svg(program_moments_chart(solved)),
+                                        "Rolling: about the contact; torsion: about the normal. A moment stays when its motion has ended, until another "
+                                        "motion makes the contact slip."));
   const std::string back =
       " After the reversal everything sticks first and slip begins anew over twice the way (Masing's rule).";
   if (largest(solved.history.lateral_displacement) > 0 && solved.entries.text("Experiment/Type") == "sliding")

@@ -120,6 +120,8 @@ void ContactExperiment::run() {
   MPI_Barrier(MPI_COMM_WORLD);
   start();
   if (!options_.resume || !resume()) {
+    // What an earlier run left is of another history: a study would take a run that is stopped now for a finished one.
+    if (speaks()) std::filesystem::remove(options_.output / "result.json");
     // A radius well inside of the region and several spacings wide; the far field does not depend on it at first order.
     const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                                    6 * setup_.system.mesh.sizes.spacing_particle);
@@ -141,9 +143,12 @@ void ContactExperiment::run() {
   write_result();
 }
 
-RigidMotion ContactExperiment::towards(const Station& station) const {
+RigidMotion ContactExperiment::towards(const Station& station, const Station* previous) const {
   RigidMotion motion = station.motion;
-  if (input_.experiment.type != ExperimentInput::Type::rolling || records_.empty()) return motion;
+  if (!previous) return motion;
+  // What free rolling gave way to stays.
+  if (input_.experiment.type == ExperimentInput::Type::program) motion.x = state_.motion.x + station.motion.x - previous->motion.x;
+  if (!station.rolls_freely) return motion;
   const double radius = setup_.motion.rolling_radius;
   double way_per_angle = radius, back = 0;
   // Free rolling: what lateral force the last step left is given way to, and a quarter of it enters the way per angle, which is
@@ -153,7 +158,7 @@ RigidMotion ContactExperiment::towards(const Station& station) const {
     back = last.lateral_force / lateral_stiffness_;
     const StepRecord* before = records_.size() > 1 ? &records_[records_.size() - 2] : nullptr;
     const double rolled = before ? last.rolling_angle - before->rolling_angle : 0.0;
-    if (rolled != 0) way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
+    if (rolled != 0 && previous->rolls_freely) way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
   }
   motion.x = state_.motion.x + way_per_angle * (motion.roll - state_.motion.roll) - back;
   return motion;
@@ -241,10 +246,13 @@ void ContactExperiment::balance_energy() {
   for (std::size_t k = 1; k < records_.size(); ++k) {
     const StepRecord &a = records_[k - 1], &b = records_[k];
     sideways += 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
-    // The moment about the contact comes with a lateral force at the particle's centre.
-    const double centre_a = a.rolling_moment - setup_.motion.rolling_radius * a.lateral_force;
-    const double centre_b = b.rolling_moment - setup_.motion.rolling_radius * b.lateral_force;
-    sideways += 0.5 * (centre_a + centre_b) * (b.rolling_angle - a.rolling_angle);
+    sideways += 0.5 * (a.lateral_force_across + b.lateral_force_across) * (b.shift_across - a.shift_across);
+    // The moment about the contact comes with a lateral force at the particle's centre; the axis of rolling spins with the particle.
+    const double heading = 0.5 * (a.torsion_angle + b.torsion_angle), radius = setup_.motion.rolling_radius;
+    const auto about_centre = [&](const StepRecord& r) {
+      return std::cos(heading) * (r.rolling_moment - radius * r.lateral_force) - std::sin(heading) * radius * r.lateral_force_across;
+    };
+    sideways += 0.5 * (about_centre(a) + about_centre(b)) * (b.rolling_angle - a.rolling_angle);
     work[k] += sideways;
   }
   double largest = std::numeric_limits<double>::min();
@@ -267,6 +275,8 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   const RigidMotion& start = program_.front().motion;
   r.shift = state_.motion.x - start.x;
   r.lateral_force = c.lateral_force[0];
+  r.shift_across = state_.motion.y - start.y;
+  r.lateral_force_across = c.lateral_force[1];
   r.lateral_displacement = r.shift - lateral_far_field_ * r.lateral_force;
   r.rolling_angle = state_.motion.roll - start.roll;
   r.rolling_moment = c.rolling_moment;
@@ -300,15 +310,18 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
 void ContactExperiment::measure_stiffness() {
   const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
   stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
-  if (input_.experiment.type == ExperimentInput::Type::sliding || input_.experiment.type == ExperimentInput::Type::rolling)
+  using Type = ExperimentInput::Type;
+  const Type type = input_.experiment.type;
+  const bool moves_as_written = type == Type::program && solver_->has_friction();
+  if (type == Type::sliding || type == Type::rolling || moves_as_written)
     lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
-  if (input_.experiment.type == ExperimentInput::Type::torsion) torsion_stiffness_ = solver_->torsion_stiffness(state_);
+  if (type == Type::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
 }
 
 void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
-  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), towards(station));
+  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), towards(station, index > 1 ? &program_[index - 2] : nullptr));
   if (fraction == 1.0 && stiffness_at_peak_ == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());

@@ -22,8 +22,8 @@ class ContactExperiment {
   bool resume();
   void step_to(const Station& station, int index);
   double expected_approach(double target) const;
-  /// Where the particle goes for a station: that, but for what keeps a rolling one free of lateral force.
-  RigidMotion towards(const Station& station) const;
+  /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free of lateral force.
+  RigidMotion towards(const Station& station, const Station* before) const;
   void solve_with_retries(double target, const RigidMotion& motion);
   void balance_energy();
   StepRecord record(int step, const SolveReport& report);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/experiments/combined_program.h"
+
 namespace asperity::fem {
 namespace {
 
@@ -11,19 +13,20 @@ constexpr double smallest_fraction = 1e-3;
 double hertz_power(const ExperimentInput& e) { return e.control == ExperimentInput::Control::force ? 1.5 : 1.0; }
 
 void load(const ExperimentInput& e, const RigidMotion& here, std::vector<Station>& program) {
-  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here});
-  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, here});
+  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here, false});
+  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, here, false});
 }
 
 void unload(const ExperimentInput& e, std::vector<Station>& program) {
   const RigidMotion here = program.back().motion;
+  const double from = program.back().load;
   if (e.retract > 0) {
     const double last = -e.retract / e.normal_approach;
-    for (int i = 1; i <= e.unload_steps; ++i) program.push_back({1 + (last - 1) * i / e.unload_steps, here});
+    for (int i = 1; i <= e.unload_steps; ++i) program.push_back({from + (last - from) * i / e.unload_steps, here, false});
     return;
   }
   for (int i = e.unload_steps - 1; i >= 0; --i)
-    program.push_back({std::max(smallest_fraction, std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))), here});
+    program.push_back({std::max(smallest_fraction, from * std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))), here, false});
 }
 
 std::vector<double> even_path(double length, int steps) {
@@ -40,7 +43,7 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
   const double largest = torsion ? scales.largest_angle : scales.largest_shift;
   const auto path = [&](double scale) { return e.motion_steps > 0 ? even_path(length, e.motion_steps) : graded_path(length, scale * onset, largest); };
   const auto add = [&](double position) {
-    Station station{1.0, start};
+    Station station{1.0, start, rolling};
     if (torsion) station.motion.spin += position;
     else station.motion.x += position;
     if (rolling) station.motion.roll += position / scales.rolling_radius;
@@ -70,6 +73,15 @@ std::vector<Station> make_program(const ExperimentInput& e, const MotionScales& 
   std::vector<Station> program;
   RigidMotion start;
   if (e.type == ExperimentInput::Type::rolling) start.x = -0.5 * e.distance, start.roll = start.x / scales.rolling_radius;
+  if (e.type == ExperimentInput::Type::program) {
+    const auto parts = parse_motion_program(e.program);
+    start = start_of(extent_of(combined_program(parts, e, scales, {})));
+    load(e, start, program);
+    const auto moved = combined_program(parts, e, scales, start);
+    program.insert(program.end(), moved.begin(), moved.end());
+    if (e.unload) unload(e, program);
+    return program;
+  }
   for (int cycle = 0; cycle < e.cycles; ++cycle) {
     load(e, start, program);
     if (e.type != ExperimentInput::Type::normal) move(e, scales, program);

@@ -11,6 +11,7 @@ namespace asperity::fem {
 struct Station {
   double load = 0;     ///< fraction of the largest load (force control) or approach (displacement control)
   RigidMotion motion;  ///< of the particle's frame
+  bool rolls_freely = false;  ///< the shift gives way to lateral force
 };
 
 /// Lengths and angles that the steps of a motion follow from.

@@ -5,14 +5,12 @@
 #include <map>
 
 #include "fem/output/vtk_writer.h"
+#include "fem/vtk_order.h"
 
 namespace asperity::fem {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Lexicographic vertex of each VTK vertex.
-constexpr int vtk_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 
 VtkMesh bodies(const ContactSystem& system, const ContactState& state) {
   const MeshLevel& level = system.level();

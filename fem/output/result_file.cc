@@ -22,6 +22,7 @@ const char* name_of(ExperimentInput::Type type) {
     case ExperimentInput::Type::sliding: return "sliding";
     case ExperimentInput::Type::rolling: return "rolling";
     case ExperimentInput::Type::torsion: return "torsion";
+    case ExperimentInput::Type::program: return "program";
     default: return "normal";
   }
 }
@@ -55,13 +56,16 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);
   if (s.lateral_stiffness > 0) effective["lateral_stiffness"] = number(s.lateral_stiffness, "N/m", relative * s.lateral_stiffness);
   if (s.torsion_stiffness > 0) effective["torsion_stiffness"] = number(s.torsion_stiffness, "N m/rad", 3 * relative * s.torsion_stiffness);
-  if (const auto sliding = steady_sliding(records)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
-  if (const auto rolling = steady_rolling(records, input.radius)) effective["rolling_moment"] = number(rolling->mean, "N m", rolling->sd);
-  if (const auto dissipation = rolling_dissipation(records)) {
+  const bool moves_as_written = input.experiment.type == ExperimentInput::Type::program;  // steady in nothing
+  if (moves_as_written) effective["friction_work"] = number(last.friction_work, "J", NAN);
+  const std::vector<StepRecord> single = moves_as_written ? std::vector<StepRecord>{} : records;
+  if (const auto sliding = steady_sliding(single)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
+  if (const auto rolling = steady_rolling(single, input.radius)) effective["rolling_moment"] = number(rolling->mean, "N m", rolling->sd);
+  if (const auto dissipation = rolling_dissipation(single)) {
     effective["rolling_dissipation"] = number(*dissipation, "N m", NAN);
     effective["rolling_noise_floor"] = number(rolling_noise * peak->normal_force * peak->contact_radius, "N m", NAN);
   }
-  if (const auto torsion = steady_torsion(records)) effective["torsion_moment"] = number(torsion->mean, "N m", torsion->sd);
+  if (const auto torsion = steady_torsion(single)) effective["torsion_moment"] = number(torsion->mean, "N m", torsion->sd);
   if (input.interface.work_of_adhesion > 0) {
     const auto least = std::min_element(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
     if (least->normal_force < 0) effective["pull_off_force"] = number(-least->normal_force, "N", NAN);

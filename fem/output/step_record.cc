@@ -42,7 +42,9 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"penetration", &StepRecord::penetration},
       {"wall_time [s]", &StepRecord::wall_time},
       {"reaches_rim", &StepRecord::reaches_rim},
-      {"sticking_share", &StepRecord::sticking_share}};
+      {"sticking_share", &StepRecord::sticking_share},
+      {"shift_across [m]", &StepRecord::shift_across},
+      {"lateral_force_across [N]", &StepRecord::lateral_force_across}};
   return columns;
 }
 

@@ -17,6 +17,7 @@ struct StepRecord {
   // beyond the fixed columns
   double driven_displacement = 0;  ///< of the driven plane, finite bodies included [m]
   double shift = 0;                ///< of the particle's frame along x, finite bodies included [m]
+  double shift_across = 0, lateral_force_across = 0;  ///< the same along y [m], [N]
   double elastic_energy = 0, hardening_energy = 0, plastic_work = 0, friction_work = 0, work = 0;  ///< [J]
   double adhesion_energy = 0, adhesion_loss = 0;  ///< potential of attraction; dissipated by bonds [J]
   double attraction = 0;           ///< part of the normal force that attracts [N]

@@ -52,12 +52,15 @@ TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
   const fs::path whole = folder.path / "whole", killed = folder.path / "killed";
   ASSERT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", whole.string()})), 0);
 
+  // An earlier result in the folder must not pass for that of the run that is killed.
+  fs::create_directories(killed);
+  fs::copy_file(whole / "result.json", killed / "result.json");
   const pid_t child = start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string()});
   for (int i = 0; i < 6000 && rows(killed / "history.csv") < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, SIGKILL);
   finish(child);
   ASSERT_GE(rows(killed / "history.csv"), 3u);
-  ASSERT_FALSE(fs::exists(killed / "result.json")) << "killed too late to show anything";
+  ASSERT_FALSE(fs::exists(killed / "result.json")) << "of the earlier run, or killed too late to show anything";
 
   ASSERT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--resume"})), 0);
   const auto expected = read_csv(whole / "history.csv"), resumed = read_csv(killed / "history.csv");

@@ -40,6 +40,7 @@ TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_swit
 
 TEST(ShippedRuns, single_motions_and_the_benchmark_are_accepted) {
   EXPECT_GT(read_case(runs / "paper" / "sliding.prm").experiment.distance, 0);
+  EXPECT_EQ(read_case(runs / "paper" / "program.prm").experiment.type, ExperimentInput::Type::program);
   EXPECT_GT(read_case(runs / "paper" / "rolling.prm").interface.opening_work, 0);
   EXPECT_EQ(read_case(runs / ".." / "benchmarks" / "rough_sliding.prm").experiment.type, ExperimentInput::Type::sliding);
 }

@@ -175,11 +175,11 @@ TEST(SolveCase, derives_a_way_of_two_steady_contact_diameters) {
   input.experiment.distance = 1e-7;
   EXPECT_EQ(fem::with_derived_way(input).experiment.distance, 1e-7);
   input.experiment.type = ExperimentInput::Type::torsion;
-  // Three times 0.64 mu P (1/G1 + 1/G2) / a^2 (Lubkin 1951).
+  // Six times 0.64 mu P (1/G1 + 1/G2) / a^2 (Lubkin 1951).
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
   EXPECT_NEAR(fem::with_derived_way(input).experiment.angle,
-              1.92 * input.interface.friction_coefficient * input.experiment.normal_load * compliance / (a * a), 1e-9);
+              3.84 * input.interface.friction_coefficient * input.experiment.normal_load * compliance / (a * a), 1e-9);
 }
 
 TEST(SolveCase, derives_a_region_over_which_the_attraction_ends) {

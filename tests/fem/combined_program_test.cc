@@ -1,0 +1,163 @@
+// Programs that combine motions: their stations, and what contacts answer to them.
+#include "fem/experiments/combined_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/csv.h"
+#include "core/error.h"
+#include "fem/solve_case.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace asperity;
+
+CaseInput program_case(const std::string& substrate, double spacing, const std::string& program) {
+  CaseInput input = test::sphere_on_silicon("smooth", substrate, spacing, 300e-9);
+  input.interface.friction_coefficient = 0.3;
+  input.experiment.type = ExperimentInput::Type::program;
+  input.experiment.program = program;
+  input.experiment.load_steps = 3;
+  input.experiment.unload = false;
+  input.output.fields = false;
+  return input;
+}
+
+CsvTable run(const CaseInput& input, const std::filesystem::path& folder, bool resume = false, int stop_after = 0) {
+  SolveOptions options;
+  options.output = folder;
+  options.resume = resume;
+  struct Stop {};
+  int steps = 0;
+  options.progress = [&](const std::string& line) {
+    if (line.rfind("step ", 0) == 0 && ++steps == stop_after) throw Stop();
+  };
+  try {
+    solve_case(input, options);
+  } catch (const Stop&) {
+  }
+  return read_csv(folder / "history.csv");
+}
+
+fem::MotionScales scales() {
+  fem::MotionScales s;
+  s.full_slip_shift = 4, s.full_slip_angle = 0.02, s.largest_shift = 8, s.largest_angle = 0.05, s.rolling_radius = 1000;
+  return s;
+}
+
+TEST(CombinedProgram, moves_part_by_part_with_steps_no_wider_than_those_of_a_single_motion) {
+  ExperimentInput e;
+  e.type = ExperimentInput::Type::program;
+  e.normal_load = 2, e.load_steps = 4, e.unload = false;
+  e.program = "slide 100 and spin 0.05; press 1; roll 0.1; slide -40 and slide across 30 in 5 steps";
+  const auto program = fem::make_program(e, scales());
+  double widest = 0;
+  for (std::size_t k = 1; k < program.size(); ++k)
+    widest = std::max(widest, std::hypot(program[k].motion.x - program[k - 1].motion.x, program[k].motion.y - program[k - 1].motion.y));
+  EXPECT_LE(widest, 1.5 * 8 + 1e-9);
+  const auto& first = program.front().motion;
+  const auto& last = program.back();
+  // Rolled along the direction to which the axis has spun.
+  EXPECT_NEAR(last.motion.x - first.x, 60 + 100 * std::cos(0.05), 1e-9);
+  EXPECT_NEAR(last.motion.y - first.y, 30 + 100 * std::sin(0.05), 1e-9);
+  EXPECT_NEAR(last.motion.spin, 0.05, 1e-12);
+  EXPECT_NEAR(last.motion.roll - first.roll, 0.1, 1e-12);
+  EXPECT_NEAR(last.load, 0.5, 1e-12);
+  // The contact's way lies evenly about the axis of the meshes: x from -x0 to 200 - x0.
+  EXPECT_NEAR(first.x, -0.5 * (100 + 100 * std::cos(0.05)), 1e-9);
+  EXPECT_NEAR(first.roll, -0.05, 1e-12);
+  const auto free = std::count_if(program.begin(), program.end(), [](const auto& s) { return s.rolls_freely; });
+  EXPECT_GE(free, 12);
+  EXPECT_FALSE(last.rolls_freely);
+}
+
+TEST(CombinedProgram, unloads_from_the_load_it_ends_with) {
+  ExperimentInput e;
+  e.type = ExperimentInput::Type::program;
+  e.normal_load = 2, e.load_steps = 2, e.unload_steps = 2, e.program = "press 1 in 1 step";
+  const auto program = fem::make_program(e, scales());
+  ASSERT_EQ(program.size(), 5u);
+  EXPECT_DOUBLE_EQ(program[2].load, 0.5);
+  EXPECT_DOUBLE_EQ(program[3].load, 0.5 * std::pow(0.5, 1.5));
+}
+
+/// Far beyond full slip the past is forgotten: friction mu P against the way across, and nothing along the way before.
+TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_against_its_last_way) {
+  const test::TemporaryFolder folder;
+  CaseInput input = program_case("smooth", 24e-9, "slide 60 nm; slide across 100 nm");
+  input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
+  const auto history = run(input, folder.path);
+  const auto along = history.numbers("lateral_force [N]"), across = history.numbers("lateral_force_across [N]");
+  const auto y = history.numbers("shift_across [m]"), energy = history.numbers("energy_error");
+  std::size_t turn = 0;
+  while (y[turn + 1] == 0) ++turn;
+  const double friction = 0.3 * 100e-6;
+  EXPECT_NEAR(along[turn], friction, 0.01 * friction);
+  EXPECT_NEAR(across[turn], 0, 0.005 * friction);
+  EXPECT_NEAR(across.back(), friction, 0.01 * friction);
+  EXPECT_NEAR(along.back(), 0, 0.005 * friction);
+  for (const double e : energy) EXPECT_LT(std::abs(e), 0.01);
+}
+
+/// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle without drive could hold.
+TEST(CombinedProgram, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
+  const test::TemporaryFolder folder;
+  CaseInput input = program_case(test::generated(1.0, 160, 3), 34e-9,
+                                 "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
+                                 "roll 1 mrad and slide -6 nm and slide across 6 nm; press 100 uN in 2 steps");
+  input.particle.yield_stress = 2e9;
+  const auto whole = run(input, folder.path / "whole");
+  const auto result = nlohmann::json::parse(read_file(folder.path / "whole" / "result.json"));
+  EXPECT_EQ(result["experiment"], "program");
+  EXPECT_LT(result["balance"]["force"], 1e-5);
+  EXPECT_LT(result["balance"]["energy"], 0.01);
+  const auto angle = whole.numbers("rolling_angle [rad]"), force = whole.numbers("lateral_force [N]"), load = whole.numbers("normal_force [N]");
+  std::size_t rolled = 0;
+  while (angle[rolled] * input.radius < 99e-9) ++rolled;
+  EXPECT_NEAR(angle[rolled] * input.radius, 100e-9, 1e-12);
+  EXPECT_NEAR(load[rolled], 60e-6, 1e-9);
+  EXPECT_LT(std::abs(force[rolled]), 0.1 * 0.3 * 60e-6);
+  EXPECT_NEAR(load.back(), 100e-6, 1e-9);
+  for (const std::string sum : {"friction_work [J]", "plastic_work [J]"}) {
+    const auto w = whole.numbers(sum);
+    for (std::size_t k = 1; k < w.size(); ++k) EXPECT_GE(w[k], w[k - 1] * (1 - 1e-9)) << sum << k;
+  }
+  run(input, folder.path / "cut", false, 10);
+  const auto resumed = run(input, folder.path / "cut", true);
+  for (const std::string column : {"lateral_force [N]", "lateral_force_across [N]"}) {
+    const auto one = whole.numbers(column), other = resumed.numbers(column);
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-5 * 100e-6) << column << k;
+  }
+}
+
+TEST(CombinedProgram, is_refused_with_what_would_do) {
+  const auto message = [](const std::string& program, auto&& change) {
+    CaseInput input = program_case("smooth", 25e-9, program);
+    change(input);
+    try {
+      solve_case(input, {});
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto as_it_is = [](CaseInput&) {};
+  const auto expect = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
+  expect(message("", as_it_is), "needs Experiment/Program");
+  expect(message("press 200 uN", as_it_is), "at most the 100 uN");
+  expect(message("press 5 nm", as_it_is), "Control is force");
+  expect(message("spin 0.2; roll 0.01", as_it_is), "at most 0.1 rad");
+  expect(message("roll 1", as_it_is), "cap; let the contact move by");
+  expect(message("slide 1 mm", as_it_is), "middle half");
+  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.cycles = 2; }), "Cycles = 1");
+  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.type = ExperimentInput::Type::sliding; }), "set Type = program");
+}
+
+}  // namespace
