@@ -43,7 +43,8 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
 }
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
-/// and steps of a spacing; of half a one at the rim of a contact that spins.
+/// and steps of a spacing, an eighth of the contact radius at most;
+/// of half a spacing at the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
@@ -54,7 +55,7 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   MotionScales scales;
   scales.full_slip_shift = 3 * friction * lateral / (16 * a);
   scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
-  scales.largest_shift = spacing;
+  scales.largest_shift = std::min(spacing, a / 8);
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
   return scales;

@@ -158,10 +158,21 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
     back = last.lateral_force / lateral_stiffness_;
     const StepRecord* before = records_.size() > 1 ? &records_[records_.size() - 2] : nullptr;
     const double rolled = before ? last.rolling_angle - before->rolling_angle : 0.0;
-    if (rolled != 0 && previous->rolls_freely) way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
+    if (is_left_from_before())
+      way_per_angle = radius - last.normal_displacement;
+    else if (rolled != 0 && previous->rolls_freely)
+      way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
   }
   motion.x = state_.motion.x + way_per_angle * (motion.roll - state_.motion.roll) - back;
   return motion;
+}
+
+bool ContactExperiment::is_left_from_before() const {
+  std::size_t begin = records_.size() - 1;  // the last station that did not roll freely
+  while (begin > 0 && program_[begin].rolls_freely) --begin;
+  constexpr double little = 0.02;
+  if (std::abs(records_[begin].lateral_force) <= little * records_[begin].normal_force) return false;
+  return std::abs(records_.back().rolling_angle - records_[begin].rolling_angle) * setup_.motion.rolling_radius < setup_.hertz_radius;
 }
 
 double ContactExperiment::expected_approach(double target) const {
