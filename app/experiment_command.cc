@@ -35,8 +35,8 @@ SingleParticle particle_of(const ExperimentArguments& arguments, const ContactMo
   return sphere_in_rail(substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle));
 }
 
-nlohmann::ordered_json to_json(const ExperimentArguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
-                               double load) {
+nlohmann::ordered_json experiment_json(const ExperimentArguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
+                                       double load) {
   const auto quantity = [](double value, const char* unit) { return nlohmann::ordered_json{{"value", value}, {"unit", unit}}; };
   nlohmann::ordered_json json{{"format", "asperity-experiment/1"}, {"experiment", arguments.type},
                               {"normal_load", quantity(load, "N")},
@@ -54,7 +54,7 @@ nlohmann::ordered_json to_json(const ExperimentArguments& arguments, const Frict
   return json;
 }
 
-std::string to_text(const LoopNumbers& numbers, double load) {
+std::string experiment_text(const LoopNumbers& numbers, double load) {
   const auto line = [](const char* name, double value, Dimension dimension) {
     return std::string(name) + format_quantity(value, dimension, 5) + "\n";
   };
@@ -91,12 +91,12 @@ void run_experiment(const ExperimentArguments& arguments) {
     loop = simulate_dynamic(particle, program, dynamic);
   }
   const LoopNumbers numbers = measure(loop);
-  const std::string json = to_json(arguments, loop, numbers, program.normal_load).dump(1) + "\n";
+  const std::string json = experiment_json(arguments, loop, numbers, program.normal_load).dump(1) + "\n";
   const fs::path output = arguments.output;
   fs::create_directories(output);
   write_file_atomically(output / "loop.csv", to_csv(loop));
   write_file_atomically(output / "experiment.json", json);
-  std::cout << (arguments.json ? json : to_text(numbers, program.normal_load)) << std::flush;
+  std::cout << (arguments.json ? json : experiment_text(numbers, program.normal_load)) << std::flush;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace asperity {
 namespace {
 
-std::string in_words(double value, int digits = 4) {
+std::string rounded_length(double value, int digits = 4) {
   return format_quantity(value, Dimension::length, digits);
 }
 
@@ -45,7 +45,7 @@ std::vector<PublishedRoughness> published_of(const AfmArguments& arguments) {
   return all;
 }
 
-nlohmann::ordered_json to_json(const PossibleSpectrum& possible) {
+nlohmann::ordered_json afm_json(const PossibleSpectrum& possible) {
   const SelfAffineSpectrum& spectrum = possible.spectrum;
   return {{"measured_rms_m", possible.measured_rms},
           {"rms_m", spectrum.rms},
@@ -55,7 +55,7 @@ nlohmann::ordered_json to_json(const PossibleSpectrum& possible) {
           {"correlation_length_m", correlation_length(spectrum)}};
 }
 
-nlohmann::ordered_json to_json(const LengthRange& range) {
+nlohmann::ordered_json afm_json(const LengthRange& range) {
   if (range.empty()) return nullptr;
   return {{"lower_m", range.lower},
           {"upper_m", range.upper},
@@ -63,18 +63,19 @@ nlohmann::ordered_json to_json(const LengthRange& range) {
           {"open_above", range.open_above}};
 }
 
-nlohmann::ordered_json to_json(const PossibleSpectra& result) {
-  nlohmann::ordered_json json{{"rms_m", result.published.rms},
-                              {"peak_to_valley_m", result.published.peak_to_valley},
-                              {"ratio", result.ratio},
-                              {"possible_ratios", {result.least_possible, result.most_possible}},
-                              {"correlation_length_of_means", to_json(result.correlation_of_means)},
-                              {"rolloff_of_means", to_json(result.rolloff_of_means)},
-                              {"correlation_length_within_errors", to_json(result.correlation_within_errors)},
-                              {"rolloff_within_errors", to_json(result.rolloff_within_errors)},
-                              {"sentence", result.sentence},
-                              {"examples", nlohmann::ordered_json::array()}};
-  for (const PossibleSpectrum& example : result.examples) json["examples"].push_back(to_json(example));
+nlohmann::ordered_json afm_json(const PossibleSpectra& result) {
+  nlohmann::ordered_json json{
+      {"rms_m", result.published.rms},
+      {"peak_to_valley_m", result.published.peak_to_valley},
+      {"ratio", result.ratio},
+      {"possible_ratios", {result.least_possible, result.most_possible}},
+      {"correlation_length_of_means", afm_json(result.correlation_of_means)},
+      {"rolloff_of_means", afm_json(result.rolloff_of_means)},
+      {"correlation_length_within_errors", afm_json(result.correlation_within_errors)},
+      {"rolloff_within_errors", afm_json(result.rolloff_within_errors)},
+      {"sentence", result.sentence},
+      {"examples", nlohmann::ordered_json::array()}};
+  for (const PossibleSpectrum& example : result.examples) json["examples"].push_back(afm_json(example));
   return json;
 }
 
@@ -82,9 +83,10 @@ void print_spectra(const std::vector<PossibleSpectrum>& spectra) {
   std::printf("  %-8s %-12s %-20s %-20s %s\n", "hurst", "rolloff", "correlation length", "rms in scans",
               "rms of the surface");
   for (const auto& [spectrum, measured] : spectra)
-    std::printf("  %-8.3g %-12s %-20s %-20s %s\n", spectrum.hurst, in_words(spectrum.rolloff, 3).c_str(),
-                in_words(correlation_length(spectrum), 3).c_str(), in_words(measured, 3).c_str(),
-                in_words(spectrum.rms).c_str());
+    std::printf("  %-8.3g %-12s %-20s %-20s %s\n", spectrum.hurst,
+                rounded_length(spectrum.rolloff, 3).c_str(),
+                rounded_length(correlation_length(spectrum), 3).c_str(), rounded_length(measured, 3).c_str(),
+                rounded_length(spectrum.rms).c_str());
   std::fflush(stdout);
 }
 
@@ -119,9 +121,9 @@ void judge(const AfmArguments& arguments) {
         spectra.push_back({calibrated(shape, one.rms, afm), one.rms});
       }
       if (arguments.json) {
-        for (const PossibleSpectrum& spectrum : spectra) json.push_back(to_json(spectrum));
+        for (const PossibleSpectrum& spectrum : spectra) json.push_back(afm_json(spectrum));
       } else {
-        std::printf("Surfaces whose scans show an RMS of %s on average:\n", in_words(one.rms).c_str());
+        std::printf("Surfaces whose scans show an RMS of %s on average:\n", rounded_length(one.rms).c_str());
         print_spectra(spectra);
       }
     }
@@ -138,7 +140,7 @@ void judge(const AfmArguments& arguments) {
   for (const PublishedRoughness& one : published) {
     const PossibleSpectra result = possible_spectra(one, afm, curves);
     if (arguments.json) {
-      json.push_back(to_json(result));
+      json.push_back(afm_json(result));
       continue;
     }
     print_wrapped(result.sentence);

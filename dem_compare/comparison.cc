@@ -79,13 +79,14 @@ double hertzian_from(const std::vector<LoadComparison>& loads, double tolerance)
   return loads[first_within - 1].force * std::pow(loads[first_within].force / loads[first_within - 1].force, share);
 }
 
-std::string percent(double ratio) {
+/// Of a ratio, how far it is from 1.
+std::string percent_off_one(double ratio) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.2g %%", 100 * std::abs(ratio - 1));
   return buffer;
 }
 
-std::string force_text(double force) { return format_quantity(force, Dimension::force, 3); }
+std::string rounded_force(double force) { return format_quantity(force, Dimension::force, 3); }
 
 std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
   if (group.loads.empty() || std::isnan(group.loads.back().stiffness_ratio.mean))
@@ -93,15 +94,15 @@ std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
   const auto& low = group.loads.front();
   const auto& high = group.loads.back();
   const auto softer = [](double ratio) { return ratio < 1 ? std::string("softer") : std::string("stiffer"); };
-  const std::string within = percent(1 + tolerance);
+  const std::string within = percent_off_one(1 + tolerance);
   if (std::isnan(group.hertzian_from))
-    return softer(high.stiffness_ratio.mean) + " than Hertz by " + percent(high.stiffness_ratio.mean) + " still at " +
-           force_text(high.force) + " (" + percent(low.stiffness_ratio.mean) + " " + softer(low.stiffness_ratio.mean) +
-           " at " + force_text(low.force) + ").";
+    return softer(high.stiffness_ratio.mean) + " than Hertz by " + percent_off_one(high.stiffness_ratio.mean) +
+           " still at " + rounded_force(high.force) + " (" + percent_off_one(low.stiffness_ratio.mean) + " " +
+           softer(low.stiffness_ratio.mean) + " at " + rounded_force(low.force) + ").";
   if (group.hertzian_from <= low.force)
-    return "as stiff as Hertz within " + within + " from " + force_text(low.force) + " to " + force_text(high.force) + ".";
-  return softer(low.stiffness_ratio.mean) + " than Hertz by " + percent(low.stiffness_ratio.mean) + " at " +
-         force_text(low.force) + ", within " + within + " from " + force_text(group.hertzian_from) + " on.";
+    return "as stiff as Hertz within " + within + " from " + rounded_force(low.force) + " to " + rounded_force(high.force) + ".";
+  return softer(low.stiffness_ratio.mean) + " than Hertz by " + percent_off_one(low.stiffness_ratio.mean) + " at " +
+         rounded_force(low.force) + ", within " + within + " from " + rounded_force(group.hertzian_from) + " on.";
 }
 
 /// The verdict is on means: says so where single surfaces scatter by more than the tolerance.
@@ -110,8 +111,8 @@ std::string scatter_sentence(const GroupComparison& group, double tolerance) {
   for (const auto& load : group.loads)
     if (load.stiffness_ratio.sd > (worst ? worst->stiffness_ratio.sd : tolerance)) worst = &load;
   if (!worst) return "";
-  return " That is the mean; single realisations scatter about it by up to " + percent(1 + worst->stiffness_ratio.sd) + " (at " +
-         force_text(worst->force) + ").";
+  return " That is the mean; single realisations scatter about it by up to " + percent_off_one(1 + worst->stiffness_ratio.sd) +
+         " (at " + rounded_force(worst->force) + ").";
 }
 
 /// Not so if it is negative: the extrapolation of the first loading to zero is no better than that.
@@ -126,15 +127,15 @@ std::string verdict_of(const GroupComparison& group, double tolerance) {
   if (!group.loads.empty()) {
     const double ratio = group.loads.back().force_ratio.mean;
     words += " Force at the same approach is " +
-             (std::abs(ratio - 1) <= tolerance ? "Hertz's within " + percent(1 + tolerance)
-                                               : percent(ratio) + (ratio < 1 ? " below" : " above") + " Hertz's") +
-             " at " + force_text(numbers.force) + ".";
+             (std::abs(ratio - 1) <= tolerance ? "Hertz's within " + percent_off_one(1 + tolerance)
+                                               : percent_off_one(ratio) + (ratio < 1 ? " below" : " above") + " Hertz's") +
+             " at " + rounded_force(numbers.force) + ".";
   }
   const double unloading = numbers.unloading_stiffness.mean / numbers.hertz.normal_stiffness(numbers.force);
   if (std::isfinite(unloading))
     words += " Unloading starts " +
-             (std::abs(unloading - 1) <= tolerance ? "as stiff as Hertz within " + percent(1 + tolerance)
-                                                   : percent(unloading) + (unloading < 1 ? " softer" : " stiffer") +
+             (std::abs(unloading - 1) <= tolerance ? "as stiff as Hertz within " + percent_off_one(1 + tolerance)
+                                                   : percent_off_one(unloading) + (unloading < 1 ? " softer" : " stiffer") +
                                                          " than Hertz") +
              ".";
   if (numbers.plastic_volume.mean > 0) {

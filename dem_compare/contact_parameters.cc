@@ -20,12 +20,10 @@ const EffectiveQuantity& need(const ContactParameters& parameters, OptionalQuant
 }
 
 /// A stiffness at another load than its own.
-double scaled(const ContactParameters& parameters, const EffectiveQuantity& stiffness, double load) {
+double stiffness_at_load(const ContactParameters& parameters, const EffectiveQuantity& stiffness, double load) {
   if (stiffness.length_scale != LengthScale::contact_radius) return stiffness.value;
   return stiffness.value * parameters.contact_radius(load) / parameters.contact_radius(stiffness.at_load);
 }
-
-double value_or_zero(const OptionalQuantity& quantity) { return quantity ? quantity->value : 0; }
 
 double torque_limit(const ContactParameters& parameters, OptionalQuantity ContactParameters::*friction,
                     OptionalQuantity ContactParameters::*offset, double load) {
@@ -64,21 +62,21 @@ Hertz ContactParameters::hertz() const {
 }
 
 double ContactParameters::normal_stiffness_at(double load) const {
-  return normal_stiffness ? scaled(*this, *normal_stiffness, load) : hertz().normal_stiffness(load);
+  return normal_stiffness ? stiffness_at_load(*this, *normal_stiffness, load) : hertz().normal_stiffness(load);
 }
 
 double ContactParameters::lateral_stiffness_at(double load) const {
   constexpr double mindlin = 8;
-  return lateral_stiffness ? scaled(*this, *lateral_stiffness, load)
+  return lateral_stiffness ? stiffness_at_load(*this, *lateral_stiffness, load)
                            : mindlin * need(*this, &ContactParameters::reduced_shear_modulus).value * contact_radius(load);
 }
 
 double ContactParameters::rolling_stiffness_at(double load) const {
-  return scaled(*this, need(*this, &ContactParameters::rolling_stiffness), load);
+  return stiffness_at_load(*this, need(*this, &ContactParameters::rolling_stiffness), load);
 }
 
 double ContactParameters::torsion_stiffness_at(double load) const {
-  return scaled(*this, need(*this, &ContactParameters::torsion_stiffness), load);
+  return stiffness_at_load(*this, need(*this, &ContactParameters::torsion_stiffness), load);
 }
 
 double ContactParameters::length(LengthScale scale, double load) const {

@@ -34,6 +34,8 @@ struct EffectiveQuantity {
   double at_load = std::numeric_limits<double>::quiet_NaN();  ///< of a stiffness: the load it belongs to [N]
   std::string provenance{};                                ///< where it comes from, in words
 };
+/// Zero for what is not known.
+inline double value_or_zero(const std::optional<EffectiveQuantity>& quantity) { return quantity ? quantity->value : 0; }
 
 /// One of the two bodies. What is not known is NaN.
 struct ContactBody {

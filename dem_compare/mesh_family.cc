@@ -23,8 +23,6 @@ ByRealisation by_realisation(const CaseGroup& group, const std::function<double(
   return values;
 }
 
-double mean_of(const std::vector<double>& values) { return scatter_of(values).mean; }
-
 }  // namespace
 
 MeshFamily::MeshFamily(const CaseCollection& collection, const CaseGroup& own) : own_(own) {
@@ -77,7 +75,7 @@ Estimate MeshFamily::estimate(const std::function<double(const NormalNumbers&)>&
   if (common.front().empty()) return estimate;
 
   std::vector<double> means;
-  for (const auto& list : common) means.push_back(mean_of(list));
+  for (const auto& list : common) means.push_back(scatter_of(list).mean);
   const double own_mean = means.front();
   if (own_mean == 0) return estimate;
   MeshError error = mesh_error(spacings, means);

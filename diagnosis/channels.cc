@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "diagnosis/joined.h"
 #include "diagnosis/recording.h"
 
 namespace asperity {
@@ -34,15 +35,9 @@ const std::vector<std::pair<Mode, std::string>>& modes() {
   return list;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string remedy(const std::string& written, const std::vector<std::string>& names) {
   const std::string meant = nearest_name(written, names);
-  return meant.empty() ? "use one of " + joined(names) : "did you mean '" + meant + "'?";
+  return meant.empty() ? "use one of " + joined(names, ", ") : "did you mean '" + meant + "'?";
 }
 
 }  // namespace

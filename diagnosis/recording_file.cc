@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* format_name = "asperity-recording/1";
+constexpr const char* recording_format = "asperity-recording/1";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) { throw InputError(file + ": " + what); }
 
@@ -158,7 +158,7 @@ Recording read_recording(const fs::path& given) {
   }
   check_keys(json, {"format", "title", "mode", "particle", "substrate", "indenter", "rail_angle", "simulation", "noise", "tables"},
              "the recording", file);
-  if (text_of(json, "format", "", file) != format_name) refuse(file, "'format' is not '" + std::string(format_name) + "'");
+  if (text_of(json, "format", "", file) != recording_format) refuse(file, "'format' is not '" + std::string(recording_format) + "'");
   recording.title = text_of(json, "title", "", file);
   try {
     recording.mode = mode_of(text_of(json, "mode", "", file));
@@ -193,7 +193,7 @@ Recording read_recording(const fs::path& given) {
 void write_recording(const Recording& recording, const fs::path& folder) {
   fs::create_directories(folder);
   Json json;
-  json["format"] = format_name;
+  json["format"] = recording_format;
   json["title"] = recording.title;
   json["mode"] = name_of(recording.mode);
   json["particle"] = body_json(recording.particle);

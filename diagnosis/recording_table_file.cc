@@ -7,14 +7,13 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "diagnosis/file_size.h"
 #include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
 
 /// Ten times what a day at 10 Hz gives; more is thinned before it is diagnosed.
-constexpr std::uintmax_t largest_file = 256u << 20;
-
 struct Column {
   std::string channel;  ///< "segment" for the text column
   double factor = 1;    ///< to SI
@@ -74,11 +73,7 @@ std::vector<Column> header_of(const std::vector<std::string>& cells) {
 }  // namespace
 
 void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > largest_file)
-    throw InputError(path.string() + ": holds " + std::to_string(size >> 20) + " MB, more than the " +
-                     std::to_string(largest_file >> 20) + " MB that are read; thin it or split it into recordings");
+  check_file_size(path, "thin it or split it into recordings");
   const std::string text = read_file(path);
   std::vector<Column> columns;
   std::vector<std::vector<double>*> targets;

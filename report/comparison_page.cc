@@ -50,7 +50,7 @@ const std::vector<Source>& sources() {
   return list;
 }
 
-std::string cell(const ComparedValue& value, double factor) {
+std::string value_cell(const ComparedValue& value, double factor) {
   char text[64];
   if (!value.known()) return "–";
   if (std::isfinite(value.sd)) std::snprintf(text, sizeof text, "%.4g ± %.2g", value.value / factor, value.sd / factor);
@@ -77,7 +77,7 @@ std::string table_of(const Rows& rows) {
     char load[32];
     std::snprintf(load, sizeof load, "%.4g", row->load / uN);
     std::vector<std::string> cells{load};
-    for (const auto& source : sources()) cells.push_back(cell(source.value(*row), display.factor));
+    for (const auto& source : sources()) cells.push_back(value_cell(source.value(*row), display.factor));
     cells.push_back(escaped(row->verdict));
     table.rows.push_back(cells);
   }

@@ -111,7 +111,7 @@ Series tangent_series(const std::vector<TangentStiffness>& tangents, const Force
   return series;
 }
 
-double largest(const std::vector<double>& values) {
+double largest_or_zero(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
@@ -124,12 +124,12 @@ ForceUnit force_unit(double largest_force) {
 
 Chart load_approach_chart(const SolvedCase& solved) {
   const ContactHistory& history = solved.history;
-  const ForceUnit unit = force_unit(largest(history.normal_force));
+  const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   Chart chart;
   chart.x_label = "approach δ of the bodies [nm]";
   chart.y_label = "normal force F [" + unit.name + "]";
   chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm), divided(history.normal_force, unit.si)));
-  chart.series.push_back(hertz_curve(solved.hertz(), largest(history.normal_displacement), unit));
+  chart.series.push_back(hertz_curve(solved.hertz(), largest_or_zero(history.normal_displacement), unit));
   return chart;
 }
 
@@ -156,13 +156,13 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
 
 Chart contact_area_chart(const SolvedCase& solved) {
   const ContactHistory& history = solved.history;
-  const ForceUnit unit = force_unit(largest(history.normal_force));
+  const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   const Hertz hertz = solved.hertz();
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = "real contact area [µm²]";
   chart.series = branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
-  chart.series.push_back(hertz_over_load(largest(history.normal_force), unit,
+  chart.series.push_back(hertz_over_load(largest_or_zero(history.normal_force), unit,
                                          [&](double force) { return hertz.contact_area(force) / um2; }));
   chart.width = 520;
   return chart;
@@ -172,7 +172,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
   double force = 0, approach = 0;
   for (const auto& curve : curves) {
     force = std::max(force, curve.last().numbers.force);
-    approach = std::max(approach, largest(curve.largest->first().history.normal_displacement));
+    approach = std::max(approach, largest_or_zero(curve.largest->first().history.normal_displacement));
   }
   const ForceUnit unit = force_unit(force);
   Chart chart;
@@ -220,7 +220,7 @@ std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate Lo
   return list;
 }
 
-double largest_force(const std::vector<StudyCurve>& curves) {
+double largest_drawn_force(const std::vector<StudyCurve>& curves) {
   double force = 0;
   for (const auto& curve : curves) force = std::max(force, curve.last().numbers.force);
   return force;
@@ -229,7 +229,7 @@ double largest_force(const std::vector<StudyCurve>& curves) {
 }  // namespace
 
 Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio, const std::string& label) {
-  const ForceUnit unit = force_unit(largest_force(curves));
+  const ForceUnit unit = force_unit(largest_drawn_force(curves));
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = label;
@@ -246,7 +246,7 @@ Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
 
 Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit, const std::string& label,
                   const std::function<double(const Hertz&, double force)>& hertz) {
-  const double largest = largest_force(curves);
+  const double largest = largest_drawn_force(curves);
   const ForceUnit force = force_unit(largest);
   Chart chart;
   chart.x_label = "normal force F [" + force.name + "]";

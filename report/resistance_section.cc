@@ -32,7 +32,7 @@ std::string figure(const std::string& title, const Chart& chart, const std::stri
   return points < 2 ? "" : figure_html(title, to_svg(chart), explanation);
 }
 
-std::string load_figures(const MovingStudy& study, const MotionMode& mode) {
+std::string figures_over_load(const MovingStudy& study, const MotionMode& mode) {
   const std::string bars = " Bars are standard deviations.";
   if (&mode == &sliding_mode())
     return figure(
@@ -86,7 +86,7 @@ std::string motion_section(const MovingStudy& study, const MotionMode& mode) {
         "result.json); they come and go, "
         "and dissipate nothing.";
   return section_html("What resists " + motion_name(mode),
-                      load_figures(study, mode) + resistance_table(study, mode) + note(explanation));
+                      figures_over_load(study, mode) + resistance_table(study, mode) + note(explanation));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace asperity::report {
 namespace {
 
-constexpr double percent = 0.01;
+constexpr double one_percent = 0.01;
 
 /// Largest value of a cell array among cells whose first point lies in the window, without the uppermost outliers.
 ColourRange range_in_window(vtkPolyData& section, const SectionView& view) {
@@ -109,10 +109,10 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
   const SectionView yielded = whole("equivalent_plastic_strain", ColourScale::white_to_red());
   const bool has_yielded = yielded.range.high > 0;
   if (has_yielded) {
-    figures.push_back({yielded, strain, percent, "Plastic strain",
+    figures.push_back({yielded, strain, one_percent, "Plastic strain",
                        "Where material has yielded for good: white is still elastic, grey is outside of the bodies. Spots right at the "
                        "surface are flattened asperities; a zone deeper down would be yielding of the bulk."});
-    figures.push_back({close("equivalent_plastic_strain", ColourScale::white_to_red()), strain, percent,
+    figures.push_back({close("equivalent_plastic_strain", ColourScale::white_to_red()), strain, one_percent,
                        "Plastic strain, close to the interface",
                        "The same cut around the largest pressure, magnified, with the mesh."});
   }

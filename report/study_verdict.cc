@@ -12,7 +12,7 @@
 namespace asperity::report {
 namespace {
 
-std::string headline(const std::vector<StudyCurve>& curves) {
+std::string study_headline(const std::vector<StudyCurve>& curves) {
   std::size_t hertzian = 0;
   const StudyCurve* worst = nullptr;
   const LoadComparison* worst_load = nullptr;
@@ -85,7 +85,7 @@ std::string study_verdict(const CaseCollection& collection, const std::vector<St
     sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(curve.last().verdict));
   for (const auto& sentence : {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
     if (!sentence.empty()) sentences.push_back(sentence);
-  return verdict_html(headline(curves), sentences);
+  return verdict_html(study_headline(curves), sentences);
 }
 
 }  // namespace asperity::report

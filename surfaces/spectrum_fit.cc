@@ -210,8 +210,8 @@ SpectrumFit fit_spectrum(const RadialSpectrum& spectrum) {
 
 std::string SpectrumFit::sentence() const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };
-  const auto with_error = [&](const Estimate& estimate) {
-    return length(estimate.value) + " +- " + length(estimate.error);
+  const auto with_error = [&](const Number& number) {
+    return length(number.value) + " +- " + length(number.error);
   };
   std::string text = "Hurst exponent " + format_quantity(hurst.value, Dimension::none) + " +- " +
                      format_quantity(hurst.error, Dimension::none, 1);

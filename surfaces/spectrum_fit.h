@@ -18,19 +18,18 @@
 
 namespace asperity {
 
-/// A number with its standard error.
-struct Estimate {
-  double value = 0, error = 0;
-};
-
 struct SpectrumFit {
-  Estimate hurst;  ///< Hurst exponent [-]; not forced into (0, 1)
+  /// With its standard error.
+  struct Number {
+    double value = 0, error = 0;
+  };
+  Number hurst;  ///< Hurst exponent [-]; not forced into (0, 1)
   bool has_rolloff = false;
-  Estimate rolloff;  ///< wavelength 2 pi / q_r [m] if seen
+  Number rolloff;  ///< wavelength 2 pi / q_r [m] if seen
   bool has_cutoff = false;
-  Estimate cutoff;  ///< wavelength 2 pi / q_s [m] below which C lies under the self-affine line, if seen
+  Number cutoff;  ///< wavelength 2 pi / q_s [m] below which C lies under the self-affine line, if seen
   bool has_noise = false;
-  Estimate noise;  ///< wavelength [m] below which C lies above the self-affine line (noise), if seen
+  Number noise;    ///< wavelength [m] below which C lies above the self-affine line (noise), if seen
   double rms = 0;  ///< Sq of the rings [m]
   /// phi of the self-affine line: 1 for an isotropic self-affine surface; errors are already widened by its
   /// square root

@@ -16,7 +16,7 @@ const std::string wave_number_column = "wave_number [rad/m]", psd_column = "psd 
 
 nlohmann::ordered_json to_json(const SpectrumFit& fit) {
   nlohmann::ordered_json json{{"hurst", fit.hurst.value}, {"hurst_error", fit.hurst.error}};
-  const auto add_knee = [&](const std::string& name, bool seen, const Estimate& knee) {
+  const auto add_knee = [&](const std::string& name, bool seen, const SpectrumFit::Number& knee) {
     json[name + "_m"] = seen ? nlohmann::ordered_json(knee.value) : nullptr;
     json[name + "_error_m"] = seen ? nlohmann::ordered_json(knee.error) : nullptr;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "dem_compare/derive/parameter_sets.h"
 #include "dem_compare/derive/steady_motion.h"
 
 namespace asperity {
@@ -54,11 +55,6 @@ FiniteElementValue value_of(const Estimate& estimate, double own_sd) {
   if (estimate.mesh) value.mesh_error = estimate.mesh->relative_error;
   value.source = estimate.count > 1 ? "mean of " + std::to_string(estimate.count) + " realisations" : "one case";
   return value;
-}
-
-std::string experiment_of(const SolvedCase& solved) {
-  const std::string otherwise = solved.entries.text("Experiment/Type", "normal");
-  return solved.finished() ? solved.result.value("experiment", otherwise) : otherwise;
 }
 
 void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group,

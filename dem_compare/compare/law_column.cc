@@ -4,13 +4,13 @@
 #include <filesystem>
 
 #include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/rail_balance.h"
 
 namespace asperity {
 namespace {
 
 using Type = EngineExperiment::Type;
-constexpr double mindlin = 8;
 constexpr double equal_work = 5.0 / 6;  // Mindlin & Deresiewicz over Mindlin without slip: finite_element_column.h
 
 std::string file_of(const ComparedContact& contact) { return std::filesystem::path(contact.record->file).filename().string(); }
@@ -56,8 +56,8 @@ bool differs(double one, double other) {
 }
 
 /// An amplitude that reaches every limit with room to spare.
-EngineExperiment experiment_of(Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
-                               double rail_angle = 0) {
+EngineExperiment engine_experiment(Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
+                                   double rail_angle = 0) {
   EngineExperiment experiment;
   experiment.type = type;
   experiment.substrate = substrate;
@@ -90,7 +90,7 @@ LawValue no_law(const std::string& reason) {
 EngineExperiment glued(ContactParameters p, double load) {
   constexpr double any_friction = 0.1;
   if (!p.sliding_friction || p.sliding_friction->value <= 0) p.sliding_friction = constant(any_friction);
-  return experiment_of(Type::glued, p, p, load);
+  return engine_experiment(Type::glued, p, p, load);
 }
 
 std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& contact, double load) {
@@ -114,7 +114,7 @@ std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& cont
 
 /// 8 G* a with `share`, and the engine with that spring.
 LawValue lateral_spring(const std::string& name, double share, const ComparedContact& contact, double load) {
-  const double k = share * mindlin * contact.sliding_modulus() * contact.hertz().contact_radius(load);
+  const double k = share * mindlin_factor * contact.sliding_modulus() * contact.hertz().contact_radius(load);
   LawValue value = law(name, k);
   EngineExperiment experiment = glued(of_bodies(contact), load);
   experiment.substrate.lateral_stiffness = constant(k, LengthScale::contact_radius);
@@ -193,7 +193,7 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
   }
   // The plate's force acts over the diameter: M_s + M_i = 2 r f. Both contacts resist the rotation.
   const auto run = [&](const ContactParameters& below, const ContactParameters& above) {
-    const EngineExperiment experiment = experiment_of(Type::rolling, below, above, load);
+    const EngineExperiment experiment = engine_experiment(Type::rolling, below, above, load);
     return quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
                                                    : EngineRequest{experiment, "plateau", load};
   };
@@ -209,7 +209,7 @@ EngineExperiment twisting(const ComparedContact& contact, double load, double st
   p.torsion_friction = constant(limit / (load * contact.radius), LengthScale::particle_radius);
   p.torsion_offset.reset();
   if (!p.sliding_friction) p.sliding_friction = constant(contact.friction);
-  return experiment_of(Type::twisting, p, p, load);
+  return engine_experiment(Type::twisting, p, p, load);
 }
 
 std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& contact, double load) {
@@ -230,7 +230,7 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   };
   std::vector<LawValue> laws;
   if (quantity == Quantity::torsion_stiffness) {
-    const double assumed = mindlin * contact.sliding_modulus() * a * r * r;
+    const double assumed = mindlin_factor * contact.sliding_modulus() * a * r * r;
     laws.push_back(with_engine(law("Reissner-Sagoci without slip", no_slip), no_slip, limit));
     laws.push_back(with_engine(law("8 G* a r^2, the paper's assumption", assumed), assumed, limit));
     if (contact.record && contact.record->torsion_stiffness) {
@@ -261,7 +261,7 @@ EngineRequest rail_run(const ComparedContact& contact, double load, const RailCa
     p.rolling_offset.reset();
     p.torsion_offset.reset();
   }
-  return EngineRequest{experiment_of(Type::rail, p, p, load, rail.angle), "rail coefficient"};
+  return EngineRequest{engine_experiment(Type::rail, p, p, load, rail.angle), "rail coefficient"};
 }
 
 /// eq:murail and, for the force over the load, mu_rail (1 + h_rail/f); beside it what leaving out torsion or the offsets makes of it.

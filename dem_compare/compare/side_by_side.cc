@@ -9,9 +9,10 @@
 namespace asperity {
 namespace {
 
-constexpr double same_load = 1e-3;  // steps of a solver end on a load but for its tolerance
-
-bool is_load(double one, double other) { return std::abs(one - other) <= same_load * other; }
+bool is_load(double one, double other) {
+  constexpr double tolerance = 1e-3;  // steps of a solver end on a load but for its tolerance
+  return std::abs(one - other) <= tolerance * other;
+}
 
 /// Loads without those that are the same.
 std::vector<double> distinct(std::vector<double> loads) {

@@ -4,6 +4,7 @@
 
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/json_number.h"
+#include "dem_compare/quoted_for_csv.h"
 
 namespace asperity {
 namespace {
@@ -167,12 +168,6 @@ Json verdict_json(const LawVerdict& verdict) {
   return object;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
 }  // namespace
 
 std::string to_csv(const SideBySide& comparison) {
@@ -191,18 +186,18 @@ std::string to_csv(const SideBySide& comparison) {
     const QuantityDisplay& display = display_of(row.quantity);
     const Uncertain of_finite = ratio(row.reduced_law, row.finite_elements),
                     of_published = ratio(row.reduced_law, row.published);
-    text += quoted(row.contact) + "," + mode_name(row.mode()) + "," + display.key + "," + display.si;
+    text += quoted_for_csv(row.contact) + "," + mode_name(row.mode()) + "," + display.key + "," + display.si;
     for (const double value : {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
       text += "," + number_cell(value);
     text += "," + std::to_string(row.finite_elements.realisations) + "," + number_cell(row.finite_elements.mesh_error) + "," +
-            quoted(row.reduced_law.source);
+            quoted_for_csv(row.reduced_law.source);
     for (const double value :
          {row.reduced_law.value, row.reduced_law.sd, row.engine.value, row.published.value, row.published.sd})
       text += "," + number_cell(value);
-    text += "," + quoted(row.published.source);
+    text += "," + quoted_for_csv(row.published.source);
     for (const double value : {of_finite.value, of_finite.sd, of_published.value, of_published.sd, engine_over_law(row)})
       text += "," + number_cell(value);
-    text += "," + quoted(row.verdict) + "\n";
+    text += "," + quoted_for_csv(row.verdict) + "\n";
   }
   return text;
 }

@@ -17,7 +17,7 @@ std::string within_text(double tolerance) {
 }
 
 /// Two digits of the smaller of number and sd, at most one decimal.
-std::string percent(double value, double sd) {
+std::string percent_with_sd(double value, double sd) {
   const double number = 100 * std::abs(value), doubt = 100 * sd;
   char text[64];
   constexpr double whole_percents_from = 9.95;
@@ -41,7 +41,7 @@ std::string amount(const Departure& departure) {
       std::snprintf(text, sizeof text, "a factor of %.3g", factor);
     return text;
   }
-  return percent(departure.value, departure.sd);
+  return percent_with_sd(departure.value, departure.sd);
 }
 
 /// Neighbouring loads with the same judgement.
@@ -127,12 +127,12 @@ struct Judgement {
   const ComparedValue& (*value)(const ComparisonRow&);
   const ComparedValue& (*by)(const ComparisonRow&);
 };
-const ComparedValue& finite_elements(const ComparisonRow& row) { return row.finite_elements; }
-const ComparedValue& reduced_law(const ComparisonRow& row) { return row.reduced_law; }
-const ComparedValue& published(const ComparisonRow& row) { return row.published; }
-constexpr Judgement judgements[] = {{"", "finite elements", reduced_law, finite_elements},
-                                    {"", "measurement", reduced_law, published},
-                                    {"The finite-element model", "measurement", finite_elements, published}};
+const ComparedValue& finite_elements_of(const ComparisonRow& row) { return row.finite_elements; }
+const ComparedValue& reduced_law_of(const ComparisonRow& row) { return row.reduced_law; }
+const ComparedValue& published_of(const ComparisonRow& row) { return row.published; }
+constexpr Judgement judgements[] = {{"", "finite elements", reduced_law_of, finite_elements_of},
+                                    {"", "measurement", reduced_law_of, published_of},
+                                    {"The finite-element model", "measurement", finite_elements_of, published_of}};
 
 std::vector<Departure> departures_of(const std::vector<const ComparisonRow*>& rows, const Judgement& judgement) {
   std::vector<Departure> departures;
@@ -153,7 +153,8 @@ std::string mesh_sentence(const std::vector<const ComparisonRow*>& rows, double 
     if (std::abs(row->finite_elements.mesh_error) > (worst ? std::abs(worst->finite_elements.mesh_error) : tolerance))
       worst = row;
   if (!worst) return "";
-  return " The mesh alone leaves " + percent(worst->finite_elements.mesh_error, NAN) + " in doubt at " + force(worst->load) +
+  return " The mesh alone leaves " + percent_with_sd(worst->finite_elements.mesh_error, NAN) + " in doubt at " +
+         force(worst->load) +
          ".";
 }
 

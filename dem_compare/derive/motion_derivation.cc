@@ -66,8 +66,8 @@ void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
                               std::to_string(law.degrees_of_freedom + 2) + " cases)");
 }
 
-void derive_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen,
-                      ContactParameters& parameters, LawReport& report) {
+void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen,
+                             ContactParameters& parameters, LawReport& report) {
   std::vector<CaseNumber> probed, reversed;
   for (const auto& item : seen) {
     if (item.probed_stiffness > 0) probed.push_back(item.number(item.probed_stiffness, item.probed_sd));
@@ -169,7 +169,7 @@ void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& use
                               " to more");
 }
 
-Json resistance_json(const MotionCase& item) {
+Json moved_case_json(const MotionCase& item) {
   return {{"folder", item.solved->folder.string()},
           {"load", item.load},
           {"mean", item.steady.mean},
@@ -198,7 +198,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     used.push_back(steady[i]);
     points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius,
                       parameters.contact_radius(all[i].load)});
-    report.details["resistance"].push_back(resistance_json(*steady[i]));
+    report.details["resistance"].push_back(moved_case_json(*steady[i]));
   }
   tell_resistances(mode, used, report);
   tell_ways(mode, used, report);
@@ -262,7 +262,7 @@ LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, Contact
   }
   derive_resistance(mode, seen, parameters, report);
   tell_local_friction(set, mode, parameters, report);
-  derive_stiffness(mode, seen, parameters, report);
+  derive_motion_stiffness(mode, seen, parameters, report);
   return report;
 }
 

@@ -155,7 +155,7 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
   parameters.reduced_modulus = modulus;
 }
 
-void derive_stiffness(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
+void derive_normal_stiffness(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
   std::vector<CaseNumber> all;
   for (const auto& solved : set.cases)
     if (const auto number = stiffness_of(solved)) all.push_back(*number);
@@ -223,7 +223,7 @@ LawReport derive_normal(const ParameterSet& set, ContactParameters& parameters) 
   LawReport report;
   report.title = "Normal";
   derive_modulus(set, parameters, report);
-  derive_stiffness(set, parameters, report);
+  derive_normal_stiffness(set, parameters, report);
   derive_pull_off(set, parameters, report);
   return report;
 }

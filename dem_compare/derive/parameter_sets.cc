@@ -57,7 +57,7 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> inputs_of(const SolvedCase& solved) {
+std::vector<std::pair<std::string, std::string>> inputs_without_seeds(const SolvedCase& solved) {
   static const std::regex seed(R"(,?seed=\d+)");
   std::vector<std::pair<std::string, std::string>> inputs;
   for (const auto& input : number_inputs()) {
@@ -174,7 +174,7 @@ class Collector {
       found_.remarks.push_back(name + ": its history.csv has no rows; left out");
       return;
     }
-    auto inputs = inputs_of(solved);
+    auto inputs = inputs_without_seeds(solved);
     for (auto& set : found_.sets)
       if (set.inputs == inputs) {
         set.cases.push_back(std::move(solved));

@@ -14,8 +14,8 @@ bool same_but_for_radius(const ParameterSet& one, const ParameterSet& other) {
 }
 
 /// Contacts of several sets.
-std::vector<ResistancePoint> points_of(const std::vector<std::size_t>& family,
-                                       const std::vector<Derivation>& derivations, Derivation::Law law) {
+std::vector<ResistancePoint> points_of_sets(const std::vector<std::size_t>& family,
+                                            const std::vector<Derivation>& derivations, Derivation::Law law) {
   std::vector<ResistancePoint> points;
   for (const auto set : family)
     for (auto point : derivations[set].laws[law].points) {
@@ -67,7 +67,7 @@ std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
       if (family.size() < 2) continue;
       LawReport report;
       report.title = std::string(mode->title) + ", over the radii " + radii + " with one mu and h for all";
-      report.points = points_of(family, derivations, law);
+      report.points = points_of_sets(family, derivations, law);
       const LengthChoice choice = choose_length(report.points);
       tell_choice(choice, report);
       report.details = to_json(choice);

@@ -93,7 +93,7 @@ GeneralisedFit generalised_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& 
   return fit;
 }
 
-bool same_contact(const ResistancePoint& one, const ResistancePoint& other) {
+bool same_load_and_radius(const ResistancePoint& one, const ResistancePoint& other) {
   return same_load(one.load, other.load) && one.particle_radius == other.particle_radius;
 }
 
@@ -114,7 +114,7 @@ Eigen::VectorXd mean_of_contact(const Points& points) {
     double sum = 0;
     int count = 0;
     for (const auto& other : points)
-      if (same_contact(other, points[i])) sum += other.value, ++count;
+      if (same_load_and_radius(other, points[i])) sum += other.value, ++count;
     means[static_cast<Eigen::Index>(i)] = sum / count;
   }
   return means;
@@ -229,7 +229,7 @@ double leave_one_out(const Points& points, LengthScale scale) {
   for (const auto& left_out : points) {
     Points others;
     for (const auto& point : points)
-      if (!same_contact(point, left_out)) others.push_back(point);
+      if (!same_load_and_radius(point, left_out)) others.push_back(point);
     squares += std::pow(fit_resistance(others, scale).at(left_out, scale) / left_out.value - 1, 2) /
                static_cast<double>(points.size());
   }

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+using boost::math::double_constants::pi;
 using Type = EngineExperiment::Type;
 
 const std::vector<std::pair<std::string, Type>>& type_names() {

@@ -27,7 +27,7 @@ const std::vector<EngineInputEntry>& entries() {
   return all;
 }
 
-std::string percent(double error) {
+std::string signed_percent(double error) {
   char text[32];
   std::snprintf(text, sizeof text, "%+.1f %%", 100 * error);
   return text;
@@ -76,8 +76,8 @@ LoadRange InputNotes::range(Member friction, Member offset) const {
 
 void InputNotes::state(const std::string& what, const Folded& folded) {
   if (folded.is_exact()) return;
-  std::string text = what + ": " + percent(folded.error_low) + " at " + short_number(folded.range.low) + " N";
-  if (folded.range.high > folded.range.low) text += ", " + percent(folded.error_high) + " at " + short_number(folded.range.high) + " N";
+  std::string text = what + ": " + signed_percent(folded.error_low) + " at " + short_number(folded.range.low) + " N";
+  if (folded.range.high > folded.range.low) text += ", " + signed_percent(folded.error_high) + " at " + short_number(folded.range.high) + " N";
   if (options_.load && (*options_.load < folded.range.low || *options_.load > folded.range.high))
     text += "; " + short_number(*options_.load) + " N lies outside of the loads it was fitted on";
   limits_.push_back(text);
@@ -214,7 +214,7 @@ EngineElasticity engine_elasticity(InputNotes& notes) {
   const double Youngs = 2 * E * (1 - nu * nu), engine_G = Youngs / (4 * (1 + nu) * (2 - nu));
   if (std::abs(engine_G / G - 1) > agree)
     notes.cannot("lateral stiffness, which follows from E and nu here and cannot be as that of the record: " +
-                 percent(engine_G / G - 1) + " at every load");
+                 signed_percent(engine_G / G - 1) + " at every load");
   else
     notes.cannot("E and nu are those of two equal bodies that have the record's E* and k_l: not those of the materials");
   return {{Youngs, Youngs}, {nu, nu}};

@@ -30,7 +30,7 @@ std::vector<Rows> rows_of_legs(const MotionPlan& plan, const EngineTrace& trace)
 }
 
 /// Least-squares slope of y over x between two rows.
-double slope(const std::vector<double>& x, const std::vector<double>& y, Rows rows) {
+double least_squares_slope(const std::vector<double>& x, const std::vector<double>& y, Rows rows) {
   const double n = static_cast<double>(rows.last - rows.first + 1);
   double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
   for (std::size_t i = rows.first; i <= rows.last; ++i) {
@@ -87,15 +87,16 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
     const Rows rows = legs[i];
     if (leg.purpose == Leg::Purpose::start) {
       const Rows part = beginning(trace, rows, share_of_yield * law.first_yield);
-      found.push_back({"slope at the start", stiffness_unit, slope(trace.drive, trace.response, part), law.slope});
+      found.push_back({"slope at the start", stiffness_unit, least_squares_slope(trace.drive, trace.response, part), law.slope});
       if (is_free) {
         // Torque balance of the free sphere: R (1 + cos theta) f = K phi.
         const double lever = experiment.substrate.particle.radius * (1 + experiment.rail_cosine());
-        found.push_back({"stiffness against rotation", "N m/rad", lever * slope(angle, trace.response, part), law.rolling_stiffness});
+        found.push_back({"stiffness against rotation", "N m/rad", lever * least_squares_slope(angle, trace.response, part),
+                         law.rolling_stiffness});
       }
     }
     if (leg.purpose == Leg::Purpose::reversal) {
-      reversals += slope(trace.drive, trace.response, beginning(trace, rows, 2 * share_of_yield * law.first_yield));
+      reversals += least_squares_slope(trace.drive, trace.response, beginning(trace, rows, 2 * share_of_yield * law.first_yield));
       ++reversal_count;
     }
     const bool is_plateau = leg.purpose == Leg::Purpose::before_reversal || (is_torque && i > 0);
@@ -106,8 +107,8 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
       ++plateau_count;
     }
     if (leg.purpose == Leg::Purpose::travel && is_free) {
-      travel_ratio += slope(trace.drive, trace.particle, rows);
-      angle_ratio += slope(trace.drive, angle, rows);
+      travel_ratio += least_squares_slope(trace.drive, trace.particle, rows);
+      angle_ratio += least_squares_slope(trace.drive, angle, rows);
       ++travel_count;
     }
   }

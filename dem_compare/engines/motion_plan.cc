@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+using boost::math::double_constants::pi;
 using Type = EngineExperiment::Type;
 
 bool is_free(const EngineExperiment& e) { return e.type == Type::rolling || e.type == Type::rail; }

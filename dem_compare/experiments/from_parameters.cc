@@ -5,8 +5,6 @@
 namespace asperity {
 namespace {
 
-double value_or_zero(const std::optional<EffectiveQuantity>& quantity) { return quantity ? quantity->value : 0; }
-
 bool is_constant(const EffectiveQuantity& stiffness) { return stiffness.length_scale != LengthScale::contact_radius; }
 
 /// G* that gives the record's k_l = 8 G* a.

@@ -16,7 +16,7 @@ std::vector<LawDescription>& registered() {
 }
 
 template <class Named>
-[[noreturn]] void refuse(const std::string& what, const std::string& written, const std::vector<Named>& known) {
+[[noreturn]] void refuse_unknown(const std::string& what, const std::string& written, const std::vector<Named>& known) {
   std::vector<std::string> names;
   for (const auto& entry : known) names.push_back(entry.name);
   const std::string nearest = nearest_name(written, names);
@@ -35,7 +35,7 @@ void add(const LawDescription& description) { registered().push_back(description
 std::size_t index_of(const LawDescription& description, const std::string& parameter) {
   for (std::size_t i = 0; i < description.parameters.size(); ++i)
     if (description.parameters[i].name == parameter) return i;
-  refuse("parameter of the law '" + description.name + "' named", parameter, description.parameters);
+  refuse_unknown("parameter of the law '" + description.name + "' named", parameter, description.parameters);
 }
 
 void check(const LawDescription& description, std::size_t parameter, double value) {
@@ -60,7 +60,7 @@ std::vector<LawDescription> reduced_laws() {
 LawDescription reduced_law(const std::string& name) {
   for (const auto& law : registered())
     if (law.name == name) return law;
-  refuse("reduced law", name, reduced_laws());
+  refuse_unknown("reduced law", name, reduced_laws());
 }
 
 std::string reduced_laws_manual() {

@@ -20,7 +20,7 @@ void exert(ContactModelState& state, const Resistances& q) {
 }
 
 /// Cut to a length.
-Vector3d within(const Vector3d& value, double limit) {
+Vector3d cut_to(const Vector3d& value, double limit) {
   const double size = value.norm();
   return size > limit ? Vector3d(value * (limit / size)) : value;
 }
@@ -55,8 +55,8 @@ ContactModelState advance(const ContactModel& model, const ContactModelState& be
                torsion_arm = now.lever * length_of(model.torsion.length, now.normal, now.lever);
   const double torsion_limit = model.torsion.limit(now.normal, now.lever);
   exert(now, {now.normal.force + gamma * rate.approach,
-              within(now.sliding.spring.resistance + gamma * rate.sliding, friction_of(model.sliding).limit(now.normal.force)),
-              within(now.rolling.resistance + gamma * rolling_arm * rate.rolling, model.rolling.limit(now.normal, now.lever)),
+              cut_to(now.sliding.spring.resistance + gamma * rate.sliding, friction_of(model.sliding).limit(now.normal.force)),
+              cut_to(now.rolling.resistance + gamma * rolling_arm * rate.rolling, model.rolling.limit(now.normal, now.lever)),
               std::clamp(now.torsion.resistance + gamma * torsion_arm * rate.torsion, -torsion_limit, torsion_limit)});
   return now;
 }

@@ -1,5 +1,7 @@
 #include "dem_compare/paper/analysis.h"
 
+#include <cmath>
+
 #include "core/error.h"
 
 namespace asperity {
@@ -32,5 +34,7 @@ RoughnessLaws roughness_laws(const Published& p) {
           fit_exponential(rms, rolling),
           fit_exponential(rms, offset)};
 }
+
+std::string whole_degrees(double angle) { return std::to_string(std::lround(angle / display::degree.factor)) + " deg"; }
 
 }  // namespace asperity

@@ -81,6 +81,9 @@ inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6},
     percent{"%", "", 0.01}, degree{"deg", "rad", 0.017453292519943295};
 }
 
+/// "45 deg" of an angle in rad.
+std::string whole_degrees(double angle);
+
 std::string paper_text(const PaperAnalysis& analysis);
 std::string paper_json(const PaperAnalysis& analysis);
 /// Of one section's numbers.

@@ -8,8 +8,6 @@
 namespace asperity {
 namespace {
 
-constexpr double mindlin = 8;
-
 /// G* with (2 - nu^2), as the paper prints it [Pa].
 double printed_modulus(const ElasticBody& one, const ElasticBody& other) {
   const auto compliance = [](const ElasticBody& body) {
@@ -45,7 +43,8 @@ PaperSection elasticity_section(const Published& p) {
                     Uncertain{hertz.peak_pressure(largest)},
                     std::string(plane) == "diamond" ? "above the yield stress of 3 GPa: that p0 stays below it holds for silicon alone" : ""});
     rows.push_back({on + "mean pressure at 3 mN", display::GPa, {}, Uncertain{largest / hertz.contact_area(largest)}});
-    rows.push_back({on + "8 G* a at 100 uN", display::N_per_m, {}, Uncertain{mindlin * sliding_modulus(sphere, other) * hertz.contact_radius(load)}});
+    rows.push_back({on + "8 G* a at 100 uN", display::N_per_m, {},
+                    Uncertain{mindlin_factor * sliding_modulus(sphere, other) * hertz.contact_radius(load)}});
     rows.push_back({on + "load of first yield, p0 = 1.6 Y", display::mN, {}, Uncertain{hertz.force_at_peak_pressure(tresca * Y)},
                     !is_silicon ? "" : "yield begins under the surface at 1.6 times the yield stress (Johnson 1985): contacts stay elastic for this reason, not because p0 < Y"});
   }
@@ -79,20 +78,22 @@ PaperSection sliding_section(const Published& p) {
   const double G = sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity);
   const double k_fit = p.quoted("fitted_lateral_stiffness", Dimension::stiffness).value;
   const PublishedSurface& surface = p.surfaces.front();
-  const double printed_G = p.quoted("fitted_shear_modulus", Dimension::pressure).value, needed_radius = k_fit / (mindlin * printed_G);
+  const double printed_G = p.quoted("fitted_shear_modulus", Dimension::pressure).value, needed_radius = k_fit / (mindlin_factor * printed_G);
   char needed[20];
   std::snprintf(needed, sizeof needed, "%.3f um", needed_radius / 1e-6);
   const double limit = surface.sliding.value * load;
   const Uncertain limit_h = propagate([&](const auto& x) { return x[0] * (load + x[1]); }, {surface.sliding, surface.sliding_offset});
-  rows.push_back({"k_l = 8 G* a", display::N_per_m, {}, Uncertain{mindlin * G * a}});
-  rows.push_back({"G* of the fitted slope, as in the text", display::GPa, p.quoted("fitted_shear_modulus", Dimension::pressure), Uncertain{k_fit / (mindlin * a)},
+  rows.push_back({"k_l = 8 G* a", display::N_per_m, {}, Uncertain{mindlin_factor * G * a}});
+  rows.push_back({"G* of the fitted slope, as in the text", display::GPa, p.quoted("fitted_shear_modulus", Dimension::pressure),
+                  Uncertain{k_fit / (mindlin_factor * a)},
                   "2.219 kN/m over 8 a(100 uN) is 1.21 GPa, as the caption says; 1.36 GPa would need a = " + std::string(needed)});
-  rows.push_back({"G* of the fitted slope, as in the caption", display::GPa, p.quoted("fitted_shear_modulus_caption", Dimension::pressure), Uncertain{k_fit / (mindlin * a)}});
+  rows.push_back({"G* of the fitted slope, as in the caption", display::GPa, p.quoted("fitted_shear_modulus_caption", Dimension::pressure),
+                  Uncertain{k_fit / (mindlin_factor * a)}});
   // a^3 = 3 F R/(4 E*): what would have to be another one for 1.36 GPa, and what other contacts of the paper give.
   const double cube = std::pow(needed_radius / a, 3);
   rows.push_back({"load at which it would be 1.36 GPa", display::uN, {}, Uncertain{load * cube}, "all loops of this figure are at 100 uN"});
   rows.push_back({"radius of the sphere with which it would be 1.36 GPa", display::um, {}, Uncertain{p.radius() * cube}});
-  const auto with_radius = [&](double radius) { return k_fit / (mindlin * radius); };
+  const auto with_radius = [&](double radius) { return k_fit / (mindlin_factor * radius); };
   for (const char* plane : {"diamond", "fused quartz"})
     rows.push_back({std::string("with a of the sphere on ") + plane, display::GPa, p.quoted("fitted_shear_modulus", Dimension::pressure),
                     Uncertain{with_radius(p.hertz(plane).contact_radius(load))}});
@@ -102,7 +103,7 @@ PaperSection sliding_section(const Published& p) {
                   "'about 10 um' of the text: no contact of the paper gives 1.36 GPa; the authors' published simulation has 1.2138 GPa"});
   rows.push_back({"mu_l f", display::uN, {}, Uncertain{limit, surface.sliding.sd * load}});
   rows.push_back({"mu_l (f + h_l)", display::uN, {}, limit_h});
-  rows.push_back({"travel to sliding, Mindlin no slip", display::nm, {}, Uncertain{limit / (mindlin * G * a)}});
+  rows.push_back({"travel to sliding, Mindlin no slip", display::nm, {}, Uncertain{limit / (mindlin_factor * G * a)}});
   rows.push_back({"travel to sliding, Mindlin-Deresiewicz", display::nm, {}, Uncertain{3 * limit / (16 * G * a)}, "3 mu f/(16 G* a)"});
   rows.push_back({"travel to sliding, fitted slope", display::nm, {}, Uncertain{limit / k_fit}});
   rows.push_back({"travel to sliding, fitted slope, with h_l", display::nm, {}, Uncertain{limit_h.value / k_fit, limit_h.sd / k_fit}});

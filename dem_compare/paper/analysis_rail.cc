@@ -9,8 +9,6 @@
 namespace asperity {
 namespace {
 
-std::string degrees(double angle) { return std::to_string(std::lround(angle / display::degree.factor)) + " deg"; }
-
 /// The printed law at the rail's roughness; its sd from the rail's RMS and, for the law itself, from the refit.
 Uncertain at_rail(const ExponentialLaw& printed, const ExponentialFit& refit, const Uncertain& rms) {
   return {printed(rms.value), refit.at(rms).sd};
@@ -25,7 +23,7 @@ PaperSection rail_section(const Published& p) {
   const Uncertain torsion = p.quoted("torsion_r");
   std::vector<double> inverted, variances;
   for (const auto& rail : p.rails) {
-    const std::string of = degrees(rail.angle.value) + ": ";
+    const std::string of = whole_degrees(rail.angle.value) + ": ";
     const Uncertain rolling = at_rail(laws.printed_rolling, laws.rolling, rail.rms);
     const Uncertain offset = at_rail(laws.printed_offset, laws.offset, rail.rms);
     rows.push_back({of + "mu_ro at the rail's roughness, eq:murofit", display::none, {}, rolling});
@@ -36,9 +34,9 @@ PaperSection rail_section(const Published& p) {
     const auto back = [](const std::vector<double>& x) { return torsion_from_rail(x[0], x[1], x[2]); };
     if (rail.printed_angle != rail.angle.value) {
       const Uncertain printed{rail.printed_angle, rail.angle.sd};
-      rows.push_back({of + "mu_rail at " + degrees(rail.printed_angle) + ", as Table 2 prints the angle", display::none, rail.friction,
+      rows.push_back({of + "mu_rail at " + whole_degrees(rail.printed_angle) + ", as Table 2 prints the angle", display::none, rail.friction,
                       propagate(friction, {printed, rolling, torsion}), "the angle of the text agrees with the measurement, that of the table does not"});
-      rows.push_back({of + "mu_to from mu_rail at " + degrees(rail.printed_angle), display::none, torsion,
+      rows.push_back({of + "mu_to from mu_rail at " + whole_degrees(rail.printed_angle), display::none, torsion,
                       propagate(back, {printed, rail.friction, rolling})});
     }
     const Uncertain mu_to = propagate(back, {rail.angle, rail.friction, rolling});

@@ -5,8 +5,6 @@
 namespace asperity {
 namespace {
 
-std::string degrees(double angle) { return std::to_string(std::lround(angle / display::degree.factor)) + " deg"; }
-
 /// A published straight line f_l = mu (f + h), taken at equally spaced loads, as a series.
 std::vector<FrictionPoint> line_as_series(const Uncertain& mu, const Uncertain& h, double low, double high) {
   constexpr int points = 30;
@@ -57,11 +55,11 @@ PaperSection table_2(const Published& p) {
     section.numbers.push_back({of + "rolling offset, lambda = a", display::mN, s.rolling_a_offset, Uncertain{fit.offset.value}, "the same"});
   }
   for (const auto& rail : p.rails) {
-    const std::string of = "rail " + degrees(rail.angle.value) + ": ";
-    const bool differs = degrees(rail.angle.value) != degrees(rail.printed_angle);
+    const std::string of = "rail " + whole_degrees(rail.angle.value) + ": ";
+    const bool differs = whole_degrees(rail.angle.value) != whole_degrees(rail.printed_angle);
     section.numbers.push_back({of + "inclination", display::degree, Uncertain{rail.printed_angle, rail.angle.sd},
                                differs ? std::optional<Uncertain>(rail.angle) : std::nullopt,
-                               differs ? "text and figures say " + degrees(rail.angle.value) +
+                               differs ? "text and figures say " + whole_degrees(rail.angle.value) +
                                              "; the torque balance agrees with that, and eq:muto2's assumption is exact where 2 cos(theta) = 1"
                                        : ""});
     section.numbers.push_back({of + "RMS roughness", display::nm, rail.rms});

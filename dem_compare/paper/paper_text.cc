@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dem_compare/paper/analysis.h"
+#include "dem_compare/quoted_for_csv.h"
 
 namespace asperity {
 namespace {
@@ -28,11 +29,6 @@ std::string sigma(double deviation) {
 std::pair<double, double> deviations(const PaperNumber& n) {
   if (!n.published || !n.computed) return {std::nan(""), std::nan("")};
   return {deviation_in_sigma(*n.computed, *n.published), deviation_in_both_sigmas(*n.computed, *n.published)};
-}
-
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
-  return '"' + text + '"';
 }
 
 /// A curve with its rows thinned to what a screen takes.
@@ -120,9 +116,9 @@ std::string paper_csv(const PaperSection& section) {
   for (const auto& n : section.numbers) {
     const double none = std::nan("");
     const auto [own, both] = deviations(n);
-    text += quoted(n.what) + "," + n.unit.si + "," + cell(n.published ? n.published->value : none) + "," +
+    text += quoted_for_csv(n.what) + "," + n.unit.si + "," + cell(n.published ? n.published->value : none) + "," +
             cell(n.published ? n.published->sd : none) + "," + cell(n.computed ? n.computed->value : none) + "," +
-            cell(n.computed ? n.computed->sd : none) + "," + cell(own) + "," + cell(both) + "," + quoted(n.remark) + "\n";
+            cell(n.computed ? n.computed->sd : none) + "," + cell(own) + "," + cell(both) + "," + quoted_for_csv(n.remark) + "\n";
   }
   return text;
 }

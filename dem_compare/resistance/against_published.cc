@@ -9,7 +9,6 @@
 namespace asperity {
 namespace {
 
-constexpr double two_sigma = 2;
 
 Quantity quantity_of(const MotionMode& mode) {
   if (&mode == &sliding_mode()) return Quantity::sliding_friction;
@@ -80,6 +79,7 @@ double MeasuredTrend::sigmas() const {
 }
 
 bool MeasuredTrend::is_opposite() const {
+  constexpr double two_sigma = 2;
   const auto told = [](const Uncertain& slope) { return std::abs(slope.value) > two_sigma * slope.sd; };
   return told(simulated) && told(measured) && simulated.value * measured.value < 0;
 }

@@ -10,7 +10,12 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 using Sign = Trend::Sign;
-constexpr double nm = 1e-9;
+
+/// Of a change with roughness [1/m]: over a nanometre.
+Uncertain per_nanometre(const Uncertain& slope) {
+  constexpr double nm = 1e-9;
+  return {slope.value * nm, slope.sd * nm};
+}
 
 /// Slope of a part over the mean of the whole, over the loads [per metre].
 Uncertain part_of(const RoughnessTrend& trend, Trend TrendAtLoad::*part) {
@@ -37,7 +42,7 @@ std::string parts_words(const RoughnessTrend& trend) {
   for (const auto& part : parts()) {
     const Uncertain share = part_of(trend, part.member);
     if (std::isfinite(share.value))
-      text += (text.empty() ? "" : ", ") + (part.name + (" " + change_percent({share.value * nm, share.sd * nm})));
+      text += (text.empty() ? "" : ", ") + (part.name + (" " + change_percent(per_nanometre(share))));
   }
   return text.empty() ? "" : " Of this, per nm: " + text + ".";
 }
@@ -47,7 +52,7 @@ std::string at_loads(const RoughnessTrend& trend) {
   for (const auto& at : trend.loads) {
     const Uncertain change = at.total.relative();
     text +=
-        (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent({change.value * nm, change.sd * nm});
+        (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent(per_nanometre(change));
   }
   return trend.loads.size() > 1 ? " (" + text + ")" : "";
 }
@@ -98,7 +103,7 @@ Sentences mechanism_sentences(const ResistanceFindings& findings) {
   Sentences list;
   for (const auto& trend : findings.contribution_trends) {
     const Contribution &low = *trend.smoothest, &high = *trend.roughest;
-    const Uncertain change{trend.relative().value * nm, trend.relative().sd * nm};
+    const Uncertain change = per_nanometre(trend.relative());
     const Sign sign = sign_of(trend.difference.slope);
     list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " + motion_name(*low.mode) +
                    " at " + force_text(low.load) +
@@ -134,7 +139,7 @@ std::string trend_against_paper(const MeasuredTrend& one) {
       one.trend->contacts.back()->label +
       (coefficient ? ", trend of the coefficient with RMS" : ", trend with RMS at " + force_text(one.load)) +
       (rolls ? " (at the silicon's contact: twice what the paper's mean over both contacts shows)" : "");
-  const auto per_nm = [](const Uncertain& slope) { return number_text({slope.value * nm, slope.sd * nm}) + " per nm"; };
+  const auto per_nm = [](const Uncertain& slope) { return number_text(per_nanometre(slope)) + " per nm"; };
   std::string text = what + ": simulated " + per_nm(one.simulated) + ", measured " + per_nm(one.measured);
   if (!std::isfinite(one.sigmas())) return text + "; cannot tell whether they agree.";
   constexpr double two_sigma = 2;

@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 /// Number of an entry; `otherwise` where it is missing.
-double number(const ContactInputs& inputs, const std::string& entry, Dimension dimension, double otherwise) {
+double number_of_entry(const ContactInputs& inputs, const std::string& entry, Dimension dimension, double otherwise) {
   const auto found = inputs.find(entry);
   return found == inputs.end() ? otherwise : parse_quantity(found->second, dimension);
 }
@@ -35,7 +35,7 @@ std::string without_seed(std::string text) {
 }  // namespace
 
 bool yields(const ContactInputs& inputs, const std::string& body) {
-  return std::isfinite(number(inputs, body + "/Yield stress", Dimension::pressure, INFINITY));
+  return std::isfinite(number_of_entry(inputs, body + "/Yield stress", Dimension::pressure, INFINITY));
 }
 
 ContactInputs inputs_of(const SolvedCase& solved) {
@@ -48,7 +48,7 @@ ContactInputs inputs_of(const SolvedCase& solved) {
     if (!yields(inputs, body))
       for (const char* entry : {"/Yield stress", "/Hardening modulus", "/Hardening", "/Voce saturation", "/Voce rate"})
         inputs.erase(body + entry);
-  if (number(inputs, "Interface/Work of adhesion", Dimension::surface_energy, 0) == 0)
+  if (number_of_entry(inputs, "Interface/Work of adhesion", Dimension::surface_energy, 0) == 0)
     for (const char* entry : {"Work of adhesion", "Opening work", "Adhesion law", "Adhesion range"})
       inputs.erase(std::string("Interface/") + entry);
   return inputs;

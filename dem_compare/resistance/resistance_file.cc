@@ -10,16 +10,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string cell(double value) {
+std::string csv_cell(double value) {
   if (!std::isfinite(value)) return "";
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.9g", value);
   return buffer;
 }
 
-std::string cells(const Uncertain& number) { return "," + cell(number.value) + "," + cell(number.sd); }
+std::string csv_cells(const Uncertain& number) { return "," + csv_cell(number.value) + "," + csv_cell(number.sd); }
 
-std::string quoted(const std::string& text) {
+/// Quotation marks within become apostrophes.
+std::string quoted_label(const std::string& text) {
   std::string safe = "\"";
   for (const char c : text) safe += c == '"' ? '\'' : c;
   return safe + "\"";
@@ -179,12 +180,13 @@ std::string resistance_csv(const MovingStudy& study) {
       const auto over = [&](double unit) {
         return Uncertain{state.resistance.value / unit, state.resistance.sd / unit};
       };
-      text += quoted(contact.label) + "," + state.mode->experiment + "," + cell(state.load) + "," +
-              cell(contact.bodies.radius) + "," + cell(contact.bodies.rms) + "," + std::to_string(state.cases.size()) +
-              "," + cell(state.spacing) + cells(state.resistance) + cells(state.parts.friction) +
-              cells(state.parts.plastic) + cells(state.parts.adhesion) + cells(state.force) + "," +
-              cell(state.unbalanced) + cells(over(state.scale())) + cells(over(state.coulomb)) +
-              cells(state.back_over_first) + "," + cell(state.hertz_radius) + "," + cell(state.contact_area) + "\n";
+      text += quoted_label(contact.label) + "," + state.mode->experiment + "," + csv_cell(state.load) + "," +
+              csv_cell(contact.bodies.radius) + "," + csv_cell(contact.bodies.rms) + "," +
+              std::to_string(state.cases.size()) + "," + csv_cell(state.spacing) + csv_cells(state.resistance) +
+              csv_cells(state.parts.friction) + csv_cells(state.parts.plastic) + csv_cells(state.parts.adhesion) +
+              csv_cells(state.force) + "," + csv_cell(state.unbalanced) + csv_cells(over(state.scale())) +
+              csv_cells(over(state.coulomb)) + csv_cells(state.back_over_first) + "," + csv_cell(state.hertz_radius) + "," +
+              csv_cell(state.contact_area) + "\n";
     }
   return text;
 }

@@ -22,7 +22,7 @@ std::string spectrum_of(const MovingContact& contact) {
 
 /// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to
 /// all.
-std::vector<Contacts> families(const MovingStudy& study) {
+std::vector<Contacts> families_of_contacts(const MovingStudy& study) {
   std::vector<Contacts> found;
   std::vector<const MovingContact*> seen;
   for (const auto& lead : study.contacts) {
@@ -40,7 +40,7 @@ std::vector<Contacts> families(const MovingStudy& study) {
 }
 
 /// One slope per realisation that all states share; empty if none is shared by all.
-std::vector<Trend> by_realisation(const std::vector<double>& rms, const States& states, const PartOf& part) {
+std::vector<Trend> slopes_by_realisation(const std::vector<double>& rms, const States& states, const PartOf& part) {
   std::vector<Trend> slopes;
   for (const auto& lead : states.back()->cases) {
     std::vector<Uncertain> y;
@@ -64,7 +64,7 @@ Trend trend_of(const std::vector<double>& rms, const States& states, const PartO
     means.push_back(mean_of_realisations(values));
   }
   Trend trend = fit_trend(rms, means);
-  const auto slopes = by_realisation(rms, states, part);
+  const auto slopes = slopes_by_realisation(rms, states, part);
   if (slopes.size() < 2) return trend;
   std::vector<Uncertain> each;
   for (const auto& slope : slopes) each.push_back(slope.slope);
@@ -141,7 +141,7 @@ bool differ_by_roughness(const MovingContact& one, const MovingContact& other) {
 
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study) {
   std::vector<RoughnessTrend> trends;
-  for (const auto& family : families(study))
+  for (const auto& family : families_of_contacts(study))
     for (const MotionMode* mode : all_motions()) {
       RoughnessTrend trend;
       trend.mode = mode;

@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "diagnosis/joined.h"
 
 namespace asperity {
 namespace {
@@ -53,12 +54,6 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
   return score;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : " + ") + name;
-  return text.empty() ? "nothing" : text;
-}
-
 }  // namespace
 
 std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
@@ -78,8 +73,8 @@ std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
       std::snprintf(head, sizeof head, "%3zu/%zu %5.1f s  ", ++done, items.size(), scores[i].seconds);
       const std::lock_guard<std::mutex> lock(talking);
       if (options.progress)
-        options.progress(head + items[i].name + ": " + scores[i].verdict + ", " + listed(scores[i].named) + (scores[i].is_right() ? "" : "  <- wrong") +
-                         (scores[i].failure.empty() ? "" : " (" + scores[i].failure + ")"));
+        options.progress(head + items[i].name + ": " + scores[i].verdict + ", " + joined(scores[i].named, " + ", "nothing") +
+                         (scores[i].is_right() ? "" : "  <- wrong") + (scores[i].failure.empty() ? "" : " (" + scores[i].failure + ")"));
     }
   };
   std::vector<std::thread> workers;

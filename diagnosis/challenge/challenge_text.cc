@@ -7,18 +7,13 @@
 #include <set>
 
 #include "diagnosis/challenge/challenge.h"
+#include "diagnosis/joined.h"
 
 namespace asperity {
 namespace {
 
 using Scores = std::vector<ChallengeScore>;
 using Condition = std::function<bool(const ChallengeScore&)>;
-
-std::string joined(const std::vector<std::string>& names, const std::string& none) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : " + ") + name;
-  return text.empty() ? none : text;
-}
 
 struct Rate {
   int hits = 0, all = 0;
@@ -120,7 +115,7 @@ std::string confusion_table(const Scores& scores) {
                                          "a part of it", "something else", "unexplained", "no_mismatch", "failed"};
   std::vector<std::pair<std::string, std::map<std::string, int>>> rows;
   for (const auto& score : scores) {
-    const std::string truth = score.family + ": " + joined(score.truth, "noise alone");
+    const std::string truth = score.family + ": " + joined(score.truth, " + ", "noise alone");
     auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.first == truth; });
     if (found == rows.end()) found = rows.insert(rows.end(), {truth, {}});
     ++found->second[answer_of(score)];
@@ -140,10 +135,10 @@ std::string wrong_answers(const Scores& scores) {
   std::string text;
   for (const auto& score : scores) {
     if (score.is_right()) continue;
-    text += "- " + score.name + ", noise " + number(score.noise) + ": " + score.verdict + ", " + joined(score.named, "nothing");
+    text += "- " + score.name + ", noise " + number(score.noise) + ": " + score.verdict + ", " + joined(score.named, " + ", "nothing");
     if (!score.alternatives.empty()) {
       text += "; alternatives";
-      for (const auto& alternative : score.alternatives) text += ", " + joined(alternative, "nothing");
+      for (const auto& alternative : score.alternatives) text += ", " + joined(alternative, " + ", "nothing");
     }
     if (!score.failure.empty()) text += " (" + score.failure + ")";
     text += "\n";

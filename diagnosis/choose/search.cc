@@ -30,7 +30,7 @@ void score_all(SearchResult& result) {
   std::stable_sort(result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
 }
 
-double cost_of(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit, const ModelFit& baseline) {
+double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit, const ModelFit& baseline) {
   const auto residual = FitProblem::residual(problem.samples, fit.simulate(problem.samples));
   return laws.cost(problem.samples, problem.noise, residual, law_errors(problem, fit, baseline));
 }
@@ -81,7 +81,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t i = 0; i < sets.size(); ++i) {
       fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
-      fitted[i].cost = cost_of(problem, laws, fitted[i].fit, baseline);
+      fitted[i].cost = cost_of_explanation(problem, laws, fitted[i].fit, baseline);
     }
     result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
     score_all(result);
@@ -103,7 +103,7 @@ void rescore(SearchResult& result, const FitProblem& problem) {
   for (std::size_t i = 0; i < result.candidates.size(); ++i) {
     Candidate& candidate = result.candidates[i];
     candidate.fit = refitted(problem, candidate.fit, problem.samples, false, 0);
-    candidate.cost = cost_of(problem, laws, candidate.fit, result.alone.fit);
+    candidate.cost = cost_of_explanation(problem, laws, candidate.fit, result.alone.fit);
   }
   score_all(result);
 }

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-RecordedBody body_of(const SolvedCase& solved, const ElasticBody& elasticity, const std::string& section) {
+RecordedBody solved_body(const SolvedCase& solved, const ElasticBody& elasticity, const std::string& section) {
   RecordedBody body;
   body.material = section == "Particle" ? "particle" : "substrate";
   body.youngs_modulus = elasticity.youngs_modulus;
@@ -148,8 +148,8 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
   Recording& recording = concealed.recording;
   recording.title = "finite elements: " + first.title();
   recording.mode = options.mode;
-  recording.particle = body_of(first, first.particle(), "Particle");
-  recording.substrate = body_of(first, first.substrate(), "Substrate");
+  recording.particle = solved_body(first, first.particle(), "Particle");
+  recording.substrate = solved_body(first, first.substrate(), "Substrate");
   recording.tables.emplace_back();
   for (const SolvedCase& solved : cases) {
     RecordingTable& table = recording.tables[0];

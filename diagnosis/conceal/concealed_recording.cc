@@ -6,17 +6,12 @@
 #include "core/nearest_name.h"
 #include "diagnosis/conceal/add_noise.h"
 #include "diagnosis/conceal/world.h"
+#include "diagnosis/joined.h"
 
 namespace asperity {
 namespace {
 
 using hidden::WorldRequest;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// Laws of the contact that exclude each other.
 const std::vector<std::vector<std::string>>& exclusive() {
@@ -39,7 +34,7 @@ void check(const ConcealOptions& options) {
     if (std::find(known.begin(), known.end(), effect) != known.end()) continue;
     const std::string meant = nearest_name(effect, known);
     throw InputError("no effect '" + effect + "' can be concealed in mode " + name_of(options.mode) + "; " +
-                     (meant.empty() ? "there are " + listed(known) : "did you mean '" + meant + "'?"));
+                     (meant.empty() ? "there are " + joined(known, ", ") : "did you mean '" + meant + "'?"));
   }
   for (const auto& set : exclusive()) {
     std::vector<std::string> both;

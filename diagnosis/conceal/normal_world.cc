@@ -48,7 +48,7 @@ NormalProgram normal_program(const WorldRequest& request, Random& random) {
 }
 
 /// Parameters, scaled so that the effect is as large as instruments show it.
-void choose(World& world, const WorldRequest& request, const NormalProgram& program, const Sphere& nominal, Random& random) {
+void choose_normal_parameters(World& world, const WorldRequest& request, const NormalProgram& program, const Sphere& nominal, Random& random) {
   const double largest = program.loads.back(), depth = nominal.approach_of(nominal.contact_radius_at_force(largest));
   const double run_time = 2 * program.load_time + program.hold_time;
   for (const auto& id : request.effects) {
@@ -187,7 +187,7 @@ World normal_world(const WorldRequest& request) {
   world.recording = paper_bodies(Mode::normal, "concealed normal loading");
   const NormalProgram program = normal_program(request, random);
   const Sphere nominal{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), world.recording.particle.radius};
-  choose(world, request, program, nominal, random);
+  choose_normal_parameters(world, request, program, nominal, random);
   const double deepest = nominal.approach_of(nominal.contact_radius_at_force(program.loads.back()));
 
   RecordingTable table;

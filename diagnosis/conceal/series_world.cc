@@ -38,7 +38,7 @@ std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   return rows;
 }
 
-void choose(World& world, const WorldRequest& request, const std::vector<Row>& rows, double friction, Random& random) {
+void choose_series_parameters(World& world, const WorldRequest& request, const std::vector<Row>& rows, double friction, Random& random) {
   double largest = 0, fastest = 0;
   for (const auto& row : rows) largest = std::max(largest, row.load), fastest = std::max(fastest, row.speed);
   for (const auto& id : request.effects) {
@@ -148,7 +148,7 @@ World series_world(const WorldRequest& request) {
   world.recording = paper_bodies(request.mode, "concealed series, " + name_of(request.mode));
   const std::vector<Row> rows = rows_of(request, random);
   const double friction = between(random, 4e-4, 2e-3);
-  choose(world, request, rows, friction, random);
+  choose_series_parameters(world, request, rows, friction, random);
   const std::string name = request.mode == Mode::torsion ? "torsion_friction" : "rolling_friction";
   world.coefficients[name] = friction;
   world.recording.simulation_is_given = true;

@@ -50,7 +50,7 @@ SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
   return program;
 }
 
-void choose(World& world, const WorldRequest& request, const SlidingProgram& program, double friction, Random& random) {
+void choose_sliding_parameters(World& world, const WorldRequest& request, const SlidingProgram& program, double friction, Random& random) {
   const double low = program.loads.front(), high = program.loads.back(), middle = std::sqrt(low * high);
   for (const auto& id : request.effects) {
     if (id == "lateral_compliance")
@@ -217,7 +217,7 @@ World sliding_world(const WorldRequest& request) {
   world.recording = paper_bodies(Mode::sliding, "concealed friction loops");
   const SlidingProgram program = sliding_program(request, random);
   const double friction = between(random, 0.2, 0.45);
-  choose(world, request, program, friction, random);
+  choose_sliding_parameters(world, request, program, friction, random);
   if (world.hides("area_proportional_friction")) {
     const SlidingRun middle(world, program, friction, program.loads[program.loads.size() / 2], false, 1);
     const double a = middle.contact_radius();

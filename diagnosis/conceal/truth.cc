@@ -9,14 +9,14 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* format_name = "asperity-truth/1";
+constexpr const char* truth_format = "asperity-truth/1";
 constexpr const char* file_name = "truth.json";
 
 }  // namespace
 
 void write_truth(const Truth& truth, const std::filesystem::path& folder) {
   Json json;
-  json["format"] = format_name;
+  json["format"] = truth_format;
   json["family"] = truth.family;
   json["effects"] = Json::array();
   for (const auto& effect : truth.effects) {
@@ -42,7 +42,7 @@ Truth read_truth(const std::filesystem::path& folder) {
   Truth truth;
   try {
     const Json json = Json::parse(read_file(file));
-    if (json.at("format") != format_name) throw InputError(file.string() + ": 'format' is not '" + format_name + "'");
+    if (json.at("format") != truth_format) throw InputError(file.string() + ": 'format' is not '" + truth_format + "'");
     truth.family = json.at("family");
     for (const auto& entry : json.at("effects")) {
       TrueEffect effect;

@@ -7,11 +7,11 @@
 namespace asperity {
 namespace {
 
-constexpr const char* header_row = "F\th\tt";
+constexpr const char* fischer_header = "F\th\tt";
 
 }  // namespace
 
-bool is_fischer(const InstrumentText& text) { return text.line_with(header_row).has_value() && text.line_with("Block").has_value(); }
+bool is_fischer(const InstrumentText& text) { return text.line_with(fischer_header).has_value() && text.line_with("Block").has_value(); }
 
 Recording read_fischer(const InstrumentText& text, const ImportOptions&) {
   RecordingTable table;
@@ -19,7 +19,7 @@ Recording read_fischer(const InstrumentText& text, const ImportOptions&) {
   table.control = {"normal_displacement"};
   table.response = "normal_force";
   int run = 0;
-  for (auto header = text.line_with(header_row); header; header = text.line_with(header_row, *header + 1)) {
+  for (auto header = text.line_with(fischer_header); header; header = text.line_with(fischer_header, *header + 1)) {
     const InstrumentTable block = table_under(text, *header);
     ++run;
     add_channel(table, "normal_force", block.column("F", text.file), "mN");

@@ -5,12 +5,11 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "diagnosis/file_size.h"
 #include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
-
-constexpr std::uintmax_t largest_file = 256u << 20;
 
 /// Is this byte sequence valid UTF-8?
 bool is_utf8(const std::string& text) {
@@ -42,11 +41,7 @@ std::string from_latin_1(const std::string& text) {
 }  // namespace
 
 InstrumentText read_instrument_text(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (!error && size > largest_file)
-    throw InputError(file.string() + ": holds " + std::to_string(size >> 20) + " MB, more than the " + std::to_string(largest_file >> 20) +
-                     " MB that are read; cut it into experiments");
+  check_file_size(file, "cut it into experiments");
   std::string bytes = read_file(file);
   if (bytes.find('\0') != std::string::npos)
     throw InputError(file.string() + ": is binary, not text; export it as text from the instrument's program");

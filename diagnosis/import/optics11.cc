@@ -10,14 +10,14 @@
 namespace asperity {
 namespace {
 
-constexpr const char* header_row = "Time (s)\tLoad (uN)";
+constexpr const char* optics11_header = "Time (s)\tLoad (uN)";
 
 }  // namespace
 
-bool is_optics11(const InstrumentText& text) { return text.line_with(header_row).has_value() && text.line_with("Tip radius").has_value(); }
+bool is_optics11(const InstrumentText& text) { return text.line_with(optics11_header).has_value() && text.line_with("Tip radius").has_value(); }
 
 Recording read_optics11(const InstrumentText& text, const ImportOptions& options) {
-  const InstrumentTable source = table_under(text, *text.line_with(header_row));
+  const InstrumentTable source = table_under(text, *text.line_with(optics11_header));
   const auto &time = source.column("Time (s)", text.file), &load = source.column("Load (uN)", text.file),
              &indentation = source.column("Indentation (nm)", text.file), &cantilever = source.column("Cantilever (nm)", text.file),
              &piezo = source.column("Piezo (nm)", text.file);

@@ -22,7 +22,7 @@ Study study_of(const std::string& study_section, const std::string& base = smoot
   return read_study(folder.write("study.prm", base + study_section));
 }
 
-std::string refusal(const std::string& study_section) {
+std::string study_refusal(const std::string& study_section) {
   return message_of<InputError>([&] { study_of(study_section); });
 }
 
@@ -100,15 +100,15 @@ TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
 }
 
 TEST(Study, what_it_cannot_mean_is_refused_with_its_line) {
-  EXPECT_CONTAINS(refusal("subsection Study\n set Realisation = 3\nend\n"), "study.prm:14:");
-  EXPECT_CONTAINS(refusal("subsection Study\n set Realisation = 3\nend\n"), "did you mean 'Realisations'?");
-  EXPECT_CONTAINS(refusal("subsection Study\n set Realisations = 0\nend\n"), "whole number, 1 or more");
-  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal laod = 1 mN\n end\nend\n"), "did you mean 'Normal load'?");
-  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"), "study.prm:15:");
-  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"), "remove the comma");
-  EXPECT_CONTAINS(refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"), "write a label");
-  EXPECT_CONTAINS(refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"), "Vary and Variants");
-  EXPECT_CONTAINS(refusal("subsection Study\n set Base case = none.prm\nend\n"), "there is no base case");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "study.prm:14:");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "did you mean 'Realisations'?");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisations = 0\nend\n"), "whole number, 1 or more");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal laod = 1 mN\n end\nend\n"), "did you mean 'Normal load'?");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"), "study.prm:15:");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"), "remove the comma");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"), "write a label");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"), "Vary and Variants");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Base case = none.prm\nend\n"), "there is no base case");
 }
 
 }  // namespace asperity

@@ -18,9 +18,9 @@ namespace {
 
 using test::borosilicate;
 using test::diamond;
+using test::nm;
 using test::silicon;
-
-constexpr double nm = 1e-9, uN = 1e-6;
+using test::uN;
 
 /// Three load-unload runs under displacement control; `force` of the displacement and time.
 Recording indentation(const std::function<double(double d, double t)>& force, double noise, unsigned seed) {

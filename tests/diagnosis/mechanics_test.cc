@@ -19,7 +19,9 @@ namespace {
 using test::approach_and_back;
 using test::experiment;
 using test::lateral_path;
+using test::nm;
 using test::row;
+using test::uN;
 
 Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std::vector<double>>>& effects, double friction = 0.2) {
   SimulationChoice choice;
@@ -28,8 +30,6 @@ Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std
   for (const auto& [id, values] : effects) effect_of(id).assemble(m, values.data());
   return m;
 }
-
-constexpr double nm = 1e-9, uN = 1e-6;
 
 TEST(Mechanics_analytic, normal_force_without_effects_is_hertz) {
   const Experiment e = experiment(Mode::normal);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace asperity::fem;
 
-ContactSystemOptions options(const std::string& backend, Control control = Control::force) {
+ContactSystemOptions options_with_backend(const std::string& backend, Control control = Control::force) {
   ContactSystemOptions o = asperity::test::wavy_contact(2e9, 5);
   o.control = control;
   o.backend = backend;
@@ -41,7 +41,8 @@ Vector<double> response(ContactSystem& system, int& iterations) {
 
 TEST(Backend, assembled_matrix_is_the_matrix_free_operator) {
   for (const Control control : {Control::force, Control::displacement}) {
-    ContactSystem free(MPI_COMM_WORLD, options("matrix-free", control)), assembled(MPI_COMM_WORLD, options("assembled", control));
+    ContactSystem free(MPI_COMM_WORLD, options_with_backend("matrix-free", control)),
+        assembled(MPI_COMM_WORLD, options_with_backend("assembled", control));
     int iterations = 0, algebraic = 0;
     const auto x = response(free, iterations);
     auto difference = response(assembled, algebraic);
@@ -59,7 +60,7 @@ TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
     double approach, peak, plastic;
   };
   const auto run = [](const std::string& backend) {
-    ContactSystem system(MPI_COMM_WORLD, options(backend));
+    ContactSystem system(MPI_COMM_WORLD, options_with_backend(backend));
     ContactSolverOptions accurate;
     accurate.residual_tolerance = 1e-7;
     accurate.penetration_tolerance = 1e-5;
@@ -85,7 +86,7 @@ TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
 
 TEST(Backend, both_give_the_same_shear_of_a_sliding_contact) {
   const auto run = [](const std::string& backend) {
-    ContactSystemOptions o = options(backend);
+    ContactSystemOptions o = options_with_backend(backend);
     o.tilted_normals = true;
     ContactSystem system(MPI_COMM_WORLD, o);
     ContactSolverOptions accurate;
@@ -112,7 +113,7 @@ TEST(Backend, both_give_the_same_shear_of_a_sliding_contact) {
 }
 
 TEST(Backend, an_unknown_name_is_refused) {
-  EXPECT_THROW(ContactSystem(MPI_COMM_WORLD, options("direct")), asperity::InputError);
+  EXPECT_THROW(ContactSystem(MPI_COMM_WORLD, options_with_backend("direct")), asperity::InputError);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using namespace asperity::fem;
 
-ContactSystemOptions options(Control control, double yield_stress) {
+ContactSystemOptions options_under_control(Control control, double yield_stress) {
   ContactSystemOptions o = asperity::test::wavy_contact(yield_stress);
   o.control = control;
   return o;
@@ -25,7 +25,7 @@ ContactSolverOptions accurate() {
 
 struct Driver {
   explicit Driver(Control control, double yield_stress = std::numeric_limits<double>::infinity())
-      : system(MPI_COMM_WORLD, options(control, yield_stress)), solver(system, accurate()), state(solver.first_touch()) {}
+      : system(MPI_COMM_WORLD, options_under_control(control, yield_stress)), solver(system, accurate()), state(solver.first_touch()) {}
   ContactResultants to(double target) {
     const Vector<double> before = state.displacement;
     EXPECT_TRUE(solver.solve(state, target).converged);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/csv.h"
+#include "tests/fem/support/elastic_materials.h"
 #include "tests/fem/support/smooth_contact.h"
 #include "tests/support/shared_files.h"
 
@@ -12,8 +13,7 @@ namespace {
 using namespace asperity::test;
 using asperity::fem::J2Material;
 
-const J2Material borosilicate = J2Material::elastic(71e9, 0.17), silicon = J2Material::elastic(179e9, 0.25),
-                 quartz = J2Material::elastic(71e9, 0.17), diamond = J2Material::elastic(1140e9, 0.07);
+const J2Material quartz = J2Material::elastic(71e9, 0.17), diamond = J2Material::elastic(1140e9, 0.07);
 
 /// The sphere on `substrate`, meshed with `cells` spacings per contact radius of the largest force.
 SmoothContact contact(const J2Material& substrate, double largest_force, double cells, double layers = 4) {

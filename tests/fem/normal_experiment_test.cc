@@ -9,11 +9,14 @@
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "fem/solve_case.h"
+#include "tests/fem/support/solved_experiment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using namespace asperity;
+using asperity::test::solve_experiment;
+using asperity::test::SolvedExperiment;
 
 CaseInput coarse_case() {
   CaseInput c;
@@ -35,25 +38,7 @@ CaseInput coarse_case() {
   return c;
 }
 
-struct Solved {
-  CsvTable history;
-  nlohmann::json result;
-  double at(const std::string& column, std::size_t row) const { return history.numbers(column).at(row); }
-};
-
-Solved solved(const std::filesystem::path& folder) {
-  return {read_csv(folder / "history.csv"), nlohmann::json::parse(read_file(folder / "result.json"))};
-}
-
-Solved solve(const CaseInput& c, const std::filesystem::path& folder, bool resume = false) {
-  SolveOptions options;
-  options.output = folder;
-  options.resume = resume;
-  solve_case(c, options);
-  return solved(folder);
-}
-
-void expect_same(const Solved& a, const Solved& b, double tolerance) {
+void expect_same(const SolvedExperiment& a, const SolvedExperiment& b, double tolerance) {
   ASSERT_EQ(a.history.rows.size(), b.history.rows.size());
   for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]", "plastic_work [J]",
                                    "elastic_energy [J]", "work [J]", "plastic_volume [m^3]"})
@@ -65,7 +50,7 @@ void expect_same(const Solved& a, const Solved& b, double tolerance) {
 
 TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) {
   const test::TemporaryFolder folder;
-  const Solved s = solve(coarse_case(), folder.path);
+  const SolvedExperiment s = solve_experiment(coarse_case(), folder.path);
   ASSERT_EQ(s.history.rows.size(), 7u);
   EXPECT_LT(s.result["balance"]["energy"].get<double>(), 0.01);
   EXPECT_LT(s.result["balance"]["force"].get<double>(), 1e-6);
@@ -84,10 +69,10 @@ TEST(NormalExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
   const test::TemporaryFolder folder, halving;
   CaseInput c = coarse_case();
   c.experiment.unload = false;
-  const Solved whole = solve(c, folder.path);
+  const SolvedExperiment whole = solve_experiment(c, folder.path);
   const auto needed = whole.history.numbers("newton_iterations");
   c.solver.newton_steps = static_cast<int>(*std::max_element(needed.begin(), needed.end())) - 1;
-  const Solved halved = solve(c, halving.path);
+  const SolvedExperiment halved = solve_experiment(c, halving.path);
   const auto made = halved.history.numbers("newton_iterations");
   // The iterations of a step count those of the attempt that failed.
   EXPECT_GT(*std::max_element(made.begin(), made.end()), c.solver.newton_steps);
@@ -105,7 +90,7 @@ TEST(NormalExperiment, a_second_cycle_repeats_the_unloading_path_and_holding_cha
   c.experiment.cycles = 2;
   c.experiment.hold_steps = 1;
   c.experiment.unload_steps = 5;
-  const Solved s = solve(c, folder.path);
+  const SolvedExperiment s = solve_experiment(c, folder.path);
   ASSERT_EQ(s.history.rows.size(), 20u);  // (4 + 1 + 5) twice
   EXPECT_NEAR(s.at("normal_displacement [m]", 4) / s.at("normal_displacement [m]", 3), 1, 1e-4);
   // Without hardening, the second cycle yields hardly more than the first left to do.
@@ -118,12 +103,12 @@ TEST(NormalExperiment, under_displacement_control_passes_through_the_same_states
   const test::TemporaryFolder given, driven;
   CaseInput c = coarse_case();
   c.experiment.load_steps = 2, c.experiment.unload = false;
-  const Solved force = solve(c, given.path);
+  const SolvedExperiment force = solve_experiment(c, given.path);
   c.experiment.control = ExperimentInput::Control::displacement;
   c.experiment.normal_approach = force.at("driven_displacement [m]", 1);
   c.mesh.contact_region = force.result["mesh"]["contact_region"];
   c.experiment.load_steps = 4;
-  const Solved displacement = solve(c, driven.path);
+  const SolvedExperiment displacement = solve_experiment(c, driven.path);
   EXPECT_NEAR(displacement.at("driven_displacement [m]", 3) / c.experiment.normal_approach, 1, 1e-12);
   // Yielding depends on the path a little: four steps against two.
   EXPECT_NEAR(displacement.at("normal_force [N]", 3) / force.at("normal_force [N]", 1), 1, 0.01);
@@ -134,7 +119,7 @@ TEST(NormalExperiment, under_displacement_control_passes_through_the_same_states
 TEST(NormalExperiment, stopped_after_any_step_resumes_to_the_same_answer) {
   const test::TemporaryFolder whole, halved;
   const CaseInput c = coarse_case();
-  const Solved expected = solve(c, whole.path);
+  const SolvedExperiment expected = solve_experiment(c, whole.path);
   int lines = 0;
   SolveOptions options;
   options.output = halved.path;
@@ -144,7 +129,7 @@ TEST(NormalExperiment, stopped_after_any_step_resumes_to_the_same_answer) {
   EXPECT_THROW(solve_case(c, options), std::runtime_error);
   EXPECT_EQ(read_csv(halved.path / "history.csv").rows.size(), 5u);
   EXPECT_FALSE(std::filesystem::exists(halved.path / "result.json"));
-  expect_same(expected, solve(c, halved.path, true), 1e-6);
+  expect_same(expected, solve_experiment(c, halved.path, true), 1e-6);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace {
 
 using namespace asperity::fem;
 
-ContactSystemOptions options() { return asperity::test::wavy_contact(2e9); }
+ContactSystemOptions wavy_options() { return asperity::test::wavy_contact(2e9); }
 
 /// Displacements that depend on the place only.
-Vector<double> waves(const ContactSystem& system) {
+Vector<double> wavy_displacement(const ContactSystem& system) {
   Vector<double> x = system.positions();
   x.zero_out_ghost_values();
   for (unsigned i = 0; i < x.locally_owned_size(); ++i) x.local_element(i) = std::sin(1e7 * x.local_element(i));
@@ -29,12 +29,12 @@ struct Products {
 };
 
 Products products(MPI_Comm communicator) {
-  ContactSystem system(communicator, options());
+  ContactSystem system(communicator, wavy_options());
   std::vector<RowStiffness> stiffness;
   for (const double area : system.areas()) stiffness.push_back(area * system.reduced_modulus() / 20e-9);
   auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
   solver.update(stiffness, nullptr, 0);
-  const Vector<double> x = waves(system);
+  const Vector<double> x = wavy_displacement(system);
   Vector<double> y = x, ax, ay, bx;
   for (auto* v : {&ax, &ay, &bx}) system.level().initialise(*v);
   for (unsigned i = 0; i < y.locally_owned_size(); ++i) y.local_element(i) = std::pow(x.local_element(i), 3);
@@ -70,7 +70,7 @@ TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
     int active;
   };
   const auto run = [](MPI_Comm communicator) {
-    ContactSystem system(communicator, options());
+    ContactSystem system(communicator, wavy_options());
     ContactSolverOptions accurate;
     accurate.residual_tolerance = 1e-8;
     accurate.penetration_tolerance = 1e-5;
@@ -107,7 +107,7 @@ TEST(Parallel, sliding_with_friction_gives_the_states_of_one_rank) {
     int sticking;
   };
   const auto run = [](MPI_Comm communicator) {
-    ContactSystemOptions o = options();
+    ContactSystemOptions o = wavy_options();
     o.tilted_normals = true;
     ContactSystem system(communicator, o);
     ContactSolverOptions accurate;

@@ -13,13 +13,13 @@ using namespace asperity::test;
 using asperity::CsvTable;
 using asperity::fem::J2Material;
 
-constexpr double nu = 0.3, first_yield = 1.6128;  ///< p0 / Y at first yield for nu = 0.3 (Johnson 1985, eq. 6.9)
+constexpr double poisson_ratio = 0.3, first_yield = 1.6128;  ///< p0 / Y at first yield for nu = 0.3 (Johnson 1985, eq. 6.9)
 
 /// Substrate with nu = 0.3 and the yield stress at which the contact radius is `radius_at_yield` at first yield,
 /// under a sphere a thousand times stiffer that does not yield.
 struct YieldingHalfSpace {
   static constexpr double sphere_radius = 8.5e-6, youngs = 100e9;
-  double modulus = 1 / ((1 - nu * nu) / youngs * 1.001);
+  double modulus = 1 / ((1 - poisson_ratio * poisson_ratio) / youngs * 1.001);
   double yield, radius_at_yield;
 
   explicit YieldingHalfSpace(double radius) : radius_at_yield(radius) {
@@ -30,8 +30,8 @@ struct YieldingHalfSpace {
   double critical_force() const { return 4.0 / 3 * modulus * std::sqrt(sphere_radius) * std::pow(critical_approach(), 1.5); }
   SmoothContactOptions options(double largest_radius, double spacing) const {
     SmoothContactOptions o;
-    o.particle = J2Material::elastic(1000 * youngs, nu);
-    o.substrate = J2Material::elastic(youngs, nu);
+    o.particle = J2Material::elastic(1000 * youngs, poisson_ratio);
+    o.substrate = J2Material::elastic(youngs, poisson_ratio);
     o.substrate.yield_stress = yield;
     o.largest_radius = largest_radius;
     o.spacing = spacing;
@@ -222,7 +222,7 @@ void expect_cycle(int steps, double cells) {
   CsvTable own = table;
   own.rows.clear();
   for (const auto& row : table.rows)
-    if (std::stod(row[table.column("nu")]) == nu) own.rows.push_back(row);
+    if (std::stod(row[table.column("nu")]) == poisson_ratio) own.rows.push_back(row);
   const Cycle c = cycle(10.1, steps, cells, 6.5);
   EXPECT_NEAR(c.balance, 1, 0.01);
   EXPECT_LT(c.reload_error, 0.005);

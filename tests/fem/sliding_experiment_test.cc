@@ -9,6 +9,7 @@
 #include "fem/case_setup.h"
 #include "fem/experiments/program.h"
 #include "fem/solve_case.h"
+#include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using namespace asperity;
 using asperity::test::generated;
+using asperity::test::solve_experiment;
 using asperity::test::sphere_on_silicon;
 
 CaseInput sliding(const std::string& substrate, double spacing) {
@@ -26,19 +28,6 @@ CaseInput sliding(const std::string& substrate, double spacing) {
   input.experiment.unload = false;
   input.output.fields = false;
   return input;
-}
-
-struct Solved {
-  nlohmann::json result;
-  CsvTable history;
-};
-
-Solved solve(const CaseInput& input, const std::filesystem::path& folder, bool resume = false) {
-  SolveOptions options;
-  options.output = folder;
-  options.resume = resume;
-  solve_case(input, options);
-  return {nlohmann::json::parse(read_file(folder / "result.json")), read_csv(folder / "history.csv")};
 }
 
 TEST(Program, of_sliding_begins_finely_and_comes_back) {
@@ -67,7 +56,7 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
   input.mesh.contact_region = 320e-9;
   input.experiment.distance = 200e-9;
   input.experiment.reverse = false;
-  const auto s = solve(input, folder.path);
+  const auto s = solve_experiment(input, folder.path);
   EXPECT_NEAR(s.result["effective"]["sliding_friction"]["value"], 0.3, 0.01 * 0.3);
   EXPECT_LT(s.result["effective"]["sliding_friction"]["sd"], 0.01 * 0.3);
   const double expected = 8 * 8.2901e9 * 0.2593e-6;  // 8 G* a
@@ -81,7 +70,7 @@ TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_ste
   CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
   input.particle.yield_stress = 2e9;
   input.experiment.distance = 10e-9;
-  const auto whole = solve(input, folder.path / "whole");
+  const auto whole = solve_experiment(input, folder.path / "whole");
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_LT(whole.result["balance"]["energy"], 0.01);
   const auto friction = whole.history.numbers("friction_work [J]"), plastic = whole.history.numbers("plastic_work [J]");
@@ -100,7 +89,7 @@ TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_ste
     if (line.rfind("step ", 0) == 0 && ++steps == 6) throw Stop();
   };
   EXPECT_THROW(solve_case(cut, options), Stop);
-  const auto resumed = solve(cut, folder.path / "cut", true);
+  const auto resumed = solve_experiment(cut, folder.path / "cut", true);
   const auto one = whole.history.numbers("lateral_force [N]"), other = resumed.history.numbers("lateral_force [N]");
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-6 * 0.3 * 100e-6) << k;
@@ -114,7 +103,7 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   input.mesh.contact_region = 320e-9;
   input.experiment.angle = 0.04;
   input.experiment.reverse = false;
-  const auto s = solve(input, folder.path);
+  const auto s = solve_experiment(input, folder.path);
   const double a = 0.2593e-6, full = 3 * M_PI / 16 * 0.3 * 100e-6 * a, stiffness = 16.0 / 3 * 15.171e9 * a * a * a;
   EXPECT_NEAR(s.result["effective"]["torsion_moment"]["value"], full, 0.01 * full);
   // Of third order in a radius that is known to a tenth of a spacing, a/h = 13: 2.4 %.
@@ -144,7 +133,7 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
   input.experiment.reverse = false;
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
-  const auto whole = solve(input, folder.path / "whole");
+  const auto whole = solve_experiment(input, folder.path / "whole");
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_LT(whole.result["balance"]["energy"], 0.01);
   const auto lost = whole.history.numbers("adhesion_loss [J]");
@@ -161,7 +150,7 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
     if (line.rfind("step ", 0) == 0 && ++steps == 10) throw Stop();
   };
   EXPECT_THROW(solve_case(cut, options), Stop);
-  const auto resumed = solve(cut, folder.path / "cut", true);
+  const auto resumed = solve_experiment(cut, folder.path / "cut", true);
   const auto one = whole.history.numbers("rolling_moment [N m]"), other = resumed.history.numbers("rolling_moment [N m]");
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-5 * 100e-6 * 0.23e-6) << k;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace asperity::fem;
 
-ContactSystemOptions options(double cells_per_radius) {
+ContactSystemOptions options_of_resolution(double cells_per_radius) {
   ContactSystemOptions o;
   constexpr double a = 230e-9;  // of silicon at 100 uN
   auto& s = o.mesh.sizes;
@@ -43,7 +43,7 @@ Vector<Number> waves(const MeshLevel& level) {
 }
 
 TEST(HexOperator, diagonal_is_that_of_the_operator) {
-  ContactSystem system(MPI_COMM_WORLD, options(3));
+  ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto matrix = closed_contact<double>(system, system.interface());
   const auto diagonal = matrix.diagonal();
   std::vector<char> constrained(diagonal.locally_owned_size(), 0);
@@ -70,7 +70,7 @@ TEST(HexOperator, diagonal_is_that_of_the_operator) {
 }
 
 TEST(HexOperator, is_symmetric_and_positive) {
-  ContactSystem system(MPI_COMM_WORLD, options(3));
+  ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto matrix = closed_contact<double>(system, system.interface());
   auto x = waves<double>(system.level());
   Vector<double> y = x, ax, ay;
@@ -85,7 +85,7 @@ TEST(HexOperator, is_symmetric_and_positive) {
 }
 
 TEST(HexOperator, single_precision_agrees_with_double) {
-  ContactSystem system(MPI_COMM_WORLD, options(3));
+  ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto exact = closed_contact<double>(system, system.interface());
   auto single = closed_contact<float>(system, system.interface());
   const auto x = waves<double>(system.level());
@@ -102,7 +102,7 @@ TEST(HexOperator, single_precision_agrees_with_double) {
 }
 
 TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmits_its_whole_force_and_no_moment) {
-  ContactSystem system(MPI_COMM_WORLD, options(4));
+  ContactSystem system(MPI_COMM_WORLD, options_of_resolution(4));
   std::vector<double> forces;
   double total = 0;
   for (const double area : system.areas()) forces.push_back(1e9 * area), total += forces.back();
@@ -120,7 +120,7 @@ TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmit
 
 /// Conjugate gradient iterations that reduce a residual by 1e-8 with half of the contact closed.
 std::pair<long, int> iterations(double cells_per_radius, const std::string& backend = "matrix-free") {
-  auto chosen = options(cells_per_radius);
+  auto chosen = options_of_resolution(cells_per_radius);
   chosen.backend = backend;
   ContactSystem system(MPI_COMM_WORLD, chosen);
   std::vector<RowStiffness> stiffness;

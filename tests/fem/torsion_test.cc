@@ -9,7 +9,7 @@ namespace {
 
 using asperity::test::FrictionalContact;
 
-double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
+double linear_between(const std::vector<double>& x, const std::vector<double>& y, double at) {
   for (std::size_t i = 1; i < x.size(); ++i)
     if ((x[i - 1] <= at) != (x[i] <= at)) return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
   ADD_FAILURE() << "the table does not reach " << at;
@@ -44,7 +44,7 @@ TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
     return r.torsion_moment / (contact.friction_force * a);
   };
   for (const double angle : {0.02, 0.08, 0.17, 0.29, 0.64}) {
-    const double moment = go(angle), expected = interpolate(angles, moments, angle);
+    const double moment = go(angle), expected = linear_between(angles, moments, angle);
     std::printf("angle %.3f  moment %.5f (%.5f, %+.2f %%)  newton %d cg %d\n", angle, moment, expected, 100 * (moment / expected - 1),
                 contact.newton, contact.linear);
     EXPECT_NEAR(moment, expected, 0.03 * expected);
@@ -53,7 +53,7 @@ TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
   EXPECT_NEAR(full, 3 * M_PI / 16, 0.01 * 3 * M_PI / 16);
   // Back: twice the first loading.
   const double back = go(1.5 - 2 * 0.17);
-  EXPECT_NEAR(back, full - 2 * interpolate(angles, moments, 0.17), 0.02);
+  EXPECT_NEAR(back, full - 2 * linear_between(angles, moments, 0.17), 0.02);
 }
 
 TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
@@ -71,7 +71,7 @@ TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
       r = contact.step(motion);
     }
     const double force = r.lateral_force[0] / contact.friction_force, moment = r.torsion_moment / (contact.friction_force * a);
-    const double force_expected = interpolate(ratios, forces, ratio), moment_expected = interpolate(ratios, moments, ratio);
+    const double force_expected = linear_between(ratios, forces, ratio), moment_expected = linear_between(ratios, moments, ratio);
     std::printf("spin ratio %.1f  force %.4f (%.4f)  moment %.4f (%.4f)  sticking %d\n", ratio, force, force_expected, moment, moment_expected, r.sticking);
     EXPECT_NEAR(force, force_expected, 0.03 * force_expected);
     EXPECT_NEAR(moment, moment_expected, 0.03 * moment_expected);
