@@ -14,6 +14,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/case_file.h"
 #include "core/atomic_file.h"
 #include "core/child_process.h"
 #include "core/error.h"
@@ -136,21 +137,41 @@ class StudyRun {
     for (const auto& path : unfinished) fs::remove(path);
   }
 
+  /// True if a case file says the same case, entries that it lacks being at their defaults: a program that knows more entries
+  /// still knows the case.
+  bool says_the_same(const fs::path& file, const Settings& settings) const {
+    if (!fs::exists(file)) return false;
+    try {
+      return format_settings(complete_settings(read_settings(file), file)) == format_settings(settings);
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  /// A place of its own for results that may be wanted again.
+  fs::path set_aside(std::size_t index) const {
+    const fs::path place = options_.output / "earlier";
+    fs::create_directories(place);
+    fs::path to = place / study_.cases[index].name;
+    for (int i = 2; fs::exists(to); ++i) to = place / (study_.cases[index].name + "-" + std::to_string(i));
+    fs::rename(folder(index), to);
+    return to;
+  }
+
   /// What is in the folder from an earlier run: complete cases are kept, those whose input changed begin anew.
   void prepare() {
     remove_unfinished_files();
     for (std::size_t i = 0; i < study_.cases.size(); ++i) {
-      const std::string text = format_settings(study_.cases[i].settings);
-      if (fs::exists(folder(i) / case_file) && read_file(folder(i) / case_file) == text) {
+      if (says_the_same(folder(i) / case_file, study_.cases[i].settings)) {
         if (has_result(folder(i))) progress_[i].state = State::done;
         continue;
       }
       if (fs::exists(folder(i))) {
-        options_.say(study_.cases[i].name + ": its input has changed; it is solved anew");
-        fs::remove_all(folder(i));
+        const fs::path earlier = set_aside(i);
+        options_.say(study_.cases[i].name + ": its input has changed; it is solved anew, what was there is in " + earlier.string());
       }
       fs::create_directories(folder(i));
-      write_file_atomically(folder(i) / case_file, text);
+      write_file_atomically(folder(i) / case_file, format_settings(study_.cases[i].settings));
     }
     const long to_do = std::count_if(progress_.begin(), progress_.end(), [](const auto& p) { return p.state != State::done; });
     const int wanted = study_.parallel_cases > 0 ? study_.parallel_cases : options_.cores;

@@ -52,7 +52,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   write_file_atomically(part(folder, c.steps, rank), bytes);
   MPI_Barrier(communicator);
   if (rank != 0) return;
-  const nlohmann::json manifest{{"format", "asperity-checkpoint/1"}, {"steps", c.steps}, {"ranks", ranks}};
+  const nlohmann::json manifest{{"format", "asperity-checkpoint/1"}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()}};
   write_file_atomically(folder / "latest.json", manifest.dump(1));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -67,6 +67,8 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm commu
   if (manifest.at("ranks") != ranks)
     throw WorkError("the checkpoint was written by " + std::to_string(manifest.at("ranks").get<int>()) +
                     " processes; resume with mpirun -np " + std::to_string(manifest.at("ranks").get<int>()));
+  if (manifest.value("columns", std::size_t{0}) != StepRecord::columns().size())
+    throw WorkError("the checkpoint in '" + folder.string() + "' was written by another version of asperity; solve again without --resume");
   const std::string bytes = read_file(part(folder, manifest.at("steps"), dealii::Utilities::MPI::this_mpi_process(communicator)));
   std::size_t at = 0;
   Checkpoint c;

@@ -121,6 +121,23 @@ TEST_F(StudyRunner, a_case_whose_input_changed_is_solved_anew) {
   EXPECT_EQ(std::count(only.begin(), only.end(), '\n'), 1);
   EXPECT_EQ(only.find("--resume"), std::string::npos);
   EXPECT_NE(read_file(options_.output / "case" / "case.prm").find("Layers = 6"), std::string::npos);
+  // What was solved before is not lost.
+  EXPECT_NE(read_file(options_.output / "earlier" / "case" / "case.prm").find("Layers = 4"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(options_.output / "earlier" / "case" / "result.json"));
+}
+
+TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept) {
+  run_study(study("subsection Study\nend\n"), options_);
+  const auto file = options_.output / "case" / "case.prm";
+  std::string text = read_file(file);
+  const std::string entry = "  set Layers = 4\n";  // the default
+  ASSERT_NE(text.find(entry), std::string::npos);
+  text.erase(text.find(entry), entry.size());
+  write_file_atomically(file, text);
+  options_.resume = true;
+  EXPECT_EQ(run_study(study("subsection Study\nend\n"), options_)[0].state, State::done);
+  const std::string only = calls("case");
+  EXPECT_EQ(std::count(only.begin(), only.end(), '\n'), 1);
 }
 
 TEST_F(StudyRunner, an_earlier_study_is_not_overwritten_unasked) {
