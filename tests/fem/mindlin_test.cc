@@ -49,8 +49,9 @@ TEST(Mindlin_analytic, stiffness_without_slip_approaches_8_G_a) {
 
 /// Shifts in parts of full slip's. The traction peaks at the border of sticking, in a ring of which some spacings must fit between that
 /// and the rim: it is compared where the stick radius is below `traction_below` contact radii.
-void expect_cattaneo(double cells, const std::vector<double>& ratios, double traction_below) {
+void expect_cattaneo(double cells, const std::vector<double>& ratios, double traction_below, double slip_tolerance = 3e-3) {
   asperity::test::FrictionalContactOptions o;
+  o.slip_tolerance = slip_tolerance;
   o.cells_per_radius = cells;
   FrictionalContact contact(o);
   const double a = contact.contact_radius, h = contact.system.options().mesh.sizes.spacing_particle;
@@ -70,7 +71,9 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
       if (radius > a - 0.5 * h) continue;  // the rim, where pressures are a small fraction of what they are one node further in
       const double used = std::hypot(measured, contact.state.shear[1][r]) / (contact.options.friction * contact.state.multiplier[r]);
       const bool slips = used > 0.995;
-      misplaced += (radius < stick_radius - h && slips) || (radius > stick_radius + h && !slips);
+      const bool is_misplaced = (radius < stick_radius - h && slips) || (radius > stick_radius + h && !slips);
+      misplaced += is_misplaced;
+      if (is_misplaced) std::printf("  a node %.2f spacings outside the border of sticking uses %.4f of its friction\n", (radius - stick_radius) / h, used);
     }
     EXPECT_EQ(misplaced, 0);
     std::printf("  stick radius %.3f a: traction differs by %.2f %% in the 2-norm\n", stick_radius / a, 100 * std::sqrt(difference / size));
@@ -85,7 +88,7 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
 TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.6); }
 
 TEST(MindlinNightly_analytic, traction_of_thinner_slip_rings_follows_Cattaneo_on_a_finer_mesh) { expect_cattaneo(40, {0.3, 0.55, 0.8}, 0.8); }
-TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(60, {0.3}, 0.87); }
+TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(60, {0.3}, 0.87, 1e-3); }
 
 TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and_Deresiewicz_found) {
   FrictionalContact contact({});
