@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
+#include "dem_compare/resistance/moving_case.h"
 #include "dem_compare/statistics.h"
 
 namespace asperity {
@@ -18,6 +20,7 @@ struct MotionCase {
   const SolvedCase* solved = nullptr;
   double load = 0, contact_radius = unknown;
   SteadyResistance steady;
+  bool is_dissipation = false;  ///< steady is energy dissipated per angle
   ReversalStiffness reversal;
   double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
 
@@ -25,6 +28,25 @@ struct MotionCase {
     return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
   }
 };
+
+/// Rolling of rough bodies: the moment is mostly that of hills, which give back what they take; what is dissipated per angle is what
+/// resists. Not reached where the history holds no energies.
+SteadyResistance dissipated_in_rolling(const SolvedCase& solved) {
+  SteadyResistance steady;
+  if (!std::filesystem::exists(solved.folder / "history.csv")) return steady;
+  const MovingCase moving = moving_case(solved, rolling_mode());
+  const SteadyWay& way = moving.first;
+  if (!way.reached() || !std::isfinite(way.dissipated.total.value)) return steady;
+  steady.reached = true;
+  steady.mean = way.resistance().value;
+  steady.standard_error = way.resistance().sd;
+  steady.independent = way.stretches;
+  steady.fluctuation = way.dissipated.total.sd * std::sqrt(static_cast<double>(way.stretches));
+  steady.way = way.way;
+  if (std::isfinite(way.drift + way.drift_error)) steady.drift = way.drift, steady.drift_error = way.drift_error;
+  steady.load = moving.load;
+  return steady;
+}
 
 MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   MotionCase seen;
@@ -38,10 +60,12 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
     position.push_back(x), resistance.push_back(y), force.push_back(f);
   }
   if (force.empty()) return seen;
-  seen.steady = steady_resistance(position, resistance, force);
+  if (&mode == &rolling_mode()) seen.steady = dissipated_in_rolling(solved);
+  seen.is_dissipation = seen.steady.reached;
+  if (!seen.is_dissipation) seen.steady = steady_resistance(position, resistance, force);
   seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
-  if (seen.steady.reached)
+  if (seen.steady.reached && !seen.is_dissipation)
     seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
   if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
     const Json& entry = solved.result["effective"][mode.stiffness_key];
@@ -205,7 +229,9 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
-  const std::string provenance = "steady resistance after full slip; " + extent_of(all);
+  const bool is_dissipation = std::all_of(used.begin(), used.end(), [](const MotionCase* item) { return item->is_dissipation; });
+  const std::string provenance = (is_dissipation ? "energy dissipated per angle by slip, yielding and bonds, after one contact radius; " : "steady resistance after full slip; ") + extent_of(all);
+  if (is_dissipation) report.findings.push_back("The resistance is the energy dissipated per angle: what hills of the surfaces take and give back is not in it.");
   if (mode.has_length) {
     const LengthChoice choice = choose_length(points);
     law = choice.law();

@@ -1,0 +1,39 @@
+// Rolling of rough bodies: the moment is that of hills, the resistance what is dissipated.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dem_compare/derive/derivation.h"
+#include "tests/dem_compare/resistance/moving_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills_twenty_times_as_high) {
+  const test::TemporaryFolder root;
+  constexpr double mu = 2e-4, offset = 40e-6, radius = 8.5e-6;
+  int seed = 0;
+  for (const double load : {30e-6, 100e-6, 300e-6, 1e-3}) {
+    test::MovingFolder made;
+    made.experiment = "rolling";
+    made.load = load;
+    made.friction = 0, made.adhesion = mu * radius * (load + offset), made.hills = 20, made.noise = 0.02;
+    made.random = 5 + static_cast<unsigned>(++seed);
+    test::write_moving(root.path / std::to_string(seed), made);
+  }
+  const auto sets = collect_parameter_sets({root.path});
+  ASSERT_EQ(sets.sets.size(), 1u);
+  const Derivation derivation = derive_parameters(sets.sets.front());
+  const ContactParameters& p = derivation.parameters;
+  ASSERT_TRUE(p.rolling_friction);
+  EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::particle_radius);
+  EXPECT_NEAR(p.rolling_friction->value, mu, 3 * p.rolling_friction->sd);
+  EXPECT_NEAR(p.rolling_friction->value / mu, 1, 0.05);
+  EXPECT_NEAR(p.rolling_offset->value / offset, 1, 0.15);
+  EXPECT_NE(p.rolling_friction->provenance.find("dissipated"), std::string::npos);
+  EXPECT_NE(to_text(derivation).find("energy dissipated per angle"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity
