@@ -146,6 +146,8 @@ std::string trend_against_paper(const MeasuredTrend& one) {
   if (one.is_opposite())
     return text + ". The simulations contradict the measurement: opposite signs, " + sigma_words(one.sigmas()) +
            " apart.";
+  if (std::abs(one.sigmas()) <= two_sigma && std::abs(one.measured.value) < two_sigma * one.measured.sd)
+    return text + "; cannot tell whether they agree, for the measured one is not told from none (" + sigma_words(one.sigmas()) + " apart).";
   return text +
          (std::abs(one.sigmas()) > two_sigma ? ". The simulations contradict the measurement: ratio "
                                              : ": they agree, ratio ") +
@@ -176,14 +178,14 @@ bool is_reduced(const ResistanceFindings& findings, const MovingContact& contact
 
 /// The coefficient of the paper's rolling friction is a slope over loads.
 Sentences coefficients_that_lack(const ResistanceFindings& findings) {
-  for (const auto& one : findings.published.trends)
-    if (one.trend->mode == &rolling_mode() && !one.trend->coefficient.slope.has_sd())
-      return {
-          "What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of "
-          "0.1 to 3 mN; at a load "
-          "below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at "
-          "least two surfaces "
-          "need two loads each: without them it cannot be told."};
+  const auto& trends = findings.published.trends;
+  const auto rolls = [](const MeasuredTrend& one) { return one.trend->mode == &rolling_mode(); };
+  const auto has_coefficient = [&](const MeasuredTrend& one) { return rolls(one) && one.trend->coefficient.slope.has_sd(); };
+  if (std::any_of(trends.begin(), trends.end(), rolls) && std::none_of(trends.begin(), trends.end(), has_coefficient))
+    return {
+        "What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of 0.1 to 3 mN; at a "
+        "load below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at least two "
+        "surfaces need two loads each: without them it cannot be told."};
   return {};
 }
 

@@ -235,6 +235,23 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
       says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
 }
 
+/// Measured rolling at 200 uN over the three surfaces does not tell its own sign.
+TEST(ResistancePublished, does_not_say_that_a_trend_agrees_with_one_that_is_not_told_from_none) {
+  const Published published = read_published(test::paper_run("published"));
+  std::vector<StudyEntry> entries;
+  unsigned random = 0;
+  for (const auto& surface : published.surfaces) {
+    MovingFolder made;
+    made.experiment = "rolling", made.load = 2e-4, made.rms = surface.rms.value / nm, made.noise = 0.01, made.random = ++random;
+    made.friction = 1e-3 * made.load * made.radius;
+    entries.push_back({surface.name, made});
+  }
+  const Study study(entries, published);
+  const auto sentences = answers(study.findings).measurement;
+  EXPECT_TRUE(says(sentences, "cannot tell whether they agree, for the measured one is not told from none"));
+  EXPECT_FALSE(says(sentences, "per nm: they agree"));
+}
+
 TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2) {
   // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign
   // must not.
