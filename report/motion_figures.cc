@@ -6,6 +6,7 @@
 #include "core/csv.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "report/axis.h"
 #include "report/display_units.h"
 #include "report/page.h"
 
