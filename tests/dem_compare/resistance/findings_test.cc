@@ -235,18 +235,25 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
       says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
 }
 
+/// Cases of one motion on each of the paper's surfaces.
+template <class Friction>
+std::vector<StudyEntry> on_the_papers_surfaces(const Published& published, const std::string& experiment, double load, const Friction& friction) {
+  std::vector<StudyEntry> entries;
+  for (const auto& surface : published.surfaces) {
+    MovingFolder made;
+    made.experiment = experiment, made.load = load, made.rms = surface.rms.value / nm, made.noise = 0.01;
+    made.random = static_cast<unsigned>(entries.size()) + 1;
+    made.friction = friction(made, surface);
+    entries.push_back({surface.name, made});
+  }
+  return entries;
+}
+
 /// Measured rolling at 200 uN over the three surfaces does not tell its own sign.
 TEST(ResistancePublished, does_not_say_that_a_trend_agrees_with_one_that_is_not_told_from_none) {
   const Published published = read_published(test::paper_run("published"));
-  std::vector<StudyEntry> entries;
-  unsigned random = 0;
-  for (const auto& surface : published.surfaces) {
-    MovingFolder made;
-    made.experiment = "rolling", made.load = 2e-4, made.rms = surface.rms.value / nm, made.noise = 0.01, made.random = ++random;
-    made.friction = 1e-3 * made.load * made.radius;
-    entries.push_back({surface.name, made});
-  }
-  const Study study(entries, published);
+  const auto level = [](const MovingFolder& made, const auto&) { return 1e-3 * made.load * made.radius; };
+  const Study study(on_the_papers_surfaces(published, "rolling", 2e-4, level), published);
   const auto sentences = answers(study.findings).measurement;
   EXPECT_TRUE(says(sentences, "cannot tell whether they agree, for the measured one is not told from none"));
   EXPECT_FALSE(says(sentences, "per nm: they agree"));
@@ -256,17 +263,13 @@ TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2)
   // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign
   // must not.
   const Published published = read_published(test::paper_run("published"));
-  std::vector<StudyEntry> entries;
-  unsigned random = 0;
-  for (const auto& surface : published.surfaces) {
-    MovingFolder made;
-    made.load = 1e-4, made.rms = surface.rms.value / nm, made.noise = 0.01, made.random = ++random;
-    made.friction = surface.sliding.value * (made.load + surface.sliding_offset.value);
-    entries.push_back({surface.name, made});
-    made.experiment = "rolling";
-    made.friction = 1e-3 * made.load * made.radius * (1 - 0.2 * made.rms);
-    entries.push_back({surface.name, made});
-  }
+  auto entries = on_the_papers_surfaces(published, "sliding", 1e-4, [](const MovingFolder& made, const auto& surface) {
+    return surface.sliding.value * (made.load + surface.sliding_offset.value);
+  });
+  const auto rolling = on_the_papers_surfaces(published, "rolling", 1e-4, [](const MovingFolder& made, const auto&) {
+    return 1e-3 * made.load * made.radius * (1 - 0.2 * made.rms);
+  });
+  entries.insert(entries.end(), rolling.begin(), rolling.end());
   const Study study(entries, published);
   int sliding = 0, rolls = 0;
   for (const auto& one : study.findings.published.magnitudes) {
