@@ -7,7 +7,7 @@
 //   roll A          about y by an angle, or by the length of the arc; without sliding in the same part free of lateral force
 //   spin A          about the normal by an angle
 //   indenter L      rolls freely between the substrate and a plane on top, an indenter, that moves by L: an arc of half of L
-//   in N steps      equal ones, at the end of a part; else fine where slip begins, then an interface spacing
+//   in N steps      equal ones, at the end of a part; else fine where slip begins, then those of a single motion
 #pragma once
 
 #include <optional>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
@@ -30,10 +31,10 @@ struct MotionCase {
 };
 
 /// Rolling of rough bodies: the moment is mostly that of hills, which give back what they take; what is dissipated per angle is what
-/// resists. Not reached where the history holds no energies.
-SteadyResistance dissipated_in_rolling(const SolvedCase& solved) {
+/// resists. None where the history holds no energies.
+std::optional<SteadyResistance> dissipated_in_rolling(const SolvedCase& solved) {
+  if (!std::filesystem::exists(solved.folder / "history.csv") || !energy_history(solved, rolling_mode()).has_energies) return std::nullopt;
   SteadyResistance steady;
-  if (!std::filesystem::exists(solved.folder / "history.csv")) return steady;
   const MovingCase moving = moving_case(solved, rolling_mode());
   const SteadyWay& way = moving.first;
   if (!way.reached() || !std::isfinite(way.dissipated.total.value)) return steady;
@@ -60,9 +61,9 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
     position.push_back(x), resistance.push_back(y), force.push_back(f);
   }
   if (force.empty()) return seen;
-  if (&mode == &rolling_mode()) seen.steady = dissipated_in_rolling(solved);
-  seen.is_dissipation = seen.steady.reached;
-  if (!seen.is_dissipation) seen.steady = steady_resistance(position, resistance, force);
+  const auto dissipated = &mode == &rolling_mode() ? dissipated_in_rolling(solved) : std::nullopt;
+  seen.is_dissipation = dissipated.has_value();
+  seen.steady = dissipated ? *dissipated : steady_resistance(position, resistance, force);
   seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
   if (seen.steady.reached && !seen.is_dissipation)

@@ -35,5 +35,16 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_NE(to_text(derivation).find("energy dissipated per angle"), std::string::npos);
 }
 
+/// Energies are there, but no steady stretch: the moment of hills must not stand in.
+TEST(RollingDerivation, of_a_way_too_short_is_not_told) {
+  const test::TemporaryFolder root;
+  test::MovingFolder made;
+  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
+  test::write_moving(root.path / "short", made);
+  const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
+  EXPECT_FALSE(derivation.parameters.rolling_friction);
+  EXPECT_NE(to_text(derivation).find("Experiment/Distance to more"), std::string::npos) << to_text(derivation);
+}
+
 }  // namespace
 }  // namespace asperity
