@@ -72,11 +72,7 @@ class Checker {
   }
 
   void check_program() const {
-    const auto& experiment = input_.experiment;
-    const bool is_program = experiment.type == ExperimentInput::Type::program;
-    if (!is_program && !experiment.program.empty()) refuse("Experiment/Program", "Experiment/Program is given but Type is another; set Type = program");
-    if (!is_program) return;
-    const std::string objection = objection_to(parse_motion_program(experiment.program), experiment);
+    const std::string objection = objection_to_program(input_.experiment);
     if (!objection.empty()) refuse("Experiment/Program", objection);
   }
 

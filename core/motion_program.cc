@@ -102,7 +102,10 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
   return program;
 }
 
-std::string objection_to(const std::vector<ProgramPart>& parts, const ExperimentInput& e) {
+std::string objection_to_program(const ExperimentInput& e) {
+  if (e.type != ExperimentInput::Type::program)
+    return e.program.empty() ? "" : "Experiment/Program is given but Type is another; set Type = program";
+  const auto parts = parse_motion_program(e.program);
   if (parts.empty()) return "Experiment/Type = program needs Experiment/Program, e.g. 'slide 200 nm and spin 20 mrad; roll 30 mrad'";
   if (e.cycles > 1) return "a program is moved through once: write its cycles out in Experiment/Program and set Cycles = 1";
   const bool by_force = e.control == ExperimentInput::Control::force;

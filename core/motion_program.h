@@ -36,7 +36,7 @@ struct ProgramPart {
 /// Throws InputError naming the part and what fits.
 std::vector<ProgramPart> parse_motion_program(const std::string& text);
 
-/// Why an experiment of the type "program" cannot be moved through, as a sentence; empty if it can.
-std::string objection_to(const std::vector<ProgramPart>& parts, const ExperimentInput& experiment);
+/// Why an experiment's program cannot be moved through, as a sentence; empty if it can, or if there is none.
+std::string objection_to_program(const ExperimentInput& experiment);
 
 }  // namespace asperity

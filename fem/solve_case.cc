@@ -15,12 +15,8 @@ void require_solvable(const CaseInput& input) {
   using Type = ExperimentInput::Type;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };
   const auto parts = e.type == Type::program ? parse_motion_program(e.program) : std::vector<ProgramPart>{};
-  if (e.type == Type::program) {
-    const std::string objection = objection_to(parts, e);
-    if (!objection.empty()) refuse(objection);
-  } else if (!e.program.empty()) {
-    refuse("Experiment/Program is given but Type is another; set Type = program");
-  }
+  const std::string objection = objection_to_program(e);
+  if (!objection.empty()) refuse(objection);
   const bool rolls = e.type == Type::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
   if (rolls && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
