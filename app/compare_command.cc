@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 struct CompareArguments {
   std::vector<std::string> folders;
-  std::string output, engine, parameters, indenter, program;
+  std::vector<std::string> parameters;
+  std::string output, engine, indenter, program;
   std::string published = ASPERITY_RUNS "/paper/published";
   double tolerance = 0.05;
   int time_limit = 600;
@@ -37,7 +38,7 @@ void run_compare(const CompareArguments& arguments) {
   const fs::path output = arguments.output.empty() ? arguments.folders.front() : arguments.output;
 
   SideBySideInput input{collection, comparison};
-  if (!arguments.parameters.empty()) input.parameters = read_contact_parameters(arguments.parameters);
+  for (const auto& file : arguments.parameters) input.parameters.push_back(read_contact_parameters(file));
   if (!arguments.indenter.empty()) input.indenter = read_contact_parameters(arguments.indenter);
   EngineRunOptions options;
   options.program = arguments.program;
@@ -72,9 +73,11 @@ void add_compare_command(CLI::App& app) {
   command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option(
-      "--parameters", arguments->parameters,
-      "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json)");
+  command
+      ->add_option("--parameters", arguments->parameters,
+                   "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json); once for "
+                   "each roughness")
+      ->allow_extra_args(false);
   command->add_option("--indenter", arguments->indenter,
                       "The same for particle and moving plate (default: as with the substrate)");
   command->add_option("--engine", arguments->engine, "Run lammps or yade with each law's numbers");

@@ -16,6 +16,9 @@ namespace {
 
 /// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured correction.
 constexpr double block_half_width_in_radii = 0.7;
+/// How far of the particle's finely meshed cap a rolling contact may go: roughness fades out over a third of the fine region's
+/// half width beyond it, still on the cap.
+constexpr double rolled_share_of_cap = 0.72;
 
 struct Roughness {
   meshing::HeightFunction height;
@@ -88,7 +91,7 @@ void fit_to_program(const CaseInput& input, CaseSetup& setup) {
                      format_quantity(std::max(0.0, 2 * longest), Dimension::length) + " at most, to and fro counting once");
   };
   sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
-  const double longest = 0.5 * meshing::BodyMap::cap_fraction * R, reach = sizes.region_particle + sizes.reach_particle;
+  const double longest = rolled_share_of_cap * meshing::BodyMap::cap_fraction * R, reach = sizes.region_particle + sizes.reach_particle;
   if (reach > longest) refuse("rolls the contact out of the particle's finely meshed cap", longest - sizes.region_particle);
   sizes.reach_substrate = 0.5 * (extent.high_x - extent.low_x);
   sizes.region_substrate += 0.5 * (extent.high_y - extent.low_y) + R * std::asin(reach / R) - reach;
@@ -181,7 +184,7 @@ CaseSetup set_up(const CaseInput& input) {
   options.tilted_normals = type == Type::sliding || type == Type::rolling || type == Type::program || (type == Type::torsion && rough);
   if (type == Type::rolling) {
     sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
-    const double reach = region + sizes.reach_particle, longest = 0.5 * meshing::BodyMap::cap_fraction * R;
+    const double reach = region + sizes.reach_particle, longest = rolled_share_of_cap * meshing::BodyMap::cap_fraction * R;
     if (reach > longest)
       throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
                        " rolls the contact out of the particle's finely meshed cap; set it to " +

@@ -5,6 +5,7 @@
 
 #include "dem_compare/derive/parameter_sets.h"
 #include "dem_compare/derive/steady_motion.h"
+#include "dem_compare/resistance/moving_case.h"
 
 namespace asperity {
 namespace {
@@ -31,18 +32,20 @@ ComparedValue effective(const SolvedCase& solved, const char* name) {
 }
 
 FiniteElementValue value_of(const std::vector<ComparedValue>& cases) {
-  std::vector<double> values;
+  std::vector<double> values, own;
   FiniteElementValue result;
   for (const auto& one : cases) {
     if (!one.known()) continue;
     values.push_back(one.value);
+    own.push_back(one.sd);
     result.sd = one.sd;
   }
   const Scatter scatter = scatter_of(values);
   result.realisations = scatter.count;
   if (scatter.count == 0) return result;
   result.value = scatter.mean;
-  if (scatter.count > 1) result.sd = scatter.sd;
+  // Few realisations may agree by chance: not better than each is known by itself.
+  if (scatter.count > 1) result.sd = std::fmax(scatter.sd, scatter_of(own).mean);
   result.source = scatter.count > 1 ? "mean of " + std::to_string(scatter.count) + " realisations" : "one case";
   return result;
 }
@@ -132,7 +135,12 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
                     effective(solved, "sliding_friction"));
     });
     add(points, g, group, Quantity::rolling_stiffness, load, plain("rolling_stiffness"));
-    add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) {
+    add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) -> ComparedValue {
+      if (const auto rolled = rolled_with_energies(solved)) {
+        if (!rolled->first.reached()) return {};
+        const Uncertain moment = rolled->first.resistance();
+        return {moment.value / (load * radius), moment.sd / (load * radius)};
+      }
       return steady(solved, &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, load * radius,
                     scaled(effective(solved, "rolling_moment"), 1 / (load * radius)));
     });

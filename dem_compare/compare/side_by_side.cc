@@ -33,28 +33,51 @@ std::string contact_key(const CaseGroup& group) {
   return key;
 }
 
-/// What labels such as "300 uN, untreated 0.3 nm" have in common; the first where that is nothing.
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (std::size_t to = 0; (to = text.find(separator, from)) != std::string::npos; from = to + separator.size())
+    parts.push_back(text.substr(from, to - from));
+  parts.push_back(text.substr(from));
+  return parts;
+}
+
+/// Words with which all of them begin.
+std::string common_beginning(const std::vector<std::string>& texts) {
+  std::vector<std::string> common = split(texts.front(), " ");
+  for (const auto& text : texts) {
+    const auto words = split(text, " ");
+    common.erase(std::mismatch(common.begin(), common.end(), words.begin(), words.end()).first, common.end());
+  }
+  std::string joined;
+  for (const auto& word : common) joined += (joined.empty() ? "" : " ") + word;
+  return joined;
+}
+
+/// What labels such as "300 uN, untreated 0.3 nm" have in common, part by part ("1.5 nm" of "sliding, 1.5 nm" and "rolling, 1.5 nm
+/// 200 uN"); the first where that is nothing.
 std::string common_label(const std::vector<std::string>& labels) {
-  const auto parts = [](const std::string& label) {
-    std::vector<std::string> found{""};
-    for (std::size_t i = 0; i < label.size(); ++i) {
-      if (label.compare(i, 2, ", ") == 0)
-        found.push_back(""), ++i;
-      else
-        found.back() += label[i];
-    }
-    return found;
-  };
   std::string common;
-  for (const auto& part : parts(labels.front())) {
-    const bool in_all = std::all_of(labels.begin(), labels.end(), [&](const auto& label) {
-      const auto others = parts(label);
-      return std::find(others.begin(), others.end(), part) != others.end();
-    });
-    if (in_all) common += (common.empty() ? "" : ", ") + part;
+  for (std::size_t i = 0; i < split(labels.front(), ", ").size(); ++i) {
+    std::vector<std::string> parts;
+    for (const auto& label : labels) {
+      const auto own = split(label, ", ");
+      parts.push_back(i < own.size() ? own[i] : "");
+    }
+    const std::string part = common_beginning(parts);
+    if (!part.empty()) common += (common.empty() ? "" : ", ") + part;
   }
   return common.empty() ? labels.front() : common;
 }
+
+/// A contact whose numbers were given.
+struct Record {
+  ComparedContact contact;
+  bool roughness_is_open = false;
+
+  /// Same bodies and roughness.
+  bool is(const ComparedContact& other) const { return same_bodies(other, contact) && same_roughness(other, contact); }
+};
 
 class Assembly {
  public:
@@ -69,29 +92,15 @@ class Assembly {
       labels[contact_key(group)].push_back(group.label);
     }
     for (const auto& group : input.collection.groups) labels_.push_back(common_label(labels[contact_key(group)]));
-    if (!input.parameters) return;
-    record_ = contact_of(*input.parameters, input.indenter);
-    // A record that does not say its roughness stands for all, if all are alike.
-    if (std::isnan(record_->rms))
-      for (const auto& contact : contacts_)
-        if (same_bodies(contact, *record_)) {
-          roughness_is_open_ = roughness_is_open_ || (!std::isnan(record_->rms) && !same_roughness(contact, *record_));
-          record_->rms = contact.rms;
-        }
-    if (roughness_is_open_) record_->rms = NAN;
-    // Numbers for an engine belong to the contact they were found on.
-    for (auto& contact : contacts_)
-      if (is_record(contact)) {
-        contact.record = record_->record;
-        contact.indenter = record_->indenter;
-      }
+    for (const auto& parameters : input.parameters) add(contact_of(parameters, input.indenter));
   }
 
   std::vector<ComparisonRow> rows() {
     for (std::size_t g = 0; g < contacts_.size(); ++g)
       for (const auto& point : points_)
         if (point.group == g) add_solved(point);
-    if (record_) add_record();
+    for (const auto& record : records_) add_rows_of(record);
+    add_rails();
     return std::move(rows_);
   }
 
@@ -101,19 +110,21 @@ class Assembly {
     for (const ComparedMode mode : {ComparedMode::normal, ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion})
       if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
     if (!unsolved.empty()) remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
-    if (!record_)
+    if (records_.empty())
       remarks.push_back(
           "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
     if (is_solved(ComparedMode::sliding))
       remarks.push_back(
           "Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
           "both start from the same coefficient.");
-    if (roughness_is_open_)
-      remarks.push_back(record_->record->file +
-                        " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
-    else if (record_ && std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return is_record(c); }))
-      remarks.push_back("None of the solved cases is the contact of " + record_->record->file +
-                        " (its bodies, and the RMS of its target): its finite-element column is empty.");
+    for (const auto& record : records_) {
+      if (record.roughness_is_open)
+        remarks.push_back(record.contact.record->file +
+                          " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
+      else if (std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return record.is(c); }))
+        remarks.push_back("None of the solved cases is the contact of " + record.contact.record->file +
+                          " (its bodies, and the RMS of its target): its finite-element column is empty.");
+    }
     return remarks;
   }
 
@@ -124,17 +135,13 @@ class Assembly {
                          }) > 1;
     ComparedContact contact = contacts_[point.group];
     if (!is_path) {
-      // The record's own table has it.
-      if (solved_point(point.quantity, point.load) == &point) return;
+      // A record's own table has it.
+      for (const auto& record : records_)
+        if (solved_point(record, point.quantity, point.load) == &point) return;
       // A loading path has its loads in itself; other numbers have theirs in several cases of one contact.
       contact.label = labels_[point.group];
     }
     add_rows(contact, point.quantity, point.load, point.value);
-  }
-
-  /// Same bodies and roughness.
-  bool is_record(const ComparedContact& contact) const {
-    return record_ && same_bodies(contact, *record_) && same_roughness(contact, *record_);
   }
 
   void add_rows(const ComparedContact& contact, Quantity quantity, double load, const FiniteElementValue& finite_elements,
@@ -154,15 +161,15 @@ class Assembly {
     }
   }
 
-  /// The record's contact at a load; of several groups the first.
-  const FiniteElementPoint* solved_point(Quantity quantity, double load) const {
+  /// A record's contact at a load; of several groups the first.
+  const FiniteElementPoint* solved_point(const Record& record, Quantity quantity, double load) const {
     for (const auto& point : points_)
-      if (point.quantity == quantity && is_load(point.load, load) && is_record(contacts_[point.group])) return &point;
+      if (point.quantity == quantity && is_load(point.load, load) && record.is(contacts_[point.group])) return &point;
     return nullptr;
   }
 
-  FiniteElementValue solved_value(Quantity quantity, double load) const {
-    if (const auto* point = solved_point(quantity, load)) return point->value;
+  FiniteElementValue solved_value(const Record& record, Quantity quantity, double load) const {
+    if (const auto* point = solved_point(record, quantity, load)) return point->value;
     FiniteElementValue none;
     const ComparedMode mode = display_of(quantity).mode;
     none.reason = is_solved(mode) ? "no case of this contact at this load is among the folders"
@@ -177,8 +184,8 @@ class Assembly {
   }
 
   /// Ends of the fitted loads with their geometric mean, and the loads that were solved.
-  std::vector<double> loads_of(ComparedMode mode) const {
-    const ContactParameters& record = *record_->record;
+  std::vector<double> loads_of(const Record& own, ComparedMode mode) const {
+    const ContactParameters& record = *own.contact.record;
     std::vector<double> loads;
     const auto add = [&](const std::optional<EffectiveQuantity>& quantity) {
       if (!quantity || !quantity->load_range) return;
@@ -189,7 +196,7 @@ class Assembly {
     if (mode == ComparedMode::normal && loads.empty()) add(record.sliding_friction);
     if (mode == ComparedMode::torsion) add(record.torsion_friction);
     for (const auto& point : points_)
-      if (display_of(point.quantity).mode == mode && is_record(contacts_[point.group]) &&
+      if (display_of(point.quantity).mode == mode && own.is(contacts_[point.group]) &&
           is_load(point.load, input_.with_hertz.groups[point.group].numbers.force))
         loads.push_back(point.load);
     constexpr double otherwise = 1e-4;  // the paper's loop
@@ -197,18 +204,43 @@ class Assembly {
     return distinct(loads);
   }
 
-  void add_record() {
+  void add(const ComparedContact& given) {
+    Record record{given};
+    // A record that does not say its roughness stands for all, if all are alike.
+    if (std::isnan(record.contact.rms))
+      for (const auto& contact : contacts_)
+        if (same_bodies(contact, record.contact)) {
+          record.roughness_is_open =
+              record.roughness_is_open || (!std::isnan(record.contact.rms) && !same_roughness(contact, record.contact));
+          record.contact.rms = contact.rms;
+        }
+    if (record.roughness_is_open) record.contact.rms = NAN;
+    // Numbers for an engine belong to the contact they were found on.
+    for (auto& contact : contacts_)
+      if (record.is(contact) && !contact.record) {
+        contact.record = record.contact.record;
+        contact.indenter = record.contact.indenter;
+      }
+    records_.push_back(std::move(record));
+  }
+
+  void add_rows_of(const Record& record) {
     for (const Quantity quantity :
          {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness, Quantity::lateral_stiffness_to_sliding,
           Quantity::sliding_friction, Quantity::rolling_stiffness, Quantity::rolling_friction, Quantity::torsion_stiffness,
           Quantity::torsion_friction})
-      for (const double load : loads_of(display_of(quantity).mode))
-        add_rows(*record_, quantity, load, solved_value(quantity, load));
+      for (const double load : loads_of(record, display_of(quantity).mode))
+        add_rows(record.contact, quantity, load, solved_value(record, quantity, load));
+  }
+
+  /// Rails have roughnesses of their own: once, with the torsion of the first record.
+  void add_rails() {
+    if (records_.empty()) return;
     FiniteElementValue none;
     none.reason = "a rail is an experiment with three contacts, which finite elements do not solve here";
     for (const RailCase& rail : published_.rails())
       for (const Quantity quantity : {Quantity::rail_friction, Quantity::rail_force})
-        for (const double load : with_middle(rail.loads)) add_rows(*record_, quantity, load, none, &rail);
+        for (const double load : with_middle(rail.loads)) add_rows(records_.front().contact, quantity, load, none, &rail);
   }
 
   const SideBySideInput& input_;
@@ -217,8 +249,7 @@ class Assembly {
   std::vector<FiniteElementPoint> points_;
   std::vector<ComparedContact> contacts_;  ///< of each group
   std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
-  std::optional<ComparedContact> record_;
-  bool roughness_is_open_ = false;
+  std::vector<Record> records_;
   std::vector<ComparisonRow> rows_;
 };
 

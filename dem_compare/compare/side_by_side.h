@@ -27,8 +27,9 @@ struct SideBySide {
 struct SideBySideInput {
   const CaseCollection& collection;
   const Comparison& with_hertz;
-  std::optional<ContactParameters> parameters{};  ///< numbers for an engine; adds rolling, torsion and rails
-  std::optional<ContactParameters> indenter{};    ///< contact of particle and moving plate
+  /// Numbers for an engine, of one contact each (one roughness, say); they add rolling, torsion and rails.
+  std::vector<ContactParameters> parameters{};
+  std::optional<ContactParameters> indenter{};  ///< contact of particle and moving plate
 };
 
 SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine,

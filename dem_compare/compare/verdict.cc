@@ -36,7 +36,7 @@ std::string amount(const Departure& departure) {
     const double factor = over > 1 ? over : 1 / over, sd = departure.sd * (over > 1 ? 1 : factor * factor);
     char text[64];
     if (std::isfinite(sd))
-      std::snprintf(text, sizeof text, "a factor of %.3g ± %.1g", factor, sd);
+      std::snprintf(text, sizeof text, sd < 9.5 ? "a factor of %.3g ± %.1g" : "a factor of %.0f ± %.0f", factor, sd);
     else
       std::snprintf(text, sizeof text, "a factor of %.3g", factor);
     return text;

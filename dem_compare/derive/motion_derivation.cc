@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 
 #include "dem_compare/derive/length_choice.h"
@@ -30,13 +29,11 @@ struct MotionCase {
   }
 };
 
-/// Rolling of rough bodies: the moment is mostly that of hills, which give back what they take; what is dissipated per angle is what
-/// resists. None where the history holds no energies.
 std::optional<SteadyResistance> dissipated_in_rolling(const SolvedCase& solved) {
-  if (!std::filesystem::exists(solved.folder / "history.csv") || !energy_history(solved, rolling_mode()).has_energies) return std::nullopt;
+  const auto moving = rolled_with_energies(solved);
+  if (!moving) return std::nullopt;
   SteadyResistance steady;
-  const MovingCase moving = moving_case(solved, rolling_mode());
-  const SteadyWay& way = moving.first;
+  const SteadyWay& way = moving->first;
   if (!way.reached() || !std::isfinite(way.dissipated.total.value)) return steady;
   steady.reached = true;
   steady.mean = way.resistance().value;
@@ -45,7 +42,7 @@ std::optional<SteadyResistance> dissipated_in_rolling(const SolvedCase& solved) 
   steady.fluctuation = way.dissipated.total.sd * std::sqrt(static_cast<double>(way.stretches));
   steady.way = way.way;
   if (std::isfinite(way.drift + way.drift_error)) steady.drift = way.drift, steady.drift_error = way.drift_error;
-  steady.load = moving.load;
+  steady.load = moving->load;
   return steady;
 }
 

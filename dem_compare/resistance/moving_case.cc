@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 #include "dem_compare/derive/parameter_sets.h"
@@ -144,6 +145,11 @@ MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
     is_first = false;
   }
   return moving;
+}
+
+std::optional<MovingCase> rolled_with_energies(const SolvedCase& solved) {
+  if (!std::filesystem::exists(solved.folder / "history.csv") || !energy_history(solved, rolling_mode()).has_energies) return std::nullopt;
+  return moving_case(solved, rolling_mode());
 }
 
 const MotionMode* mode_of(const SolvedCase& solved) {

@@ -11,6 +11,7 @@
 // (stretches.h). The way back, over the own track, is told apart: what has yielded there need not yield again.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "dem_compare/paper/uncertain.h"
@@ -57,6 +58,10 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
 
 /// Throws InputError where the history lacks a column.
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode);
+
+/// A rolling case whose history tells energies: the moment of rough bodies is mostly that of hills, which give back what they take; what
+/// is dissipated per angle is what resists. None where the history holds no energies.
+std::optional<MovingCase> rolled_with_energies(const SolvedCase& solved);
 
 /// The mode of motion of a case; nullptr for one that is only pressed.
 const MotionMode* mode_of(const SolvedCase& solved);

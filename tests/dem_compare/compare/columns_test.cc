@@ -7,6 +7,7 @@
 #include "dem_compare/compare/published_column.h"
 #include "dem_compare/paper/analysis.h"
 #include "tests/dem_compare/compare/solved_folders.h"
+#include "tests/dem_compare/resistance/moving_folder.h"
 #include "tests/dem_compare/engines/engine_support.h"
 
 namespace asperity {
@@ -81,6 +82,16 @@ TEST(FiniteElementColumn, takes_mean_and_scatter_over_realisations) {
   EXPECT_NEAR(k.sd / a.lateral_stiffness(), 0.2 / std::sqrt(2.0), 1e-12);
 }
 
+TEST(FiniteElementColumn, does_not_take_realisations_that_agree_by_chance_for_better_than_each_is_known) {
+  const TemporaryFolder folder;
+  SolvedFolder a, b;
+  b.roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=2)";
+  const auto points = points_of({write_solved(folder.path / "a", a), write_solved(folder.path / "b", b)});
+  const FiniteElementValue& k = point(points, Quantity::lateral_stiffness);
+  EXPECT_EQ(k.realisations, 2);
+  EXPECT_NEAR(k.sd / a.lateral_stiffness(), 0.03, 1e-12);
+}
+
 TEST(FiniteElementColumn, gives_torsion_as_moment_over_load_and_radius) {
   const TemporaryFolder folder;
   SolvedFolder solved;
@@ -89,6 +100,23 @@ TEST(FiniteElementColumn, gives_torsion_as_moment_over_load_and_radius) {
   EXPECT_DOUBLE_EQ(point(points, Quantity::torsion_stiffness).value, solved.torsion_stiffness());
   EXPECT_NEAR(point(points, Quantity::torsion_friction).value,
               3 * M_PI / 16 * solved.friction * solved.hertz().contact_radius(load) / 8.5e-6, 1e-12);
+}
+
+TEST(FiniteElementColumn_analytic, rolling_is_what_is_dissipated_and_not_the_moment_of_hills) {
+  const TemporaryFolder folder;
+  test::MovingFolder made;
+  made.experiment = "rolling", made.adhesion = 3e-13, made.friction = 0, made.hills = 20;
+  const auto points = points_of({test::write_moving(folder.path / "a", made)});
+  const FiniteElementValue& rolling = point(points, Quantity::rolling_friction);
+  EXPECT_NEAR(rolling.value / (3e-13 / (made.load * made.radius)), 1, 1e-3);
+  EXPECT_LT(rolling.sd, 0.01 * rolling.value);
+}
+
+TEST(FiniteElementColumn, has_no_rolling_where_the_way_is_too_short_to_be_steady) {
+  const TemporaryFolder folder;
+  test::MovingFolder made;
+  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
+  for (const auto& point : points_of({test::write_moving(folder.path / "a", made)})) EXPECT_NE(point.quantity, Quantity::rolling_friction);
 }
 
 TEST(LawColumn_other_code, has_the_papers_contact_as_computed_by_hand) {

@@ -15,19 +15,22 @@ using test::SolvedFolder;
 using test::TemporaryFolder;
 using test::write_solved;
 
+const std::string silicon = "parameters_silicon.json";
+
 struct Compared {
   TemporaryFolder folder;
   SideBySide result;
 };
 
-void compare(Compared& compared, const std::vector<SolvedFolder>& cases, bool with_parameters, const std::string& engine = "") {
+void compare(Compared& compared, const std::vector<SolvedFolder>& cases, const std::vector<std::string>& parameters,
+             const std::string& engine = "") {
   std::vector<std::filesystem::path> folders;
   for (const auto& solved : cases)
     folders.push_back(write_solved(compared.folder.path / ("case" + std::to_string(folders.size())), solved));
   const CaseCollection collection = collect_cases(folders);
   const Comparison with_hertz = compare_with_hertz(collection, 0.05);
   SideBySideInput input{collection, with_hertz};
-  if (with_parameters) input.parameters = read_contact_parameters(paper_run("parameters_silicon.json"));
+  for (const auto& file : parameters) input.parameters.push_back(read_contact_parameters(paper_run(file)));
   EngineColumn column(engine, compared.folder.path / "engine");
   compared.result = compare_side_by_side(input, PublishedColumn(read_published(paper_run("published"))), column, 0.05);
 }
@@ -53,7 +56,7 @@ bool says(const SideBySide& result, const std::string& part) {
 TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   ASPERITY_ENGINE_OR_SKIP(Lammps());
   Compared compared;
-  compare(compared, {SolvedFolder{}}, true, "lammps");
+  compare(compared, {SolvedFolder{}}, {silicon}, "lammps");
   for (const Quantity quantity : {Quantity::lateral_stiffness, Quantity::sliding_friction}) {
     const ComparisonRow* row = row_of(compared.result, quantity, 1e-4);
     ASSERT_TRUE(row);
@@ -87,7 +90,7 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
 
 TEST(SideBySide_analytic, the_no_slip_law_overstates_partial_slip_by_a_fifth) {
   Compared compared;
-  compare(compared, {SolvedFolder{}}, false);
+  compare(compared, {SolvedFolder{}}, {});
   EXPECT_EQ(
       verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
       "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN.");
@@ -102,7 +105,7 @@ TEST(SideBySide, cases_at_several_loads_make_one_verdict_with_the_load_from_whic
   low.stiffness = 1 / 1.12;
   high.load = 4e-4;
   Compared compared;
-  compare(compared, {low, high}, false);
+  compare(compared, {low, high}, {});
   // 12 % at 100 uN, none at 400 uN: 5 % at 100 * 4^(7/12) = 224 uN.
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness, "Mindlin"),
             "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % below 224 uN; "
@@ -111,12 +114,23 @@ TEST(SideBySide, cases_at_several_loads_make_one_verdict_with_the_load_from_whic
   EXPECT_NE(to_markdown(compared.result).find("from 224 uN on (compared: 100 uN to 400 uN)"), std::string::npos);
 }
 
+TEST(SideBySide, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
+  SolvedFolder low, high;
+  low.title = "sliding, 1.5 nm";
+  high.title = "sliding, 1.5 nm 400 uN";
+  high.load = 4e-4;
+  low.roughness = high.roughness = "smooth";
+  Compared compared;
+  compare(compared, {low, high}, {});
+  for (const double load : {1e-4, 4e-4}) EXPECT_EQ(row_of(compared.result, Quantity::lateral_stiffness, load)->contact, "sliding, 1.5 nm");
+}
+
 TEST(SideBySide_analytic, the_papers_torsion_stiffness_is_a_thousand_times_that_of_finite_elements_without_slip) {
   SolvedFolder torsion;
   torsion.experiment = "torsion";
   Compared compared;
-  compare(compared, {torsion}, true);
-  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1.14e+03"),
+  compare(compared, {torsion}, {silicon});
+  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1141 ± 34"),
             std::string::npos)
       << verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2");
   EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "Reissner").find("within 5 % at 100 uN"),
@@ -128,7 +142,7 @@ TEST(SideBySide, a_contact_of_other_roughness_does_not_borrow_the_records_number
   rough.roughness = "generated(rms=1.5 nm, seed=1)";
   rough.friction = 0.4;
   Compared compared;
-  compare(compared, {rough}, true);
+  compare(compared, {rough}, {silicon});
   const auto& rows = compared.result.rows;
   const auto own = std::find_if(rows.begin(), rows.end(), [](const auto& row) {
     return row.quantity == Quantity::sliding_friction && row.finite_elements.known();
@@ -139,16 +153,44 @@ TEST(SideBySide, a_contact_of_other_roughness_does_not_borrow_the_records_number
   EXPECT_TRUE(says(compared.result, "None of the solved cases is the contact of"));
 }
 
+TEST(SideBySide_other_code, each_roughness_has_the_numbers_given_for_it) {
+  SolvedFolder smoother, rougher;
+  rougher.roughness = "generated(rms=1.5 nm, seed=1)";
+  rougher.friction = 0.53;
+  Compared compared;
+  compare(compared, {smoother, rougher}, {silicon, "parameters_silicon_1600W.json"});
+  int sliding = 0, rolling = 0;
+  for (const auto& row : compared.result.rows) {
+    if (row.mode() == ComparedMode::rail) EXPECT_NE(row.contact.find("untreated"), std::string::npos);
+    if (std::abs(row.load / 1e-4 - 1) > 1e-6) continue;
+    const bool is_smoother = row.rms < 1e-9;
+    // Table 2: mu (1 + h/f) of the untreated surface, and of that etched at 1600 W.
+    if (row.reduced_law.source == "Coulomb with offset") {
+      ++sliding;
+      EXPECT_NEAR(row.reduced_law.value, is_smoother ? 0.23 * 1.12 : 0.53 * 1.0445, 1e-9);
+      EXPECT_NEAR(row.published.value, row.reduced_law.value, 1e-9);
+      EXPECT_NEAR(row.finite_elements.value, is_smoother ? 0.23 : 0.53, 1e-6);
+    } else if (row.reduced_law.source == "slider with offset") {
+      ++rolling;
+      EXPECT_NEAR(row.reduced_law.value, is_smoother ? 7.9e-4 * 6.714 : 4.6e-4 * 14.98, 1e-9);
+      EXPECT_NEAR(row.published.value, row.reduced_law.value, 1e-9);
+    }
+  }
+  EXPECT_EQ(sliding, 2);
+  EXPECT_EQ(rolling, 2);
+  EXPECT_FALSE(says(compared.result, "None of the solved cases"));
+}
+
 TEST(SideBySide, without_parameters_says_what_to_add) {
   Compared compared;
-  compare(compared, {SolvedFolder{}}, false);
+  compare(compared, {SolvedFolder{}}, {});
   EXPECT_TRUE(says(compared.result, "add --parameters FILE"));
   EXPECT_TRUE(says(compared.result, "without finite elements: rolling, torsion"));
 }
 
 TEST(SideBySide, json_and_csv_have_values_reasons_ratios_and_verdicts) {
   Compared compared;
-  compare(compared, {SolvedFolder{}}, true);
+  compare(compared, {SolvedFolder{}}, {silicon});
   const auto json = to_json(compared.result);
   ASSERT_EQ(json["rows"].size(), compared.result.rows.size());
   for (const auto& row : json["rows"])

@@ -20,6 +20,7 @@ struct SolvedFolder {
   double stiffness = 1;                ///< lateral or torsion stiffness over that of the smooth contact
   double friction = 0.23;
   std::string roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=1)";
+  std::string title{};
   ElasticBody particle{71e9, 0.17}, plane{179e9, 0.25};
 
   Hertz hertz() const { return {reduced_modulus(particle, plane), 8.5e-6}; }
@@ -57,7 +58,7 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
   };
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "case.prm",
-                        "subsection Particle\n set Radius = 8.5 um\n" + body(solved.particle) + "end\nsubsection Substrate\n" +
+                        "set Title = " + solved.title + "\nsubsection Particle\n set Radius = 8.5 um\n" + body(solved.particle) + "end\nsubsection Substrate\n" +
                             body(solved.plane) + " set Topography = " + solved.roughness +
                             "\nend\nsubsection Interface\n set Friction coefficient = " + std::to_string(solved.friction) +
                             "\nend\nsubsection Experiment\n set Type = " + solved.experiment +

@@ -34,6 +34,7 @@ TEST(Verdict, speaks_of_factors_beyond_two) {
   EXPECT_EQ(words({{100 * uN, -0.9, NAN}}), "understates the stiffness by a factor of 10 at 100 uN");
   // The sd of 1/0.1 is 0.001/0.1^2.
   EXPECT_EQ(words({{100 * uN, -0.9, 0.001}}), "understates the stiffness by a factor of 10 ± 0.1 at 100 uN");
+  EXPECT_EQ(words({{100 * uN, 119, 13}}), "overstates the stiffness by a factor of 120 ± 13 at 100 uN");
 }
 
 TEST(Verdict, admits_that_a_departure_is_not_told_from_its_uncertainty) {

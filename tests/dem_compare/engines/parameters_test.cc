@@ -6,6 +6,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "dem_compare/paper/published.h"
 #include "tests/dem_compare/engines/canonical_contact.h"
 #include "tests/support/temporary_folder.h"
 
@@ -33,6 +34,29 @@ TEST(ContactParameters, of_the_paper_are_read_with_their_uncertainty_and_load_ra
   EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::particle_radius);
   EXPECT_FALSE(p.torsion_offset);
   EXPECT_DOUBLE_EQ(p.load_range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset)->low, 3e-6);
+}
+
+TEST(ContactParameters_other_code, shipped_for_each_surface_are_those_of_table_2) {
+  const Published published = read_published(test::paper_run("published"));
+  const std::vector<std::string> files{"parameters_silicon.json", "parameters_silicon_1600W.json", "parameters_silicon_1800W.json"};
+  ASSERT_EQ(published.surfaces.size(), files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    SCOPED_TRACE(files[i]);
+    const ContactParameters p = read_contact_parameters(test::paper_run(files[i]));
+    const PublishedSurface& surface = published.surfaces[i];
+    const auto expect_same = [](const std::optional<EffectiveQuantity>& given, const Uncertain& measured) {
+      ASSERT_TRUE(given);
+      EXPECT_NEAR(given->value / measured.value, 1, 1e-9);
+      EXPECT_NEAR(given->sd / measured.sd, 1, 1e-9);
+    };
+    EXPECT_NEAR(p.target.rms / surface.rms.value, 1, 1e-9);
+    expect_same(p.sliding_friction, surface.sliding);
+    expect_same(p.sliding_offset, surface.sliding_offset);
+    expect_same(p.rolling_friction, surface.rolling_r);
+    expect_same(p.rolling_offset, surface.rolling_r_offset);
+    expect_same(p.pull_off_force, surface.pull_off);
+    expect_same(p.torsion_friction, published.quoted("torsion_r"));
+  }
 }
 
 TEST(ContactParameters, survive_writing_and_reading) {
