@@ -14,6 +14,8 @@ h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 4px; letter-spacing: -.01em;
 .subtitle { color: var(--soft); margin: 0 0 26px; }
 h2 { font-size: 1.32rem; margin: 44px 0 12px; padding-top: 14px; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.04rem; margin: 0 0 8px; }
+section > h3 { margin-top: 28px; }
+.wrapped { display: inline-block; white-space: normal; min-width: 13em; text-align: left; }
 p { margin: 0 0 12px; max-width: 52em; }
 .note { color: var(--soft); font-size: .93rem; }
 .verdict { border-left: 6px solid var(--accent); background: #eaf3f9; padding: 18px 24px; border-radius: 0 6px 6px 0; margin: 22px 0; }

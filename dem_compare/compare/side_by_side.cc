@@ -89,18 +89,19 @@ class Assembly {
     std::map<std::string, std::vector<std::string>> labels;
     for (const auto& group : input.collection.groups) {
       contacts_.push_back(contact_of(group));
-      labels[contact_key(group)].push_back(group.label);
+      keys_.push_back(contact_key(group));
+      labels[keys_.back()].push_back(group.label);
     }
-    for (const auto& group : input.collection.groups) labels_.push_back(common_label(labels[contact_key(group)]));
+    for (const auto& key : keys_) labels_.push_back(common_label(labels[key]));
     for (const auto& parameters : input.parameters) add(contact_of(parameters, input.indenter));
   }
 
   std::vector<ComparisonRow> rows() {
+    for (const auto& record : records_) add_rows_of(record);
+    add_rails();
     for (std::size_t g = 0; g < contacts_.size(); ++g)
       for (const auto& point : points_)
         if (point.group == g) add_solved(point);
-    for (const auto& record : records_) add_rows_of(record);
-    add_rails();
     return std::move(rows_);
   }
 
@@ -135,9 +136,13 @@ class Assembly {
                          }) > 1;
     ComparedContact contact = contacts_[point.group];
     if (!is_path) {
-      // A record's own table has it.
+      // A record's own table has it, or an experiment before this one: all press the contact down.
       for (const auto& record : records_)
         if (solved_point(record, point.quantity, point.load) == &point) return;
+      for (const auto& other : points_)
+        if (other.group < point.group && keys_[other.group] == keys_[point.group] && other.quantity == point.quantity &&
+            is_load(other.load, point.load))
+          return;
       // A loading path has its loads in itself; other numbers have theirs in several cases of one contact.
       contact.label = labels_[point.group];
     }
@@ -172,9 +177,10 @@ class Assembly {
     if (const auto* point = solved_point(record, quantity, load)) return point->value;
     FiniteElementValue none;
     const ComparedMode mode = display_of(quantity).mode;
-    none.reason = is_solved(mode) ? "no case of this contact at this load is among the folders"
-                                  : std::string("not solved by finite elements yet: no case of ") + mode_name(mode) +
-                                        " is among the folders";
+    const bool is_told = std::any_of(points_.begin(), points_.end(), [&](const auto& point) { return point.quantity == quantity; });
+    none.reason = !is_solved(mode) ? std::string("not solved by finite elements: no case of ") + mode_name(mode) + " is among the folders"
+                  : is_told        ? "no case of this contact at this load is among the folders"
+                                   : "the solved cases of " + std::string(mode_name(mode)) + " tell no " + display_of(quantity).words;
     return none;
   }
 
@@ -248,6 +254,7 @@ class Assembly {
   EngineColumn& engine_;
   std::vector<FiniteElementPoint> points_;
   std::vector<ComparedContact> contacts_;  ///< of each group
+  std::vector<std::string> keys_;          ///< of each group's contact: the same where only the experiment differs
   std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
   std::vector<Record> records_;
   std::vector<ComparisonRow> rows_;

@@ -38,5 +38,7 @@ SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedCol
 std::string to_csv(const SideBySide& comparison);
 nlohmann::ordered_json to_json(const SideBySide& comparison);
 std::string to_markdown(const SideBySide& comparison);
+/// How closely the engine does what the law says, over all lines of both; "" if none ran.
+std::string engine_sentence(const SideBySide& comparison);
 
 }  // namespace asperity

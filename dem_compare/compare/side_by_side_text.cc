@@ -125,7 +125,27 @@ std::string good_table(const std::vector<LawVerdict>& verdicts) {
   return text;
 }
 
-/// How closely the engine does what the law says, over all lines of both.
+Json verdict_json(const LawVerdict& verdict) {
+  Json object{{"contact", verdict.contact},
+              {"mode", mode_name(display_of(verdict.quantity).mode)},
+              {"quantity", display_of(verdict.quantity).key},
+              {"rail_angle_rad", number_or_null(verdict.rail_angle)},
+              {"law", verdict.law},
+              {"against", verdict.reference},
+              {"text", verdict.text},
+              {"compared_from_N", verdict.compared.low},
+              {"compared_to_N", verdict.compared.high}};
+  object["good_enough"] = Json::array();
+  for (const auto& range : verdict.good)
+    object["good_enough"].push_back({{"from_N", range.low},
+                                     {"to_N", range.high},
+                                     {"from_lowest_compared", range.reaches_lowest},
+                                     {"to_highest_compared", range.reaches_highest}});
+  return object;
+}
+
+}  // namespace
+
 std::string engine_sentence(const SideBySide& comparison) {
   if (comparison.engine.empty() || !comparison.engine_failure.empty()) return "";
   double worst = 0;
@@ -148,27 +168,6 @@ std::string engine_sentence(const SideBySide& comparison) {
                 worst > asked ? ": more than the 1 % asked of an engine; look at its input in the folder engine" : "");
   return text;
 }
-
-Json verdict_json(const LawVerdict& verdict) {
-  Json object{{"contact", verdict.contact},
-              {"mode", mode_name(display_of(verdict.quantity).mode)},
-              {"quantity", display_of(verdict.quantity).key},
-              {"rail_angle_rad", number_or_null(verdict.rail_angle)},
-              {"law", verdict.law},
-              {"against", verdict.reference},
-              {"text", verdict.text},
-              {"compared_from_N", verdict.compared.low},
-              {"compared_to_N", verdict.compared.high}};
-  object["good_enough"] = Json::array();
-  for (const auto& range : verdict.good)
-    object["good_enough"].push_back({{"from_N", range.low},
-                                     {"to_N", range.high},
-                                     {"from_lowest_compared", range.reaches_lowest},
-                                     {"to_highest_compared", range.reaches_highest}});
-  return object;
-}
-
-}  // namespace
 
 std::string to_csv(const SideBySide& comparison) {
   const auto number_cell = [](double value) {
