@@ -143,6 +143,17 @@ std::string contribution_table(const ResistanceFindings& findings) {
              "takes, because hills stay higher and the real contact is another; the last columns say so.");
 }
 
+std::string input_table(const ResistanceFindings& findings) {
+  if (findings.inputs.empty()) return "";
+  Table table{{"input", "contact", "beside", "its factor", "motion", "load", "power of the resistance"}, {}, true};
+  for (const auto& one : findings.inputs)
+    table.rows.push_back({one.input, readable(one.larger->label), readable(one.smaller->label), rounded(one.factor, 3), motion_name(*one.mode),
+                          in_units(one.load, Dimension::force), cell(one.exponent)});
+  return table_html(table) +
+         note("The same surfaces, seed by seed, with one input multiplied by a factor: 1 where the resistance is proportional to it, 0 where it "
+              "does not matter. These inputs are choices of the cases, not results.");
+}
+
 std::string measurement_table(const ResistanceFindings& findings) {
   if (findings.published.magnitudes.empty() && findings.published.trends.empty()) return "";
   Table table{{"quantity", "contact", "load", "simulated", "measured", "simulated / measured", "apart by"}, {}, true};

@@ -130,6 +130,19 @@ Sentences mechanism_sentences(const ResistanceFindings& findings) {
   return list;
 }
 
+Sentences input_sentences(const ResistanceFindings& findings) {
+  Sentences list;
+  for (const auto& one : findings.inputs) {
+    std::string text = motion_name(*one.mode, true) + " of " + one.smaller->label + " and " + one.larger->label + " at " + force_text(one.load) +
+                       " goes with the " + one.input + " to the power " + number_text(one.exponent);
+    const Sign sign = sign_of(one.exponent);
+    if (sign == Sign::none) text += ": no dependence that shows";
+    if (sign == Sign::unknown) text += "; whether that means anything cannot be told";
+    list.push_back(text + ".");
+  }
+  return list;
+}
+
 std::string sigma_words(double sigmas) { return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma"; }
 
 std::string trend_against_paper(const MeasuredTrend& one) {
@@ -239,6 +252,7 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
     result.roughness.push_back(
         "How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
   result.mechanisms = mechanism_sentences(findings);
+  result.inputs = input_sentences(findings);
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
   const Sentences missing = coefficients_that_lack(findings);
   result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem_compare/resistance/against_published.h"
+#include "dem_compare/resistance/input_exponent.h"
 #include "dem_compare/resistance/length_answer.h"
 #include "dem_compare/resistance/switched_off.h"
 
@@ -20,6 +21,7 @@ struct ResistanceFindings {
   std::vector<LengthAnswer> lengths;
   std::vector<Contribution> contributions;
   std::vector<ContributionTrend> contribution_trends;
+  std::vector<InputExponent> inputs;
   AgainstPublished published;
 
   ResistanceFindings() = default;
@@ -38,6 +40,7 @@ struct ResistanceAnswers {
   std::vector<std::string> length;       ///< on lambda
   std::vector<std::string> roughness;    ///< trends with RMS, and which mechanism makes them
   std::vector<std::string> mechanisms;   ///< what switching one off changes
+  std::vector<std::string> inputs;       ///< what goes with local friction, works of adhesion, yield stresses
   std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
   std::vector<std::string> care;         ///< what stands in the way of more
 };

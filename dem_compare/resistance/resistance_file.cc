@@ -137,6 +137,17 @@ Json json_of(const ContributionTrend& one) {
           {"relative_per_metre", json_of(one.relative())}};
 }
 
+Json json_of(const InputExponent& one) {
+  return {{"input", one.input},
+          {"larger", one.larger->label},
+          {"smaller", one.smaller->label},
+          {"factor", one.factor},
+          {"experiment", one.mode->experiment},
+          {"load", one.load},
+          {"realisations", one.realisations},
+          {"exponent", json_of(one.exponent)}};
+}
+
 Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array();
   for (const auto& one : published.magnitudes)
@@ -199,6 +210,7 @@ Json resistance_json(const ResistanceFindings& findings) {
             {"length", said.length},
             {"roughness", said.roughness},
             {"mechanisms", said.mechanisms},
+            {"inputs", said.inputs},
             {"measurement", said.measurement},
             {"care", said.care}}},
           {"contacts", list_of(findings.study.contacts)},
@@ -206,6 +218,7 @@ Json resistance_json(const ResistanceFindings& findings) {
           {"length", list_of(findings.lengths)},
           {"contributions", list_of(findings.contributions)},
           {"contributions_over_roughness", list_of(findings.contribution_trends)},
+          {"inputs", list_of(findings.inputs)},
           {"published", json_of(findings.published)}};
 }
 

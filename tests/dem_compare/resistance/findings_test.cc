@@ -235,6 +235,38 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
       says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
 }
 
+TEST(ResistanceInput_analytic, powers_of_what_was_put_in_come_back) {
+  MovingFolder full;
+  full.experiment = "rolling", full.friction = 1e-14, full.adhesion = 2e-13, full.plastic = 3e-14, full.noise = 0.02, full.local_friction = 0.3;
+  full.work_of_adhesion = "77 mJ/m^2";
+  MovingFolder slippery = full, dry = full, soft = full, both = full;
+  slippery.local_friction = 0.15, slippery.random = 2;
+  dry.work_of_adhesion = "38.5 mJ/m^2", dry.adhesion = 1e-13, dry.random = 3;
+  soft.yield_stress = "1.5 GPa", soft.plastic = 9e-14, soft.random = 4;
+  both.work_of_adhesion = "38.5 mJ/m^2", both.local_friction = 0.15, both.adhesion = 1e-13, both.random = 5;
+  const Study study({{"full", full}, {"half friction", slippery}, {"half adhesion", dry}, {"half yield", soft}, {"both", both}});
+  // Beside each other: full and each half, and both beside its two halves.
+  ASSERT_EQ(study.findings.inputs.size(), 5u);
+  const auto power = [&](const std::string& input, const std::string& smaller, const std::string& larger) {
+    for (const auto& one : study.findings.inputs)
+      if (one.input == input && one.smaller->label == smaller && one.larger->label == larger) return one;
+    ADD_FAILURE() << input;
+    return InputExponent{};
+  };
+  const InputExponent friction = power("local friction", "half friction", "full"), adhesion = power("works of adhesion", "half adhesion", "full"),
+                      yield = power("yield stresses", "half yield", "full");
+  EXPECT_NEAR(friction.factor, 2, 1e-12);
+  EXPECT_NEAR(friction.exponent.value, 0, 3 * friction.exponent.sd);
+  EXPECT_NEAR(adhesion.exponent.value, std::log2(24. / 14), 3 * adhesion.exponent.sd);
+  EXPECT_NEAR(yield.exponent.value, std::log2(24. / 30), 3 * yield.exponent.sd);
+  EXPECT_LT(adhesion.exponent.sd, 0.05);
+  const auto said = answers(study.findings).inputs;
+  EXPECT_TRUE(says(said, "Rolling of half adhesion and full at 100 uN goes with the works of adhesion to the power 0.7"));
+  EXPECT_TRUE(says(said, "no dependence that shows"));
+  // Inputs are not mechanisms that were switched off.
+  EXPECT_TRUE(study.findings.contributions.empty());
+}
+
 /// Cases of one motion on each of the paper's surfaces.
 template <class Friction>
 std::vector<StudyEntry> on_the_papers_surfaces(const Published& published, const std::string& experiment, double load, const Friction& friction) {
