@@ -143,14 +143,14 @@ int ContactSolver::newton_direction(const TangentField* tangent, double spring, 
     // Attraction that falls with the gap softens; where that makes the matrix indefinite, as in a jump, it is left out for some steps.
     convex_steps_left_ = 0;
     try {
-      system_.linear().update(tractions_.stiffness(false), tangent, spring);
+      system_.linear().update(tractions_.stiffness(false, slip_stiffness_), tangent, spring);
       iterations = system_.linear().solve(direction, residual, accuracy);
       if (residual * direction > 0 && iterations < iterations_of_definite) return iterations;
     } catch (const WorkError&) {
     }
     convex_steps_left_ = convex_steps;
   }
-  system_.linear().update(tractions_.stiffness(true), tangent, spring);
+  system_.linear().update(tractions_.stiffness(true, slip_stiffness_), tangent, spring);
   return iterations + system_.linear().solve(direction, residual, accuracy);
 }
 
@@ -207,6 +207,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   }
   double error = evaluate(state, target, residual, tangent);
 
+  slip_stiffness_ = SlipStiffness::tangent;
   LineSearch search(error, tractions_.has_friction() ? patience_with_friction : patience_without);
   bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
@@ -235,8 +236,14 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
         error = evaluate(state, target, residual, tangent);
         return residual * direction;
       };
+      const double error_before = error;
       const double step = search.step(slope, slope_at);
       search.reached(error);
+      // Cut steps tell of slip that turns into stick: tangents let what slips run past it, secants lead there.
+      constexpr double little_progress = 0.5;
+      const bool is_slow = error > little_progress * error_before;
+      const bool stays = slip_stiffness_ == SlipStiffness::secant ? !is_slow : !is_slow && step >= 1;
+      if (!stays) slip_stiffness_ = slip_stiffness_ == SlipStiffness::secant ? SlipStiffness::tangent : SlipStiffness::secant;
       if (log)
         log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
             " cg " + std::to_string(report.linear) + " active " + std::to_string(tractions_.closed()) + " sticking " +

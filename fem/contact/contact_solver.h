@@ -20,7 +20,7 @@ struct ContactSolverOptions {
   double residual_tolerance = 1e-6;     ///< sum of unbalanced nodal forces relative to the contact force
   double penetration_tolerance = 1e-3;  ///< change of the pressures by a multiplier update, relative, in the 1-norm
   double slip_tolerance = 3e-3;         ///< the same of the shear tractions
-  double penalty_factor = 8.0;          ///< eps = factor E* / spacing
+  double penalty_factor = 4.0;          ///< eps = factor E* / spacing
   int largest_newton = 60, largest_updates = 40;
   std::shared_ptr<const FrictionLaw> friction;  ///< null: none
   AdhesionLaws adhesion;                        ///< empty: none
@@ -85,6 +85,7 @@ class ContactSolver {
   ContactSystem& system_;
   ContactSolverOptions options_;
   TangentField tangent_;
+  SlipStiffness slip_stiffness_ = SlipStiffness::tangent;
   int convex_steps_left_ = 0;  ///< in which Newton's direction leaves the softening of attraction out
   double penalty_;       ///< eps [Pa/m]
   InterfaceTractions tractions_;

@@ -188,13 +188,17 @@ int InterfaceTractions::sticking() const {
   return static_cast<int>(std::count_if(shear_.begin(), shear_.end(), [](const Shear& s) { return !s.slips; }));
 }
 
-std::vector<RowStiffness> InterfaceTractions::stiffness(bool convex) const {
+std::vector<RowStiffness> InterfaceTractions::stiffness(bool convex, SlipStiffness slip) const {
   std::vector<RowStiffness> stiffness(pressure_.size());
   for (std::size_t r = 0; r < stiffness.size(); ++r) {
     const double k = penalty_ * system_.areas()[r];
     if (pressure_[r] > 0) stiffness[r].normal = k;
     if (!convex && !attraction_.empty()) stiffness[r].normal += attraction_[r].slope * system_.areas()[r];
     if (!friction_) continue;
+    if (slip == SlipStiffness::secant && shear_[r].slips) {
+      stiffness[r].xx = stiffness[r].yy = k * shear_[r].secant();
+      continue;
+    }
     stiffness[r].xx = k * shear_[r].xx;
     stiffness[r].xy = k * shear_[r].xy;
     stiffness[r].yy = k * shear_[r].yy;

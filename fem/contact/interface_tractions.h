@@ -17,6 +17,11 @@
 
 namespace asperity::fem {
 
+/// How rows that slip resist further slip: by the derivative of their traction, nothing along it; or by traction over trial traction, which
+/// bounds their convex potential from above, so that a whole step always leads down (Weiszfeld 1937; Chan & Mulet 1999, SIAM J. Numer.
+/// Anal. 36, 354), but slowly where much slips far.
+enum class SlipStiffness { tangent, secant };
+
 class InterfaceTractions {
  public:
   /// friction: null for none. penalty: eps [Pa/m].
@@ -63,8 +68,8 @@ class InterfaceTractions {
   int closed() const;
   /// Rows that stick; those without friction slip.
   int sticking() const;
-  /// Consistent stiffness of the rows at the evaluated state; without what attraction takes from it if `convex`.
-  std::vector<RowStiffness> stiffness(bool convex) const;
+  /// Stiffness of the rows at the evaluated state; without what attraction takes from it if `convex`.
+  std::vector<RowStiffness> stiffness(bool convex, SlipStiffness slip) const;
   /// Work of the shear on the slip since the last accepted state, at the mean of both states' limits [J]. Slip is the mean of what the
   /// couplings before and after the step see of the same displacements. Both make the balance of energy one of second order in the step.
   double friction_work(const ContactState& state) const;

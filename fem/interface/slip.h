@@ -18,6 +18,9 @@ struct Shear {
   PlaneVector traction;     ///< [Pa]
   double xx, xy, yy;        ///< -dt/ds over eps [-]
   bool slips;
+
+  /// |t|/|t*|: the traction is this share of the trial one.
+  double secant() const { return slips ? xx + yy : 1; }
 };
 
 inline Shear return_to_limit(const PlaneVector& trial, double limit) {

@@ -67,6 +67,17 @@ TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative
     }
 }
 
+TEST(Slip_analytic, secant_takes_the_trial_traction_to_the_traction_and_bounds_the_tangent) {
+  for (const PlaneVector trial : {PlaneVector{3, 4}, PlaneVector{-1, 0.2}, PlaneVector{0.1, -7}})
+    for (const double limit : {0.5, 2.0, 100.0}) {
+      const Shear shear = return_to_limit(trial, limit);
+      for (int c = 0; c < 2; ++c) EXPECT_NEAR(shear.secant() * trial[c], shear.traction[c], 1e-14);
+      // secant I - tangent has no negative direction.
+      EXPECT_GE(shear.secant() - shear.xx, -1e-15);
+      EXPECT_GE((shear.secant() - shear.xx) * (shear.secant() - shear.yy) - shear.xy * shear.xy, -1e-15);
+    }
+}
+
 TEST(Slip_analytic, of_a_converged_step_is_against_its_traction) {
   // Multipliers at their fixed point, t = lambda: what slips moves against t, what sticks does not move.
   for (double angle = 0; angle < 6.3; angle += 0.1) {
