@@ -38,6 +38,29 @@ TEST(Rolling_analytic, a_smooth_elastic_sphere_without_friction_meets_no_resista
   EXPECT_LT(std::abs(sum / steps), 0.1 * fem::rolling_noise);
 }
 
+/// Six contact radii of a small sphere are a fifth of a radian to both sides. There a load leans on a hemisphere that is held at its
+/// equator, which gives way a little more: a moment that is given back on the other side, and no resistance.
+TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
+  FrictionalContactOptions o;
+  o.radius = 2.5e-6;
+  o.friction = 0;
+  o.cells_per_radius = 8;
+  constexpr double far = 0.185;
+  o.way = 2 * far * o.radius;
+  FrictionalContact contact(o);
+  const double a = contact.contact_radius, h = a / o.cells_per_radius, unit = o.load * a;
+  const auto mean_moment = [&](double side) {
+    constexpr int steps = 6;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) sum += contact.roll(side * (far - 0.37 * i * h / o.radius)).rolling_moment / unit / steps;
+    return sum;
+  };
+  const double before = mean_moment(-1), after = mean_moment(1);
+  std::printf("moment over load and contact radius: %.1e and %.1e, mean of both sides %.1e\n", before, after, (before + after) / 2);
+  EXPECT_LT(std::abs(before + after) / 2, 0.2 * fem::rolling_noise);
+  EXPECT_LT(std::max(std::abs(before), std::abs(after)), 3e-3);
+}
+
 struct Creep {
   double along = 0, across = 0;  ///< by which the particle leads pure rolling, per way rolled
   double spin = 0;               ///< per way rolled, times the contact radius
