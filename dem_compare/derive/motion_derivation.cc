@@ -29,6 +29,7 @@ struct MotionCase {
   }
 };
 
+/// As `steady_resistance` tells of a moment; none where the history holds no energies.
 std::optional<SteadyResistance> dissipated_in_rolling(const SolvedCase& solved) {
   const auto moving = rolled_with_energies(solved);
   if (!moving) return std::nullopt;
