@@ -18,6 +18,7 @@
 #include "core/atomic_file.h"
 #include "core/child_process.h"
 #include "core/error.h"
+#include "core/wait_text.h"
 
 namespace asperity {
 namespace {
@@ -31,17 +32,6 @@ constexpr auto report_interval = std::chrono::seconds(30);
 constexpr auto stop_grace = std::chrono::seconds(10);
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::string duration(double seconds) {
-  char buffer[32];
-  if (seconds < 90)
-    std::snprintf(buffer, sizeof buffer, "%.0f s", seconds);
-  else if (seconds < 5400)
-    std::snprintf(buffer, sizeof buffer, "%.0f min", seconds / 60);
-  else
-    std::snprintf(buffer, sizeof buffer, "%.1f h", seconds / 3600);
-  return buffer;
-}
 
 volatile sig_atomic_t stop_requested = 0;
 
@@ -231,7 +221,7 @@ class StudyRun {
     });
     const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(study_.cases.size()) + "] ";
     options_.say(counter + name + ": " +
-                 (progress.state == State::done ? "done in " + duration(progress.seconds) : "failed: " + progress.message) +
+                 (progress.state == State::done ? "done in " + wait_text(progress.seconds) : "failed: " + progress.message) +
                  time_left());
   }
 
@@ -244,7 +234,7 @@ class StudyRun {
       if (progress_[i].state == State::waiting) seconds += mean;
     for (const auto& running : running_)
       if (progress_[running.index].state == State::running) seconds += std::max(0.0, mean - seconds_since(running.start));
-    return seconds > 0 ? "; about " + duration(seconds / parallel_) + " left" : "";
+    return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
   }
 
   void report_running_cases() {

@@ -22,27 +22,37 @@ class LineSearch {
   /// the slope, negative beyond the lowest energy. Returns the step that it moved to last.
   template <typename SlopeAt>
   double step(double slope, const SlopeAt& slope_at) const {
-    return barren_ < patience_ ? with_few_cuts(slope, slope_at) : to_lowest(slope, slope_at);
+    const double whole = slope_at(1.0);
+    if (whole > far_from_lowest * slope) return lengthened(slope, slope_at);
+    return barren_ < patience_ ? with_few_cuts(slope, whole, slope_at) : to_lowest(slope, whole, slope_at);
   }
 
  private:
-  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in equilibrium the
-  /// iteration comes back in few full steps, with fewer it creeps.
+  /// Directions that leave the softening of attraction out fall short where it sets the pace.
   template <typename SlopeAt>
-  static double with_few_cuts(double slope, const SlopeAt& slope_at) {
+  static double lengthened(double slope, const SlopeAt& slope_at) {
+    double step = 1, here = slope;
+    for (int k = 0; k < most_doublings && here > far_from_lowest * slope; ++k) here = slope_at(step *= 2);
+    if (here < -slope_left * slope) slope_at(step *= 0.75);
+    return step;
+  }
+
+  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in equilibrium the
+  /// iteration comes back in few full steps, with fewer it creeps. `here`: the slope after a whole step.
+  template <typename SlopeAt>
+  static double with_few_cuts(double slope, double here, const SlopeAt& slope_at) {
     double step = 1;
-    for (int trial = 0; trial < largest_trials; ++trial) {
-      const double here = slope_at(step);
-      if (here > -overshoot_allowed * slope) break;
-      if (trial + 1 < largest_trials) step *= std::max(shortest_cut, slope / (slope - here));
+    for (int cut = 0; cut < most_cuts && here <= -overshoot_allowed * slope; ++cut) {
+      step *= std::max(shortest_cut, slope / (slope - here));
+      here = slope_at(step);
     }
     return step;
   }
 
   /// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more closely.
   template <typename SlopeAt>
-  static double to_lowest(double slope, const SlopeAt& slope_at) {
-    double low = 0, high = 1, slope_low = slope, slope_high = slope_at(1.0), step = 1;
+  static double to_lowest(double slope, double slope_high, const SlopeAt& slope_at) {
+    double low = 0, high = 1, slope_low = slope, step = 1;
     for (int k = 0; k < most_closing_steps && (step < 1 || slope_high < -slope_left * slope); ++k) {
       step = low + (high - low) * std::clamp(slope_low / (slope_low - slope_high), 0.1, 0.9);
       const double here = slope_at(step);
@@ -53,8 +63,8 @@ class LineSearch {
     return step;
   }
 
-  static constexpr int largest_trials = 3, most_closing_steps = 10;
-  static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3;
+  static constexpr int most_cuts = 2, most_closing_steps = 10, most_doublings = 5;
+  static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3, far_from_lowest = 0.5;
   int patience_;
   double least_ = 0;
   int barren_ = 0;

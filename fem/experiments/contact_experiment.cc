@@ -10,10 +10,13 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"
-#include "fem/experiments/external_work.h"
+#include "core/wait_text.h"
+#include "fem/experiments/energy_balance.h"
+#include "fem/experiments/free_rolling.h"
 #include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
+#include "fem/output/progress_line.h"
 #include "fem/output/result_file.h"
 
 namespace asperity::fem {
@@ -21,36 +24,6 @@ namespace {
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// What the work up to a step has become: stored in the bodies and in attraction, or dissipated [J].
-double stored_energy(const StepRecord& r) {
-  return r.elastic_energy + r.plastic_work + r.friction_work + r.adhesion_energy + r.adhesion_loss;
-}
-
-/// What moves sideways at a step, for the log.
-std::string motion_of(const StepRecord& r) {
-  std::string text;
-  if (r.shift != 0)
-    text += "  shift " + format_quantity(r.lateral_displacement, Dimension::length) + "  lateral force " + format_quantity(r.lateral_force, Dimension::force);
-  if (r.rolling_angle != 0) {
-    char moment[32];
-    std::snprintf(moment, sizeof moment, "%.4g N m", r.rolling_moment);
-    text += "  rolled " + format_quantity(r.rolling_angle, Dimension::angle) + "  moment " + moment;
-  }
-  if (r.torsion_angle != 0) {
-    char moment[32];
-    std::snprintf(moment, sizeof moment, "%.4g N m", r.torsion_moment);
-    text += "  spin " + format_quantity(r.torsion_angle, Dimension::angle) + "  moment " + moment;
-  }
-  return text;
-}
-
-std::string duration(double s) {
-  char text[32];
-  if (s < 90) std::snprintf(text, sizeof text, "%.0f s", s);
-  else std::snprintf(text, sizeof text, "%.0f min", s / 60);
-  return text;
 }
 
 }  // namespace
@@ -85,7 +58,7 @@ void ContactExperiment::start() {
   state_.motion = program_.front().motion;
   require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
   say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
-      system_->linear().description() + " (" + duration(seconds() - started_) + ")");
+      system_->linear().description() + " (" + wait_text(seconds() - started_) + ")");
 }
 
 bool ContactExperiment::resume() {
@@ -128,17 +101,13 @@ void ContactExperiment::run() {
     far_field_ = solver_->far_field_compliance(radius);
     lateral_far_field_ = solver_->lateral_far_field_compliance(radius);
   }
-  const auto steps = program_.size();
-  for (std::size_t k = records_.size(); k < steps; ++k) {
+  const std::size_t steps = program_.size(), first = records_.size();
+  for (std::size_t k = first; k < steps; ++k) {
     const double began = seconds();
     step_to(program_[k], static_cast<int>(k) + 1);
-    const auto& r = records_.back();
-    const double left = (seconds() - started_) / (k + 1 - 0.0) * static_cast<double>(steps - k - 1);
-    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + "  load " + format_quantity(r.normal_force, Dimension::force) + motion_of(r) +
-        "  approach " + format_quantity(r.normal_displacement, Dimension::length) + "  area " +
-        std::to_string(r.contact_area * 1e12).substr(0, 7) + " um^2  p_max " + format_quantity(r.max_pressure, Dimension::pressure) +
-        "  newton " + std::to_string(static_cast<int>(r.newton_iterations)) + "  cg " +
-        std::to_string(static_cast<int>(r.linear_iterations)) + "  " + duration(seconds() - began) + "  left ~" + duration(left));
+    const double left = (seconds() - started_) / static_cast<double>(k + 1 - first) * static_cast<double>(steps - k - 1);
+    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + progress_of(records_.back()) + "  " + wait_text(seconds() - began) +
+        "  left ~" + wait_text(left));
   }
   write_result();
 }
@@ -149,30 +118,10 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   // What free rolling gave way to stays.
   if (input_.experiment.type == ExperimentInput::Type::program) motion.x = state_.motion.x + station.motion.x - previous->motion.x;
   if (!station.rolls_freely) return motion;
-  const double radius = setup_.motion.rolling_radius;
-  double way_per_angle = radius, back = 0;
-  // Free rolling: what lateral force the last step left is given way to, and a quarter of it enters the way per angle, which is
-  // shorter than the radius by about the approach.
-  const StepRecord& last = records_.back();
-  if (lateral_stiffness_ > 0 && solver_->has_friction()) {
-    back = last.lateral_force / lateral_stiffness_;
-    const StepRecord* before = records_.size() > 1 ? &records_[records_.size() - 2] : nullptr;
-    const double rolled = before ? last.rolling_angle - before->rolling_angle : 0.0;
-    if (is_left_from_before())
-      way_per_angle = radius - last.normal_displacement;
-    else if (rolled != 0 && previous->rolls_freely)
-      way_per_angle = (last.shift - before->shift + before->lateral_force / lateral_stiffness_ - 0.25 * back) / rolled;
-  }
-  motion.x = state_.motion.x + way_per_angle * (motion.roll - state_.motion.roll) - back;
+  const double stiffness = solver_->has_friction() ? lateral_stiffness_ : 0.0;
+  const RollingStep step = free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
+  motion.x = state_.motion.x + step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
   return motion;
-}
-
-bool ContactExperiment::is_left_from_before() const {
-  std::size_t begin = records_.size() - 1;  // the last station that did not roll freely
-  while (begin > 0 && program_[begin].rolls_freely) --begin;
-  constexpr double little = 0.02;
-  if (std::abs(records_[begin].lateral_force) <= little * records_[begin].normal_force) return false;
-  return std::abs(records_.back().rolling_angle - records_[begin].rolling_angle) * setup_.motion.rolling_radius < setup_.hertz_radius;
 }
 
 double ContactExperiment::expected_approach(double target) const {
@@ -238,41 +187,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   r.largest_plastic_strain = energies.largest_plastic_strain;
   r.largest_von_mises = energies.largest_von_mises;
   records_.push_back(r);
-  balance_energy();
-}
-
-void ContactExperiment::balance_energy() {
-  // All steps anew: a step's work becomes better known with the one that follows.
-  std::vector<double> delta, pressing;
-  for (const auto& r : records_) delta.push_back(r.driven_displacement), pressing.push_back(r.normal_force + r.attraction);
-  std::vector<double> work = external_work(delta, pressing);
-  // Attraction makes no power law of the approach, it varies little: trapezia, and for what came before the first step what that stores.
-  double attracted = solver_->has_adhesion() ? work.front() - stored_energy(records_.front()) : 0.0;
-  for (std::size_t k = 0; k < work.size(); ++k) {
-    if (k > 0) attracted += 0.5 * (records_[k - 1].attraction + records_[k].attraction) * (delta[k] - delta[k - 1]);
-    work[k] -= attracted;
-  }
-  // Shift and spin: trapezia over their steps.
-  double sideways = 0;
-  for (std::size_t k = 1; k < records_.size(); ++k) {
-    const StepRecord &a = records_[k - 1], &b = records_[k];
-    sideways += 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
-    sideways += 0.5 * (a.lateral_force_across + b.lateral_force_across) * (b.shift_across - a.shift_across);
-    // The moment about the contact comes with a lateral force at the particle's centre; the axis of rolling spins with the particle.
-    const double heading = 0.5 * (a.torsion_angle + b.torsion_angle), radius = setup_.motion.rolling_radius;
-    const auto about_centre = [&](const StepRecord& r) {
-      return std::cos(heading) * (r.rolling_moment - radius * r.lateral_force) - std::sin(heading) * radius * r.lateral_force_across;
-    };
-    sideways += 0.5 * (about_centre(a) + about_centre(b)) * (b.rolling_angle - a.rolling_angle);
-    work[k] += sideways;
-  }
-  double largest = std::numeric_limits<double>::min();
-  for (const double w : work) largest = std::max(largest, std::abs(w));
-  for (std::size_t k = 0; k < records_.size(); ++k) {
-    StepRecord& r = records_[k];
-    r.work = work[k];
-    r.energy_error = (r.work - stored_energy(r)) / largest;
-  }
+  balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
 }
 
 StepRecord ContactExperiment::record(int step, const SolveReport& report) {
@@ -294,6 +209,7 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   r.torsion_angle = state_.motion.spin;
   r.torsion_moment = c.torsion_moment;
   r.sticking_share = c.active > 0 ? static_cast<double>(c.sticking) / c.active : 0;
+  r.contact_radius = c.radius;
   r.contact_area = c.area;
   r.max_pressure = c.largest_pressure;
   r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
@@ -303,14 +219,6 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
                               std::abs(c.lateral_reaction[1] - c.lateral_force[1]) / c.force});
   r.moment_error = c.moment_error;
   r.reaches_rim = c.reaches_rim;
-  // Radius of the Hertzian pressure with the same second moment: the mean of r^2 under it is 2 a^2 / 5.
-  double force = 0, x = 0, y = 0, square = 0;
-  for (std::size_t k = 0; k < state_.multiplier.size(); ++k) {
-    const double f = state_.multiplier[k] * system_->areas()[k];
-    const auto& p = system_->row_points()[k];
-    force += f, x += f * p[0], y += f * p[1], square += f * (p[0] * p[0] + p[1] * p[1]);
-  }
-  if (force > 0) r.contact_radius = std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force));
   r.newton_iterations = report.newton;
   r.linear_iterations = report.linear;
   r.penetration = report.penetration;

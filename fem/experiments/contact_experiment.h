@@ -24,10 +24,7 @@ class ContactExperiment {
   double expected_approach(double target) const;
   /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free of lateral force.
   RigidMotion towards(const Station& station, const Station* before) const;
-  /// True while a contact that begins to roll freely has not yet left behind the lateral force that an earlier motion put there.
-  bool is_left_from_before() const;
   void solve_with_retries(double target, const RigidMotion& motion);
-  void balance_energy();
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();

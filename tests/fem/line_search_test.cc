@@ -30,6 +30,16 @@ TEST(LineSearch, cuts_a_step_far_beyond_the_lowest_energy_only_in_part) {
   EXPECT_GT(step, 0.1);
 }
 
+TEST(LineSearch, goes_on_where_a_whole_step_leads_far_short_of_the_lowest_energy) {
+  Energy far{6};
+  EXPECT_EQ(LineSearch(1, 0).step(36, [&](double s) { return far(s); }), 2);
+  EXPECT_EQ(far.asked, 2);
+  const auto falls_late = [&](double s) { return s < 4 ? 4.0 : Energy{2}(s); };  // gone past the lowest energy it comes back by a quarter
+  EXPECT_EQ(LineSearch(1, 3).step(4, falls_late), 3);
+  Energy endless{1e6};
+  EXPECT_EQ(LineSearch(1, 3).step(1e12, [&](double s) { return endless(s); }), 32);
+}
+
 TEST(LineSearch, finds_the_lowest_energy_closely_after_steps_without_progress) {
   LineSearch search(1, 3);
   for (int k = 0; k < 3; ++k) search.reached(1.5);

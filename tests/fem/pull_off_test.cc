@@ -13,12 +13,26 @@ namespace {
 
 using namespace asperity;
 
+/// Attraction that may be left out, so that a contact can be made by pressing: a jump into contact takes a fine mesh many iterations,
+/// for the contact then grows by a ring of cells in each.
+class SwitchedAttraction : public fem::AdhesionLaw {
+ public:
+  explicit SwitchedAttraction(const fem::Dugdale& law) : law_(law) {}
+  Attraction at(double gap) const override { return is_on ? law_.at(gap) : Attraction{0, 0, 0}; }
+  double range() const override { return law_.range(); }
+  bool is_on = true;
+
+ private:
+  fem::Dugdale law_;
+};
+
 /// Sphere and block of equal elastic constants under displacement control; `cells`: spacings in Maugis' unit of contact radius.
 struct AdhesiveSphere {
   static constexpr double youngs = 71e9, poisson = 0.17, radius = 8.5e-6, work = 0.1;
   static constexpr double K = 4.0 / 3 * youngs / (2 * (1 - poisson * poisson));  ///< Maugis' modulus
   MaugisDugdale law;
   double unit_radius, unit_approach, range;
+  std::shared_ptr<SwitchedAttraction> attraction;
   fem::ContactSystem system;
   fem::ContactSolver solver;
   fem::ContactState state;
@@ -29,8 +43,9 @@ struct AdhesiveSphere {
         unit_radius(std::cbrt(M_PI * work * radius * radius / K)),
         unit_approach(unit_radius * unit_radius / radius),
         range(work / law.cohesive_stress),
+        attraction(std::make_shared<SwitchedAttraction>(fem::Dugdale(work, range, half_ramp))),
         system(MPI_COMM_WORLD, system_options(cells)),
-        solver(system, solver_options(half_ramp)),
+        solver(system, solver_options()),
         state(solver.first_touch()),
         far_field(solver.far_field_compliance(unit_radius)) {}
 
@@ -51,9 +66,9 @@ struct AdhesiveSphere {
     s.region_substrate = s.region_particle + 3 * s.spacing_particle;
     return o;
   }
-  fem::ContactSolverOptions solver_options(double half_ramp) const {
+  fem::ContactSolverOptions solver_options() const {
     fem::ContactSolverOptions o;
-    o.adhesion.closing = o.adhesion.opening = std::make_shared<fem::Dugdale>(work, range, half_ramp);
+    o.adhesion.closing = o.adhesion.opening = attraction;
     return o;
   }
 
@@ -61,7 +76,7 @@ struct AdhesiveSphere {
     const auto report = solver.solve(state, approach_in_units * unit_approach);
     EXPECT_TRUE(report.converged) << approach_in_units;
     const auto r = solver.resultants(state);
-    EXPECT_NEAR(r.reaction_driven, r.force, 1e-5 * std::max(r.attraction, 1e-3 * law.pull_off_force()));
+    EXPECT_NEAR(r.reaction_driven, r.force, 1e-5 * std::max({r.attraction, std::abs(r.force), 1e-3 * law.pull_off_force()}));
     return r;
   }
   bool touches() const {
@@ -107,13 +122,15 @@ TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_on_a_finer_mesh) {
   for (const double lambda : {0.1, 0.3, 0.7, 1.0}) expect_pull_off(lambda, 16, 0.05);
 }
 
-/// Towards JKR the ring of attraction is narrow and asks for fine cells. The contact that has just formed is led past JKR's approach at
-/// pull-off, a^2 - (8a/3)^(1/2) at a^3 = 3/2 in Maugis' units; the tension is flat there.
+/// Towards JKR the ring of attraction is narrow and asks for fine cells. A contact made by pressing is led past JKR's approach at pull-off,
+/// a^2 - (8a/3)^(1/2) at a^3 = 3/2 in Maugis' units; the tension is flat there.
 /// Returns it in units of pi w R.
 double expect_pull_off_towards_jkr(double lambda, double cells) {
   constexpr double approach_of_jkr = -0.437;
   AdhesiveSphere s(lambda, cells, fem::Dugdale::usual_half_ramp);
-  s.go_to(0.98 * jump_in(lambda));
+  s.attraction->is_on = false;
+  s.go_to(1.6);  // as wide by Hertz as JKR's contact where the way begins
+  s.attraction->is_on = true;
   double largest = 0;
   for (const double beyond : {0.09, 0.04, -0.01, -0.06, -0.11}) {
     const double tension = -s.go_to(approach_of_jkr + beyond).force;
@@ -130,6 +147,12 @@ double expect_pull_off_towards_jkr(double lambda, double cells) {
 TEST(PullOffNightly_analytic, follows_Maugis_to_within_three_percent_of_JKR_on_a_finer_mesh) {
   const double in_units = expect_pull_off_towards_jkr(2, 20);
   EXPECT_NEAR(in_units, 1.5, 0.03 * 1.5);
+}
+
+/// In JKR's limit but for 1.2 %; 12 min on one core.
+TEST(PullOffNightly_analytic, is_that_of_JKR_where_attraction_hardly_reaches) {
+  const double in_units = expect_pull_off_towards_jkr(3, 40);
+  EXPECT_NEAR(in_units, 1.5, 0.02 * 1.5);
 }
 
 void expect_jump_in(double lambda, double cells, double step) {

@@ -1,0 +1,83 @@
+// Forces, moments and contact area of a state, from the interface's tractions and from the bodies' reactions.
+#include <algorithm>
+#include <cmath>
+
+#include "fem/contact/contact_area.h"
+#include "fem/contact/contact_solver.h"
+
+namespace asperity::fem {
+namespace {
+
+/// Radius a of the Hertzian pressure with the same second moment, which is 2 a^2 / 5 under it.
+double hertzian_radius(const ContactSystem& system, const std::vector<double>& pressure) {
+  double force = 0, x = 0, y = 0, square = 0;
+  for (std::size_t r = 0; r < pressure.size(); ++r) {
+    const double f = pressure[r] * system.areas()[r];
+    const auto& p = system.row_points()[r];
+    force += f, x += f * p[0], y += f * p[1], square += f * (p[0] * p[0] + p[1] * p[1]);
+  }
+  return force > 0 ? std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force)) : 0.0;
+}
+
+}  // namespace
+
+ContactResultants ContactSolver::resultants(const ContactState& state) const {
+  const auto& level = system_.level();
+  ContactResultants result;
+  double moment_x = 0, moment_y = 0;
+  const std::vector<double> gap = gaps(state);
+  const double radius = system_.options().mesh.sizes.radius;
+  const Rotation turn = rotation(state.motion);
+  std::array<std::vector<double>, 3> displacement;
+  for (int c = 0; c < 3; ++c) displacement[c] = system_.interface().nodes().gather(state.displacement.begin(), c);
+  result.sticking = tractions_.has_friction() ? tractions_.sticking() : 0;
+  for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
+    const double p = state.multiplier[r];
+    const int own = system_.rows()[r].node;
+    auto material = system_.interface_points()[own];
+    for (int c = 0; c < 3; ++c) material[c] += displacement[c][own];
+    const auto place = turned(turn, material, radius);
+    const double attraction = tractions_.has_adhesion() ? tractions_.attraction(state, static_cast<int>(r), gap[r]).stress : 0.0;
+    const double force = (p - attraction) * system_.areas()[r];
+    const auto& slope = system_.interface().slope(static_cast<int>(r));
+    const double fx = state.shear[0][r] * system_.areas()[r] + force * slope[0], fy = state.shear[1][r] * system_.areas()[r] + force * slope[1];
+    result.lateral_force[0] -= fx, result.lateral_force[1] -= fy;
+    result.torsion_moment -= place[0] * fy - place[1] * fx;
+    result.rolling_moment -= place[2] * fx - place[0] * force;
+    if (p > 0) ++result.active;
+    result.reaches_rim = result.reaches_rim || (p > 0 && system_.on_rim()[r]);
+    if (force == 0) continue;
+    result.force += force;
+    result.attraction += attraction * system_.areas()[r];
+    result.largest_pressure = std::max(result.largest_pressure, p - attraction);
+    system_.interface().for_row(static_cast<int>(r), [&](int node, double weight) {
+      const bool particle = system_.interface().nodes().site(node).body == 0;
+      const auto& at = particle ? system_.row_points()[r] : system_.interface_points()[node];
+      moment_x += force * weight * (at[1] + (particle ? system_.coupled().y : 0.0));
+      moment_y += force * weight * (at[0] + (particle ? system_.coupled().x : 0.0));
+    });
+  }
+  std::vector<std::array<double, 2>> points;
+  for (const auto& p : system_.row_points()) points.push_back({p[0], p[1]});
+  result.area = contact_area(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
+  result.radius = hertzian_radius(system_, state.multiplier);
+  if (result.force > 0)
+    result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
+  Vector<double> force;
+  level.initialise(force);
+  system_.bodies().internal_force(state.displacement, force, nullptr);
+  double driven = 0, fixed = 0;
+  for (const auto& [dof, share] : level.driven_share()) driven -= share * force.begin()[dof];
+  force.compress(dealii::VectorOperation::add);
+  std::array<double, 2> lateral{};
+  for (const int dof : level.fixed_z()) {
+    fixed += force.local_element(dof);
+    for (int c = 0; c < 2; ++c) lateral[c] += force.local_element(dof - 2 + c);
+  }
+  for (int c = 0; c < 2; ++c) result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
+  result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator()) * upright();
+  result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
+  return result;
+}
+
+}  // namespace asperity::fem

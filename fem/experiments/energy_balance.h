@@ -1,0 +1,14 @@
+// Work put into the bodies along a path, against what it has become.
+#pragma once
+
+#include <vector>
+
+#include "fem/output/step_record.h"
+
+namespace asperity::fem {
+
+/// Sets `work` [J] and `energy_error` (over the largest work) of all records of a path from first touch, anew with each step: a step's
+/// work becomes better known with the one that follows. rolling_radius: of the particle [m].
+void balance_energy(std::vector<StepRecord>& records, bool has_adhesion, double rolling_radius);
+
+}  // namespace asperity::fem
