@@ -15,61 +15,10 @@ constexpr double equal_work = 5.0 / 6;  // Mindlin & Deresiewicz over Mindlin wi
 
 std::string file_of(const ComparedContact& contact) { return std::filesystem::path(contact.record->file).filename().string(); }
 
-EffectiveQuantity constant(double value, LengthScale scale = LengthScale::none) {
-  EffectiveQuantity quantity;
-  quantity.value = value;
-  quantity.length_scale = scale;
-  return quantity;
-}
-
-/// Quasi-static: the density sets the time step of the engine and no result.
-ContactParameters with_density(ContactParameters p) {
-  constexpr double density_of_silica = 2200;
-  if (!std::isfinite(p.particle.density)) p.particle.density = density_of_silica;
-  return p;
-}
-
-/// Moduli of the smooth, elastic bodies, whatever a record says; friction of the record, otherwise of the case.
-ContactParameters of_bodies(const ComparedContact& contact) {
-  ContactParameters p;
-  if (contact.record) {
-    p = *contact.record;
-    p.normal_stiffness.reset();
-    p.lateral_stiffness.reset();
-  } else {
-    p.file = contact.label;
-    p.particle.radius = contact.radius;
-    p.target.radius = std::numeric_limits<double>::infinity();
-    if (contact.friction > 0) p.sliding_friction = constant(contact.friction);
-  }
-  p.reduced_modulus = constant(contact.hertz().reduced_modulus);
-  p.reduced_shear_modulus = constant(contact.sliding_modulus());
-  return with_density(p);
-}
-
-ContactParameters as_given(const ComparedContact& contact) { return with_density(*contact.record); }
-
 /// Another number than the law of the bodies has, beyond the rounding of moduli in a file.
 bool differs(double one, double other) {
   constexpr double rounding = 1e-3;
   return std::abs(one / other - 1) > rounding;
-}
-
-/// An amplitude that reaches every limit with room to spare.
-EngineExperiment engine_experiment(Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
-                                   double rail_angle = 0) {
-  EngineExperiment experiment;
-  experiment.type = type;
-  experiment.substrate = substrate;
-  experiment.indenter = indenter;
-  if (!std::isfinite(experiment.indenter.particle.density)) experiment.indenter.particle.density = substrate.particle.density;
-  experiment.load = load;
-  experiment.rail_angle = rail_angle;
-  if (type == Type::twisting) return experiment;  // goes by its limit, not by an amplitude
-  const ClosedForm form = closed_form(experiment);
-  constexpr double room = 10;
-  experiment.amplitude = room * std::max(form.first_yield, form.full_yield);
-  return experiment;
 }
 
 LawValue law(const std::string& name, double value, double sd = NAN) {
@@ -84,13 +33,6 @@ LawValue no_law(const std::string& reason) {
   LawValue result;
   result.reason = result.no_engine = reason;
   return result;
-}
-
-/// The glued sphere's loop. The approach is asked for where the case has no friction, too: it does not depend on it.
-EngineExperiment glued(ContactParameters p, double load) {
-  constexpr double any_friction = 0.1;
-  if (!p.sliding_friction || p.sliding_friction->value <= 0) p.sliding_friction = constant(any_friction);
-  return engine_experiment(Type::glued, p, p, load);
 }
 
 std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& contact, double load) {
@@ -202,16 +144,6 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
   return laws;
 }
 
-/// Twisting in the engine with a spring k [N m/rad] and a limit [N m].
-EngineExperiment twisting(const ComparedContact& contact, double load, double stiffness, double limit) {
-  ContactParameters p = of_bodies(contact);
-  p.torsion_stiffness = constant(stiffness, LengthScale::particle_radius);
-  p.torsion_friction = constant(limit / (load * contact.radius), LengthScale::particle_radius);
-  p.torsion_offset.reset();
-  if (!p.sliding_friction) p.sliding_friction = constant(contact.friction);
-  return engine_experiment(Type::twisting, p, p, load);
-}
-
 std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& contact, double load) {
   const double a = contact.hertz().contact_radius(load), r = contact.radius;
   const bool has_limit = contact.record && contact.record->torsion_friction;
@@ -249,19 +181,6 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   }
   if (laws.empty()) laws.push_back(no_law(no_friction));
   return laws;
-}
-
-/// The rail in the engine; with offsets or without.
-EngineRequest rail_run(const ComparedContact& contact, double load, const RailCase& rail, double torsion, bool with_offsets) {
-  ContactParameters p = as_given(contact);
-  p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
-  p.torsion_friction = constant(torsion, LengthScale::particle_radius);
-  p.rolling_offset = constant(rail.offset.value);
-  if (!with_offsets) {
-    p.rolling_offset.reset();
-    p.torsion_offset.reset();
-  }
-  return EngineRequest{engine_experiment(Type::rail, p, p, load, rail.angle), "rail coefficient"};
 }
 
 /// eq:murail and, for the force over the load, mu_rail (1 + h_rail/f); beside it what leaving out torsion or the offsets makes of it.

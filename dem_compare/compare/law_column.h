@@ -11,31 +11,14 @@
 
 #include <vector>
 
-#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/compare/engine_request.h"
 #include "dem_compare/compare/row.h"
-#include "dem_compare/engines/experiment.h"
 
 namespace asperity {
-
-/// What an engine is run for: a number of one experiment over `divisor`.
-struct EngineRequest {
-  EngineExperiment experiment;
-  std::string measurement;  ///< as measure() names it
-  double divisor = 1;
-  double load_step = 0;  ///< above zero: load over approach, differenced between loads apart by this share to both sides
-};
 
 struct LawValue : ComparedValue {
   std::optional<EngineRequest> engine;
   std::string no_engine;  ///< why there is no request
-};
-
-/// Friction of the rail's slopes and plate.
-struct RailCase {
-  double angle = 0;   ///< [rad]
-  Uncertain rolling;  ///< mu_ro lambda/r at the rail's roughness
-  Uncertain offset{};   ///< h_ro at the rail's roughness [N]
-  LoadRange loads{};    ///< on one slope, from those on the plate [N]
 };
 
 /// One or more laws; one without a value says why. `rail` is needed for rails alone.
