@@ -133,6 +133,7 @@ std::string resistance_sections(const ResistanceFindings& findings) {
     html += section_html("With a mechanism switched off", list_html(said.mechanisms) + contribution_table(findings));
   if (!findings.inputs.empty())
     html += section_html("With other inputs: local friction, works of adhesion, yield stresses", input_table(findings));
+  if (!said.mesh.empty()) html += section_html("With another mesh", list_html(said.mesh));
   if (!said.measurement.empty())
     html += section_html("Beside the measurement", list_html(said.measurement) + measurement_table(findings));
   if (!said.care.empty()) html += section_html("To be taken with care", list_html(said.care));

@@ -143,6 +143,21 @@ Sentences input_sentences(const ResistanceFindings& findings) {
   return list;
 }
 
+Sentences mesh_sentences(const ResistanceFindings& findings) {
+  Sentences list;
+  for (const auto& one : findings.meshes) {
+    const auto length = [](double metres) { return format_quantity(metres, Dimension::length); };
+    const bool shows = std::abs(one.ratio.value - 1) > 2 * one.ratio.sd;
+    std::string text = motion_name(*one.state->mode, true) + " of " + one.contact->label + " at " + force_text(one.state->load) + ": on " +
+                       length(one.fine) + " instead of " + length(one.coarse) + " the resistance is " + number_text(one.ratio) + " of it";
+    if (!one.ratio.has_sd()) text += "; whether that means anything cannot be told";
+    else if (!shows) text += ": no difference that shows";
+    list.push_back(text + ". Were its error of first order in the spacing, the one that counts here (" + length(one.state->spacing) +
+                   ") would differ from an ever finer mesh's by " + change_percent(one.excess()) + ".");
+  }
+  return list;
+}
+
 std::string sigma_words(double sigmas) { return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma"; }
 
 std::string trend_against_paper(const MeasuredTrend& one) {
@@ -253,6 +268,7 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
         "How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
   result.mechanisms = mechanism_sentences(findings);
   result.inputs = input_sentences(findings);
+  result.mesh = mesh_sentences(findings);
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
   const Sentences missing = coefficients_that_lack(findings);
   result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());

@@ -11,6 +11,7 @@ ResistanceFindings find_resistances(const CaseCollection& collection, const std:
   findings.contributions = contributions(findings.study);
   findings.contribution_trends = contribution_trends(findings.contributions);
   findings.inputs = input_exponents(findings.study);
+  findings.meshes = mesh_effects(findings.study);
   if (published) findings.published = against_published(findings.study, findings.trends, *published);
   return findings;
 }

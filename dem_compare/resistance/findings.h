@@ -10,6 +10,7 @@
 #include "dem_compare/resistance/against_published.h"
 #include "dem_compare/resistance/input_exponent.h"
 #include "dem_compare/resistance/length_answer.h"
+#include "dem_compare/resistance/mesh_effect.h"
 #include "dem_compare/resistance/switched_off.h"
 
 namespace asperity {
@@ -22,6 +23,7 @@ struct ResistanceFindings {
   std::vector<Contribution> contributions;
   std::vector<ContributionTrend> contribution_trends;
   std::vector<InputExponent> inputs;
+  std::vector<MeshEffect> meshes;
   AgainstPublished published;
 
   ResistanceFindings() = default;
@@ -41,6 +43,7 @@ struct ResistanceAnswers {
   std::vector<std::string> roughness;    ///< trends with RMS, and which mechanism makes them
   std::vector<std::string> mechanisms;   ///< what switching one off changes
   std::vector<std::string> inputs;       ///< what goes with local friction, works of adhesion, yield stresses
+  std::vector<std::string> mesh;         ///< what another spacing makes of it
   std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
   std::vector<std::string> care;         ///< what stands in the way of more
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/quantity.h"
+#include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
@@ -53,7 +54,7 @@ Uncertain exponent_of(const MovingState& larger, const MovingState& smaller, dou
   for (const auto& one : larger.cases)
     for (const auto& other : smaller.cases) {
       if (!same_realisation(one.seeds, other.seeds)) continue;
-      const Uncertain over = ratio(one.first.resistance(), other.first.resistance());
+      const Uncertain over = paired_ratio(one.first, other.first);
       if (over.value > 0) exponents.push_back({std::log(over.value) / std::log(factor), over.sd / over.value / std::log(factor)});
       break;
     }

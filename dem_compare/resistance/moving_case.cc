@@ -82,6 +82,21 @@ Uncertain SteadyWay::resistance() const {
   return {dissipated.total.value, std::hypot(dissipated.total.sd, unbalanced)};
 }
 
+Uncertain SteadyWay::of(WayPart part) const {
+  switch (part) {
+    case WayPart::friction:
+      return dissipated.friction;
+    case WayPart::plastic:
+      return dissipated.plastic;
+    case WayPart::adhesion:
+      return dissipated.adhesion;
+    case WayPart::force:
+      return force;
+    default:
+      return resistance();
+  }
+}
+
 bool SteadyWay::still_changes() const {
   constexpr double errors_that_tell = 3, change_that_matters = 0.05;
   return std::abs(drift) > change_that_matters && std::abs(drift) > errors_that_tell * drift_error;
@@ -96,6 +111,15 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   SteadyWay steady;
   if (last < first + fewest_rows - 1) return steady;
   const Values& x = history.position;
+  const Values work = work_against_motion(history);
+  const Values total = history.has_energies ? sum_of(history.friction, history.plastic, history.adhesion) : work;
+  const auto keep = [&](WayPart part, const Values& sum) {
+    if (!sum.empty())
+      steady.sums.energy[static_cast<std::size_t>(part)].assign(sum.begin() + static_cast<long>(first), sum.begin() + static_cast<long>(last) + 1);
+  };
+  steady.sums.position.assign(x.begin() + static_cast<long>(first), x.begin() + static_cast<long>(last) + 1);
+  steady.sums.stretch = stretch;
+  keep(WayPart::total, total), keep(WayPart::force, work);
   steady.way = std::abs(x[last] - x[first]);
   // A stretch has a step at least: no more of them than steps.
   const auto wanted = static_cast<std::size_t>(std::max<long>(std::lround(steady.way / stretch), fewest_stretches));
@@ -104,13 +128,13 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   const auto mean_rate = [&](const Values& sum) {
     return mean_of_stretches(rates_of_stretches(x, sum, first, last, count));
   };
-  steady.force = mean_rate(work_against_motion(history));
+  steady.force = mean_rate(work);
   if (!history.has_energies) return steady;
+  keep(WayPart::friction, history.friction), keep(WayPart::plastic, history.plastic), keep(WayPart::adhesion, history.adhesion);
   steady.dissipated.friction = mean_rate(history.friction);
   steady.dissipated.plastic = mean_rate(history.plastic);
   steady.dissipated.adhesion = mean_rate(history.adhesion);
-  const Values rates =
-      rates_of_stretches(x, sum_of(history.friction, history.plastic, history.adhesion), first, last, count);
+  const Values rates = rates_of_stretches(x, total, first, last, count);
   steady.dissipated.total = mean_of_stretches(rates);
   steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.way;
   if (count >= fewest_stretches) add_drift(rates, steady);

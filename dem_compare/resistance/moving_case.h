@@ -11,8 +11,10 @@
 // (stretches.h). The way back, over the own track, is told apart: what has yielded there need not yield again.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dem_compare/paper/uncertain.h"
 #include "dem_compare/resistance/energy_history.h"
@@ -24,7 +26,18 @@ struct ResistanceParts {
   Uncertain friction{nan(""), nan("")}, plastic{nan(""), nan("")}, adhesion{nan(""), nan("")}, total{nan(""), nan("")};
 };
 
+/// What resists, or the part of it that a mechanism dissipates; `force` is the mean force or moment.
+enum class WayPart { total, friction, plastic, adhesion, force };
+
+/// What was summed up along a steady way [J], row by row, so that ways over the same surfaces can be compared stretch by stretch.
+struct WaySums {
+  std::vector<double> position;                ///< [m] or [rad]
+  std::array<std::vector<double>, 5> energy;   ///< by WayPart
+  double stretch = 0;                          ///< length of a stretch [m] or [rad]
+};
+
 struct SteadyWay {
+  WaySums sums;
   ResistanceParts dissipated;
   Uncertain force{nan(""), nan("")};  ///< mean of force or moment against the motion
   double unbalanced = nan("");        ///< energy per way that the balance of the computation leaves open
@@ -37,6 +50,8 @@ struct SteadyWay {
   /// Energy dissipated per way where the history has it, else the mean force; the open balance counts as a standard
   /// deviation.
   Uncertain resistance() const;
+  /// Of `total` the resistance.
+  Uncertain of(WayPart part) const;
   /// By three standard errors and more than 5 %.
   bool still_changes() const;
 };

@@ -20,6 +20,7 @@ class Sorter {
       for (const auto& solved : group.cases)
         if (const MotionMode* mode = mode_of(solved)) add(group, solved, *mode);
     name_contacts();
+    choose_meshes();
     for (auto& contact : study_.contacts) finish(contact);
     auto& contacts = study_.contacts;
     remark_on_realisations();
@@ -50,13 +51,32 @@ class Sorter {
     }
     if (groups_[at].empty() || groups_[at].back() != &group) groups_[at].push_back(&group);
     MovingState& state = state_of(study_.contacts[at], mode, moving.load);
-    const double finest = state.cases.empty() ? INFINITY : state.spacing;
-    constexpr double rounding = 1e-6;
-    if (moving.spacing > finest * (1 + rounding))
-      return;  // coarser meshes judge the finest, they do not count as realisations
-    if (moving.spacing < finest * (1 - rounding)) state.cases.clear();
-    state.spacing = moving.spacing;
     state.cases.push_back(std::move(moving));
+  }
+
+  static bool has(const MovingState& state, double spacing) {
+    return std::any_of(state.cases.begin(), state.cases.end(), [&](const auto& item) { return same_spacing(item.spacing, spacing); });
+  }
+
+  /// Contacts are compared on one mesh as far as the study has one.
+  void choose_meshes() {
+    std::vector<MovingState*> states;
+    for (auto& contact : study_.contacts)
+      for (auto& state : contact.states) states.push_back(&state);
+    double common = INFINITY;
+    if (!states.empty())
+      for (const auto& item : states.front()->cases)
+        if (std::all_of(states.begin(), states.end(), [&](const auto* state) { return has(*state, item.spacing); }))
+          common = std::min(common, item.spacing);
+    for (auto* state : states) {
+      double finest = INFINITY;
+      for (const auto& item : state->cases) finest = std::min(finest, item.spacing);
+      state->spacing = std::isfinite(common) ? common : finest;
+      auto& cases = state->cases;
+      const auto others = std::stable_partition(cases.begin(), cases.end(), [&](const auto& item) { return same_spacing(item.spacing, state->spacing); });
+      state->on_other_meshes.assign(std::make_move_iterator(others), std::make_move_iterator(cases.end()));
+      cases.erase(others, cases.end());
+    }
   }
 
   static MovingState& state_of(MovingContact& contact, const MotionMode& mode, double load) {
@@ -224,6 +244,11 @@ MovingStudy collect_moving(const CaseCollection& collection) {
 
 std::vector<std::string> differing_inputs(const MovingContact& one, const MovingContact& other) {
   return differing_entries(one.inputs, other.inputs);
+}
+
+bool same_spacing(double one, double other) {
+  constexpr double rounding = 1e-6;
+  return std::abs(one - other) <= rounding * other;
 }
 
 bool same_realisation(const std::string& seeds, const std::string& others) {

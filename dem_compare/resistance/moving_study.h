@@ -15,8 +15,9 @@ namespace asperity {
 struct MovingState {
   const MotionMode* mode = nullptr;
   double load = 0;                ///< [N]
-  double spacing = 0;             ///< the finest solved [m]
+  double spacing = 0;             ///< the finest that all states of the study have; if there is none, the finest of its own [m]
   std::vector<MovingCase> cases;  ///< those on that spacing that reached a steady way
+  std::vector<MovingCase> on_other_meshes;  ///< they judge the mesh, and do not count as realisations
   ResistanceParts parts;          ///< means over realisations [N] or [N m]
   Uncertain resistance;           ///< mean; its sd holds the open balance too
   Uncertain force;                ///< mean force or moment
@@ -56,6 +57,9 @@ std::vector<std::string> differing_inputs(const MovingContact& one, const Moving
 
 /// Seeds that name the same realisation; a surface without a seed goes with any.
 bool same_realisation(const std::string& seeds, const std::string& others);
+
+/// Of two meshes [m], but for rounding.
+bool same_spacing(double one, double other);
 
 const std::vector<const MotionMode*>& all_motions();
 

@@ -148,6 +148,18 @@ Json json_of(const InputExponent& one) {
           {"exponent", json_of(one.exponent)}};
 }
 
+Json json_of(const MeshEffect& one) {
+  return {{"contact", one.contact->label},
+          {"experiment", one.state->mode->experiment},
+          {"load", one.state->load},
+          {"coarse", one.coarse},
+          {"fine", one.fine},
+          {"counted", one.state->spacing},
+          {"realisations", one.realisations},
+          {"fine_over_coarse", json_of(one.ratio)},
+          {"excess_of_counted_at_first_order", json_of(one.excess())}};
+}
+
 Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array();
   for (const auto& one : published.magnitudes)
@@ -211,6 +223,7 @@ Json resistance_json(const ResistanceFindings& findings) {
             {"roughness", said.roughness},
             {"mechanisms", said.mechanisms},
             {"inputs", said.inputs},
+            {"mesh", said.mesh},
             {"measurement", said.measurement},
             {"care", said.care}}},
           {"contacts", list_of(findings.study.contacts)},
@@ -219,6 +232,7 @@ Json resistance_json(const ResistanceFindings& findings) {
           {"contributions", list_of(findings.contributions)},
           {"contributions_over_roughness", list_of(findings.contribution_trends)},
           {"inputs", list_of(findings.inputs)},
+          {"mesh", list_of(findings.meshes)},
           {"published", json_of(findings.published)}};
 }
 

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
@@ -12,7 +13,6 @@ namespace {
 
 using Contacts = std::vector<const MovingContact*>;
 using States = std::vector<const MovingState*>;
-using PartOf = std::function<Uncertain(const MovingCase&)>;
 
 std::string spectrum_of(const MovingContact& contact) {
   static const std::regex rms(R"(rms\s*=\s*[^,)]+,?\s*)");
@@ -39,33 +39,59 @@ std::vector<Contacts> families_of_contacts(const MovingStudy& study) {
   return found;
 }
 
+/// Slope over RMS of ways on the same surfaces: stretch by stretch, so that hills which all of them meet drop out of its error; that of
+/// the misfit from a straight line stays.
+Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay*>& ways, const States& states, WayPart part) {
+  std::vector<Uncertain> means;
+  for (std::size_t i = 0; i < ways.size(); ++i) means.push_back(ways[i]->of(part) * (1 / states[i]->scale()));
+  Trend trend = fit_trend(rms, means);
+  const auto rates = rates_in_common(ways, part);
+  if (rates.empty()) return trend;
+  std::vector<double> slopes;
+  std::vector<Uncertain> means_in_common(ways.size(), {0, 0}), open_balances(ways.size(), {0, 0});
+  for (std::size_t k = 0; k < rates.front().size(); ++k) {
+    std::vector<Uncertain> y;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      y.push_back({rates[i][k] / states[i]->scale(), 0});
+      means_in_common[i].value += y.back().value / static_cast<double>(rates.front().size());
+    }
+    slopes.push_back(fit_trend(rms, y).slope.value);
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    if (part == WayPart::total && std::isfinite(ways[i]->unbalanced)) open_balances[i].sd = ways[i]->unbalanced / states[i]->scale();
+  const Uncertain paired = mean_of_stretches(slopes);
+  const double of_misfit = fit_trend(rms, means_in_common).slope.sd, of_balances = fit_trend(rms, open_balances).slope.sd;
+  trend.slope = {paired.value, std::max(std::hypot(paired.sd, of_balances), of_misfit)};
+  return trend;
+}
+
 /// One slope per realisation that all states share; empty if none is shared by all.
-std::vector<Trend> slopes_by_realisation(const std::vector<double>& rms, const States& states, const PartOf& part) {
+std::vector<Trend> slopes_by_realisation(const std::vector<double>& rms, const States& states, WayPart part) {
   std::vector<Trend> slopes;
   for (const auto& lead : states.back()->cases) {
-    std::vector<Uncertain> y;
+    std::vector<const SteadyWay*> ways;
     for (const auto* state : states)
       for (const auto& item : state->cases)
         if (same_realisation(item.seeds, lead.seeds)) {
-          y.push_back(part(item) * (1 / state->scale()));
+          ways.push_back(&item.first);
           break;
         }
-    if (y.size() != states.size()) return {};
-    slopes.push_back(fit_trend(rms, y));
+    if (ways.size() != states.size()) return {};
+    slopes.push_back(slope_of(rms, ways, states, part));
   }
   return slopes;
 }
 
-Trend trend_of(const std::vector<double>& rms, const States& states, const PartOf& part) {
+Trend trend_of(const std::vector<double>& rms, const States& states, WayPart part) {
   std::vector<Uncertain> means;
   for (const auto* state : states) {
     std::vector<Uncertain> values;
-    for (const auto& item : state->cases) values.push_back(part(item) * (1 / state->scale()));
+    for (const auto& item : state->cases) values.push_back(item.first.of(part) * (1 / state->scale()));
     means.push_back(mean_of_realisations(values));
   }
   Trend trend = fit_trend(rms, means);
   const auto slopes = slopes_by_realisation(rms, states, part);
-  if (slopes.size() < 2) return trend;
+  if (slopes.empty()) return trend;
   std::vector<Uncertain> each;
   for (const auto& slope : slopes) each.push_back(slope.slope);
   trend.slope = mean_of_realisations(each);
@@ -88,11 +114,8 @@ void add_loads(RoughnessTrend& trend) {
       if (const MovingState* state = contact->find(*trend.mode, load))
         rms.push_back(contact->bodies.rms), states.push_back(state);
     if (states.size() < 2) continue;
-    trend.loads.push_back({load, trend_of(rms, states, [](const auto& c) { return c.first.resistance(); }),
-                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.friction; }),
-                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.plastic; }),
-                           trend_of(rms, states, [](const auto& c) { return c.first.dissipated.adhesion; }),
-                           trend_of(rms, states, [](const auto& c) { return c.first.force; })});
+    trend.loads.push_back({load, trend_of(rms, states, WayPart::total), trend_of(rms, states, WayPart::friction), trend_of(rms, states, WayPart::plastic),
+                           trend_of(rms, states, WayPart::adhesion), trend_of(rms, states, WayPart::force)});
   }
   std::vector<Uncertain> relative;
   for (const auto& at : trend.loads) relative.push_back(at.total.relative());

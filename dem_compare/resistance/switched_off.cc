@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/roughness_trend.h"
 #include "dem_compare/resistance/stretches.h"
 
@@ -41,11 +42,10 @@ void compare(const MovingState& with, const MovingState& without, Contribution& 
   for (const auto& one : with.cases)
     for (const auto& other : without.cases) {
       if (!same_realisation(one.seeds, other.seeds)) continue;
-      const ResistanceParts &a = one.first.dissipated, &b = other.first.dissipated;
-      total.push_back(one.first.resistance() - other.first.resistance());
-      friction.push_back(a.friction - b.friction);
-      plastic.push_back(a.plastic - b.plastic);
-      adhesion.push_back(a.adhesion - b.adhesion);
+      total.push_back(paired_difference(one.first, other.first, WayPart::total));
+      friction.push_back(paired_difference(one.first, other.first, WayPart::friction));
+      plastic.push_back(paired_difference(one.first, other.first, WayPart::plastic));
+      adhesion.push_back(paired_difference(one.first, other.first, WayPart::adhesion));
       break;
     }
   result.realisations = static_cast<int>(total.size());

@@ -1,0 +1,55 @@
+#include "dem_compare/resistance/mesh_effect.h"
+
+#include <algorithm>
+
+#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/stretches.h"
+
+namespace asperity {
+namespace {
+
+/// Spacing next to the counted one; 0 where there is none.
+double neighbour(const MovingState& state) {
+  double finer = 0, coarser = 0;
+  for (const auto& item : state.on_other_meshes) {
+    if (item.spacing < state.spacing && item.spacing > finer) finer = item.spacing;
+    if (item.spacing > state.spacing && (coarser == 0 || item.spacing < coarser)) coarser = item.spacing;
+  }
+  return finer > 0 ? finer : coarser;
+}
+
+}  // namespace
+
+Uncertain MeshEffect::excess() const {
+  // M(h) = M0 + c h: M0 = fine + (fine - coarse) fine_h / (coarse_h - fine_h).
+  const double own = counts_fine ? fine : coarse, step = coarse - fine;
+  const double limit = ratio.value + (ratio.value - 1) * fine / step;  // over the coarse one's resistance
+  const double counted = counts_fine ? ratio.value : 1;
+  return {counted / limit - 1, own / step / (limit * limit) * ratio.sd};
+}
+
+std::vector<MeshEffect> mesh_effects(const MovingStudy& study) {
+  std::vector<MeshEffect> found;
+  for (const auto& contact : study.contacts)
+    for (const auto& state : contact.states) {
+      const double other = neighbour(state);
+      if (other == 0) continue;
+      MeshEffect effect;
+      effect.contact = &contact, effect.state = &state;
+      effect.counts_fine = other > state.spacing;
+      effect.coarse = std::max(other, state.spacing), effect.fine = std::min(other, state.spacing);
+      std::vector<Uncertain> ratios;
+      for (const auto& counted : state.cases)
+        for (const auto& item : state.on_other_meshes) {
+          if (!same_spacing(item.spacing, other) || !same_realisation(counted.seeds, item.seeds)) continue;
+          ratios.push_back(effect.counts_fine ? paired_ratio(counted.first, item.first) : paired_ratio(item.first, counted.first));
+          break;
+        }
+      effect.realisations = static_cast<int>(ratios.size());
+      effect.ratio = mean_of_realisations(ratios);
+      if (effect.realisations > 0) found.push_back(effect);
+    }
+  return found;
+}
+
+}  // namespace asperity
