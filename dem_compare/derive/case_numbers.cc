@@ -30,16 +30,16 @@ bool same_contact(const CaseNumber& a, const CaseNumber& b) {
   return same_load(a.load, b.load) && a.realisation == b.realisation;
 }
 
-bool same_spacing(double a, double b) {
-  constexpr double same = 1e-3;
-  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= same * std::max(a, b);
-}
-
 }  // namespace
 
 bool same_load(double one, double other) {
   constexpr double same = 1e-3;
   return std::abs(one - other) <= same * std::max(one, other);
+}
+
+bool same_spacing(double a, double b) {
+  constexpr double same = 1e-3;
+  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= same * std::max(a, b);
 }
 
 std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumber>& numbers) {

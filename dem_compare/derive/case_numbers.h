@@ -16,6 +16,8 @@ struct CaseNumber {
 };
 
 bool same_load(double one, double other);
+/// Of two meshes [m], but for rounding; two that are not known (NaN) are the same.
+bool same_spacing(double one, double other);
 
 /// Relative sample standard deviation between realisations at the same load, pooled over loads.
 struct RealisationScatter {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dem_compare/derive/case_numbers.h"
 #include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/stretches.h"
 

@@ -246,11 +246,6 @@ std::vector<std::string> differing_inputs(const MovingContact& one, const Moving
   return differing_entries(one.inputs, other.inputs);
 }
 
-bool same_spacing(double one, double other) {
-  constexpr double rounding = 1e-6;
-  return std::abs(one - other) <= rounding * other;
-}
-
 bool same_realisation(const std::string& seeds, const std::string& others) {
   const auto split = [](const std::string& text) {
     return std::pair{text.substr(0, text.find(" on ")), text.substr(text.find(" on ") + 4)};

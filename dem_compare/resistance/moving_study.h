@@ -58,9 +58,6 @@ std::vector<std::string> differing_inputs(const MovingContact& one, const Moving
 /// Seeds that name the same realisation; a surface without a seed goes with any.
 bool same_realisation(const std::string& seeds, const std::string& others);
 
-/// Of two meshes [m], but for rounding.
-bool same_spacing(double one, double other);
-
 const std::vector<const MotionMode*>& all_motions();
 
 }  // namespace asperity

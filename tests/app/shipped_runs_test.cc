@@ -34,7 +34,7 @@ TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_swit
   ASSERT_EQ(study.axes.size(), 2u);
   EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"rolling", "sliding", "torsion"}));
   EXPECT_EQ(study.cases.size(), study.axes[0].labels.size() * study.axes[1].labels.size() * static_cast<std::size_t>(study.realisations));
-  for (const std::string contact : {"2.7 nm elastic", "2.7 nm without adhesion", "1.5 nm R 2.5 um", "1.5 nm R 50 um", "1.5 nm 200 uN"})
+  for (const std::string contact : {"2.7 nm elastic", "2.7 nm without adhesion", "1.5 nm R 2.5 um", "1.5 nm R 50 um", "1.5 nm 200 uN", "1.5 nm finer mesh"})
     EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), contact), 1) << contact;
 }
 
