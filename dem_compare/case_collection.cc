@@ -1,9 +1,8 @@
 #include "dem_compare/case_collection.h"
 
-#include <regex>
-
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "dem_compare/surface_text.h"
 
 namespace asperity {
 namespace {
@@ -13,12 +12,11 @@ using Json = nlohmann::ordered_json;
 
 /// All that decides the physics, without the seeds of generated surfaces.
 std::string physics_of(const CaseEntries& entries) {
-  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)");
   std::string key;
   for (const auto& [path, text] : entries.all()) {
     const std::string section = path.substr(0, path.find('/'));
     if (path == "Title" || section == "Mesh" || section == "Solver" || section == "Output") continue;
-    key += path + "=" + std::regex_replace(text, seed, "") + "\n";
+    key += path + "=" + surface_without_seed(text) + "\n";
   }
   return key;
 }

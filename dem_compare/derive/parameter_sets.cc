@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <set>
 
 #include "core/error.h"
 #include "dem_compare/case_collection.h"
+#include "dem_compare/surface_text.h"
 
 namespace asperity {
 namespace {
@@ -58,7 +58,6 @@ std::string without_blanks(std::string text) {
 }
 
 std::vector<std::pair<std::string, std::string>> inputs_without_seeds(const SolvedCase& solved) {
-  static const std::regex seed(R"(,?seed=\d+)");
   std::vector<std::pair<std::string, std::string>> inputs;
   for (const auto& input : number_inputs()) {
     std::string text = solved.entries.text(input.entry, result_text(solved, input.entry));
@@ -74,9 +73,7 @@ std::vector<std::pair<std::string, std::string>> inputs_without_seeds(const Solv
   for (const char* body : {"Particle", "Substrate"}) {
     const std::string section = body;
     inputs.emplace_back(section + "/Hardening", solved.entries.text(section + "/Hardening", "isotropic"));
-    inputs.emplace_back(
-        section + "/Topography",
-        std::regex_replace(without_blanks(solved.entries.text(section + "/Topography", "smooth")), seed, ""));
+    inputs.emplace_back(section + "/Topography", surface_without_seed(without_blanks(solved.entries.text(section + "/Topography", "smooth"))));
   }
   return inputs;
 }

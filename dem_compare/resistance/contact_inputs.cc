@@ -1,11 +1,10 @@
 #include "dem_compare/resistance/contact_inputs.h"
 
 #include <cmath>
-#include <cstdio>
-#include <regex>
 #include <set>
 
 #include "core/quantity.h"
+#include "dem_compare/surface_text.h"
 
 namespace asperity {
 namespace {
@@ -14,22 +13,6 @@ namespace {
 double number_of_entry(const ContactInputs& inputs, const std::string& entry, Dimension dimension, double otherwise) {
   const auto found = inputs.find(entry);
   return found == inputs.end() ? otherwise : parse_quantity(found->second, dimension);
-}
-
-/// Without the seed, and with lengths in metres: further realisations are written anew, "0.7 nm" as "700 pm".
-std::string without_seed(std::string text) {
-  static const std::regex seed(R"(,?\s*seed\s*=\s*\d+)"), blanks(R"(\s+)"),
-      length(R"(([0-9.]+(?:e[+-]?[0-9]+)?) ?(pm|nm|um|mm|m)\b)");
-  text = std::regex_replace(std::regex_replace(text, seed, ""), blanks, " ");
-  std::smatch found;
-  std::string rest = text, result;
-  while (std::regex_search(rest, found, length)) {
-    char metres[32];
-    std::snprintf(metres, sizeof metres, "%.6g", parse_quantity(found.str(), Dimension::length));
-    result += found.prefix().str() + metres;
-    rest = found.suffix().str();
-  }
-  return result + rest;
 }
 
 }  // namespace
@@ -42,7 +25,7 @@ ContactInputs inputs_of(const SolvedCase& solved) {
   ContactInputs inputs;
   for (const auto& [path, text] : solved.entries.all()) {
     const std::string section = path.substr(0, path.find('/'));
-    if (section == "Particle" || section == "Substrate" || section == "Interface") inputs[path] = without_seed(text);
+    if (section == "Particle" || section == "Substrate" || section == "Interface") inputs[path] = surface_without_seed(text);
   }
   for (const std::string body : {"Particle", "Substrate"})
     if (!yields(inputs, body))

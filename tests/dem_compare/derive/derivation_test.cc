@@ -287,6 +287,20 @@ TEST(ParameterSets, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
   EXPECT_NE(found.remarks[1].find("a: named twice"), std::string::npos) << found.remarks[1];
 }
 
+/// As a study writes its second realisation.
+TEST(ParameterSets, hold_realisations_whose_lengths_are_written_in_other_units) {
+  std::mt19937 random(6);
+  const TemporaryFolder folder;
+  SolvedCase first = make_case({}, "sliding", 1e-4, 1, random), second = first;
+  first.entries = CaseEntries(std::map<std::string, std::string>{{"Substrate/Topography", "generated(rms=0.7 nm, hurst=0.8, seed=1)"}});
+  second.entries = CaseEntries(std::map<std::string, std::string>{{"Substrate/Topography", "generated(rms=700 pm, hurst=0.8, seed=1001)"}});
+  write_case(folder.path / "a", first, "8.5 um");
+  write_case(folder.path / "b", second, "8.5 um");
+  const ParameterSets found = collect_parameter_sets({folder.path});
+  ASSERT_EQ(found.sets.size(), 1u);
+  EXPECT_EQ(found.sets[0].cases.size(), 2u);
+}
+
 TEST(ParameterSets, with_friction_take_frictionless_cases_of_the_same_bodies_for_their_normal_law) {
   std::mt19937 random(7);
   const TemporaryFolder folder;
