@@ -223,7 +223,7 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   entries.push_back(motion_program(section));
   entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
                                  "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
-                                 "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; a third of a spacing at the rim of a contact that spins."));
+                                 "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at the rim of a contact that spins."));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {

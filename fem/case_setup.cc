@@ -47,7 +47,7 @@ Roughness roughness_of(const std::string& spec, double half_width, double spacin
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
 /// and steps of a spacing, an eighth of the contact radius at most;
-/// of a third of a spacing at the rim of a contact that spins.
+/// of half a spacing at the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
@@ -59,7 +59,7 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   scales.full_slip_shift = 3 * friction * lateral / (16 * a);
   scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
   scales.largest_shift = std::min(spacing, a / 8);
-  scales.largest_angle = spacing / (3 * a);  // half a spacing at the rim left 1 % of the work of a rough contact open
+  scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
   return scales;
 }
