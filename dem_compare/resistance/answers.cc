@@ -225,7 +225,7 @@ std::string length_headline(const ResistanceFindings& findings, const MotionMode
   if (!moves) return "";
   for (const auto& answer : findings.lengths) {
     if (answer.mode != &mode) continue;
-    const std::string words = verdict_words(answer.verdict);
+    const std::string words = verdict_words(answer);
     if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words))
       verdicts.push_back(words);
   }

@@ -63,6 +63,12 @@ const char* verdict_words(LengthAnswer::Verdict verdict) {
   }
 }
 
+std::string verdict_words(const LengthAnswer& answer) {
+  const std::string words = verdict_words(answer.verdict);
+  if (answer.verdict != LengthAnswer::Verdict::neither || !answer.choice || !answer.choice->is_told()) return words;
+  return words + ", of the two rather lambda = " + (answer.choice->log_odds > 0 ? "a" : "r");
+}
+
 std::vector<std::string> length_sentences(const ResistanceFindings& findings) {
   std::vector<std::string> list;
   for (const auto& answer : findings.lengths) {
@@ -70,7 +76,7 @@ std::vector<std::string> length_sentences(const ResistanceFindings& findings) {
     for (const double radius : answer.radii)
       radii += (radii.empty() ? "" : ", ") + format_quantity(radius, Dimension::length);
     list.push_back(motion_name(*answer.mode, true) + " of " + answer.contact +
-                   (answer.radii.size() > 1 ? " (radii " + radii + ")" : "") + ": " + verdict_words(answer.verdict) +
+                   (answer.radii.size() > 1 ? " (radii " + radii + ")" : "") + ": " + verdict_words(answer) +
                    "." + (answer.choice ? odds_words(*answer.choice) : "") +
                    exponents_words(answer, "load", "1", "1.33", "0.33") +
                    exponents_words(answer, "radius", "1", "0.33", "1.33") + without_offset_words(answer));

@@ -109,6 +109,19 @@ TEST(ResistanceLength_analytic, moments_that_follow_neither_are_not_pressed_into
   EXPECT_EQ(Study(entries).findings.lengths.front().verdict, Verdict::neither);
 }
 
+/// M ~ R^0.85 at three loads with M ~ P: no length, but nearer the particle's radius.
+TEST(ResistanceLength_analytic, of_a_length_that_is_neither_the_better_one_is_named) {
+  auto entries = scaled(false);
+  for (auto& entry : entries) {
+    const double moment = 1e-3 * entry.made.load * 8.5e-6 * std::pow(entry.made.radius / 8.5e-6, 0.85);
+    entry.made.friction = 0.6 * moment, entry.made.plastic = 0.4 * moment;
+  }
+  const Study study(entries);
+  EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::neither);
+  EXPECT_NE(answers(study.findings).headline.find("neither lambda = r nor lambda = a, of the two rather lambda = r"), std::string::npos)
+      << answers(study.findings).headline;
+}
+
 TEST(ResistanceLength_analytic, bonds_along_a_smooth_rim_are_neither_and_known_by_their_exponents) {
   auto entries = scaled(true);
   for (auto& entry : entries) {
