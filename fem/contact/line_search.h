@@ -28,7 +28,7 @@ class LineSearch {
   }
 
  private:
-  /// Directions that leave the softening of attraction out fall short where it sets the pace.
+  /// Directions that leave the softening of attraction out, or resist slip by its secant, may fall far short.
   template <typename SlopeAt>
   static double lengthened(double slope, const SlopeAt& slope_at) {
     double step = 1, here = slope;
