@@ -28,6 +28,7 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   const std::vector<double> gap = gaps(state);
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation turn = rotation(state.motion);
+  const RigidMotion shift = system_.coupling().surface();
   std::array<std::vector<double>, 3> displacement;
   for (int c = 0; c < 3; ++c) displacement[c] = system_.interface().nodes().gather(state.displacement.begin(), c);
   result.sticking = tractions_.has_friction() ? tractions_.sticking() : 0;
@@ -53,8 +54,8 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     system_.interface().for_row(static_cast<int>(r), [&](int node, double weight) {
       const bool particle = system_.interface().nodes().site(node).body == 0;
       const auto& at = particle ? system_.row_points()[r] : system_.interface_points()[node];
-      moment_x += force * weight * (at[1] + (particle ? system_.coupled().y : 0.0));
-      moment_y += force * weight * (at[0] + (particle ? system_.coupled().x : 0.0));
+      moment_x += force * weight * (at[1] + (particle ? shift.y : 0.0));
+      moment_y += force * weight * (at[0] + (particle ? shift.x : 0.0));
     });
   }
   std::vector<std::array<double, 2>> points;

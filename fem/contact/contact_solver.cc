@@ -43,13 +43,13 @@ ContactState ContactSolver::first_touch() const {
   state.multiplier.assign(system_.rows().size(), 0.0);
   for (auto& component : state.shear) component.assign(system_.rows().size(), 0.0);
   if (tractions_.has_adhesion()) state.bonded.assign(system_.rows().size(), 0);
-  state.coupled = system_.coupled();
+  state.coupling = system_.coupling();
   return state;
 }
 
 void ContactSolver::push_rigidly(ContactState& state, double approach) const {
   const auto& level = system_.level();
-  const auto up = rotation(system_.coupled())[2];  // in the particle's frame
+  const auto up = rotation(system_.coupling().frames)[2];  // in the particle's frame
   std::vector<char> seen(state.displacement.locally_owned_size() / 3, 0);
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l) {
@@ -165,17 +165,12 @@ void ContactSolver::step_with_held_rows(ContactState& state, double target, Tang
   tractions_.release();
 }
 
-std::array<double, 2> ContactSolver::mean_slip_displacement(const ContactState& state) const {
-  std::array<double, 2> mean{};
-  if (!system_.options().tilted_normals) return mean;
-  double total = 0;
-  for (std::size_t r = 0; r < state.multiplier.size(); ++r) total += system_.areas()[r] * state.multiplier[r];
-  if (total == 0) return mean;
-  for (int c = 0; c < 2; ++c) {
-    const auto jumps = system_.interface().jumps(state.displacement.begin(), c);
-    for (std::size_t r = 0; r < jumps.size(); ++r) mean[c] += system_.areas()[r] * state.multiplier[r] * jumps[r] / total;
-  }
-  return mean;
+SurfaceDisplacement ContactSolver::mean_displacement(const ContactState& state) const {
+  if (!system_.options().tilted_normals) return {};
+  std::vector<double> weight(state.multiplier.size());
+  for (std::size_t r = 0; r < weight.size(); ++r) weight[r] = system_.areas()[r] * state.multiplier[r];
+  const double* displacement = state.displacement.begin();
+  return mean_surface_displacement(system_.row_points(), weight, {system_.interface().jumps(displacement, 0), system_.interface().jumps(displacement, 1)});
 }
 
 SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion) {
@@ -183,15 +178,12 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   const auto& level = system_.level();
   // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs from it is small.
   // A failed step or a restart may have left the interfaces coupled elsewhere.
-  if (!(system_.coupled() == state.coupled)) system_.couple_at(state.coupled, {}, state.displacement);
+  if (!(system_.coupling() == state.coupling)) system_.couple_at(state.coupling, state.displacement);
   const std::vector<double> gaps_before = gaps(state);
   constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
   const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before) : target > state.approach;
-  const auto elastic = mean_slip_displacement(state);
-  RigidMotion surface = motion;
-  surface.x += elastic[0], surface.y += elastic[1];
-  system_.couple_at(surface, elastic, state.displacement);
-  state.coupled = system_.coupled();
+  system_.couple_at({motion, mean_displacement(state)}, state.displacement);
+  state.coupling = system_.coupling();
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);

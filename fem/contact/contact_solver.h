@@ -68,9 +68,9 @@ class ContactSolver {
   /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state, const RigidMotion& motion);
   /// Of the particle's surface relative to the substrate's in their frames, weighted with the pressure [m]; 0 without tilted normals.
-  std::array<double, 2> mean_slip_displacement(const ContactState& state) const;
+  SurfaceDisplacement mean_displacement(const ContactState& state) const;
   /// Of the angle by which the particle has rolled: its driven plane moves along its own axes.
-  double upright() const { return std::cos(system_.coupled().roll); }
+  double upright() const { return std::cos(system_.coupling().frames.roll); }
   bool force_control() const { return system_.options().control == Control::force; }
   /// Sets what follows from the free entries, and the driven plane under displacement control.
   void complete(Vector<double>& displacement, double approach) const;

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "fem/contact/rigid_motion.h"
+#include "fem/contact/coupling.h"
 #include "fem/solver/mesh_level.h"
 
 namespace asperity::fem {
@@ -17,7 +17,7 @@ struct ContactState {
   std::vector<char> bonded;        ///< rows that were in contact and have not left the range of attraction since; empty: no adhesion
   double approach = 0;             ///< displacement of the driven plane towards the substrate [m], from first touch
   RigidMotion motion;
-  RigidMotion coupled;             ///< of the particle's surface, where the interfaces were coupled
+  Coupling coupling;               ///< of the interfaces
 };
 
 struct SolveReport {

@@ -61,7 +61,8 @@ void ContactSystem::find_faces() {
 }
 
 void ContactSystem::couple() {
-  const Rotation turn = rotation(coupled_);
+  const RigidMotion surface = coupling_.surface();
+  const Rotation turn = rotation(surface), frames = rotation(coupling_.frames);
   const double radius = options_.mesh.sizes.radius;
   std::vector<PlaneQuad> particle;
   for (const auto& face : faces_[0]) {
@@ -69,45 +70,48 @@ void ContactSystem::couple() {
     quad.node = face.node;
     for (int v = 0; v < 4; ++v) {
       const auto p = turned(turn, interface_points_[face.node[v]], radius);
-      quad.corner[v] = {p[0] + coupled_.x, p[1] + coupled_.y};
+      quad.corner[v] = {p[0] + surface.x, p[1] + surface.y};
     }
   }
   rows_ = couple_interfaces(particle, faces_[1]);
   row_points_.clear();
   areas_.clear();
+  elastic_.clear();
   for (const auto& row : rows_) {
-    row_points_.push_back(turned(turn, interface_points_[row.node], radius));
+    const auto& place = row_points_.emplace_back(turned(turn, interface_points_[row.node], radius));
+    const auto strainless = turned(frames, interface_points_[row.node], radius);
+    elastic_.push_back({place[0] - strainless[0] + coupling_.elastic.x, place[1] - strainless[1] + coupling_.elastic.y});
     areas_.push_back(row.area);
   }
 }
 
-void ContactSystem::couple_at(RigidMotion motion, const std::array<double, 2>& elastic, const Vector<double>& accepted) {
-  if (!options_.tilted_normals) motion.spin = 0;
+void ContactSystem::couple_at(Coupling coupling, const Vector<double>& accepted) {
+  if (!options_.tilted_normals) coupling.frames.spin = 0;
   const double radius = options_.mesh.sizes.radius;
   // Far below what any gap can notice.
   const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
-  const double way = std::hypot(motion.x - coupled_.x, motion.y - coupled_.y) + radius * std::abs(motion.roll - coupled_.roll);
+  const RigidMotion here = coupling_.surface(), there = coupling.surface();
+  const double way = std::hypot(there.x - here.x, there.y - here.y) + radius * std::abs(there.roll - here.roll);
   if (!options_.tilted_normals && way < unnoticed) return;
-  if (motion.roll != coupled_.roll) level_->set_drive_tilt(-std::tan(motion.roll));
-  coupled_ = motion;
-  elastic_shift_ = elastic;
+  if (there.roll != here.roll) level_->set_drive_tilt(-std::tan(there.roll));
+  coupling_ = coupling;
   interface_before_ = std::make_unique<InterfaceOperator>(*interface_);
   couple();
   if (options_.tilted_normals) tilt(accepted);
-  interface_->set_rotation(rotation(coupled_));
+  interface_->set_rotation(rotation(coupling_.frames));
   interface_->set_rows(rows_, InterfaceNodes(*level_));
   untilted_gaps_ = interface_->jumps(positions_.begin(), 2);
   // The turn is about the particle's centre, not about the origin.
   for (auto& gap : untilted_gaps_) gap += radius * (1 - interface_->rotation()[2][2]);
   find_initial_gaps();
-  linear_->recouple(coupled_);
+  linear_->recouple(coupling_.frames);
 }
 
 void ContactSystem::find_initial_gaps() {
-  // The coupling already has the elastic shift, which the displacements bring along once more.
+  // The coupling already has the mean elastic displacement, which the displacements bring along once more.
   gaps_ = untilted_gaps_;
   for (std::size_t r = 0; r < gaps_.size(); ++r)
-    for (int c = 0; c < 2; ++c) gaps_[r] -= rows_[r].slope[c] * elastic_shift_[c];
+    for (int c = 0; c < 2; ++c) gaps_[r] -= rows_[r].slope[c] * elastic_[r][c];
 }
 
 void ContactSystem::follow_slopes(const Vector<double>& displacement) {

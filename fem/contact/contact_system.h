@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "fem/contact/coupling.h"
 #include "fem/contact/interface_operator.h"
 #include "fem/solver/linear_solver.h"
 #include "fem/solver/plastic_bodies.h"
@@ -32,8 +33,7 @@ class ContactSystem {
   const std::vector<GapRow>& rows() const { return rows_; }
   const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
   const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row, without displacements [m]
-  /// Of the particle's surface relative to the substrate's, where they are coupled.
-  const RigidMotion& coupled() const { return coupled_; }
+  const Coupling& coupling() const { return coupling_; }
   const InterfaceOperator& interface() const { return *interface_; }
   InterfaceOperator& interface() { return *interface_; }
   /// As it was before the last shift.
@@ -47,10 +47,9 @@ class ContactSystem {
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
-  /// Couples the interfaces anew with the particle's surface moved by `motion`, in whose shift `elastic` [m] is a mean displacement
-  /// of the surfaces in their frames: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
+  /// Couples the interfaces anew: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
   /// substrate displaced by `accepted`. Spin is heeded with tilted normals only. Collective.
-  void couple_at(RigidMotion motion, const std::array<double, 2>& elastic, const Vector<double>& accepted);
+  void couple_at(Coupling coupling, const Vector<double>& accepted);
   /// With tilted normals: slopes of the substrate displaced by `displacement`. Collective.
   void follow_slopes(const Vector<double>& displacement);
 
@@ -82,8 +81,8 @@ class ContactSystem {
   std::unique_ptr<InterfaceOperator> interface_, interface_before_;
   std::unique_ptr<LinearSolver> linear_;
   std::array<std::vector<PlaneFace>, 2> faces_;  ///< that can touch, each body's in its own frame
-  RigidMotion coupled_;
-  std::array<double, 2> elastic_shift_{};
+  Coupling coupling_;
+  std::vector<std::array<double, 2>> elastic_;  ///< displacement of each row that the coupling brings along [m]
   std::vector<GapRow> rows_;
   std::vector<double> areas_, gaps_, untilted_gaps_;
   std::vector<std::array<double, 3>> interface_points_, row_points_;

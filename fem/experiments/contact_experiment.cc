@@ -47,7 +47,7 @@ void ContactExperiment::start() {
   ContactState unloaded;
   system_->level().initialise(unloaded.displacement);
   unloaded.displacement.update_ghost_values();
-  system_->couple_at(program_.front().motion, {}, unloaded.displacement);
+  system_->couple_at({program_.front().motion, {}}, unloaded.displacement);
   ContactSolverOptions solver_options;
   solver_options.residual_tolerance = input_.solver.tolerance;
   solver_options.largest_newton = input_.solver.newton_steps;
@@ -73,7 +73,7 @@ bool ContactExperiment::resume() {
   state_.bonded.assign(checkpoint->bonded.begin(), checkpoint->bonded.end());
   state_.approach = checkpoint->approach;
   state_.motion = checkpoint->motion;
-  state_.coupled = checkpoint->coupled;
+  state_.coupling = checkpoint->coupling;
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
@@ -168,7 +168,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     state_.bonded = trial.bonded;
     state_.approach = trial.approach;
     state_.motion = trial.motion;
-    state_.coupled = trial.coupled;
+    state_.coupling = trial.coupling;
     friction_work += report.friction_work;
     adhesion_loss += report.adhesion_loss;
     adhesion_energy = report.adhesion_energy;
@@ -267,7 +267,7 @@ void ContactExperiment::write_step(int index) {
   c.bonded.assign(state_.bonded.begin(), state_.bonded.end());
   c.approach = state_.approach;
   c.motion = state_.motion;
-  c.coupled = state_.coupled;
+  c.coupling = state_.coupling;
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
   if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));

@@ -44,9 +44,10 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   std::vector<double> rows;
   for (const auto& record : c.records)
     for (const auto& [name, member] : StepRecord::columns()) rows.push_back(record.*member);
+  const RigidMotion& at = c.coupling.frames;
   put(bytes, {static_cast<double>(c.steps), c.load, c.far_field, c.lateral_far_field, c.stiffness_at_peak, c.lateral_stiffness,
-              c.torsion_stiffness, c.wall_time, c.approach, c.motion.x, c.motion.y, c.motion.spin, c.motion.roll, c.coupled.x,
-              c.coupled.y, c.coupled.spin, c.coupled.roll});
+              c.torsion_stiffness, c.wall_time, c.approach, c.motion.x, c.motion.y, c.motion.spin, c.motion.roll, at.x,
+              at.y, at.spin, at.roll, c.coupling.elastic.x, c.coupling.elastic.y, c.coupling.elastic.turn});
   using Part = const std::vector<double>*;
   for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.shear[0]), Part(&c.shear[1]), Part(&c.bonded), Part(&c.history)}) put(bytes, *values);
   write_file_atomically(part(folder, c.steps, rank), bytes);
@@ -73,11 +74,12 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm commu
   std::size_t at = 0;
   Checkpoint c;
   const auto head = take(bytes, at);
-  if (head.size() != 17) throw WorkError("the checkpoint has another format; solve again without --resume");
+  if (head.size() != 20) throw WorkError("the checkpoint has another format; solve again without --resume");
   c.steps = static_cast<int>(head[0]);
   c.load = head[1], c.far_field = head[2], c.lateral_far_field = head[3];
   c.stiffness_at_peak = head[4], c.lateral_stiffness = head[5], c.torsion_stiffness = head[6];
-  c.wall_time = head[7], c.approach = head[8], c.motion = {head[9], head[10], head[11], head[12]}, c.coupled = {head[13], head[14], head[15], head[16]};
+  c.wall_time = head[7], c.approach = head[8], c.motion = {head[9], head[10], head[11], head[12]};
+  c.coupling = {{head[13], head[14], head[15], head[16]}, {head[17], head[18], head[19]}};
   const auto rows = take(bytes, at);
   const auto& columns = StepRecord::columns();
   for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {

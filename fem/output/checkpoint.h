@@ -20,7 +20,7 @@ struct Checkpoint {
   std::array<std::vector<double>, 2> shear;
   std::vector<double> bonded;  ///< see ContactState
   RigidMotion motion;
-  RigidMotion coupled;  ///< see ContactState
+  Coupling coupling;  ///< see ContactState
   double approach = 0;
   std::vector<double> history;         ///< PlasticBodies::save_history
 };

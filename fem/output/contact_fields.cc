@@ -54,7 +54,7 @@ VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver
     pressure.values.push_back(static_cast<float>(state.multiplier[r]));
     status.values.push_back(closed ? 1.0f : 0.0f);
     upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1])) : 0.0f);
-    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(under[0] + system.coupled().x, under[1] + system.coupled().y)) : 0.0f);
+    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(under[0] + system.coupling().surface().x, under[1] + system.coupling().surface().y)) : 0.0f);
     for (const auto& component : state.shear) shear.values.push_back(static_cast<float>(component[r]));
     shear.values.push_back(0.0f);
   }

@@ -111,6 +111,21 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   EXPECT_LT(s.result["balance"]["energy"], 0.01);
 }
 
+/// The surfaces are coupled where they have turned elastically; 0.3 % is open then, and 0.9 % where only their frames turn.
+TEST(TorsionExperiment, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding("generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
+  input.substrate.yield_stress = 4e9;
+  input.particle.yield_stress = 3e9;
+  input.interface.friction_coefficient = 0.5;
+  input.experiment.type = ExperimentInput::Type::torsion;
+  input.experiment.angle = 0.2;
+  input.experiment.reverse = false;
+  const auto s = solve_experiment(input, folder.path);
+  EXPECT_LT(s.result["balance"]["energy"], 0.005);
+  EXPECT_GT(s.history.numbers("plastic_work [J]").back(), 0);
+}
+
 TEST(Program, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
   ExperimentInput e;
   e.type = ExperimentInput::Type::rolling;
