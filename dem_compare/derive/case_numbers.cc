@@ -62,35 +62,48 @@ std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumb
   return scatter;
 }
 
+std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers) {
+  const auto contacts = families(numbers, same_contact);
+  const auto on_spacing = [&](const Indices& contact, double spacing) {
+    return std::find_if(contact.begin(), contact.end(), [&](std::size_t i) { return same_spacing(numbers[i].spacing, spacing); });
+  };
+  // Meshes that are not known (NaN) count as the coarsest.
+  const auto finer = [&](std::size_t a, std::size_t b) {
+    const double one = numbers[a].spacing, other = numbers[b].spacing;
+    return std::isnan(other) ? !std::isnan(one) : one < other;
+  };
+  std::optional<std::size_t> common;
+  if (!contacts.empty())
+    for (const auto i : contacts.front()) {
+      const bool everywhere = std::all_of(contacts.begin(), contacts.end(), [&](const Indices& contact) {
+        return on_spacing(contact, numbers[i].spacing) != contact.end();
+      });
+      if (everywhere && (!common || finer(i, *common))) common = i;
+    }
+  Indices chosen;
+  for (const auto& contact : contacts)
+    chosen.push_back(common ? *on_spacing(contact, numbers[*common].spacing) : *std::min_element(contact.begin(), contact.end(), finer));
+  return chosen;
+}
+
 std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers) {
   MeshDoubt doubt;
-  for (const auto& family : families(numbers, same_contact)) {
+  for (const auto i : on_one_mesh(numbers)) {
     std::vector<double> spacings, values;
-    for (const auto i : family) {
-      const double spacing = numbers[i].spacing;
-      if (std::isnan(spacing) ||
-          std::any_of(spacings.begin(), spacings.end(), [&](double h) { return same_spacing(h, spacing); }))
-        continue;
-      spacings.push_back(spacing);
-      values.push_back(numbers[i].value);
+    for (const auto& other : numbers) {
+      const bool known = std::any_of(spacings.begin(), spacings.end(), [&](double h) { return same_spacing(h, other.spacing); });
+      if (!same_contact(numbers[i], other) || std::isnan(other.spacing) || known) continue;
+      spacings.push_back(other.spacing);
+      values.push_back(other.value);
     }
     if (spacings.size() < 2) continue;
-    doubt.relative_error += mesh_error(spacings, values).relative_error;
+    const double counted = numbers[i].value;
+    doubt.relative_error += (counted - mesh_error(spacings, values).extrapolated) / std::abs(counted);
     ++doubt.families;
   }
   if (doubt.families == 0) return std::nullopt;
   doubt.relative_error /= doubt.families;
   return doubt;
-}
-
-std::vector<std::size_t> finest(const std::vector<CaseNumber>& numbers) {
-  Indices chosen;
-  for (const auto& family : families(numbers, same_contact))
-    chosen.push_back(*std::min_element(family.begin(), family.end(), [&](std::size_t a, std::size_t b) {
-      const double one = numbers[a].spacing, other = numbers[b].spacing;
-      return std::isnan(other) ? !std::isnan(one) : one < other;
-    }));
-  return chosen;
 }
 
 }  // namespace asperity

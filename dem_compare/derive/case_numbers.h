@@ -27,14 +27,15 @@ struct RealisationScatter {
 /// Empty where no load was solved for more than one realisation on the same spacing.
 std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumber>& numbers);
 
+/// One of each load and realisation, all on one mesh: the finest that all of them have. Each on its own finest where they have
+/// none in common.
+std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers);
+
 /// From the same load and realisation on several spacings (statistics.h), mean over such families.
 struct MeshDoubt {
-  double relative_error = 0;  ///< of the finest mesh
+  double relative_error = 0;  ///< of the mesh that counts, see on_one_mesh
   int families = 0;
 };
 std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers);
-
-/// Of each load and realisation the one on the finest mesh.
-std::vector<std::size_t> finest(const std::vector<CaseNumber>& numbers);
 
 }  // namespace asperity

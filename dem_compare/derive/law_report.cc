@@ -90,7 +90,7 @@ void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string
   }
   if (const auto doubt = mesh_doubt(all)) {
     report.findings.push_back(
-        "error of the finest mesh (" + what + "): " + percent(doubt->relative_error) +
+        "error of the mesh (" + what + "): " + percent(doubt->relative_error) +
         (doubt->families > 1 ? ", mean of " + std::to_string(doubt->families) + " contacts" : "") +
         "; not part of the uncertainty above");
     report.details["mesh_error"] = doubt->relative_error;

@@ -99,7 +99,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   const auto radius = [&](double load) { return parameters.contact_radius(load); };
   const auto law_of = [&](const std::vector<CaseNumber>& all) {
     std::vector<CaseNumber> used;
-    for (const auto i : finest(all)) used.push_back(all[i]);
+    for (const auto i : on_one_mesh(all)) used.push_back(all[i]);
     return fit_power(used, radius, mode.stiffness_exponent);
   };
   if (probed.empty() && reversed.empty()) {
@@ -217,7 +217,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
         folders_of(sticking) + "): set " + mode.way_entry + " to more");
   if (all.empty()) return;
   std::vector<ResistancePoint> points;
-  for (const auto i : finest(all)) {
+  for (const auto i : on_one_mesh(all)) {
     used.push_back(steady[i]);
     points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius,
                       parameters.contact_radius(all[i].load)});

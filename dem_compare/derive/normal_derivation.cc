@@ -108,7 +108,7 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
     std::vector<double> moduli, radii, exponents, offsets;
     double errors = 0;
     modulus.load_range = fits.front().loads;
-    const auto used = finest(all);
+    const auto used = on_one_mesh(all);
     for (const auto i : used) {
       moduli.push_back(fits[i].modulus.value), radii.push_back(fits[i].radius.value);
       exponents.push_back(fits[i].exponent), offsets.push_back(fits[i].offset);
@@ -165,7 +165,7 @@ void derive_normal_stiffness(const ParameterSet& set, ContactParameters& paramet
     return;
   }
   std::vector<CaseNumber> used;
-  for (const auto i : finest(all)) used.push_back(all[i]);
+  for (const auto i : on_one_mesh(all)) used.push_back(all[i]);
   const PowerLaw law = fit_power(used, [&](double load) { return parameters.contact_radius(load); });
   parameters.normal_stiffness =
       EffectiveQuantity{law.value,   law.sd,

@@ -28,9 +28,31 @@ TEST(CaseNumbers_analytic, scatter_between_realisations_and_error_of_the_mesh_do
   ASSERT_TRUE(doubt);
   EXPECT_EQ(doubt->families, 6);
   EXPECT_NEAR(doubt->relative_error, 0.01, 2e-4);
-  const auto chosen = finest(numbers);
+  const auto chosen = on_one_mesh(numbers);
   EXPECT_EQ(chosen.size(), 6u);
   for (const auto i : chosen) EXPECT_EQ(numbers[i].spacing, 0.01);
+}
+
+TEST(CaseNumbers_analytic, count_on_the_finest_mesh_that_all_contacts_have) {
+  std::vector<CaseNumber> numbers;
+  for (const double load : {1.0, 2.0, 4.0})
+    for (const double spacing : {0.04, 0.01, 0.02})
+      if (load == 2 || spacing > 0.01) numbers.push_back(number(load, "a", spacing, 0));
+  const auto chosen = on_one_mesh(numbers);
+  ASSERT_EQ(chosen.size(), 3u);
+  for (const auto i : chosen) EXPECT_EQ(numbers[i].spacing, 0.02);
+  // Of that mesh, not of the finest one, is the error.
+  const auto doubt = mesh_doubt(numbers);
+  ASSERT_TRUE(doubt);
+  EXPECT_EQ(doubt->families, 3);
+  EXPECT_NEAR(doubt->relative_error, 0.02 / 1.02, 1e-12);
+
+  numbers.push_back(number(8, "a", 0.03, 0));
+  numbers.push_back(number(8, "a", NAN, 0));
+  const auto mixed = on_one_mesh(numbers);
+  ASSERT_EQ(mixed.size(), 4u);
+  EXPECT_EQ(numbers[mixed[1]].spacing, 0.01);
+  EXPECT_EQ(numbers[mixed[3]].spacing, 0.03);
 }
 
 TEST(CaseNumbers, of_one_realisation_on_one_mesh_know_neither) {
