@@ -11,6 +11,7 @@
 
 #include "app/study_runner.h"
 #include "core/error.h"
+#include "fem/output/checkpoint.h"
 
 namespace asperity {
 namespace {
@@ -31,6 +32,7 @@ void run_study(const StudyArguments& arguments) {
   options.resume = arguments.resume;
   options.cores = std::max(1u, std::thread::hardware_concurrency());
   options.program = arguments.solver.empty() ? fs::read_symlink("/proc/self/exe") : fs::absolute(arguments.solver);
+  options.can_resume = [](const fs::path& folder) { return fem::is_of_this_version(folder / "checkpoint"); };
   options.say = [](const std::string& line) { std::cout << line << std::endl; };
   const auto progress = run_study(study, options);
 

@@ -179,11 +179,11 @@ class StudyRun {
     const std::string threads = std::to_string(std::max(1, options_.cores / parallel_));
     std::vector<std::string> arguments{options_.program.string(), "solve", (folder(index) / case_file).string(), "--output",
                                        folder(index).string(), "--set", "Solver/Threads=" + threads};
-    const bool begun = fs::exists(folder(index) / log_file);
-    if (begun) arguments.push_back("--resume");
+    const bool begun = fs::exists(folder(index) / log_file), goes_on = begun && options_.can_resume(folder(index));
+    if (goes_on) arguments.push_back("--resume");
     running_.push_back({index, ChildProcess(arguments, folder(index) / log_file, {"OMP_NUM_THREADS=" + threads}), Clock::now()});
     progress_[index].state = State::running;
-    options_.say(study_.cases[index].name + (begun ? ": resumed" : ": started"));
+    options_.say(study_.cases[index].name + (goes_on ? ": resumed" : begun ? ": begun by another version of asperity; solved anew" : ": started"));
   }
 
   void collect_ended_cases() {

@@ -16,6 +16,8 @@ struct StudyRunOptions {
   bool resume = false;            ///< go on with what is in `output`: keep complete cases, resume begun ones
   int cores = 1;                  ///< shared by the cases that run at the same time
   std::filesystem::path program;  ///< called as: program solve CASE.prm --output DIR --set Solver/Threads=n [--resume]
+  /// Whether the program can go on with a case begun in a folder; one that it cannot is solved anew.
+  std::function<bool(const std::filesystem::path&)> can_resume = [](const auto&) { return true; };
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
 };
 

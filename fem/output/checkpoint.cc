@@ -29,6 +29,9 @@ std::vector<double> take(const std::string& bytes, std::size_t& at) {
   return values;
 }
 
+/// To be raised with every change of what a checkpoint holds.
+constexpr const char* format = "asperity-checkpoint/2";
+
 fs::path part(const fs::path& folder, int step, int rank) {
   return folder / ("step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin");
 }
@@ -53,7 +56,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   write_file_atomically(part(folder, c.steps, rank), bytes);
   MPI_Barrier(communicator);
   if (rank != 0) return;
-  const nlohmann::json manifest{{"format", "asperity-checkpoint/1"}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()}};
+  const nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()}};
   write_file_atomically(folder / "latest.json", manifest.dump(1));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -61,20 +64,27 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   }
 }
 
+bool is_of_this_version(const fs::path& folder) {
+  if (!fs::exists(folder / "latest.json")) return true;
+  const auto manifest = nlohmann::json::parse(read_file(folder / "latest.json"), nullptr, false);
+  return manifest.is_object() && manifest.value("format", "") == format &&
+         manifest.value("columns", std::size_t{0}) == StepRecord::columns().size();
+}
+
 std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm communicator) {
   if (!fs::exists(folder / "latest.json")) return std::nullopt;
+  if (!is_of_this_version(folder))
+    throw WorkError("the checkpoint in '" + folder.string() + "' was written by another version of asperity; solve again without --resume");
   const auto manifest = nlohmann::json::parse(read_file(folder / "latest.json"));
   const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   if (manifest.at("ranks") != ranks)
     throw WorkError("the checkpoint was written by " + std::to_string(manifest.at("ranks").get<int>()) +
                     " processes; resume with mpirun -np " + std::to_string(manifest.at("ranks").get<int>()));
-  if (manifest.value("columns", std::size_t{0}) != StepRecord::columns().size())
-    throw WorkError("the checkpoint in '" + folder.string() + "' was written by another version of asperity; solve again without --resume");
   const std::string bytes = read_file(part(folder, manifest.at("steps"), dealii::Utilities::MPI::this_mpi_process(communicator)));
   std::size_t at = 0;
   Checkpoint c;
   const auto head = take(bytes, at);
-  if (head.size() != 20) throw WorkError("the checkpoint has another format; solve again without --resume");
+  if (head.size() != 20) throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again without --resume");
   c.steps = static_cast<int>(head[0]);
   c.load = head[1], c.far_field = head[2], c.lateral_far_field = head[3];
   c.stiffness_at_peak = head[4], c.lateral_stiffness = head[5], c.torsion_stiffness = head[6];

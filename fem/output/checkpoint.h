@@ -28,7 +28,10 @@ struct Checkpoint {
 /// Collective. The checkpoint before stays valid until this one is complete.
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint, MPI_Comm communicator);
 
-/// The latest complete checkpoint; empty if there is none. Throws WorkError if it was made by another number of ranks.
+/// Whether a checkpoint in `folder` was written by a program of this version; true where there is none.
+bool is_of_this_version(const std::filesystem::path& folder);
+
+/// The latest complete checkpoint; empty if there is none. Throws WorkError if it was made by another number of ranks or version.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, MPI_Comm communicator);
 
 }  // namespace asperity::fem

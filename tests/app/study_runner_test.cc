@@ -104,6 +104,16 @@ TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_agai
   EXPECT_EQ(first.find("--resume"), std::string::npos);
 }
 
+TEST_F(StudyRunner, a_case_begun_by_another_version_is_solved_anew) {
+  run_study(two_loads(), options_);
+  folder_.write("mended", "");
+  options_.can_resume = [](const fs::path& folder) { return folder.filename() != "2_mN"; };
+  options_.resume = true;
+  EXPECT_EQ(run_study(two_loads(), options_)[1].state, State::done);
+  EXPECT_EQ(calls("2_mN").find("--resume"), std::string::npos);
+  EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: begun by another version of asperity; solved anew"), said_.end());
+}
+
 TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete) {
   run_study(two_loads(), options_);
   folder_.write("results/1_mN/result.json", "{\"format\": \"asperity-res");

@@ -6,8 +6,10 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/error.h"
 #include "fem/case_setup.h"
 #include "fem/experiments/program.h"
+#include "fem/output/checkpoint.h"
 #include "fem/solve_case.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
@@ -79,6 +81,14 @@ TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_ste
     EXPECT_GE(plastic[k], plastic[k - 1] * (1 - 1e-9));
   }
   EXPECT_GT(plastic.back(), 0);
+  // Another version's checkpoint is refused, not misread.
+  const auto manifest = folder.path / "whole" / "checkpoint" / "latest.json";
+  EXPECT_TRUE(fem::is_of_this_version(manifest.parent_path()));
+  auto written = nlohmann::json::parse(read_file(manifest));
+  written["format"] = "asperity-checkpoint/1";
+  write_file_atomically(manifest, written.dump());
+  EXPECT_FALSE(fem::is_of_this_version(manifest.parent_path()));
+  EXPECT_THROW(solve_experiment(input, folder.path / "whole", true), WorkError);
   // Stopped after a few steps of sliding.
   CaseInput cut = input;
   SolveOptions options;
