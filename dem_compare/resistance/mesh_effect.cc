@@ -9,14 +9,34 @@
 namespace asperity {
 namespace {
 
-/// Spacing next to the counted one; 0 where there is none.
-double neighbour(const MovingState& state) {
-  double finer = 0, coarser = 0;
+/// Those that the counted one is compared with.
+std::vector<double> other_spacings(const MovingState& state) {
+  std::vector<double> finer, coarser;
   for (const auto& item : state.on_other_meshes) {
-    if (item.spacing < state.spacing && item.spacing > finer) finer = item.spacing;
-    if (item.spacing > state.spacing && (coarser == 0 || item.spacing < coarser)) coarser = item.spacing;
+    auto& side = item.spacing < state.spacing ? finer : coarser;
+    const bool known = std::any_of(side.begin(), side.end(), [&](double h) { return same_spacing(h, item.spacing); });
+    if (!known) side.push_back(item.spacing);
   }
-  return finer > 0 ? finer : coarser;
+  std::sort(finer.rbegin(), finer.rend());
+  if (!finer.empty() || coarser.empty()) return finer;
+  return {*std::min_element(coarser.begin(), coarser.end())};
+}
+
+MeshEffect effect_of(const MovingContact& contact, const MovingState& state, double other) {
+  MeshEffect effect;
+  effect.contact = &contact, effect.state = &state;
+  effect.counts_fine = other > state.spacing;
+  effect.coarse = std::max(other, state.spacing), effect.fine = std::min(other, state.spacing);
+  std::vector<Uncertain> ratios;
+  for (const auto& counted : state.cases)
+    for (const auto& item : state.on_other_meshes) {
+      if (!same_spacing(item.spacing, other) || !same_realisation(counted.seeds, item.seeds)) continue;
+      ratios.push_back(effect.counts_fine ? paired_ratio(counted.first, item.first) : paired_ratio(item.first, counted.first));
+      break;
+    }
+  effect.realisations = static_cast<int>(ratios.size());
+  effect.ratio = mean_of_realisations(ratios);
+  return effect;
 }
 
 }  // namespace
@@ -32,24 +52,11 @@ Uncertain MeshEffect::excess() const {
 std::vector<MeshEffect> mesh_effects(const MovingStudy& study) {
   std::vector<MeshEffect> found;
   for (const auto& contact : study.contacts)
-    for (const auto& state : contact.states) {
-      const double other = neighbour(state);
-      if (other == 0) continue;
-      MeshEffect effect;
-      effect.contact = &contact, effect.state = &state;
-      effect.counts_fine = other > state.spacing;
-      effect.coarse = std::max(other, state.spacing), effect.fine = std::min(other, state.spacing);
-      std::vector<Uncertain> ratios;
-      for (const auto& counted : state.cases)
-        for (const auto& item : state.on_other_meshes) {
-          if (!same_spacing(item.spacing, other) || !same_realisation(counted.seeds, item.seeds)) continue;
-          ratios.push_back(effect.counts_fine ? paired_ratio(counted.first, item.first) : paired_ratio(item.first, counted.first));
-          break;
-        }
-      effect.realisations = static_cast<int>(ratios.size());
-      effect.ratio = mean_of_realisations(ratios);
-      if (effect.realisations > 0) found.push_back(effect);
-    }
+    for (const auto& state : contact.states)
+      for (const double other : other_spacings(state)) {
+        const MeshEffect effect = effect_of(contact, state, other);
+        if (effect.realisations > 0) found.push_back(effect);
+      }
   return found;
 }
 

@@ -20,7 +20,8 @@ struct MeshEffect {
   Uncertain excess() const;
 };
 
-/// For each state that was solved on two spacings: the counted one beside the next finer, or else the next coarser.
+/// For each state that was solved on several spacings: the counted one beside each finer, from the next to the finest; beside the
+/// next coarser where it is the finest. Were the error of first order, each pair would tell the same excess.
 std::vector<MeshEffect> mesh_effects(const MovingStudy& study);
 
 }  // namespace asperity

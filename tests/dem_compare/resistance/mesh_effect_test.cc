@@ -39,6 +39,22 @@ TEST(MeshEffect_analytic, of_first_order_is_found_on_the_coarse_mesh_that_counts
   EXPECT_NE(said.front().find("on 16 nm instead of 32 nm"), std::string::npos) << said.front();
 }
 
+TEST(MeshEffect_analytic, of_each_finer_mesh_is_told_and_of_first_order_all_tell_the_same) {
+  test::TemporaryFolder root;
+  const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_spacing(32e-9)},
+                                                                                            {"1.5 nm finest", on_spacing(12.5e-9)},
+                                                                                            {"1.5 nm finer", on_spacing(20e-9)},
+                                                                                            {"2.7 nm", on_spacing(32e-9, 2.7)}})}),
+                                         {});
+  ASSERT_EQ(findings.meshes.size(), 2u);
+  EXPECT_DOUBLE_EQ(findings.meshes[0].fine, 20e-9);
+  EXPECT_DOUBLE_EQ(findings.meshes[1].fine, 12.5e-9);
+  for (const auto& effect : findings.meshes) {
+    EXPECT_DOUBLE_EQ(effect.coarse, 32e-9);
+    EXPECT_NEAR(effect.excess().value, 0.16, 1e-5);
+  }
+}
+
 TEST(MeshEffect_analytic, where_all_have_the_finer_mesh_it_counts) {
   test::TemporaryFolder root;
   const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_spacing(32e-9)},
