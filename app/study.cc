@@ -73,28 +73,36 @@ Setting case_setting(const std::string& path, const std::string& value, const st
   return setting;
 }
 
+/// "Section/Entry=value".
+Setting read_assignment(const std::string& text, const std::string& where, const fs::path& file) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos)
+    throw InputError(where + ": '" + text + "' lacks '='; write Section/Entry=value, several separated by ';'");
+  return case_setting(trim(text.substr(0, equals)), trim(text.substr(equals + 1)), where, file);
+}
+
+/// "label: value; Section/Entry=value; ...": label and further entries may be missing.
+Choice read_value(const Setting& written, const std::string& text, const fs::path& file) {
+  auto parts = split(text, ';');
+  const std::string& first = parts.front();
+  if (first.empty()) throw InputError(written.where + ": the values of " + written.entry + " have an empty one; remove the comma");
+  const auto colon = first.find(": ");
+  const std::string value = colon == std::string::npos ? first : trim(first.substr(colon + 1));
+  Choice choice{colon == std::string::npos ? first : trim(first.substr(0, colon)), {case_setting(written.entry, value, written.where, file)}};
+  for (auto part = parts.begin() + 1; part != parts.end(); ++part) choice.settings.push_back(read_assignment(*part, written.where, file));
+  return choice;
+}
+
 Axis read_vary(const Setting& written, const fs::path& file) {
   Axis axis{written.entry, written.where, {}};
-  for (const auto& part : split(written.value, ',')) {
-    if (part.empty()) throw InputError(written.where + ": the values of " + written.entry + " have an empty one; remove the comma");
-    // A label is what stands before ": ".
-    const auto colon = part.find(": ");
-    const std::string value = colon == std::string::npos ? part : trim(part.substr(colon + 1));
-    const std::string label = colon == std::string::npos ? part : trim(part.substr(0, colon));
-    axis.choices.push_back({label, {case_setting(written.entry, value, written.where, file)}});
-  }
+  for (const auto& part : split(written.value, ',')) axis.choices.push_back(read_value(written, part, file));
   return axis;
 }
 
 Choice read_variant(const Setting& written, const fs::path& file) {
   Choice variant{written.entry, {}};
   if (written.value.empty()) return variant;
-  for (const auto& part : split(written.value, ';')) {
-    const auto equals = part.find('=');
-    if (equals == std::string::npos)
-      throw InputError(written.where + ": '" + part + "' lacks '='; write Section/Entry=value, several separated by ';'");
-    variant.settings.push_back(case_setting(trim(part.substr(0, equals)), trim(part.substr(equals + 1)), written.where, file));
-  }
+  for (const auto& part : split(written.value, ';')) variant.settings.push_back(read_assignment(part, written.where, file));
   return variant;
 }
 
@@ -261,7 +269,7 @@ const char* const study_example =
     "  set Base case        = base.prm     # optional; the study's own case sections override it\n"
     "  set Realisations     = 4            # seeds of each generated topography\n"
     "  set Parallel cases   = 2            # at the same time; 0 or nothing: one per core\n"
-    "  subsection Vary                     # each value with each value of the others\n"
+    "  subsection Vary                     # each value with each value of the others; \";\" adds entries to a value\n"
     "    set Experiment/Normal load = 300 uN, 1 mN\n"
     "    set Substrate/Topography   = flat: smooth, rough: generated(rms=1.5 nm)\n"
     "  end\n"

@@ -85,6 +85,19 @@ TEST(Study, variants_set_several_entries_together) {
   EXPECT_EQ(value_of(study.cases[1], "Substrate/Yield stress"), "4 GPa");
 }
 
+TEST(Study, a_varied_value_may_bring_further_entries) {
+  const Study study = study_of(
+      "subsection Study\n subsection Vary\n"
+      "  set Experiment/Type = sliding, turned: torsion; Experiment/Reverse = false; Experiment/Load steps=3\n"
+      " end\nend\n");
+  ASSERT_EQ(study.cases.size(), 2u);
+  EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"sliding", "turned"}));
+  EXPECT_EQ(value_of(study.cases[0], "Experiment/Reverse"), "true");
+  EXPECT_EQ(value_of(study.cases[1], "Experiment/Type"), "torsion");
+  EXPECT_EQ(value_of(study.cases[1], "Experiment/Reverse"), "false");
+  EXPECT_EQ(value_of(study.cases[1], "Experiment/Load steps"), "3");
+}
+
 TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
   const TemporaryFolder folder;
   folder.write("cases/scan.gsf", "x");
@@ -107,6 +120,7 @@ TEST(Study, what_it_cannot_mean_is_refused_with_its_line) {
   EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"), "study.prm:15:");
   EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"), "remove the comma");
   EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"), "write a label");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN; sideways\n end\nend\n"), "lacks '='");
   EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"), "Vary and Variants");
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Base case = none.prm\nend\n"), "there is no base case");
 }
