@@ -220,6 +220,9 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
                              "Angle of torsion, one way; 0: six times that at which a smooth contact slips as a whole."));
   entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true", "Come back along the path: half a friction loop."));
+  entries.push_back(quantity(section, "Way back", at(&ExperimentInput::way_back), Dimension::length, not_negative, "0 m", "",
+                             "How far sliding and rolling come back with Reverse = true; 0: to where they began. A contact radius tells the stiffness "
+                             "of rolling: over the same track hills drop out."));
   entries.push_back(motion_program(section));
   entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
                                  "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "

@@ -44,6 +44,7 @@ struct ExperimentInput {
   double distance = 0;         ///< lateral path of sliding and rolling, one way [m]
   double angle = 0;            ///< torsion angle, one way [rad]
   bool reverse = true;         ///< come back along the path
+  double way_back = 0;         ///< of a distance slid or rolled [m]; 0: all of it
   std::string program;         ///< motions combined (core/motion_program.h)
   int motion_steps = 0;        ///< equal steps one way; 0: fine where slip begins, then an interface spacing (half of one in torsion)
 };

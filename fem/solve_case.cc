@@ -30,6 +30,8 @@ void require_solvable(const CaseInput& input) {
     refuse("torsion without friction meets no resistance; set Interface/Friction coefficient or Shear strength");
   if (e.type != Type::normal && e.cycles > 1 && !e.reverse)
     refuse("Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
+  if (e.way_back > 0 && (!e.reverse || e.cycles > 1 || (e.type != Type::sliding && e.type != Type::rolling)))
+    refuse("Experiment/Way back is for one cycle of sliding or rolling with Reverse = true; set it to 0");
 }
 
 }  // namespace

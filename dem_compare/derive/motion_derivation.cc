@@ -7,6 +7,7 @@
 
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
+#include "dem_compare/derive/rolling_stiffness.h"
 #include "dem_compare/resistance/moving_case.h"
 #include "dem_compare/statistics.h"
 
@@ -64,8 +65,9 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   seen.steady = dissipated ? *dissipated : steady_resistance(position, resistance, force);
   seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
-  if (seen.steady.reached && !seen.is_dissipation)
-    seen.reversal = reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
+  if (seen.steady.reached)
+    seen.reversal = seen.is_dissipation ? rolling_stiffness(position, resistance, seen.steady.mean)
+                                        : reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
   if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
     const Json& entry = solved.result["effective"][mode.stiffness_key];
     if (entry.contains("value") && entry["value"].is_number())
@@ -104,12 +106,14 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   };
   if (probed.empty() && reversed.empty()) {
     report.not_told.push_back(
-        "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true");
+        "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
+        std::string(&mode == &rolling_mode() ? " and Experiment/Way back to a contact radius or more" : ""));
     return;
   }
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
   const PowerLaw law = law_of(written);
-  const char* source = probed.empty() ? "slope after the reversal" : "without slip";
+  const bool rolled = std::any_of(seen.begin(), seen.end(), [](const auto& item) { return item.is_dissipation; });
+  const char* source = !probed.empty() ? "without slip" : rolled ? "of rolling back over the own track, to half the loop's width" : "slope after the reversal";
   report.findings.push_back(std::string("stiffness ") + source + ": " +
                             with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
                             format_quantity(law.at_load, Dimension::force) + "; " + extent_of(written));

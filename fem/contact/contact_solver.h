@@ -67,7 +67,7 @@ class ContactSolver {
                            SolveReport& report);
   /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state, const RigidMotion& motion);
-  /// Of the particle's surface relative to the substrate's in their frames, weighted with the pressure [m]; 0 without tilted normals.
+  /// Of the surfaces against each other, weighted with the pressure; none without tilted normals.
   SurfaceDisplacement mean_displacement(const ContactState& state) const;
   /// Of the angle by which the particle has rolled: its driven plane moves along its own axes.
   double upright() const { return std::cos(system_.coupling().frames.roll); }

@@ -41,7 +41,9 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
   const double length = torsion ? e.angle : e.distance;
   const double onset = torsion ? scales.full_slip_angle : rolling ? scales.largest_shift : scales.full_slip_shift;
   const double largest = torsion ? scales.largest_angle : scales.largest_shift;
-  const auto path = [&](double scale) { return e.motion_steps > 0 ? even_path(length, e.motion_steps) : graded_path(length, scale * onset, largest); };
+  const auto path = [&](double way, double scale) {
+    return e.motion_steps > 0 ? even_path(way, e.motion_steps) : graded_path(way, scale * onset, largest);
+  };
   const auto add = [&](double position) {
     Station station{1.0, start, rolling};
     if (torsion) station.motion.spin += position;
@@ -49,10 +51,11 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
     if (rolling) station.motion.roll += position / scales.rolling_radius;
     program.push_back(station);
   };
-  for (const double position : path(1)) add(position);
+  for (const double position : path(length, 1)) add(position);
   if (!e.reverse) return;
+  const double back_way = e.way_back > 0 ? std::min(e.way_back, length) : length;
   // Slip after a reversal begins over twice the way (Masing).
-  for (const double back : path(2)) add(length - back);
+  for (const double back : path(back_way, 2)) add(length - back);
 }
 
 }  // namespace

@@ -48,6 +48,12 @@ TEST(Program, of_sliding_begins_finely_and_comes_back) {
   EXPECT_LE(longest, 1.5 * 8);
   EXPECT_EQ(program.back().motion.x, 0);
   EXPECT_EQ(program.back().load, 1e-3);
+  // A short way back: what comes before is the same, so that a solved case can be gone on with.
+  e.way_back = 30, e.unload = false;
+  const auto shorter = fem::make_program(e, {10, 0, 8, 0});
+  ASSERT_LT(shorter.size(), program.size());
+  EXPECT_EQ(shorter.back().motion.x, 70);
+  for (std::size_t k = 0; program[k].motion.x < 100; ++k) EXPECT_EQ(shorter[k].motion, program[k].motion);
 }
 
 /// Friction tilts the interface by a strain, mu p / E = 3e-3, and pressure acts along its normal: mu P is met to that order.
@@ -232,6 +238,10 @@ TEST(SolveCase, refuses_motions_that_it_cannot_make) {
   input.interface.adhesion_range = 1e-9;
   input.interface.opening_work = 0.05;
   EXPECT_NE(message(input).find("Opening work"), std::string::npos);
+  input.interface.opening_work = 0.2;
+  input.experiment.way_back = 1e-8;
+  input.experiment.type = ExperimentInput::Type::torsion;
+  EXPECT_NE(message(input).find("Way back"), std::string::npos);
 }
 
 }  // namespace

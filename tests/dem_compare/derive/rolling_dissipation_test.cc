@@ -20,6 +20,7 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
     made.load = load;
     made.friction = 0, made.adhesion = mu * radius * (load + offset), made.hills = 20, made.noise = 0.02;
     made.random = 5 + static_cast<unsigned>(++seed);
+    made.reverse = true;
     test::write_moving(root.path / std::to_string(seed), made);
   }
   const auto sets = collect_parameter_sets({root.path});
@@ -33,6 +34,16 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_NEAR(p.rolling_offset->value / offset, 1, 0.15);
   EXPECT_NE(p.rolling_friction->provenance.find("dissipated"), std::string::npos);
   EXPECT_NE(to_text(derivation).find("energy dissipated per angle"), std::string::npos);
+  // Rolled back, the made moment falls by twice the resistance at once: a spring of half of that over the first steps, of a
+  // twentieth of a contact radius each.
+  ASSERT_TRUE(p.rolling_stiffness);
+  const double load = p.rolling_stiffness->at_load, moment = mu * radius * (load + offset);
+  const double step = test::MovingFolder{"rolling", load}.unit() / 20;
+  EXPECT_GT(p.rolling_stiffness->value, moment / (4 * step));
+  EXPECT_LT(p.rolling_stiffness->value, 2 * moment / step);
+  ASSERT_TRUE(p.rolling_stiffness->load_range);
+  EXPECT_NEAR(p.rolling_stiffness->load_range->high, 1e-3, 1e-9);
+  EXPECT_NE(p.rolling_stiffness->provenance.find("over the own track"), std::string::npos);
 }
 
 /// Energies are there, but no steady stretch: the moment of hills must not stand in.

@@ -1,0 +1,18 @@
+// Stiffness with which a contact that has rolled resists rolling back, before it rolls that way: k_ro of spring models of rolling
+// (Luding 2008, Granular Matter 10, 235: a spring that holds until its moment is that of friction). SI units.
+#pragma once
+
+#include <vector>
+
+#include "dem_compare/derive/steady_motion.h"
+
+namespace asperity {
+
+/// From a way back over the own track. Hills give the same moment on both ways: what the moment lacks on the way back is
+/// D = k delta at first, delta the angle since the turn, and twice the resistance once the contact rolls back. The slope is that
+/// of the least squares line through the turn over the rows up to where D has reached the resistance, half its width: a secant, for
+/// bonds let go one after the other. Between rows of the way out the moment is interpolated (Akima's modified splines). The error is
+/// the line's. NaN without a turn or with fewer than three rows after it.
+ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std::vector<double>& moment, double resistance);
+
+}  // namespace asperity
