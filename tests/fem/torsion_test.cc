@@ -31,6 +31,22 @@ TEST(Torsion_analytic, stiffness_without_slip_converges_to_16_thirds_G_a_cubed) 
   EXPECT_NEAR(last, 0, 0.02);
 }
 
+/// Borosilicate on silicon: what both bodies turn and shift adds up, 1/G1 + 1/G2 and (2 - nu1)/G1 + (2 - nu2)/G2. Pressed without
+/// friction, which would make the contact smaller (Spence).
+TEST(Torsion_analytic, and_lateral_stiffness_without_slip_of_unlike_bodies_have_both_compliances) {
+  asperity::test::FrictionalContactOptions o;
+  o.cells_per_radius = 18, o.friction = 0;
+  o.youngs[1] = 179e9, o.poisson[1] = 0.25;
+  FrictionalContact contact(o);
+  const double a = contact.contact_radius, g1 = 71e9 / 2 / 1.17, g2 = 179e9 / 2 / 1.25;
+  const double turning = 16.0 / 3 / (1 / g1 + 1 / g2) * a * a * a, shifting = 8 / (1.83 / g1 + 1.75 / g2) * a;
+  const double turned = contact.solver.torsion_stiffness(contact.state);
+  const double shifted = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
+  std::printf("unlike bodies: torsion %+.2f %%, lateral %+.2f %%\n", 100 * (turned / turning - 1), 100 * (shifted / shifting - 1));
+  EXPECT_NEAR(turned, turning, 0.02 * turning);
+  EXPECT_NEAR(shifted, shifting, 0.02 * shifting);
+}
+
 TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_lubkin.csv");
   const auto table = asperity::read_csv(path);
