@@ -197,6 +197,44 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-5 * 100e-6 * 0.23e-6) << k;
 }
 
+/// A step that fails leaves slip, bonds, coupling and the learned way per angle as they were accepted.
+TEST(RollingExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding(generated(1.0, 160, 3), 40e-9);
+  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.distance = 100e-9;
+  input.experiment.motion_steps = 3;
+  input.experiment.load_steps = 4;
+  input.experiment.reverse = false;
+  input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
+  input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.1;
+  input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
+  const auto whole = solve_experiment(input, folder.path / "whole");
+  const auto needed = whole.history.numbers("newton_iterations");
+  // Pressed as before; contacts that jump may take ten times as many iterations as the input says.
+  SolveOptions options;
+  options.output = folder.path / "halved";
+  int steps = 0;
+  struct Stop {};
+  options.progress = [&](const std::string& line) {
+    if (line.rfind("step ", 0) == 0 && ++steps == input.experiment.load_steps) throw Stop();
+  };
+  EXPECT_THROW(solve_case(input, options), Stop);
+  CaseInput hurried = input;
+  hurried.solver.newton_steps = (static_cast<int>(*std::max_element(needed.begin() + input.experiment.load_steps, needed.end())) - 1) / 10;
+  ASSERT_GE(hurried.solver.newton_steps, 1);
+  const auto halved = solve_experiment(hurried, options.output, true);
+  const auto made = halved.history.numbers("newton_iterations");
+  // The iterations of a step count those of the attempt that failed.
+  EXPECT_GT(*std::max_element(made.begin() + input.experiment.load_steps, made.end()), 10 * hurried.solver.newton_steps);
+  ASSERT_EQ(made.size(), needed.size());
+  // Micro-slip and with it the moment are seen in smaller steps.
+  const std::vector<std::pair<std::string, double>> within{
+      {"adhesion_loss [J]", 1e-3}, {"contact_area [m^2]", 1e-3}, {"rolling_moment [N m]", 0.03}, {"friction_work [J]", 0.1}};
+  for (const auto& [column, bound] : within)
+    EXPECT_NEAR(halved.history.numbers(column).back() / whole.history.numbers(column).back(), 1, bound) << column;
+}
+
 TEST(SolveCase, derives_a_way_of_two_steady_contact_diameters) {
   CaseInput input = sliding("smooth", 25e-9);
   input.experiment.distance = 0;
