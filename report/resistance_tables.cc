@@ -54,6 +54,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   if (!mode.has_length || spins) table.head.emplace_back(slides ? "over µ P" : "over 3π/16 µ P a");
   for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
   table.head.emplace_back(slides ? "mean force [µN]" : "mean moment [pN m]");
+  table.head.emplace_back("fluctuates by (sd)");
   for (const char* head :
        {"balance open [%]", spins ? "way [rad]" : "way [contact radii]", "way back over first", "real area over Hertz"})
     table.head.emplace_back(head);
@@ -68,6 +69,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
       for (const auto& part : {state->parts.friction, state->parts.plastic, state->parts.adhesion})
         row.push_back(share_of(part, state->parts.total));
       row.push_back(cell(state->force * (1 / unit)));
+      row.push_back(rounded(state->fluctuation / unit));
       row.push_back(rounded(per_cent * std::abs(state->unbalanced) / std::abs(state->resistance.value), 2));
       row.push_back(rounded(shortest_way(*state)));
       row.push_back(cell(state->back_over_first));

@@ -8,6 +8,7 @@
 #include "dem_compare/derive/parameter_sets.h"
 #include "dem_compare/derive/steady_motion.h"
 #include "dem_compare/resistance/stretches.h"
+#include "dem_compare/statistics.h"
 
 namespace asperity {
 namespace {
@@ -129,6 +130,7 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
     return mean_of_stretches(rates_of_stretches(x, sum, first, last, count));
   };
   steady.force = mean_rate(work);
+  steady.fluctuation = scatter_of({history.resistance.begin() + static_cast<long>(first), history.resistance.begin() + static_cast<long>(last) + 1}).sd;
   if (!history.has_energies) return steady;
   keep(WayPart::friction, history.friction), keep(WayPart::plastic, history.plastic), keep(WayPart::adhesion, history.adhesion);
   steady.dissipated.friction = mean_rate(history.friction);

@@ -40,6 +40,7 @@ struct SteadyWay {
   WaySums sums;
   ResistanceParts dissipated;
   Uncertain force{nan(""), nan("")};  ///< mean of force or moment against the motion
+  double fluctuation = nan("");       ///< standard deviation of force or moment along the way: hills and asperities that let go
   double unbalanced = nan("");        ///< energy per way that the balance of the computation leaves open
   double way = 0;                     ///< [m] or [rad]
   int stretches = 0;

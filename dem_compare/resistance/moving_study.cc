@@ -190,6 +190,9 @@ class Sorter {
     state.back_over_first = mean([](const MovingCase& c) {
       return c.back.reached() ? ratio(c.back.resistance(), c.first.resistance()) : Uncertain{NAN, NAN};
     });
+    double squares = 0;
+    for (const auto& item : state.cases) squares += item.first.fluctuation * item.first.fluctuation;
+    state.fluctuation = std::sqrt(squares / static_cast<double>(state.cases.size()));
     for (const auto& item : state.cases) {
       state.contact_area += item.contact_area / static_cast<double>(state.cases.size());
       if (std::abs(item.first.unbalanced) > std::abs(state.unbalanced)) state.unbalanced = item.first.unbalanced;

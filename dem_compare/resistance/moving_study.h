@@ -21,6 +21,7 @@ struct MovingState {
   ResistanceParts parts;          ///< means over realisations [N] or [N m]
   Uncertain resistance;           ///< mean; its sd holds the open balance too
   Uncertain force;                ///< mean force or moment
+  double fluctuation = 0;         ///< of force or moment along the way, standard deviation, root mean square over realisations
   Uncertain back_over_first;      ///< resistance on the way back, over the own track, over that of the first way
   double unbalanced = 0;          ///< energy per way that the balances leave open, largest of the cases
   double hertz_radius = 0;        ///< of the smooth elastic bodies [m]

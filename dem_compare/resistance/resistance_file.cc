@@ -46,6 +46,7 @@ Json json_of(const MovingCase& item) {
           {"stretches", item.first.stretches},
           {"dissipated", json_of(item.first.dissipated)},
           {"force", json_of(item.first.force)},
+          {"force_fluctuation", number_or_null(item.first.fluctuation)},
           {"unbalanced", number_or_null(item.first.unbalanced)},
           {"drift", number_or_null(item.first.drift)},
           {"drift_error", number_or_null(item.first.drift_error)},
@@ -195,7 +196,7 @@ std::string resistance_csv(const MovingStudy& study) {
   std::string text =
       "contact,experiment,load [N],radius [m],rms [m],realisations,spacing "
       "[m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
-      "adhesion,adhesion_sd,mean_force,mean_force_sd,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,"
+      "adhesion,adhesion_sd,mean_force,mean_force_sd,force_fluctuation,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,"
       "way_back_over_first,"
       "way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
   for (const auto& contact : study.contacts)
@@ -207,7 +208,7 @@ std::string resistance_csv(const MovingStudy& study) {
               csv_cell(contact.bodies.radius) + "," + csv_cell(contact.bodies.rms) + "," +
               std::to_string(state.cases.size()) + "," + csv_cell(state.spacing) + csv_cells(state.resistance) +
               csv_cells(state.parts.friction) + csv_cells(state.parts.plastic) + csv_cells(state.parts.adhesion) +
-              csv_cells(state.force) + "," + csv_cell(state.unbalanced) + csv_cells(over(state.scale())) +
+              csv_cells(state.force) + "," + csv_cell(state.fluctuation) + "," + csv_cell(state.unbalanced) + csv_cells(over(state.scale())) +
               csv_cells(over(state.coulomb)) + csv_cells(state.back_over_first) + "," + csv_cell(state.hertz_radius) + "," +
               csv_cell(state.contact_area) + "\n";
     }

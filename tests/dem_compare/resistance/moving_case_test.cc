@@ -33,7 +33,8 @@ TEST(MovingCase_analytic, powers_of_each_mechanism_come_back_without_hardening_a
     EXPECT_NEAR(moving.first.dissipated.total.value / 6e-6, 1, 1e-6) << type;
     EXPECT_LT(std::abs(moving.first.unbalanced), 1e-4 * 6e-6) << type;
     EXPECT_FALSE(moving.back.reached()) << type;
-    // The force of the same way is mostly hills.
+    // The force of the same way is mostly hills, waves of 20 times the resistance.
+    EXPECT_NEAR(moving.first.fluctuation / (20 * 6e-6 * std::sqrt(0.5)), 1, 0.05) << type;
     EXPECT_GT(moving.first.force.sd, 100 * moving.first.dissipated.total.sd) << type;
   }
 }
