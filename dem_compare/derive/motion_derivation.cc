@@ -127,7 +127,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   }
   tell_exponent(law, mode.stiffness_exponent, "the stiffness", report);
   tell_scatter_and_mesh(written, "the stiffness", report);
-  std::string provenance = std::string(source) + "; " + extent_of(written);
+  std::string provenance = std::string(source) + "; " + source_of(written);
   if (mode.stiffness_exponent != 1)
     provenance += "; of a smooth contact it grows as a^" + with_error(mode.stiffness_exponent, unknown, "") +
                   ", not as a";
@@ -142,7 +142,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
                         law.loads,
                         LengthScale::none,
                         unknown,
-                        "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + extent_of(written)};
+                        "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + source_of(written)};
 }
 
 /// One line per load.
@@ -233,7 +233,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
   const bool is_dissipation = std::all_of(used.begin(), used.end(), [](const MotionCase* item) { return item->is_dissipation; });
-  const std::string provenance = (is_dissipation ? "energy dissipated per angle by slip, yielding and bonds, after one contact radius; " : "steady resistance after full slip; ") + extent_of(all);
+  const std::string provenance = (is_dissipation ? "energy dissipated per angle by slip, yielding and bonds, after one contact radius; " : "steady resistance after full slip; ") + source_of(all);
   if (is_dissipation) report.findings.push_back("The resistance is the energy dissipated per angle: what hills of the surfaces take and give back is not in it.");
   if (mode.has_length) {
     const LengthChoice choice = choose_length(points);

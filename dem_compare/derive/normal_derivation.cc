@@ -128,7 +128,7 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
     modulus.sd = mean.count > 1 ? std::max(mean.standard_error, of_fits) : of_fits;
     modulus.provenance = std::string("Hertz fit of the first loading") +
                          (fits.front().solved->is_rough() ? " with an offset of the approach" : "") + "; " +
-                         extent_of(all);
+                         source_of(all);
     report.findings.push_back(
         "E* = " + with_error(modulus.value, modulus.sd, Dimension::pressure) + " (materials: " +
         format_quantity(hertz.reduced_modulus, Dimension::pressure, 4) + "), " + modulus.provenance);
@@ -170,7 +170,7 @@ void derive_normal_stiffness(const ParameterSet& set, ContactParameters& paramet
   parameters.normal_stiffness =
       EffectiveQuantity{law.value,   law.sd,
                         law.loads,   LengthScale::contact_radius,
-                        law.at_load, "elastic stiffness at the largest load; " + extent_of(used)};
+                        law.at_load, "elastic stiffness at the largest load; " + source_of(all)};
   report.findings.push_back(
       "k_n = " + with_error(law.value, law.sd, Dimension::stiffness) + " at " +
       format_quantity(law.at_load, Dimension::force) + ", growing with a (2 E* a: " +

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "dem_compare/derive/law_report.h"
 #include "dem_compare/derive/power_law.h"
 #include "dem_compare/laws/hertz.h"
 
@@ -46,6 +47,9 @@ TEST(CaseNumbers_analytic, count_on_the_finest_mesh_that_all_contacts_have) {
   ASSERT_TRUE(doubt);
   EXPECT_EQ(doubt->families, 3);
   EXPECT_NEAR(doubt->relative_error, 0.02 / 1.02, 1e-12);
+  const std::string source = source_of(numbers);
+  EXPECT_NE(source.find("3 cases"), std::string::npos) << source;
+  EXPECT_NE(source.find("spacing 20 mm; error of the mesh 2 %, not in the sd"), std::string::npos) << source;
 
   numbers.push_back(number(8, "a", 0.03, 0));
   numbers.push_back(number(8, "a", NAN, 0));
