@@ -148,6 +148,7 @@ TEST(AdhesiveFriction_analytic, attraction_adds_to_the_load_that_friction_feels)
   const auto r = contact.shift(6e-9);
   EXPECT_EQ(r.sticking, 0);
   EXPECT_GT(r.attraction, 0.2 * o.load);
+  std::printf("full slip with attraction %+.2f %%\n", 100 * (r.lateral_force[0] / (o.friction * (o.load + r.attraction)) - 1));
   EXPECT_NEAR(r.lateral_force[0], o.friction * (o.load + r.attraction), 0.01 * r.lateral_force[0]);
 }
 

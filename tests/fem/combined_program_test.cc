@@ -98,6 +98,8 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
   std::size_t turn = 0;
   while (y[turn + 1] == 0) ++turn;
   const double friction = 0.3 * 100e-6;
+  std::printf("along %+.2f %%, across %+.2f %%, left along %.4f, open %.2g\n", 100 * (along[turn] / friction - 1),
+              100 * (across.back() / friction - 1), along.back() / friction, *std::max_element(energy.begin(), energy.end()));
   EXPECT_NEAR(along[turn], friction, 0.01 * friction);
   EXPECT_NEAR(across[turn], 0, 0.005 * friction);
   EXPECT_NEAR(across.back(), friction, 0.01 * friction);
