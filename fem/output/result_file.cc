@@ -61,7 +61,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   const std::vector<StepRecord> single = moves_as_written ? std::vector<StepRecord>{} : records;
   if (const auto sliding = steady_sliding(single)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
   if (const auto rolling = steady_rolling(single, input.radius)) effective["rolling_moment"] = number(rolling->mean, "N m", rolling->sd);
-  if (const auto dissipation = rolling_dissipation(single)) {
+  if (const auto dissipation = rolling_dissipation(single, input.radius)) {
     effective["rolling_dissipation"] = number(*dissipation, "N m", NAN);
     effective["rolling_noise_floor"] = number(rolling_noise * peak->normal_force * peak->contact_radius, "N m", NAN);
   }
@@ -103,7 +103,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"sd", "from half an interface spacing in the contact radius; of sliding_friction, rolling_moment and torsion_moment the fluctuation along the "
                "way; scatter over realisations is the study's"},
         {"rolling_moment", "about the contact, of a particle whose shift follows its rolling so that no lateral force builds up; "
-                           "rolling_dissipation: dissipated energy per angle, without what the hills of rough surfaces take and give back; "
+                           "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of rough surfaces take and give back; "
                            "rolling_noise_floor: what a mesh of eight spacings in the contact radius shows on smooth elastic bodies"},
         {"sliding_friction", "lateral over normal force of the whole contact; the local friction_coefficient is an input, and where it is "
                              "Coulomb's only what departs from it is a result"}}},

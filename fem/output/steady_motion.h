@@ -21,9 +21,9 @@ std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& re
 constexpr double rolling_noise = 5e-4;
 /// Rolling moment against the motion [N m], where the particle has rolled by more than its contact radius since the last reversal.
 std::optional<SteadyResistance> steady_rolling(const std::vector<StepRecord>& records, double radius);
-/// Energy dissipated per angle rolled [N m]: what is left of the moment when the hills of the surfaces, which give back what they
-/// take, are taken out.
-std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records);
+/// Energy dissipated per angle rolled [N m] on the same way, on all of it where that is too short: what is left of the moment when the
+/// hills of the surfaces, which give back what they take, are taken out. A short way back dissipates hardly anything.
+std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records, double radius);
 /// Torsion moment [N m] in the same sense as sliding.
 std::optional<SteadyResistance> steady_torsion(const std::vector<StepRecord>& records);
 
