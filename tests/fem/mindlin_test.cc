@@ -90,6 +90,38 @@ TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_s
 TEST(MindlinNightly_analytic, traction_of_thinner_slip_rings_follows_Cattaneo_on_a_finer_mesh) { expect_cattaneo(40, {0.3, 0.55, 0.8}, 0.8); }
 TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(60, {0.3}, 0.87, 1e-3); }
 
+/// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own, between them stress is locked in
+/// (Mindlin & Deresiewicz 1953; Johnson 1985, eq. 7.47).
+double error_of_unloaded_traction(double cells) {
+  asperity::test::FrictionalContactOptions o;
+  o.slip_tolerance = 1e-3;
+  o.cells_per_radius = cells;
+  FrictionalContact contact(o);
+  const double a = contact.contact_radius;
+  const Point top = shift_to(contact, 0.75);
+  const auto shift_of = [&](double force) { return top.shift - 2 * cattaneo_shift((top.force - force) / 2); };
+  // Without force the finite bodies' own shift is none.
+  const Point end = shift_to(contact, shift_of(0));
+  EXPECT_NEAR(end.force, 0, 0.01);
+  EXPECT_NEAR(end.shift, shift_of(end.force), 0.01);
+  const double stuck = a * std::cbrt(1 - top.force), stuck_since = a * std::cbrt(1 - (top.force - end.force) / 2);
+  const double limit = o.friction * 1.5 * o.load / (M_PI * a * a);
+  double difference = 0, size = 0;
+  for (std::size_t r = 0; r < contact.system.rows().size(); ++r) {
+    const auto& x = contact.system.interface_points()[contact.system.rows()[r].node];
+    const double radius = std::hypot(x[0], x[1]), area = contact.system.areas()[r];
+    const auto dome = [&](double outer) { return radius < outer ? outer / a * std::sqrt(1 - radius * radius / (outer * outer)) : 0.0; };
+    const double expected = limit * (dome(a) - dome(stuck) - 2 * (dome(a) - dome(stuck_since)));
+    difference += area * std::pow(-contact.state.shear[0][r] - expected, 2), size += area * expected * expected;
+  }
+  std::printf("%g cells: unloaded traction differs by %.2f %% in the 2-norm (stuck %.3f a, since the turn %.3f a)\n", cells,
+              100 * std::sqrt(difference / size), stuck / a, stuck_since / a);
+  return std::sqrt(difference / size);
+}
+
+/// Its norm is half of that at the turn, and the errors of both rings are in it: 3.8 % of the norm at the turn, 3.0 % with 40 cells.
+TEST(Mindlin_analytic, traction_that_unloading_locks_in_has_both_rings) { EXPECT_LT(error_of_unloaded_traction(18), 0.08); }
+
 TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and_Deresiewicz_found) {
   FrictionalContact contact({});
   const double amplitude = 0.6;
