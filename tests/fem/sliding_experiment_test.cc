@@ -32,6 +32,18 @@ CaseInput sliding(const std::string& substrate, double spacing) {
   return input;
 }
 
+/// As if stopped once so many steps are accepted.
+void solve_and_stop(const CaseInput& input, const std::filesystem::path& folder, int after) {
+  struct Stop {};
+  SolveOptions options;
+  options.output = folder;
+  int steps = 0;
+  options.progress = [&](const std::string& line) {
+    if (line.rfind("step ", 0) == 0 && ++steps == after) throw Stop();
+  };
+  EXPECT_THROW(solve_case(input, options), Stop);
+}
+
 /// Dissipated energy of each mechanism, but for what the solver's tolerance leaves.
 void expect_never_to_fall(const CsvTable& history, const std::vector<std::string>& columns) {
   for (const auto& column : columns) {
@@ -106,16 +118,8 @@ TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_ste
   EXPECT_FALSE(fem::is_of_this_version(manifest.parent_path()));
   EXPECT_THROW(solve_experiment(input, folder.path / "whole", true), WorkError);
   // Stopped after a few steps of sliding.
-  CaseInput cut = input;
-  SolveOptions options;
-  options.output = folder.path / "cut";
-  int steps = 0;
-  struct Stop {};
-  options.progress = [&](const std::string& line) {
-    if (line.rfind("step ", 0) == 0 && ++steps == 6) throw Stop();
-  };
-  EXPECT_THROW(solve_case(cut, options), Stop);
-  const auto resumed = solve_experiment(cut, folder.path / "cut", true);
+  solve_and_stop(input, folder.path / "cut", 6);
+  const auto resumed = solve_experiment(input, folder.path / "cut", true);
   const auto one = whole.history.numbers("lateral_force [N]"), other = resumed.history.numbers("lateral_force [N]");
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-6 * 0.3 * 100e-6) << k;
@@ -183,16 +187,8 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
   EXPECT_GT(whole.result.at("effective").at("rolling_dissipation").at("value").get<double>(), 0);
   // Free of lateral force but for a small part of the friction that could hold it.
   EXPECT_LT(std::abs(whole.history.numbers("lateral_force [N]").back()), 0.05 * 0.3 * 100e-6);
-  CaseInput cut = input;
-  SolveOptions options;
-  options.output = folder.path / "cut";
-  int steps = 0;
-  struct Stop {};
-  options.progress = [&](const std::string& line) {
-    if (line.rfind("step ", 0) == 0 && ++steps == 10) throw Stop();
-  };
-  EXPECT_THROW(solve_case(cut, options), Stop);
-  const auto resumed = solve_experiment(cut, folder.path / "cut", true);
+  solve_and_stop(input, folder.path / "cut", 10);
+  const auto resumed = solve_experiment(input, folder.path / "cut", true);
   const auto one = whole.history.numbers("rolling_moment [N m]"), other = resumed.history.numbers("rolling_moment [N m]");
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(other[k], one[k], 1e-5 * 100e-6 * 0.23e-6) << k;
@@ -213,18 +209,11 @@ TEST(RollingExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
   const auto whole = solve_experiment(input, folder.path / "whole");
   const auto needed = whole.history.numbers("newton_iterations");
   // Pressed as before; contacts that jump may take ten times as many iterations as the input says.
-  SolveOptions options;
-  options.output = folder.path / "halved";
-  int steps = 0;
-  struct Stop {};
-  options.progress = [&](const std::string& line) {
-    if (line.rfind("step ", 0) == 0 && ++steps == input.experiment.load_steps) throw Stop();
-  };
-  EXPECT_THROW(solve_case(input, options), Stop);
+  solve_and_stop(input, folder.path / "halved", input.experiment.load_steps);
   CaseInput hurried = input;
   hurried.solver.newton_steps = (static_cast<int>(*std::max_element(needed.begin() + input.experiment.load_steps, needed.end())) - 1) / 10;
   ASSERT_GE(hurried.solver.newton_steps, 1);
-  const auto halved = solve_experiment(hurried, options.output, true);
+  const auto halved = solve_experiment(hurried, folder.path / "halved", true);
   const auto made = halved.history.numbers("newton_iterations");
   // The iterations of a step count those of the attempt that failed.
   EXPECT_GT(*std::max_element(made.begin() + input.experiment.load_steps, made.end()), 10 * hurried.solver.newton_steps);
