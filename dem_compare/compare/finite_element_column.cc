@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/derive/rolling_stiffness.h"
 #include "dem_compare/derive/steady_motion.h"
 #include "dem_compare/resistance/moving_case.h"
 
@@ -134,7 +135,13 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
       return steady(solved, &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, load,
                     effective(solved, "sliding_friction"));
     });
-    add(points, g, group, Quantity::rolling_stiffness, load, plain("rolling_stiffness"));
+    add(points, g, group, Quantity::rolling_stiffness, load, [](const SolvedCase& solved) -> ComparedValue {
+      const auto rolled = rolled_with_energies(solved);
+      if (!rolled || !rolled->first.reached()) return effective(solved, "rolling_stiffness");
+      const ReversalStiffness back =
+          rolling_stiffness(solved.history.rolling_angle, solved.history.rolling_moment, rolled->first.resistance().value);
+      return {back.value, back.error};
+    });
     add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) -> ComparedValue {
       if (const auto rolled = rolled_with_energies(solved)) {
         if (!rolled->first.reached()) return {};

@@ -160,7 +160,9 @@ MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
     if (reached && !way.reached()) {
       const double radius = mean_of(history.contact_radius, from, leg.last),
                    stretch = stretch_length(mode, radius, particle_radius);
-      way = steady_way(history, from, leg.last, stretch);
+      // A short way back is for the stiffness: what it dissipates beyond its onset says nothing yet.
+      const bool is_brief = !is_first && &mode == &rolling_mode() && std::abs(history.position[leg.last] - history.position[from]) < stretch;
+      if (!is_brief) way = steady_way(history, from, leg.last, stretch);
       if (is_first) {
         moving.contact_radius = radius;
         moving.contact_area = mean_of(history.contact_area, from, leg.last);

@@ -39,6 +39,17 @@ TEST(MovingCase_analytic, powers_of_each_mechanism_come_back_without_hardening_a
   }
 }
 
+TEST(MovingCase, of_rolling_back_for_less_than_two_contact_radii_is_not_called_steady) {
+  const TemporaryFolder root;
+  MovingFolder made;
+  made.experiment = "rolling", made.adhesion = 1e-13, made.reverse = true;
+  EXPECT_TRUE(solved(root, made).back.reached());
+  made.way_back_in_radii = 1.7;
+  const MovingCase brief = solved(root, made);
+  EXPECT_TRUE(brief.first.reached());
+  EXPECT_FALSE(brief.back.reached());
+}
+
 TEST(MovingCase_analytic, stated_uncertainty_holds_the_truth_19_times_in_20) {
   const TemporaryFolder root;
   constexpr int repetitions = 120;

@@ -25,6 +25,7 @@ struct MovingFolder {
   double unbalanced = 0;     ///< energy per way that is lost from the balance
   double way_in_radii = 10;  ///< for torsion: the angle
   bool reverse = false;
+  double way_back_in_radii = 0;  ///< 0: all of it
   double back = 1;   ///< plastic power on the way back, over that of the first
   double rms = 1.5;  ///< of the substrate [nm]; 0: smooth
   int seed = 1;
@@ -106,7 +107,7 @@ inline std::string moving_history(const MovingFolder& made) {
   const double memory = std::exp(-4.0 / per_radius);
   double noises[3] = {normal(random), normal(random), normal(random)};
   const auto steps = static_cast<int>(std::lround(made.way_in_radii * per_radius));
-  const auto move = [&](int direction, double share_of_plastic) {
+  const auto move = [&](int direction, int steps, double share_of_plastic) {
     for (int i = 1; i <= steps + 2; ++i) {
       const bool onset = i <= 2;
       for (double& noise : noises) noise = memory * noise + std::sqrt(1 - memory * memory) * normal(random);
@@ -125,8 +126,8 @@ inline std::string moving_history(const MovingFolder& made) {
           onset ? 0.5 : 0.01);
     }
   };
-  move(1, 1);
-  if (made.reverse) move(-1, made.back);
+  move(1, steps, 1);
+  if (made.reverse) move(-1, made.way_back_in_radii > 0 ? static_cast<int>(made.way_back_in_radii * per_radius) : steps, made.back);
   return format_csv({names.begin(), names.begin() + static_cast<long>(columns.size())}, columns);
 }
 
