@@ -77,11 +77,15 @@ std::string extent_of(const std::vector<CaseNumber>& numbers) {
   return list.empty() ? text : text + ", spacing " + list;
 }
 
-std::string source_of(const std::vector<CaseNumber>& all) {
+std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all) {
   std::vector<CaseNumber> counted;
   for (const auto i : on_one_mesh(all)) counted.push_back(all[i]);
+  return counted;
+}
+
+std::string source_of(const std::vector<CaseNumber>& all) {
   const auto doubt = mesh_doubt(all);
-  return extent_of(counted) + (doubt ? "; error of the mesh " + percent(doubt->relative_error) + ", not in the sd" : "; error of the mesh not known");
+  return extent_of(counted_of(all)) + (doubt ? "; error of the mesh " + percent(doubt->relative_error) + ", not in the sd" : "; error of the mesh not known");
 }
 
 void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report) {

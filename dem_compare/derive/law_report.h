@@ -31,7 +31,9 @@ std::string percent(double share);
 
 /// "4 cases, 100 uN to 3 mN, 2 realisations, spacing 22 nm".
 std::string extent_of(const std::vector<CaseNumber>& numbers);
-/// The same of those that count (on_one_mesh), and the mesh's error, which no standard deviation of the laws holds.
+/// Those that count, on_one_mesh.
+std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all);
+/// The extent of those that count, and the mesh's error, which no standard deviation of the laws holds.
 std::string source_of(const std::vector<CaseNumber>& all);
 
 /// Scatter between realisations and error of the mesh in words, apart; adds to `not_told` what would show

@@ -99,11 +99,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
     if (item.reversal.value > 0) reversed.push_back(item.number(item.reversal.value, item.reversal.error));
   }
   const auto radius = [&](double load) { return parameters.contact_radius(load); };
-  const auto law_of = [&](const std::vector<CaseNumber>& all) {
-    std::vector<CaseNumber> used;
-    for (const auto i : on_one_mesh(all)) used.push_back(all[i]);
-    return fit_power(used, radius, mode.stiffness_exponent);
-  };
+  const auto law_of = [&](const std::vector<CaseNumber>& all) { return fit_power(counted_of(all), radius, mode.stiffness_exponent); };
   if (probed.empty() && reversed.empty()) {
     report.not_told.push_back(
         "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
@@ -116,7 +112,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   const char* source = !probed.empty() ? "without slip" : rolled ? "of rolling back over the own track, to half the loop's width" : "slope after the reversal";
   report.findings.push_back(std::string("stiffness ") + source + ": " +
                             with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
-                            format_quantity(law.at_load, Dimension::force) + "; " + extent_of(written));
+                            format_quantity(law.at_load, Dimension::force) + "; " + extent_of(counted_of(written)));
   if (!probed.empty() && !reversed.empty()) {
     const PowerLaw reversal = law_of(reversed);
     report.findings.push_back("slope after the reversal, partial slip taken out: " +

@@ -164,8 +164,7 @@ void derive_normal_stiffness(const ParameterSet& set, ContactParameters& paramet
         "k_n: no case has a stiffness at its largest load; set Experiment/Unload = true");
     return;
   }
-  std::vector<CaseNumber> used;
-  for (const auto i : on_one_mesh(all)) used.push_back(all[i]);
+  const std::vector<CaseNumber> used = counted_of(all);
   const PowerLaw law = fit_power(used, [&](double load) { return parameters.contact_radius(load); });
   parameters.normal_stiffness =
       EffectiveQuantity{law.value,   law.sd,
