@@ -220,7 +220,8 @@ double InterfaceTractions::friction_work(const ContactState& state) const {
                            0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
     // What slips does so at its limit, which has changed from the one before: also where contact began or ended on the way.
     const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r], size = std::hypot(bx, by);
-    if (size > 0) work -= system_.areas()[r] * 0.5 * (limit_before_[r] + now) * (bx * way[0] + by * way[1]) / size;
+    // Slip that turned on the way ends against its mean: it has dissipated, how much the ends do not tell.
+    if (size > 0) work += system_.areas()[r] * 0.5 * (limit_before_[r] + now) * std::max(0.0, -(bx * way[0] + by * way[1]) / size);
   }
   return work;
 }

@@ -87,7 +87,7 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
 
 TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.6); }
 
-TEST(MindlinNightly_analytic, traction_of_thinner_slip_rings_follows_Cattaneo_on_a_finer_mesh) { expect_cattaneo(40, {0.3, 0.55, 0.8}, 0.8); }
+TEST(MindlinNightly_analytic, traction_of_thinner_slip_rings_follows_Cattaneo_on_a_finer_mesh) { expect_cattaneo(40, {0.3, 0.55, 0.8}, 0.8, 1e-3); }
 TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(60, {0.3}, 0.87, 1e-3); }
 
 /// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own, between them stress is locked in

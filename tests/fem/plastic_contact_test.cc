@@ -58,7 +58,7 @@ struct LoadedStep {
 
 LoadedStep reach(SmoothContact& contact, const YieldingHalfSpace& body, double f) {
   const ContactStep step = contact.load(f * body.critical_force());
-  EXPECT_TRUE(step.converged);
+  EXPECT_TRUE(step.converged) << "at " << f << " F_c after " << step.newton << " Newton steps";
   EXPECT_FALSE(step.reaches_rim);
   const double a = step.contact_radius;
   return {step.approach / body.critical_approach(), f, a * a / (body.radius_at_yield * body.radius_at_yield),
