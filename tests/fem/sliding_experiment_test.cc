@@ -44,11 +44,12 @@ void solve_and_stop(const CaseInput& input, const std::filesystem::path& folder,
   EXPECT_THROW(solve_case(input, options), Stop);
 }
 
-/// Dissipated energy of each mechanism, but for what the solver's tolerance leaves.
+/// Dissipated energy of each mechanism, but for what the solver's tolerance leaves: nodes that stick creep by it, either way.
 void expect_never_to_fall(const CsvTable& history, const std::vector<std::string>& columns) {
+  const double left = 1e-5 * history.numbers("dissipated_energy [J]").back();
   for (const auto& column : columns) {
     const auto values = history.numbers(column);
-    for (std::size_t k = 1; k < values.size(); ++k) EXPECT_GE(values[k], values[k - 1] - 1e-6 * values.back()) << column << " in row " << k;
+    for (std::size_t k = 1; k < values.size(); ++k) EXPECT_GE(values[k], values[k - 1] - left) << column << " in row " << k;
     EXPECT_GT(values.back(), 0) << column;
   }
 }
@@ -176,7 +177,7 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
   input.experiment.distance = 200e-9;
   input.experiment.motion_steps = 5;
   input.experiment.load_steps = 8;
-  input.experiment.reverse = false;
+  input.experiment.way_back = 60e-9;  // where slip turns within steps
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
   input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
