@@ -3,7 +3,7 @@
 //   subsection Study
 //     set Base case    = base.prm            # optional; the study's own case sections override it
 //     set Realisations = 4                   # of every generated topography
-//     subsection Vary                        # each value with each value of the others
+//     subsection Vary                        # each value with each value of the others; ";" adds entries to a value
 //       set Experiment/Normal load = 300 uN, 1 mN
 //       set Substrate/Topography   = untreated: generated(rms=0.3 nm), etched: generated(rms=1.5 nm)
 //     end
