@@ -13,9 +13,6 @@
 namespace asperity {
 namespace {
 
-/// Rolling is about y; its moment about a direction that has spun further is not measured.
-constexpr double largest_spin_of_rolling = 0.1;
-
 const std::string example = "slide 200 nm and spin 20 mrad; roll 30 mrad in 12 steps";
 
 std::string trimmed(const std::string& text) {
@@ -110,12 +107,7 @@ std::string objection_to_program(const ExperimentInput& e) {
   if (e.cycles > 1) return "a program is moved through once: write its cycles out in Experiment/Program and set Cycles = 1";
   const bool by_force = e.control == ExperimentInput::Control::force;
   const double largest_load = by_force ? e.normal_load : e.normal_approach;
-  bool rolls = false;
-  double spin = 0, largest_spin = 0;
   for (const auto& part : parts) {
-    rolls |= part.rolls();
-    spin += part.spin;
-    largest_spin = std::max(largest_spin, std::abs(spin));
     if (by_force ? part.approach.has_value() : part.load.has_value())
       return by_force ? "Experiment/Program presses to an approach, but Control is force; give a normal load, e.g. 'press 50 uN'"
                          : "Experiment/Program presses to a load, but Control is displacement; give an approach, e.g. 'press 5 nm'";
@@ -125,9 +117,6 @@ std::string objection_to_program(const ExperimentInput& e) {
       return "Experiment/Program presses to " + format_quantity(*load, dimension) + "; give more than 0 and at most the " +
              format_quantity(largest_load, dimension) + " that the particle is first pressed to, or raise those";
   }
-  if (rolls && largest_spin > largest_spin_of_rolling)
-    return "Experiment/Program rolls and has spun by up to " + format_quantity(largest_spin, Dimension::angle) +
-           ": spin by at most 0.1 rad where the particle also rolls";
   return "";
 }
 

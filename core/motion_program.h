@@ -4,7 +4,8 @@
 // Parts follow each other, separated by ';'. The motions of a part, joined by 'and', happen together and in proportion. Words:
 //   press Q         to the normal load, or approach, Q
 //   slide L         by a length along x; across: along y
-//   roll A          about y by an angle, or by the length of the arc; without sliding in the same part free of lateral force
+//   roll A          about its own y axis, which spins with it, by an angle, or by the length of the arc; without sliding in the
+//                   same part free of lateral force along its way
 //   spin A          about the normal by an angle
 //   indenter L      rolls freely between the substrate and a plane on top, an indenter, that moves by L: an arc of half of L
 //   in N steps      equal ones, at the end of a part; else fine where slip begins, then those of a single motion

@@ -35,7 +35,7 @@ struct ContactResultants {
   double attraction = 0;      ///< part of it that attracts [N]
   std::array<double, 2> lateral_force{};  ///< that moves the particle, against the shear tractions [N]
   double torsion_moment = 0;  ///< that turns the particle about the approach axis [N m]
-  double rolling_moment = 0;  ///< that turns it about y through the lowest point of its smooth shape [N m]
+  double rolling_moment = 0;  ///< that turns it about its rolling axis, y turned by the spin, through the lowest point of its smooth shape [N m]
   double reaction_driven = 0; ///< from reactions of the driven plane [N]
   double reaction_fixed = 0;  ///< from reactions of the fixed plane [N]
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]

@@ -116,11 +116,17 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   RigidMotion motion = station.motion;
   if (!previous) return motion;
   // What free rolling gave way to stays.
-  if (input_.experiment.type == ExperimentInput::Type::program) motion.x = state_.motion.x + station.motion.x - previous->motion.x;
+  if (input_.experiment.type == ExperimentInput::Type::program) {
+    motion.x = state_.motion.x + station.motion.x - previous->motion.x;
+    motion.y = state_.motion.y + station.motion.y - previous->motion.y;
+  }
   if (!station.rolls_freely) return motion;
   const double stiffness = solver_->has_friction() ? lateral_stiffness_ : 0.0;
   const RollingStep step = free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
-  motion.x = state_.motion.x + step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
+  const double way = step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
+  const double heading = 0.5 * (motion.spin + state_.motion.spin);
+  motion.x = state_.motion.x + way * std::cos(heading);
+  motion.y = state_.motion.y + way * std::sin(heading);
   return motion;
 }
 

@@ -19,9 +19,8 @@ double sideways_work(const StepRecord& a, const StepRecord& b, double radius) {
   double work = 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
   work += 0.5 * (a.lateral_force_across + b.lateral_force_across) * (b.shift_across - a.shift_across);
   // The moment about the contact comes with a lateral force at the particle's centre; the axis of rolling spins with the particle.
-  const double heading = 0.5 * (a.torsion_angle + b.torsion_angle);
   const auto about_centre = [&](const StepRecord& r) {
-    return std::cos(heading) * (r.rolling_moment - radius * r.lateral_force) - std::sin(heading) * radius * r.lateral_force_across;
+    return r.rolling_moment - radius * (std::cos(r.torsion_angle) * r.lateral_force + std::sin(r.torsion_angle) * r.lateral_force_across);
   };
   return work + 0.5 * (about_centre(a) + about_centre(b)) * (b.rolling_angle - a.rolling_angle);
 }

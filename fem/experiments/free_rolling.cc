@@ -5,12 +5,20 @@
 namespace asperity::fem {
 namespace {
 
+/// Of the lateral force, what acts along the way the particle rolls.
+double along(const StepRecord& r) { return std::cos(r.torsion_angle) * r.lateral_force + std::sin(r.torsion_angle) * r.lateral_force_across; }
+
+double way_between(const StepRecord& a, const StepRecord& b) {
+  const double heading = 0.5 * (a.torsion_angle + b.torsion_angle);
+  return std::cos(heading) * (b.shift - a.shift) + std::sin(heading) * (b.shift_across - a.shift_across);
+}
+
 /// True while a contact that begins to roll freely has not yet left behind the lateral force that an earlier motion put there.
 bool is_left_from_before(const std::vector<Station>& program, const std::vector<StepRecord>& records, const RollingContact& contact) {
   std::size_t begin = records.size() - 1;  // the last station that did not roll freely
   while (begin > 0 && program[begin].rolls_freely) --begin;
   constexpr double little = 0.02;
-  if (std::abs(records[begin].lateral_force) <= little * records[begin].normal_force) return false;
+  if (std::abs(along(records[begin])) <= little * records[begin].normal_force) return false;
   return std::abs(records.back().rolling_angle - records[begin].rolling_angle) * contact.radius < contact.hertz_radius;
 }
 
@@ -20,7 +28,7 @@ RollingStep free_rolling(const std::vector<Station>& program, const std::vector<
   RollingStep step{contact.radius, 0};
   if (contact.lateral_stiffness <= 0) return step;
   const StepRecord& last = records.back();
-  step.back = last.lateral_force / contact.lateral_stiffness;
+  step.back = along(last) / contact.lateral_stiffness;
   if (is_left_from_before(program, records, contact)) {
     step.way_per_angle = contact.radius - last.normal_displacement;
     return step;
@@ -29,7 +37,7 @@ RollingStep free_rolling(const std::vector<Station>& program, const std::vector<
   const StepRecord& before = records[records.size() - 2];
   const double rolled = last.rolling_angle - before.rolling_angle;
   if (rolled != 0 && program[records.size() - 1].rolls_freely)
-    step.way_per_angle = (last.shift - before.shift + before.lateral_force / contact.lateral_stiffness - 0.25 * step.back) / rolled;
+    step.way_per_angle = (way_between(before, last) + along(before) / contact.lateral_stiffness - 0.25 * step.back) / rolled;
   return step;
 }
 

@@ -15,7 +15,7 @@ struct RollingContact {
 
 struct RollingStep {
   double way_per_angle = 0;  ///< [m/rad]
-  double back = 0;           ///< way along which the lateral force that the last step left is given way to [m]
+  double back = 0;           ///< way along which the lateral force that the last step left along it is given way to [m]
 };
 
 /// The next step of a program of which `records` (one at least) are done. A quarter of what is given way to enters the way per angle,
