@@ -127,6 +127,7 @@ std::string resistance_sections(const ResistanceFindings& findings) {
                                             "suffice, it says that it cannot be told.") +
                                       exponent_table(findings));
   for (const MotionMode* mode : all_motions()) html += motion_section(findings.study, *mode);
+  if (!said.rails.empty()) html += section_html("On a rail: rolling and spinning at once", list_html(said.rails) + rail_table(findings.study));
   const std::string roughness = rms_figures(findings) + trend_table(findings);
   if (!roughness.empty()) html += section_html("With roughness", roughness);
   if (!findings.contributions.empty())

@@ -79,6 +79,30 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   return table_html(table);
 }
 
+std::string rail_table(const MovingStudy& study) {
+  Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]", "yielding [%]", "bonds [%]", "M_ro cos + M_to sin [pN m]", "over it",
+               "spin moment [pN m]", "over torsion alone", "way [contact radii]"},
+              {},
+              true};
+  for (const auto& contact : study.contacts)
+    for (const auto& rail : contact.rails) {
+      std::vector<std::string> row{readable(contact.label), rounded(rail.inclination * 180 / M_PI) + "°", in_units(rail.load, Dimension::force),
+                                   cell(rail.resistance * (1 / pN_m))};
+      for (const auto& part : {rail.parts.friction, rail.parts.plastic, rail.parts.adhesion}) row.push_back(share_of(part, rail.parts.total));
+      double way = std::numeric_limits<double>::infinity();
+      for (const auto& item : rail.cases) way = std::min(way, item.way_in_radii);
+      for (const auto& number : {rail.sum * (1 / pN_m), rail.over_sum(), rail.spin_moment * (1 / pN_m), rail.spin_over_torsion}) row.push_back(cell(number));
+      row.push_back(rounded(way));
+      table.rows.push_back(std::move(row));
+    }
+  return table.rows.empty() ? ""
+                            : table_html(table) +
+                                  note("A sphere that rolls along a rail spins on its flanks by tan(inclination) for each angle it rolls. Resistance is "
+                                       "dissipated per angle about the rail's transverse axis. The paper takes it for the sum of rolling and torsion on "
+                                       "their own; a contact that rolls meets surface that has not slipped yet, so that it resists its spin with less "
+                                       "than full slip the shallower the rail.");
+}
+
 std::string exponent_table(const ResistanceFindings& findings) {
   Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by",
                "bonds along a smooth rim: off by"},
@@ -169,12 +193,13 @@ std::string measurement_table(const ResistanceFindings& findings) {
         "all of the spectrum", std::isnan(one.load) ? "slope over loads" : in_units(one.load, Dimension::force),
         one.simulated * nm, one.measured * nm, one.sigmas());
   for (const auto& one : findings.published.magnitudes)
-    row(motion_name(*one.mode) + (one.mode == &sliding_mode() ? ": F/P" : ": M/(P r)"), readable(one.contact->label),
+    row(motion_name(*one.mode) + (one.mode == &sliding_mode() ? ": F/P" : ": M/(P r)"), readable(one.contact->label + (one.indenter ? ", mean with " + one.indenter->label : "")),
         in_units(one.load, Dimension::force), one.simulated, one.measured, one.sigmas());
   return table_html(table) + note(
                                  "Fuchs, Weinhart et al. (2014), Table 2, where sphere, plane, RMS and load are the "
                                  "paper's. Its rolling numbers are means over two "
-                                 "contacts of the sphere, silicon below and a diamond indenter above: what roughness "
+                                 "contacts of the sphere, silicon below and a diamond indenter above (so are the simulated "
+                                 "magnitudes where the study rolled the indenter's contact, too): what roughness "
                                  "changes at the silicon is twice what the mean "
                                  "shows, and that is what stands here as measured trend; the magnitudes are the "
                                  "paper's means. At a load the measured rolling "

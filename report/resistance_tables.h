@@ -9,6 +9,8 @@ namespace asperity::report {
 
 /// Of one motion, a row per contact and load.
 std::string resistance_table(const MovingStudy& study, const MotionMode& mode);
+/// Contacts that roll and spin at once; empty without any.
+std::string rail_table(const MovingStudy& study);
 /// Exponents of the moments in load and radius; empty without any.
 std::string exponent_table(const ResistanceFindings& findings);
 /// Changes per nm of RMS; empty without trends.

@@ -22,6 +22,14 @@ ComparedValue measured(const Uncertain& number, const std::string& source) {
   return {number.value, number.sd, "Fuchs, Weinhart et al. 2014, " + source, ""};
 }
 
+ComparedContact sphere_on(const Published& published, const char* plane) {
+  ComparedContact own;
+  own.particle = published.particle().elasticity;
+  own.plane = published.body(plane).elasticity;
+  own.radius = published.radius();
+  return own;
+}
+
 /// mu (1 + h/f)
 Uncertain over_load(const Uncertain& coefficient, const Uncertain& offset, double load) {
   return propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); }, {coefficient, offset});
@@ -30,15 +38,12 @@ Uncertain over_load(const Uncertain& coefficient, const Uncertain& offset, doubl
 }  // namespace
 
 std::string PublishedColumn::plane_of(const ComparedContact& contact) const {
-  for (const char* plane : {"silicon", "fused quartz"}) {
-    ComparedContact own;
-    own.particle = published_.particle().elasticity;
-    own.plane = published_.body(plane).elasticity;
-    own.radius = published_.radius();
-    if (same_bodies(contact, own)) return plane;
-  }
+  for (const char* plane : {"silicon", "fused quartz"})
+    if (same_bodies(contact, sphere_on(published_, plane))) return plane;
   return "";
 }
+
+bool PublishedColumn::is_with_indenter(const ComparedContact& contact) const { return same_bodies(contact, sphere_on(published_, "diamond")); }
 
 ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& contact, double load) const {
   const std::string plane = plane_of(contact);

@@ -22,6 +22,8 @@ class PublishedColumn {
   double rail_rms(double angle) const;
   /// Sphere and plane are the paper's; the plane's name, "" if not.
   std::string plane_of(const ComparedContact& contact) const;
+  /// Sphere and flat indenter of the rolling experiment, whatever its roughness.
+  bool is_with_indenter(const ComparedContact& contact) const;
 
  private:
   Published published_;

@@ -26,6 +26,13 @@ const Uncertain& offset(const PublishedSurface& surface, const MotionMode& mode)
 /// Of the mean over both contacts, what happens at the silicon's.
 double contacts_in_mean(const MotionMode& mode) { return &mode == &rolling_mode() ? 2 : 1; }
 
+/// The sphere's contact with the indenter, rolled under this load; none if the study lacks it.
+const MovingContact* indenter_of(const MovingStudy& study, const PublishedColumn& column, double load) {
+  for (const auto& contact : study.contacts)
+    if (column.is_with_indenter(contact.bodies) && contact.find(rolling_mode(), load)) return &contact;
+  return nullptr;
+}
+
 /// Over the surfaces of Table 2: of the coefficient, or of the resistance over a load.
 Trend published_trend(const Published& published, const MotionMode& mode, double load) {
   std::vector<double> rms;
@@ -91,16 +98,21 @@ AgainstPublished against_published(const MovingStudy& study, const std::vector<R
   std::set<std::string> reasons;
   for (const auto& contact : study.contacts)
     for (const auto& state : contact.states) {
+      if (column.is_with_indenter(contact.bodies)) continue;  // half of the measured means, not a contact of Table 2
       const ComparedValue value = column.value(quantity_of(*state.mode), contact.bodies, state.load);
       if (!value.known()) {
         reasons.insert(std::string(state.mode->experiment) + ": " + value.reason);
         continue;
       }
       const double length = state.mode == &sliding_mode() ? 1 : contact.bodies.radius;
+      const MovingContact* indenter = state.mode == &rolling_mode() ? indenter_of(study, column, state.load) : nullptr;
+      const Uncertain resistance =
+          indenter ? (state.resistance + indenter->find(rolling_mode(), state.load)->resistance) * 0.5 : state.resistance;
       result.magnitudes.push_back({&contact,
+                                   indenter,
                                    state.mode,
                                    state.load,
-                                   state.resistance * (1 / (state.load * length)),
+                                   resistance * (1 / (state.load * length)),
                                    {value.value, value.sd},
                                    value.source});
     }

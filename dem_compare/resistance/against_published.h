@@ -11,9 +11,11 @@
 
 namespace asperity {
 
-/// One contact and load: F/P of sliding, M/(P r) of rolling and torsion.
+/// One contact and load: F/P of sliding, M/(P r) of rolling and torsion. Of rolling the mean with the indenter's contact, where that is
+/// in the study under the same load.
 struct MeasuredMagnitude {
   const MovingContact* contact = nullptr;
+  const MovingContact* indenter = nullptr;
   const MotionMode* mode = nullptr;
   double load = 0;
   Uncertain simulated, measured;

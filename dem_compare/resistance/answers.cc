@@ -158,6 +158,21 @@ Sentences mesh_sentences(const ResistanceFindings& findings) {
   return list;
 }
 
+Sentences rail_sentences(const MovingStudy& study) {
+  Sentences list;
+  for (const auto& contact : study.contacts)
+    for (const auto& rail : contact.rails) {
+      std::string text = "On a rail of " + number_text({std::round(rail.inclination * 180 / M_PI)}) + " degrees, " + contact.label + ", " +
+                         force_text(rail.load) + " across the flank: " + moment_text(rail.resistance) + " per angle";
+      if (std::isfinite(rail.sum.value))
+        text += "; rolling and torsion on their own, M_ro cos + M_to sin, make " + moment_text(rail.sum) + ": ratio " + number_text(rail.over_sum());
+      if (std::isfinite(rail.spin_over_torsion.value))
+        text += ". While it rolls, it resists its spin with " + number_text(rail.spin_over_torsion) + " of what torsion alone takes";
+      list.push_back(text + ".");
+    }
+  return list;
+}
+
 std::string sigma_words(double sigmas) { return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma"; }
 
 std::string trend_against_paper(const MeasuredTrend& one) {
@@ -184,7 +199,7 @@ std::string trend_against_paper(const MeasuredTrend& one) {
 
 std::string magnitude_against_paper(const MeasuredMagnitude& one) {
   const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) +
-                           ": " + (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " +
+                           (one.indenter ? ", mean with the indenter's contact (" + one.indenter->label + ")" : "") + ": " + (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " +
                            number_text(one.simulated) + ", measured " + number_text(one.measured);
   if (!std::isfinite(one.sigmas()))
     return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
@@ -269,6 +284,7 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
   result.mechanisms = mechanism_sentences(findings);
   result.inputs = input_sentences(findings);
   result.mesh = mesh_sentences(findings);
+  result.rails = rail_sentences(findings.study);
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
   const Sentences missing = coefficients_that_lack(findings);
   result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());

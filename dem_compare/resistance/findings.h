@@ -44,6 +44,7 @@ struct ResistanceAnswers {
   std::vector<std::string> mechanisms;   ///< what switching one off changes
   std::vector<std::string> inputs;       ///< what goes with local friction, works of adhesion, yield stresses
   std::vector<std::string> mesh;         ///< what another spacing makes of it
+  std::vector<std::string> rails;        ///< rolling and spinning at once beside the sum of both on their own
   std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
   std::vector<std::string> care;         ///< what stands in the way of more
 };

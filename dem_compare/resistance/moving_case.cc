@@ -26,14 +26,13 @@ double mean_of(const Values& values, std::size_t first, std::size_t last) {
 }
 
 /// First row of a leg that is steady; one past its last if there is none.
-std::size_t onset(const EnergyHistory& history, const MotionLeg& leg, const MotionMode& mode, double particle_radius) {
+std::size_t onset(const EnergyHistory& history, const MotionLeg& leg, const WayOfMotion& motion) {
   const auto none = leg.last + 1;
-  const bool rolls = &mode == &rolling_mode();
   constexpr double nearly = 0.95;
   const double later = mean_of(history.resistance, (leg.first + leg.last + 1) / 2, leg.last);
   for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
     const double way = std::abs(history.position[i] - history.position[leg.first]);
-    const bool steady = rolls                       ? way * particle_radius >= history.contact_radius[i]
+    const bool steady = motion.rolls()              ? way * motion.arm >= history.contact_radius[i]
                         : !history.sticking.empty() ? history.sticking[i] <= few_sticking
                                                     : history.resistance[i] / later >= nearly;
     if (steady) return i;
@@ -103,10 +102,12 @@ bool SteadyWay::still_changes() const {
   return std::abs(drift) > change_that_matters && std::abs(drift) > errors_that_tell * drift_error;
 }
 
-double stretch_length(const MotionMode& mode, double contact_radius, double particle_radius) {
-  if (&mode == &rolling_mode()) return contact_radius / particle_radius;
-  return &mode == &torsion_mode() ? 1 : contact_radius;
+WayOfMotion way_of(const MotionMode& mode, double particle_radius) {
+  if (&mode == &rolling_mode()) return {WayOfMotion::Kind::roll, particle_radius};
+  return {&mode == &torsion_mode() ? WayOfMotion::Kind::spin : WayOfMotion::Kind::slide, 1};
 }
+
+double WayOfMotion::stretch_length(double contact_radius) const { return kind == Kind::spin ? 1 : contact_radius / arm; }
 
 SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch) {
   SteadyWay steady;
@@ -144,24 +145,26 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
 }
 
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
+  return moving_case(solved, energy_history(solved, mode), way_of(mode, solved.hertz().radius));
+}
+
+MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const WayOfMotion& motion) {
   MovingCase moving;
   moving.folder = solved.folder.string();
   moving.seeds = seeds_of(solved);
   moving.spacing = solved.interface_spacing();
-  const double particle_radius = solved.hertz().radius;
-  const EnergyHistory history = energy_history(solved, mode);
   if (history.size() == 0) return moving;
   moving.load = *std::max_element(history.normal_force.begin(), history.normal_force.end());
   bool is_first = true;
   for (const auto& leg : motion_legs(history.position)) {
-    const std::size_t from = onset(history, leg, mode, particle_radius);
+    const std::size_t from = onset(history, leg, motion);
     const bool reached = from + fewest_rows <= leg.last + 1;
     SteadyWay& way = is_first ? moving.first : moving.back;
     if (reached && !way.reached()) {
       const double radius = mean_of(history.contact_radius, from, leg.last),
-                   stretch = stretch_length(mode, radius, particle_radius);
+                   stretch = motion.stretch_length(radius);
       // A short way back is for the stiffness: what it dissipates beyond its onset says nothing yet.
-      const bool is_brief = !is_first && &mode == &rolling_mode() && std::abs(history.position[leg.last] - history.position[from]) < stretch;
+      const bool is_brief = !is_first && motion.rolls() && std::abs(history.position[leg.last] - history.position[from]) < stretch;
       if (!is_brief) way = steady_way(history, from, leg.last, stretch);
       if (is_first) {
         moving.contact_radius = radius;

@@ -66,14 +66,24 @@ struct MovingCase {
   SteadyWay first, back;
 };
 
-/// Length of a stretch of a motion: the contact radius, for rolling as an angle; torsion: an angle of 1.
-double stretch_length(const MotionMode& mode, double contact_radius, double particle_radius);
+/// What the position in a history means.
+struct WayOfMotion {
+  enum class Kind { slide, roll, spin } kind = Kind::slide;
+  double arm = 1;  ///< way of the contact over the surfaces per position: 1, or of rolling [m/rad]
+
+  bool rolls() const { return kind == Kind::roll; }
+  /// Length of a stretch: the contact radius, for rolling as an angle; torsion: an angle of 1.
+  double stretch_length(double contact_radius) const;
+};
+WayOfMotion way_of(const MotionMode& mode, double particle_radius);
 
 /// Steady way between two rows of the history; the rows are those after the onset.
 SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch);
 
 /// Throws InputError where the history lacks a column.
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode);
+/// Of a motion that is told by a history of its own.
+MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const WayOfMotion& motion);
 
 /// A rolling case whose history tells energies: the moment of rough bodies is mostly that of hills, which give back what they take; what
 /// is dissipated per angle is what resists. None where the history holds no energies.

@@ -18,25 +18,34 @@ class Sorter {
   void sort() {
     for (const auto& group : collection_.groups)
       for (const auto& solved : group.cases)
-        if (const MotionMode* mode = mode_of(solved)) add(group, solved, *mode);
+        if (const MotionMode* mode = mode_of(solved))
+          add(group, solved, *mode);
+        else if (const auto inclination = rail_inclination(solved)) {
+          if (!add_rail(contact_of_group(group), solved, *inclination)) leave_out(solved.folder.string(), "the way of Experiment/Program");
+        }
     name_contacts();
     choose_meshes();
     for (auto& contact : study_.contacts) finish(contact);
     auto& contacts = study_.contacts;
     remark_on_realisations();
-    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty(); }),
+    for (auto& contact : contacts) finish_rails(contact);
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty() && c.rails.empty(); }),
                    contacts.end());
   }
 
  private:
   void add(const CaseGroup& group, const SolvedCase& solved, const MotionMode& mode) {
     MovingCase moving = moving_case(solved, mode);
-    if (!moving.first.reached()) {
-      study_.remarks.push_back(moving.folder +
-                               ": its way ends before the motion is steady for three steps; left out (" +
-                               mode.way_entry + " must be more)");
-      return;
-    }
+    if (!moving.first.reached()) return leave_out(moving.folder, mode.way_entry);
+    MovingState& state = state_of(contact_of_group(group), mode, moving.load);
+    state.cases.push_back(std::move(moving));
+  }
+
+  void leave_out(const std::string& folder, const std::string& entry) {
+    study_.remarks.push_back(folder + ": its way ends before the motion is steady for three steps; left out (" + entry + " must be more)");
+  }
+
+  MovingContact& contact_of_group(const CaseGroup& group) {
     const ContactInputs inputs = inputs_of(group.first());  // realisations of one cell of a study are one contact
     std::size_t at = 0;
     while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
@@ -50,8 +59,7 @@ class Sorter {
       groups_.emplace_back();
     }
     if (groups_[at].empty() || groups_[at].back() != &group) groups_[at].push_back(&group);
-    MovingState& state = state_of(study_.contacts[at], mode, moving.load);
-    state.cases.push_back(std::move(moving));
+    return study_.contacts[at];
   }
 
   static bool has(const MovingState& state, double spacing) {

@@ -8,6 +8,7 @@
 #include "dem_compare/compare/compared_contact.h"
 #include "dem_compare/resistance/contact_inputs.h"
 #include "dem_compare/resistance/moving_case.h"
+#include "dem_compare/resistance/rails.h"
 
 namespace asperity {
 
@@ -38,6 +39,7 @@ struct MovingContact {
   ComparedContact bodies;  ///< radius, RMS of the substrate, local friction
   bool can_yield = false, adheres = false;
   std::vector<MovingState> states;  ///< by motion, then load
+  std::vector<RailState> rails;     ///< rolled and spun at once; by inclination, then load
 
   const MovingState* find(const MotionMode& mode, double load) const;
   std::vector<const MovingState*> of(const MotionMode& mode) const;

@@ -69,13 +69,28 @@ Json json_of(const MovingContact& contact) {
                       {"coulomb", number_or_null(state.coulomb)},
                       {"cases", cases}});
   }
+  Json rails = Json::array();
+  for (const auto& rail : contact.rails) {
+    Json cases = Json::array();
+    for (const auto& item : rail.cases) cases.push_back(json_of(item));
+    rails.push_back({{"inclination", rail.inclination},
+                     {"load", rail.load},
+                     {"resistance", json_of(rail.resistance)},
+                     {"parts", json_of(rail.parts)},
+                     {"spin_moment", json_of(rail.spin_moment)},
+                     {"sum_of_separate_motions", json_of(rail.sum)},
+                     {"over_sum", json_of(rail.over_sum())},
+                     {"spin_over_torsion", json_of(rail.spin_over_torsion)},
+                     {"cases", cases}});
+  }
   return {{"label", contact.label},
           {"radius", contact.bodies.radius},
           {"rms", number_or_null(contact.bodies.rms)},
           {"friction_coefficient", contact.bodies.friction},
           {"can_yield", contact.can_yield},
           {"adheres", contact.adheres},
-          {"states", states}};
+          {"states", states},
+          {"rails", rails}};
 }
 
 Json json_of(const RoughnessTrend& trend) {
@@ -165,6 +180,7 @@ Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array();
   for (const auto& one : published.magnitudes)
     magnitudes.push_back({{"contact", one.contact->label},
+                          {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
                           {"experiment", one.mode->experiment},
                           {"load", one.load},
                           {"simulated", json_of(one.simulated)},
@@ -225,6 +241,7 @@ Json resistance_json(const ResistanceFindings& findings) {
             {"mechanisms", said.mechanisms},
             {"inputs", said.inputs},
             {"mesh", said.mesh},
+            {"rails", said.rails},
             {"measurement", said.measurement},
             {"care", said.care}}},
           {"contacts", list_of(findings.study.contacts)},

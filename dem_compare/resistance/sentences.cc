@@ -52,6 +52,11 @@ std::string change_percent(const Uncertain& share) {
   return (share.value > 0 ? "+" : "") + number_text({per_cent * share.value, per_cent * share.sd}) + " %";
 }
 
+std::string moment_text(const Uncertain& moment) {
+  constexpr double pico = 1e-12;
+  return number_text({moment.value / pico, moment.sd / pico}) + " pN m";
+}
+
 std::string force_text(double force) { return format_quantity(force, Dimension::force); }
 
 Trend::Sign sign_of(const Uncertain& number) {

@@ -15,6 +15,8 @@ std::string motion_name(const MotionMode& mode, bool capital = false);
 std::string number_text(const Uncertain& number);
 /// "+3.1 +- 0.5 %"
 std::string change_percent(const Uncertain& share);
+/// "0.234 +- 0.021 pN m"
+std::string moment_text(const Uncertain& moment);
 /// "100 uN"
 std::string force_text(double force);
 /// "rises by 3.1 +- 0.5 % per nm of RMS", "has no trend within 0.8 % per nm of RMS", "... cannot be told"; `relative`

@@ -161,7 +161,9 @@ TEST(SideBySide_other_code, each_roughness_has_the_numbers_given_for_it) {
   compare(compared, {smoother, rougher}, {silicon, "parameters_silicon_1600W.json"});
   int sliding = 0, rolling = 0;
   for (const auto& row : compared.result.rows) {
-    if (row.mode() == ComparedMode::rail) EXPECT_NE(row.contact.find("untreated"), std::string::npos);
+    if (row.mode() == ComparedMode::rail) {
+      EXPECT_NE(row.contact.find("untreated"), std::string::npos);
+    }
     if (std::abs(row.load / 1e-4 - 1) > 1e-6) continue;
     const bool is_smoother = row.rms < 1e-9;
     // Table 2: mu (1 + h/f) of the untreated surface, and of that etched at 1600 W.

@@ -336,6 +336,27 @@ TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2)
   EXPECT_EQ(rolls, 1);
 }
 
+/// The paper's sphere rolls between wafer and indenter: halves that differ, whose mean is the measured number.
+TEST(ResistancePublished_other_code, rolling_is_set_beside_the_mean_of_both_contacts) {
+  const Published published = read_published(test::paper_run("published"));
+  constexpr double load = 1e-3, at_indenter = 3e-12;
+  auto entries = on_the_papers_surfaces(published, "rolling", load, [&](const MovingFolder& made, const auto& surface) {
+    return 2 * surface.rolling_r.value * made.radius * (load + surface.rolling_r_offset.value) - at_indenter;
+  });
+  MovingFolder diamond;
+  diamond.experiment = "rolling", diamond.load = load, diamond.rms = 4, diamond.plane = {1140e9, 0.07}, diamond.friction = at_indenter;
+  entries.push_back({"diamond", diamond});
+  const Study study(entries, published);
+  ASSERT_EQ(study.findings.published.magnitudes.size(), 3u);
+  for (const auto& one : study.findings.published.magnitudes) {
+    ASSERT_TRUE(one.indenter);
+    EXPECT_EQ(one.indenter->label, "diamond");
+    EXPECT_NEAR(one.over().value, 1, 0.02) << one.contact->label;
+  }
+  EXPECT_TRUE(says(answers(study.findings).measurement, "mean with the indenter's contact (diamond)"));
+  for (const auto& remark : study.findings.published.remarks) EXPECT_EQ(remark.find("rolling"), std::string::npos) << remark;
+}
+
 TEST(ResistanceStudy, coarser_meshes_do_not_count_as_realisations) {
   MovingFolder fine, coarse;
   coarse.spacing = 2e-8, coarse.friction = 30e-6;

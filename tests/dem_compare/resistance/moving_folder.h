@@ -31,13 +31,17 @@ struct MovingFolder {
   int seed = 1;
   std::string yield_stress = "3 GPa", work_of_adhesion = "0 J/m^2";
   double local_friction = 0.2, spacing = 1e-8;
+  ElasticBody plane{179e9, 0.25};
   bool with_energies = true;
+  double inclination = 0;  ///< of a rail [rad]: experiment "program" that rolls, and spins by its tangent; powers are per angle about the rail's axis
+  double spin_moment = 0;  ///< part of them that resists the spin [N m]
   unsigned random = 1;
 
-  Hertz hertz() const { return {reduced_modulus({71e9, 0.17}, {179e9, 0.25}), radius}; }
+  Hertz hertz() const { return {reduced_modulus({71e9, 0.17}, plane), radius}; }
   double contact_radius() const { return hertz().contact_radius(load); }
   /// Way of one contact radius.
   double unit() const {
+    if (experiment == "program") return contact_radius() / radius / std::cos(inclination);
     return experiment == "sliding" ? contact_radius() : experiment == "rolling" ? contact_radius() / radius : 1;
   }
 };
@@ -74,17 +78,18 @@ inline std::string moving_history(const MovingFolder& made) {
   double friction = 0, plastic = 0, hardening = 0, adhesion = 0, work = 0, position = 0, step = 0;
   const auto add = [&](double force, double resistance, double elastic, double sticking) {
     const bool slides = made.experiment == "sliding", rolls = made.experiment == "rolling",
-               spins = made.experiment == "torsion";
+               spins = made.experiment == "torsion", both = made.experiment == "program";
+    const double c = std::cos(made.inclination), s = std::sin(made.inclination);
     const std::vector<double> row{++step,
                                   step,
                                   made.hertz().approach(force),
                                   force,
                                   slides ? position : 0,
                                   slides ? resistance : 0,
-                                  rolls ? position : 0,
-                                  rolls ? resistance : 0,
-                                  spins ? position : 0,
-                                  spins ? resistance : 0,
+                                  rolls ? position : both ? position * c : 0,
+                                  rolls ? resistance : both ? (resistance - s * made.spin_moment) / c : 0,
+                                  spins ? position : both ? position * s : 0,
+                                  spins ? resistance : both ? made.spin_moment : 0,
                                   made.hertz().contact_radius(force),
                                   made.hertz().contact_area(force),
                                   1e9,
@@ -142,12 +147,17 @@ inline std::filesystem::path write_moving(const std::filesystem::path& folder, c
   prm << "subsection Particle\n set Radius = " << made.radius * 1e6
       << " um\n set Young modulus = 71 GPa\n set Poisson ratio = 0.17\n set Yield stress = " << made.yield_stress
       << "\n set Topography = generated(rms=0.7 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=" << 100 + made.seed
-      << ")\nend\nsubsection Substrate\n set Young modulus = 179 GPa\n set Poisson ratio = 0.25\n set Yield stress = "
+      << ")\nend\nsubsection Substrate\n set Young modulus = " << made.plane.youngs_modulus * 1e-9 << " GPa\n set Poisson ratio = " << made.plane.poisson_ratio << "\n set Yield stress = "
       << made.yield_stress << "\n set Topography = " << surface.str()
       << "\nend\nsubsection Interface\n set Friction coefficient = " << made.local_friction
       << "\n set Work of adhesion = " << made.work_of_adhesion
       << "\nend\nsubsection Experiment\n set Type = " << made.experiment << "\n set Normal load = " << made.load * 1e6
-      << " uN\nend\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
+      << " uN\n";
+  if (made.experiment == "program") {
+    const double way = made.way_in_radii * made.contact_radius();
+    prm << " set Program = roll " << way * 1e9 << " nm and spin " << std::tan(made.inclination) * way / made.radius << " rad\n";
+  }
+  prm << "end\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
   write_file_atomically(folder / "case.prm", prm.str());
   write_file_atomically(folder / "history.csv", moving_history(made));
   write_file_atomically(folder / "result.json",

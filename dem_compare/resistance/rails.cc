@@ -1,0 +1,99 @@
+#include "dem_compare/resistance/rails.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/motion_program.h"
+#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/resistance/moving_study.h"
+#include "dem_compare/resistance/stretches.h"
+
+namespace asperity {
+namespace {
+
+constexpr double same_angle = 1e-3;
+
+/// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its moment.
+EnergyHistory about_the_axis(const SolvedCase& solved, double inclination) {
+  EnergyHistory history = energy_history(solved, rolling_mode());
+  const EnergyHistory spin = energy_history(solved, torsion_mode());
+  const double c = std::cos(inclination), s = std::sin(inclination);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    // Both angles have the signs that the program gives them; each moment is against its own.
+    const double turns = spin.position[i] * history.position[i] < 0 ? -1 : 1;
+    history.position[i] /= c;
+    history.resistance[i] = c * history.resistance[i] + s * turns * spin.resistance[i];
+  }
+  return history;
+}
+
+Uncertain mean(const std::vector<Uncertain>& values) { return mean_of_realisations(values); }
+
+template <class Of>
+Uncertain mean_over(const std::vector<MovingCase>& cases, const Of& of) {
+  std::vector<Uncertain> values;
+  for (const auto& item : cases) values.push_back(of(item.first));
+  return mean(values);
+}
+
+void keep_finest_mesh(RailState& rail) {
+  double finest = INFINITY;
+  for (const auto& item : rail.cases) finest = std::min(finest, item.spacing);
+  for (std::size_t i = rail.cases.size(); i-- > 0;)
+    if (std::isfinite(finest) && !same_spacing(rail.cases[i].spacing, finest)) {
+      rail.cases.erase(rail.cases.begin() + static_cast<long>(i));
+      rail.spin_moments.erase(rail.spin_moments.begin() + static_cast<long>(i));
+    }
+}
+
+}  // namespace
+
+Uncertain RailState::over_sum() const { return ratio(resistance, sum); }
+
+std::optional<double> rail_inclination(const SolvedCase& solved) {
+  if (experiment_of(solved) != "program") return std::nullopt;
+  const auto parts = parse_motion_program(solved.entries.text("Experiment/Program"));
+  if (parts.size() != 1 || !parts[0].rolls_freely() || parts[0].spin == 0 || parts[0].load || parts[0].approach) return std::nullopt;
+  return std::atan(std::abs(parts[0].spin / (parts[0].roll + parts[0].rolled_arc / solved.hertz().radius)));
+}
+
+bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclination) {
+  const WayOfMotion way{WayOfMotion::Kind::roll, solved.hertz().radius * std::cos(inclination)};
+  EnergyHistory history = about_the_axis(solved, inclination);
+  MovingCase moving = moving_case(solved, history, way);
+  if (!moving.first.reached()) return false;
+  const auto same = [&](const RailState& rail) { return std::abs(rail.inclination - inclination) < same_angle && same_load(rail.load, moving.load); };
+  auto rail = std::find_if(contact.rails.begin(), contact.rails.end(), same);
+  if (rail == contact.rails.end()) {
+    contact.rails.push_back({});
+    rail = std::prev(contact.rails.end());
+    rail->inclination = inclination, rail->load = moving.load;
+  }
+  history.resistance = energy_history(solved, torsion_mode()).resistance;
+  for (double& moment : history.resistance) moment = std::abs(moment);
+  rail->spin_moments.push_back(moving_case(solved, history, way).first.force);
+  rail->cases.push_back(std::move(moving));
+  return true;
+}
+
+void finish_rails(MovingContact& contact) {
+  for (auto& rail : contact.rails) {
+    keep_finest_mesh(rail);
+    rail.parts.friction = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.friction; });
+    rail.parts.plastic = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.plastic; });
+    rail.parts.adhesion = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.adhesion; });
+    rail.parts.total = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.total; });
+    rail.resistance = mean_over(rail.cases, [](const SteadyWay& way) { return way.resistance(); });
+    rail.spin_moment = mean(rail.spin_moments);
+    const MovingState *rolling = contact.find(rolling_mode(), rail.load), *torsion = contact.find(torsion_mode(), rail.load);
+    if (torsion) rail.spin_over_torsion = ratio(rail.spin_moment, torsion->resistance);
+    if (rolling && torsion) rail.sum = rolling->resistance * std::cos(rail.inclination) + torsion->resistance * std::sin(rail.inclination);
+  }
+  std::stable_sort(contact.rails.begin(), contact.rails.end(), [](const RailState& a, const RailState& b) {
+    return std::abs(a.inclination - b.inclination) > same_angle ? a.inclination < b.inclination : a.load < b.load;
+  });
+}
+
+}  // namespace asperity
