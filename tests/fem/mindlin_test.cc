@@ -47,13 +47,22 @@ TEST(Mindlin_analytic, stiffness_without_slip_approaches_8_G_a) {
   for (const double cells : {8.0, 12.0, 18.0}) expect_glued_stiffness(cells);
 }
 
+/// Cattaneo's and Mindlin's bodies are half-spaces. Of a sphere of which the contact is 0.03 radii wide, part of the traction is not
+/// theirs, of the order of these 0.03, on any mesh; this one's is 0.003. Cells that grow fast away from the contact add another part that
+/// does not fall with the spacing.
+asperity::test::FrictionalContactOptions nearly_half_spaces(double cells) {
+  asperity::test::FrictionalContactOptions o;
+  o.load = 100e-9;
+  o.layers = 8;
+  o.slip_tolerance = 1e-3;
+  o.cells_per_radius = cells;
+  return o;
+}
+
 /// Shifts in parts of full slip's. The traction peaks at the border of sticking, in a ring of which some spacings must fit between that
 /// and the rim: it is compared where the stick radius is below `traction_below` contact radii.
-void expect_cattaneo(double cells, const std::vector<double>& ratios, double traction_below, double slip_tolerance = 3e-3) {
-  asperity::test::FrictionalContactOptions o;
-  o.slip_tolerance = slip_tolerance;
-  o.cells_per_radius = cells;
-  FrictionalContact contact(o);
+void expect_cattaneo(double cells, const std::vector<double>& ratios, double traction_below) {
+  FrictionalContact contact(nearly_half_spaces(cells));
   const double a = contact.contact_radius, h = contact.system.options().mesh.sizes.spacing_particle;
   for (const double ratio : ratios) {
     const Point p = shift_to(contact, ratio);
@@ -85,17 +94,14 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
   EXPECT_NEAR(p.force, 1, 1e-3);
 }
 
-TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.6); }
-
-TEST(MindlinNightly_analytic, traction_of_thinner_slip_rings_follows_Cattaneo_on_a_finer_mesh) { expect_cattaneo(40, {0.3, 0.55, 0.8}, 0.8, 1e-3); }
-TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(60, {0.3}, 0.87, 1e-3); }
+TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.7); }
+TEST(Mindlin_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(36, {0.3, 0.55}, 0.85); }
+TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_fortieth_of_the_radius_nears_Cattaneo) { expect_cattaneo(72, {0.05, 0.3}, 0.85); }
 
 /// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own, between them stress is locked in
 /// (Mindlin & Deresiewicz 1953; Johnson 1985, eq. 7.47).
 double error_of_unloaded_traction(double cells) {
-  asperity::test::FrictionalContactOptions o;
-  o.slip_tolerance = 1e-3;
-  o.cells_per_radius = cells;
+  const auto o = nearly_half_spaces(cells);
   FrictionalContact contact(o);
   const double a = contact.contact_radius;
   const Point top = shift_to(contact, 0.75);
@@ -119,8 +125,8 @@ double error_of_unloaded_traction(double cells) {
   return std::sqrt(difference / size);
 }
 
-/// Its norm is half of that at the turn, and the errors of both rings are in it: 3.8 % of the norm at the turn, 3.0 % with 40 cells.
-TEST(Mindlin_analytic, traction_that_unloading_locks_in_has_both_rings) { EXPECT_LT(error_of_unloaded_traction(18), 0.08); }
+/// Its norm is half of that at the turn, and the errors of both rings are in it.
+TEST(Mindlin_analytic, traction_that_unloading_locks_in_has_both_rings) { EXPECT_LT(error_of_unloaded_traction(36), 0.03); }
 
 TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and_Deresiewicz_found) {
   FrictionalContact contact({});

@@ -16,6 +16,7 @@ struct FrictionalContactOptions {
   double youngs[2] = {71e9, 71e9}, poisson[2] = {0.17, 0.17};  ///< particle, substrate
   double radius = 8.5e-6, load = 100e-6, friction = 0.5;
   double cells_per_radius = 12;  ///< of Hertz' contact
+  double layers = 4;             ///< of contact_mesh.h: how slowly cells grow away from the contact
   double slip_tolerance = 3e-3;
   bool tilted_normals = false;
   fem::AdhesionLaws adhesion;
@@ -98,6 +99,7 @@ struct FrictionalContact {
     fem::ContactSystemOptions options;
     auto& s = options.mesh.sizes;
     s.radius = o.radius, s.block_half_width = 0.7 * o.radius;
+    options.mesh.layers = o.layers;
     s.spacing_particle = a / o.cells_per_radius;
     s.spacing_substrate = 1.1 * s.spacing_particle;
     s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
