@@ -1,8 +1,10 @@
 // A smooth elastic body with two radii that rolls with longitudinal creep: CONTACT's wheel, and towards Carter's cylinder.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -90,22 +92,79 @@ TEST(EllipticRollingNightly_other_code, creep_force_curve_of_a_wheel_meets_CONTA
     if (point.creep > 1e-4) expect_creep_force(point, 6);
 }
 
+/// Traction of a steadily rolling cylinder over friction times its largest pressure, by place over half the contact's width, from behind to
+/// the front: CONTACT's example of Carter's problem at a creep of 0.4.
+std::vector<std::pair<double, double>> contact_profile(const std::filesystem::path& path) {
+  constexpr double load_per_width = 35780.0 / 200, friction = 0.3, largest = friction * 2 * load_per_width / M_PI;  // N/mm, a = 1 mm
+  std::vector<std::pair<double, double>> profile;
+  std::ifstream stream(path);
+  bool reads = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find("after expanding slip-area") != std::string::npos) {
+      reads = true, profile.clear();
+      std::getline(stream, line);  // names of the columns
+      continue;
+    }
+    for (char& c : line)
+      if (c == ',') c = ' ';
+    std::istringstream numbers(line);
+    double ix, iy, index, state, traction;
+    if (reads && numbers >> ix >> iy >> index >> state >> traction)
+      profile.emplace_back(-1.05 + 0.04 * (ix - 1), traction / largest);
+    else
+      reads = false;
+  }
+  return profile;
+}
+
 /// The middle strip of a contact four times as wide as long. Carter (1926), Proc. R. Soc. A 112, 151; Johnson (1985), eq. 8.31: force
-/// per width over mu P' is 1 - (1 - creep / (mu a/R))^2, where a/R = 2 p0 / E*.
-TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carter) {
+/// per width over mu P' is 1 - (1 - creep / (mu a/R))^2, where a/R = 2 p0 / E*. `profile`: tractions to compare with, or none.
+void expect_carter(double share, const std::vector<std::pair<double, double>>& profile) {
   auto o = elliptic(4, 0.3, 0.28, 0.005);
   FrictionalContact c(o);
   const double a = c.contact_radius, h = a / o.cells_per_radius, p0 = 1.5 * o.load / (M_PI * a * a * 4);
   const double unit = o.friction * 2 * p0 / c.reduced_modulus;
-  const double share = 0.4, expected = 1 - (1 - share) * (1 - share);
+  const double expected = 1 - (1 - share) * (1 - share);
   roll_steadily(c, share * unit, expected, 3);
   double shear = 0, pressure = 0;
+  std::map<long, std::array<double, 3>> columns;  // place, shear and area of nodes in a row across
   for (std::size_t k = 0; k < c.state.multiplier.size(); ++k) {
-    if (std::abs(c.system.interface_points()[c.system.rows()[k].node][1]) > 2.5 * h) continue;
-    shear -= c.state.shear[0][k] * c.system.areas()[k], pressure += c.state.multiplier[k] * c.system.areas()[k];
+    const auto& x = c.system.interface_points()[c.system.rows()[k].node];
+    if (std::abs(x[1]) > 2.5 * h) continue;
+    const double area = c.system.areas()[k];
+    shear -= c.state.shear[0][k] * area, pressure += c.state.multiplier[k] * area;
+    auto& column = columns[std::lround(x[0] / h * 16)];
+    column[0] += x[0] * area, column[1] -= c.state.shear[0][k] * area, column[2] += area;
   }
-  std::printf("middle strip: Q/(mu P) %.4f (Carter %.4f)\n", shear / (o.friction * pressure), expected);
+  std::printf("middle strip: creep %.2f, Q/(mu P) %.4f (Carter %.4f)\n", share, shear / (o.friction * pressure), expected);
   EXPECT_NEAR(shear / (o.friction * pressure), expected, 0.05 * expected);
+  if (profile.empty()) return;
+  // The contact has rolled on: its middle is where the pressure's is.
+  const double middle = c.state.motion.x - (c.state.motion.x - c.options.radius * c.state.motion.roll);
+  double difference = 0, size = 0;
+  for (const auto& [x, traction] : profile) {
+    double near = 0, far = 0, weight = 0;
+    for (const auto& [key, column] : columns) {
+      const double place = (column[0] / column[2] - middle) / a, distance = std::abs(place - x) * a / h;
+      if (distance >= 1) continue;
+      near += (1 - distance) * column[1] / column[2], weight += 1 - distance;
+    }
+    far = weight > 0 ? near / weight / (o.friction * p0) : 0;
+    difference += (far - traction) * (far - traction), size += traction * traction;
+  }
+  std::printf("  traction differs from CONTACT's cylinder by %.1f %% in the 2-norm\n", 100 * std::sqrt(difference / size));
+  EXPECT_LT(std::sqrt(difference / size), 0.15);
+}
+
+TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carter) {
+  for (const double share : {0.15, 0.7}) expect_carter(share, {});
+}
+
+TEST(EllipticRollingNightly_other_code, tractions_in_the_middle_of_a_wide_contact_meet_those_of_CONTACTs_cylinder) {
+  ASPERITY_SHARED_FILE_OR_SKIP(path, "contact_references/carter2d.ref_out");
+  const auto profile = contact_profile(path);
+  ASSERT_EQ(profile.size(), 50u);
+  expect_carter(0.4, profile);
 }
 
 }  // namespace
