@@ -104,7 +104,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
                "way; scatter over realisations is the study's"},
         {"rolling_moment", "about the contact, of a particle whose shift follows its rolling so that no lateral force builds up; "
                            "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of rough surfaces take and give back; "
-                           "rolling_noise_floor: what a mesh of eight spacings in the contact radius shows on smooth elastic bodies"},
+                           "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth elastic bodies"},
         {"sliding_friction", "lateral over normal force of the whole contact; the local friction_coefficient is an input, and where it is "
                              "Coulomb's only what departs from it is a result"}}},
       {"hertz", {{"contact_radius", setup.hertz_radius}, {"approach", setup.hertz_approach}, {"reduced_modulus", setup.reduced_modulus}}},

@@ -67,6 +67,33 @@ TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative
     }
 }
 
+/// Shear of a law under its pressure: of each there is, below, at and beyond its limit.
+TEST(FrictionLaws_analytic, tangent_of_each_is_the_derivative_of_its_shear) {
+  constexpr double pressure = 2e9, step = 1e3;
+  for (const auto& entry : friction_laws()) {
+    InterfaceInput input;
+    for (const auto& [coefficient, strength] : {std::pair{0.3, 0.0}, {0.0, 0.5e9}, {0.3, 0.5e9}}) {
+      input.friction_coefficient = coefficient, input.shear_strength = strength;
+      if (entry.asked_for(input)) break;
+    }
+    ASSERT_TRUE(entry.asked_for(input)) << entry.name;
+    const double limit = entry.make(input)->limit(pressure);
+    for (const double share : {0.5, 1.5, 4.0}) {
+      const PlaneVector trial{0.8 * share * limit, -0.6 * share * limit};
+      const Shear here = return_to_limit(trial, limit);
+      EXPECT_EQ(here.slips, share > 1) << entry.name;
+      EXPECT_NEAR(std::hypot(here.traction[0], here.traction[1]), std::min(1.0, share) * limit, 1e-12 * limit) << entry.name;
+      for (int j = 0; j < 2; ++j) {
+        PlaneVector up = trial, down = trial;
+        up[j] += step, down[j] -= step;
+        const auto one = return_to_limit(up, limit), other = return_to_limit(down, limit);
+        EXPECT_NEAR(j == 0 ? here.xx : here.xy, (one.traction[0] - other.traction[0]) / (2 * step), 1e-6) << entry.name;
+        EXPECT_NEAR(j == 0 ? here.xy : here.yy, (one.traction[1] - other.traction[1]) / (2 * step), 1e-6) << entry.name;
+      }
+    }
+  }
+}
+
 TEST(Slip_analytic, secant_takes_the_trial_traction_to_the_traction_and_bounds_the_tangent) {
   for (const PlaneVector trial : {PlaneVector{3, 4}, PlaneVector{-1, 0.2}, PlaneVector{0.1, -7}})
     for (const double limit : {0.5, 2.0, 100.0}) {

@@ -24,7 +24,8 @@ struct FrictionalContactOptions {
   double way = 0;  ///< that the particle can roll or slide along x, centred on the origin [m]
   bool loaded = true;             ///< or left at first touch, for loads in steps
   double semi_axis_across = 1;    ///< of the contact's ellipse along y, over that along x: 1, or larger for a flatter particle
-  double yield_stress = std::numeric_limits<double>::infinity();  ///< of the substrate [Pa]
+  double yield_stress = std::numeric_limits<double>::infinity();  ///< of one body [Pa]
+  int yielding_body = 1;          ///< 0: the particle, 1: the substrate
 };
 
 /// Hertz' ellipse whose semi-axis along y is `ratio` >= 1 times that along x (Johnson 1985, eqs. 4.26 to 4.28).
@@ -112,7 +113,7 @@ struct FrictionalContact {
       options.mesh.particle_height = [flatter](double, double y) { return flatter * y * y; };
       options.mesh.largest_height_particle = flatter * widest * widest;
     }
-    options.materials[1].yield_stress = o.yield_stress;
+    options.materials[o.yielding_body].yield_stress = o.yield_stress;
     options.tilted_normals = o.tilted_normals;
     return options;
   }
