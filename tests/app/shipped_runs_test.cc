@@ -38,6 +38,26 @@ TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_swit
     EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), contact), 1) << contact;
 }
 
+TEST(ShippedRuns, the_study_of_motions_has_every_load_with_every_roughness_and_both_spectra) {
+  const Study study = read_study(runs / "paper" / "motions.prm");
+  for (const std::string rms : {"0.3 nm", "1.5 nm", "2.7 nm"})
+    for (const std::string spectrum : {"", " long waves"})
+      for (const std::string load : {"", " 30 uN", " 200 uN"})
+        EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), rms + spectrum + load), 1) << rms << spectrum << load;
+  EXPECT_GE(study.realisations, 2);
+}
+
+TEST(ShippedRuns, the_papers_rolling_and_rails_roll_wafers_and_indenter_and_spin_by_the_tangent) {
+  const Study rolling = read_study(runs / "paper" / "rolling_loads.prm");
+  ASSERT_EQ(rolling.axes.size(), 2u);
+  EXPECT_EQ(rolling.axes[0].labels, (std::vector<std::string>{"100 uN", "1 mN", "3 mN"}));
+  EXPECT_EQ(rolling.axes[1].labels, (std::vector<std::string>{"0.3 nm", "1.5 nm", "2.7 nm", "diamond"}));
+  const Study rails = read_study(runs / "paper" / "rails.prm");
+  ASSERT_EQ(rails.axes.size(), 2u);
+  EXPECT_EQ(rails.axes[0].labels, (std::vector<std::string>{"rolling", "torsion", "25 degrees", "45 degrees", "60 degrees"}));
+  EXPECT_EQ(rails.cases.size(), 15u);
+}
+
 TEST(ShippedRuns, single_motions_and_the_benchmark_are_accepted) {
   EXPECT_GT(read_case(runs / "paper" / "sliding.prm").experiment.distance, 0);
   EXPECT_EQ(read_case(runs / "paper" / "program.prm").experiment.type, ExperimentInput::Type::program);
