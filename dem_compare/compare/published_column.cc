@@ -43,6 +43,13 @@ std::string PublishedColumn::plane_of(const ComparedContact& contact) const {
   return "";
 }
 
+const PublishedSurface* PublishedColumn::surface_of(const ComparedContact& contact) const {
+  const PublishedSurface* surface = nullptr;
+  for (const auto& one : published_.surfaces)
+    if (std::abs(one.rms.value - contact.rms) <= one.rms.sd) surface = &one;
+  return surface;
+}
+
 bool PublishedColumn::is_with_indenter(const ComparedContact& contact) const { return same_bodies(contact, sphere_on(published_, "diamond")); }
 
 ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& contact, double load) const {
@@ -64,9 +71,7 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
   if (quantity == Quantity::lateral_stiffness_to_sliding)
     return absent("the paper fits one stiffness to its loop: see that from rest");
 
-  const PublishedSurface* surface = nullptr;
-  for (const auto& one : published_.surfaces)
-    if (std::abs(one.rms.value - contact.rms) <= one.rms.sd) surface = &one;
+  const PublishedSurface* surface = surface_of(contact);
   if (!surface)
     return absent(std::isnan(contact.rms) ? "the substrate's RMS is not known"
                                           : "no surface of " +

@@ -22,6 +22,8 @@ class PublishedColumn {
   double rail_rms(double angle) const;
   /// Sphere and plane are the paper's; the plane's name, "" if not.
   std::string plane_of(const ComparedContact& contact) const;
+  /// The measured surface that a substrate stands for: its RMS within the measured one's sd; null if there is none.
+  const PublishedSurface* surface_of(const ComparedContact& contact) const;
   /// Sphere and flat indenter of the rolling experiment, whatever its roughness.
   bool is_with_indenter(const ComparedContact& contact) const;
 

@@ -33,6 +33,27 @@ const MovingContact* indenter_of(const MovingStudy& study, const PublishedColumn
   return nullptr;
 }
 
+/// From the magnitudes of the result, which must be complete; those of one contact and motion stand together.
+void add_laws(const PublishedColumn& column, AgainstPublished& result) {
+  for (std::size_t first = 0, next; first < result.magnitudes.size(); first = next) {
+    const MeasuredMagnitude& lead = result.magnitudes[first];
+    std::vector<double> loads;
+    std::vector<Uncertain> resistances;
+    for (next = first; next < result.magnitudes.size(); ++next) {
+      const MeasuredMagnitude& one = result.magnitudes[next];
+      if (one.contact != lead.contact || one.mode != lead.mode) break;
+      if (one.indenter != lead.indenter) continue;
+      loads.push_back(one.load);
+      resistances.push_back(one.simulated * one.load);
+    }
+    const PublishedSurface* surface = column.surface_of(lead.contact->bodies);
+    if (loads.size() < 2 || !surface || lead.mode == &torsion_mode()) continue;
+    const auto [low, high] = std::minmax_element(loads.begin(), loads.end());
+    result.laws.push_back({lead.contact, lead.indenter, lead.mode, *low, *high, coefficient_over_loads(lead.contact->bodies.rms, loads, resistances),
+                           coefficient(*surface, *lead.mode), offset(*surface, *lead.mode)});
+  }
+}
+
 /// Over the surfaces of Table 2: of the coefficient, or of the resistance over a load.
 Trend published_trend(const Published& published, const MotionMode& mode, double load) {
   std::vector<double> rms;
@@ -116,6 +137,7 @@ AgainstPublished against_published(const MovingStudy& study, const std::vector<R
                                    {value.value, value.sd},
                                    value.source});
     }
+  add_laws(column, result);
   for (const auto& trend : trends) add_trends(trend, column, published, result);
   result.remarks.assign(reasons.begin(), reasons.end());
   return result;

@@ -35,8 +35,19 @@ struct MeasuredTrend {
   bool is_opposite() const;
 };
 
+/// mu and h of sliding, and of rolling with lambda = r, over two measured loads or more.
+struct MeasuredLaw {
+  const MovingContact* contact = nullptr;
+  const MovingContact* indenter = nullptr;  ///< rolling: the other half of the mean
+  const MotionMode* mode = nullptr;
+  double lowest_load = 0, highest_load = 0;
+  CoefficientOverLoads simulated;
+  Uncertain coefficient, offset;  ///< measured
+};
+
 struct AgainstPublished {
   std::vector<MeasuredMagnitude> magnitudes;
+  std::vector<MeasuredLaw> laws;
   std::vector<MeasuredTrend> trends;
   std::vector<std::string> remarks;  ///< why a number of the paper has no partner
 };

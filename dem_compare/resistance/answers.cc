@@ -213,6 +213,18 @@ std::string magnitude_against_paper(const MeasuredMagnitude& one) {
          number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
+std::string law_against_paper(const MeasuredLaw& one) {
+  constexpr double micro = 1e-6;
+  const auto beside = [](const Uncertain& simulated, const Uncertain& measured) {
+    return number_text(simulated) + " simulated, " + number_text(measured) + " measured, " +
+           sigma_words((simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd)) + " apart";
+  };
+  return motion_name(*one.mode, true) + " of " + one.contact->label +
+         (one.indenter ? ", mean with the indenter's contact (" + one.indenter->label + ")" : "") + ", over " + force_text(one.lowest_load) + " to " +
+         force_text(one.highest_load) + (one.mode == &sliding_mode() ? "" : ", lambda = r") + ": mu " +
+         beside(one.simulated.coefficient, one.coefficient) + "; h [uN] " + beside(one.simulated.offset * (1 / micro), one.offset * (1 / micro)) + ".";
+}
+
 /// True for a contact that stands for another one with a mechanism switched off: it was not measured.
 bool is_reduced(const ResistanceFindings& findings, const MovingContact& contact) {
   return std::any_of(findings.contributions.begin(), findings.contributions.end(),
@@ -288,6 +300,8 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
   for (const auto& one : findings.published.trends) result.measurement.push_back(trend_against_paper(one));
   const Sentences missing = coefficients_that_lack(findings);
   result.measurement.insert(result.measurement.end(), missing.begin(), missing.end());
+  for (const auto& one : findings.published.laws)
+    if (!is_reduced(findings, *one.contact)) result.measurement.push_back(law_against_paper(one));
   for (const auto& one : findings.published.magnitudes)
     if (!is_reduced(findings, *one.contact)) result.measurement.push_back(magnitude_against_paper(one));
   for (const auto& remark : findings.published.remarks)

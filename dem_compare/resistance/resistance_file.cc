@@ -177,7 +177,14 @@ Json json_of(const MeshEffect& one) {
 }
 
 Json json_of(const AgainstPublished& published) {
-  Json magnitudes = Json::array(), trends = Json::array();
+  Json magnitudes = Json::array(), trends = Json::array(), laws = Json::array();
+  for (const auto& one : published.laws)
+    laws.push_back({{"contact", one.contact->label},
+                    {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
+                    {"experiment", one.mode->experiment},
+                    {"loads", {one.lowest_load, one.highest_load}},
+                    {"coefficient", {{"simulated", json_of(one.simulated.coefficient)}, {"measured", json_of(one.coefficient)}}},
+                    {"offset", {{"simulated", json_of(one.simulated.offset)}, {"measured", json_of(one.offset)}}}});
   for (const auto& one : published.magnitudes)
     magnitudes.push_back({{"contact", one.contact->label},
                           {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
@@ -196,7 +203,7 @@ Json json_of(const AgainstPublished& published) {
                       {"ratio", json_of(one.over())},
                       {"sigmas", number_or_null(one.sigmas())},
                       {"opposite", one.is_opposite()}});
-  return {{"magnitudes", magnitudes}, {"trends", trends}, {"remarks", published.remarks}};
+  return {{"magnitudes", magnitudes}, {"laws", laws}, {"trends", trends}, {"remarks", published.remarks}};
 }
 
 template <class List>

@@ -134,19 +134,23 @@ void add_coefficients(RoughnessTrend& trend) {
       resistances.push_back(state->resistance * (1 / length));
     }
     if (loads.size() < 2) continue;
-    // mu is the slope; mu h the value at no load.
-    const Trend line = fit_trend(loads, resistances);
-    double mean_load = 0;
-    for (const double load : loads) mean_load += load / static_cast<double>(loads.size());
-    const Uncertain offset = ratio(line.mean, line.slope);
-    trend.coefficients.push_back({contact->bodies.rms, line.slope, {offset.value - mean_load, offset.sd}});
+    trend.coefficients.push_back(coefficient_over_loads(contact->bodies.rms, loads, resistances));
     rms.push_back(contact->bodies.rms);
-    values.push_back(line.slope);
+    values.push_back(trend.coefficients.back().coefficient);
   }
   trend.coefficient = fit_trend(rms, values);
 }
 
 }  // namespace
+
+CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads, const std::vector<Uncertain>& resistances) {
+  // mu is the slope; mu h the value at no load.
+  const Trend line = fit_trend(loads, resistances);
+  double mean_load = 0;
+  for (const double load : loads) mean_load += load / static_cast<double>(loads.size());
+  const Uncertain offset = ratio(line.mean, line.slope);
+  return {rms, line.slope, {offset.value - mean_load, offset.sd}};
+}
 
 Trend::Sign RoughnessTrend::sign() const {
   Trend all;

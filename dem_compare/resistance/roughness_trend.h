@@ -23,6 +23,9 @@ struct CoefficientOverLoads {
   Uncertain coefficient, offset;
 };
 
+/// Straight line through resistances over lambda [N], with equal weights; needs two loads.
+CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads, const std::vector<Uncertain>& resistances);
+
 struct RoughnessTrend {
   const MotionMode* mode = nullptr;
   std::vector<const MovingContact*> contacts;  ///< by RMS

@@ -153,7 +153,7 @@ void expect_carter(double share, const std::vector<std::pair<double, double>>& p
     difference += (far - traction) * (far - traction), size += traction * traction;
   }
   std::printf("  traction differs from CONTACT's cylinder by %.1f %% in the 2-norm\n", 100 * std::sqrt(difference / size));
-  EXPECT_LT(std::sqrt(difference / size), 0.15);
+  EXPECT_LT(std::sqrt(difference / size), 0.08);
 }
 
 TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carter) {

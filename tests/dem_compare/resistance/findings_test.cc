@@ -336,24 +336,34 @@ TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2)
   EXPECT_EQ(rolls, 1);
 }
 
-/// The paper's sphere rolls between wafer and indenter: halves that differ, whose mean is the measured number.
+/// The paper's sphere rolls between wafer and indenter: halves that differ, whose mean is the measured number at each load.
 TEST(ResistancePublished_other_code, rolling_is_set_beside_the_mean_of_both_contacts) {
   const Published published = read_published(test::paper_run("published"));
-  constexpr double load = 1e-3, at_indenter = 3e-12;
-  auto entries = on_the_papers_surfaces(published, "rolling", load, [&](const MovingFolder& made, const auto& surface) {
-    return 2 * surface.rolling_r.value * made.radius * (load + surface.rolling_r_offset.value) - at_indenter;
-  });
-  MovingFolder diamond;
-  diamond.experiment = "rolling", diamond.load = load, diamond.rms = 4, diamond.plane = {1140e9, 0.07}, diamond.friction = at_indenter;
-  entries.push_back({"diamond", diamond});
+  std::vector<StudyEntry> entries;
+  for (const double load : {1e-4, 1e-3, 3e-3}) {
+    const double at_indenter = 3e-9 * load;
+    const auto rolled = on_the_papers_surfaces(published, "rolling", load, [&](const MovingFolder& made, const auto& surface) {
+      return 2 * surface.rolling_r.value * made.radius * (load + surface.rolling_r_offset.value) - at_indenter;
+    });
+    entries.insert(entries.end(), rolled.begin(), rolled.end());
+    MovingFolder diamond;
+    diamond.experiment = "rolling", diamond.load = load, diamond.rms = 4, diamond.plane = {1140e9, 0.07}, diamond.friction = at_indenter;
+    entries.push_back({"diamond", diamond});
+  }
   const Study study(entries, published);
-  ASSERT_EQ(study.findings.published.magnitudes.size(), 3u);
+  ASSERT_EQ(study.findings.published.magnitudes.size(), 9u);
   for (const auto& one : study.findings.published.magnitudes) {
     ASSERT_TRUE(one.indenter);
     EXPECT_EQ(one.indenter->label, "diamond");
     EXPECT_NEAR(one.over().value, 1, 0.02) << one.contact->label;
   }
-  EXPECT_TRUE(says(answers(study.findings).measurement, "mean with the indenter's contact (diamond)"));
+  ASSERT_EQ(study.findings.published.laws.size(), 3u);
+  for (const auto& law : study.findings.published.laws) {
+    EXPECT_NEAR(law.simulated.coefficient.value / law.coefficient.value, 1, 0.03) << law.contact->label;
+    EXPECT_NEAR(law.simulated.offset.value / law.offset.value, 1, 0.05) << law.contact->label;
+  }
+  const auto said = answers(study.findings).measurement;
+  EXPECT_TRUE(says(said, "mean with the indenter's contact (diamond), over 100 uN to 3 mN, lambda = r: mu "));
   for (const auto& remark : study.findings.published.remarks) EXPECT_EQ(remark.find("rolling"), std::string::npos) << remark;
 }
 
