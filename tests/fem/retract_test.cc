@@ -1,0 +1,73 @@
+// A sphere that is pressed under displacement control and drawn back beyond first touch, with the exponential attraction of the shipped
+// studies, in Derjaguin's limit: soft attraction of a long range between stiff bodies.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/csv.h"
+#include "fem/solve_case.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace asperity;
+
+CaseInput drawn_back(double opening_work) {
+  CaseInput input = test::sphere_on_silicon("smooth", "smooth", 40e-9, 0);
+  input.interface.work_of_adhesion = 0.02, input.interface.opening_work = opening_work;
+  input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 5e-9;
+  input.experiment.control = ExperimentInput::Control::displacement;
+  input.experiment.normal_approach = 4e-9;
+  input.experiment.load_steps = 8, input.experiment.unload_steps = 16, input.experiment.retract = 8e-9;
+  input.output.fields = false;
+  return input;
+}
+
+CsvTable run(const CaseInput& input, const std::filesystem::path& folder) {
+  SolveOptions options;
+  options.output = folder;
+  solve_case(input, options);
+  return read_csv(folder / "history.csv");
+}
+
+/// Derjaguin (1934): spheres at distance d attract by 2 pi R times the work that is left at d.
+TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_left_and_no_work_is_lost) {
+  const test::TemporaryFolder folder;
+  const CaseInput input = drawn_back(0.02);
+  const auto history = run(input, folder.path);
+  const auto force = history.numbers("normal_force [N]"), approach = history.numbers("normal_displacement [m]"), area = history.numbers("contact_area [m^2]"),
+             energy = history.numbers("energy_error"), work = history.numbers("work [J]");
+  const double unit = 2 * M_PI * input.radius * input.interface.work_of_adhesion;
+  int apart = 0;
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    EXPECT_LT(std::abs(energy[k]), 0.01) << k;
+    if (area[k] > 0 || approach[k] > -0.2e-9) continue;
+    const double expected = -unit * std::exp(approach[k] / input.interface.adhesion_range);
+    EXPECT_NEAR(force[k], expected, 0.03 * std::abs(expected)) << k;
+    ++apart;
+  }
+  EXPECT_GE(apart, 8);
+  const double strongest = *std::min_element(force.begin(), force.end());
+  std::printf("strongest attraction %.4f of 2 pi w R, farthest %.4f of Derjaguin's, work open at most %.2g\n", -strongest / unit,
+              -force.back() / unit / std::exp(approach.back() / input.interface.adhesion_range), *std::max_element(energy.begin(), energy.end()));
+  // DMT (1975): pulled off at 2 pi w R, where the spheres part; the last steps stand on either side of that.
+  EXPECT_LT(-strongest, unit);
+}
+
+/// Opening work that is larger is lost over the area that was in contact, once it has opened.
+TEST(Retract, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
+  const test::TemporaryFolder folder;
+  const auto history = run(drawn_back(0.04), folder.path);
+  const auto energy = history.numbers("energy_error"), loss = history.numbers("adhesion_loss [J]"), area = history.numbers("contact_area [m^2]");
+  for (const double e : energy) EXPECT_LT(std::abs(e), 0.01);
+  const double largest = *std::max_element(area.begin(), area.end());
+  std::printf("lost %.4f of the area times the difference, open at most %.2g\n", loss.back() / (0.02 * largest), *std::max_element(energy.begin(), energy.end()));
+  EXPECT_NEAR(loss.back(), 0.02 * largest, 0.1 * 0.02 * largest);
+}
+
+}  // namespace
