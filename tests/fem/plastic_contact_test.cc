@@ -91,12 +91,12 @@ TEST(ElastoPlasticSphere_other_code, force_follows_the_axisymmetric_solution_fro
 }
 
 TEST(ElastoPlasticSphereNightly_other_code, force_follows_the_axisymmetric_solution_towards_full_plasticity) {
-  // Loads below 4 F_c, where this mesh has fewer than four spacings in the contact radius, are in the test above.
+  // Loads below 4 F_c, where this mesh has less than five spacings in the contact radius, are in the test above.
   // The reference is the limit a/R -> 0; here a/R stays below 0.033. Steps of a tenth: plastic strain is taken in the direction
   // at the end of each step, which lowers the force, by 1 % where steps are 1.3 times each other.
   std::vector<double> forces;
   for (double f = 4; f < 195; f *= 1.1) forces.push_back(f);
-  expect_table(YieldingHalfSpace(0.03e-6), forces, 24, 84);
+  expect_table(YieldingHalfSpace(0.03e-6), forces, 27, 84);
 }
 
 TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_plasticity) {
@@ -205,7 +205,8 @@ Cycle cycle(double largest_f, int steps, double cells, double largest_area) {
     down_f.push_back(f);
     down_w.push_back(go(f).w);
   }
-  const double lightest = down_f.back() / 100;
+  // Light enough for the imprint, and not so light that rounding beside a sphere 1000 times stiffer is a millionth of it.
+  const double lightest = largest_f / 1470;
   const auto bottom = go(lightest);
   result.dissipated = plastic / work;
   result.residual = bottom.w / top.w;
