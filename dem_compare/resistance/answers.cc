@@ -220,7 +220,10 @@ std::string law_against_paper(const MeasuredLaw& one) {
            sigma_words((simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd)) + " apart";
   };
   return motion_name(*one.mode, true) + " of " + one.contact->label +
-         (one.indenter ? ", mean with the indenter's contact (" + one.indenter->label + ")" : "") + ", over " + force_text(one.lowest_load) + " to " +
+         (one.indenter                     ? ", mean with the indenter's contact (" + one.indenter->label + ")"
+          : one.mode == &rolling_mode() ? ", the silicon's contact alone beside a mean over two"
+                                        : "") +
+         ", over " + force_text(one.lowest_load) + " to " +
          force_text(one.highest_load) + (one.mode == &sliding_mode() ? "" : ", lambda = r") + ": mu " +
          beside(one.simulated.coefficient, one.coefficient) + "; h [uN] " + beside(one.simulated.offset * (1 / micro), one.offset * (1 / micro)) + ".";
 }
