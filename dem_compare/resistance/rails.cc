@@ -15,10 +15,12 @@ namespace {
 
 constexpr double same_angle = 1e-3;
 
-/// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its moment.
+/// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its moment. Empty where the file
+/// does not know both moments in the same rows.
 EnergyHistory about_the_axis(const SolvedCase& solved, double inclination) {
   EnergyHistory history = energy_history(solved, rolling_mode());
   const EnergyHistory spin = energy_history(solved, torsion_mode());
+  if (spin.size() != history.size()) return {};
   const double c = std::cos(inclination), s = std::sin(inclination);
   for (std::size_t i = 0; i < history.size(); ++i) {
     // Both angles have the signs that the program gives them; each moment is against its own.
