@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
 #include "core/motion_program.h"
 #include "dem_compare/derive/case_numbers.h"
 #include "dem_compare/derive/parameter_sets.h"
@@ -15,6 +14,11 @@ namespace {
 
 constexpr double same_angle = 1e-3;
 
+/// Of the moment against the spin, counted along the rolling angle: both angles have the signs that the program gives them.
+double against_the_spin(const EnergyHistory& rolling, const EnergyHistory& spin, std::size_t row) {
+  return spin.position[row] * rolling.position[row] < 0 ? -spin.resistance[row] : spin.resistance[row];
+}
+
 /// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its moment. Empty where the file
 /// does not know both moments in the same rows.
 EnergyHistory about_the_axis(const SolvedCase& solved, double inclination) {
@@ -23,10 +27,8 @@ EnergyHistory about_the_axis(const SolvedCase& solved, double inclination) {
   if (spin.size() != history.size()) return {};
   const double c = std::cos(inclination), s = std::sin(inclination);
   for (std::size_t i = 0; i < history.size(); ++i) {
-    // Both angles have the signs that the program gives them; each moment is against its own.
-    const double turns = spin.position[i] * history.position[i] < 0 ? -1 : 1;
+    history.resistance[i] = c * history.resistance[i] + s * against_the_spin(history, spin, i);
     history.position[i] /= c;
-    history.resistance[i] = c * history.resistance[i] + s * turns * spin.resistance[i];
   }
   return history;
 }
@@ -73,8 +75,8 @@ bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclinati
     rail = std::prev(contact.rails.end());
     rail->inclination = inclination, rail->load = moving.load;
   }
-  history.resistance = energy_history(solved, torsion_mode()).resistance;
-  for (double& moment : history.resistance) moment = std::abs(moment);
+  const EnergyHistory spin = energy_history(solved, torsion_mode());
+  for (std::size_t i = 0; i < history.size(); ++i) history.resistance[i] = against_the_spin(history, spin, i);
   rail->spin_moments.push_back(moving_case(solved, history, way).first.force);
   rail->cases.push_back(std::move(moving));
   return true;

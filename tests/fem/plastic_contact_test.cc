@@ -205,8 +205,7 @@ Cycle cycle(double largest_f, int steps, double cells, double largest_area) {
     down_f.push_back(f);
     down_w.push_back(go(f).w);
   }
-  // Light enough for the imprint, and not so light that rounding beside a sphere 1000 times stiffer is a millionth of it.
-  const double lightest = largest_f / 1470;
+  const double lightest = down_f.back() / 100;
   const auto bottom = go(lightest);
   result.dissipated = plastic / work;
   result.residual = bottom.w / top.w;
