@@ -35,6 +35,7 @@ struct MovingFolder {
   bool with_energies = true;
   double inclination = 0;  ///< of a rail [rad]: experiment "program" that rolls, and spins by its tangent; powers are per angle about the rail's axis
   double spin_moment = 0;  ///< part of them that resists the spin [N m]
+  int rolls_towards = 1, spins_towards = 1;  ///< signs of a rail's two angles
   unsigned random = 1;
 
   Hertz hertz() const { return {reduced_modulus({71e9, 0.17}, plane), radius}; }
@@ -86,10 +87,10 @@ inline std::string moving_history(const MovingFolder& made) {
                                   force,
                                   slides ? position : 0,
                                   slides ? resistance : 0,
-                                  rolls ? position : both ? position * c : 0,
-                                  rolls ? resistance : both ? (resistance - s * made.spin_moment) / c : 0,
-                                  spins ? position : both ? position * s : 0,
-                                  spins ? resistance : both ? made.spin_moment : 0,
+                                  rolls ? position : both ? made.rolls_towards * position * c : 0,
+                                  rolls ? resistance : both ? made.rolls_towards * (resistance - s * made.spin_moment) / c : 0,
+                                  spins ? position : both ? made.spins_towards * position * s : 0,
+                                  spins ? resistance : both ? made.spins_towards * made.spin_moment : 0,
                                   made.hertz().contact_radius(force),
                                   made.hertz().contact_area(force),
                                   1e9,
@@ -155,7 +156,8 @@ inline std::filesystem::path write_moving(const std::filesystem::path& folder, c
       << " uN\n";
   if (made.experiment == "program") {
     const double way = made.way_in_radii * made.contact_radius();
-    prm << " set Program = roll " << way * 1e9 << " nm and spin " << std::tan(made.inclination) * way / made.radius << " rad\n";
+    prm << " set Program = roll " << made.rolls_towards * way * 1e9 << " nm and spin "
+        << made.spins_towards * std::tan(made.inclination) * way / made.radius << " rad\n";
   }
   prm << "end\nsubsection Mesh\n set Interface spacing = " << made.spacing * 1e9 << " nm\nend\n";
   write_file_atomically(folder / "case.prm", prm.str());

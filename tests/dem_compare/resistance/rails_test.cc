@@ -60,6 +60,23 @@ TEST(Rails_analytic, resistance_about_the_axis_and_its_spin_come_back) {
   EXPECT_NEAR(json["contacts"][0]["rails"][1]["over_sum"]["value"], rails[1].over_sum().value, 1e-12);
 }
 
+TEST(Rails_analytic, resist_alike_whichever_way_they_roll_and_spin) {
+  for (const int rolls : {1, -1})
+    for (const int spins : {1, -1}) {
+      const TemporaryFolder root;
+      MovingFolder made = on_rail(45 * degree);
+      made.rolls_towards = rolls, made.spins_towards = spins, made.hills = 0;
+      const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", made}})}), std::nullopt);
+      ASSERT_EQ(findings.study.contacts.size(), 1u);
+      ASSERT_EQ(findings.study.contacts[0].rails.size(), 1u);
+      const RailState& rail = findings.study.contacts[0].rails[0];
+      EXPECT_NEAR(rail.inclination, 45 * degree, 1e-5);
+      EXPECT_NEAR(rail.spin_moment.value / made.spin_moment, 1, 1e-4) << rolls << spins;
+      EXPECT_NEAR(rail.cases[0].first.force.value / (made.friction + made.adhesion), 1, 1e-4) << rolls << spins;
+      EXPECT_NEAR(rail.resistance.value / (made.friction + made.adhesion), 1, 1e-4) << rolls << spins;
+    }
+}
+
 TEST(Rails, without_the_separate_motions_tell_their_resistance_alone) {
   const TemporaryFolder root;
   const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}), std::nullopt);
