@@ -163,16 +163,25 @@ class StudyRun {
       fs::create_directories(folder(i));
       write_file_atomically(folder(i) / case_file, format_settings(study_.cases[i].settings));
     }
-    const long to_do = std::count_if(progress_.begin(), progress_.end(), [](const auto& p) { return p.state != State::done; });
+    long to_do = 0, done = 0;
+    for (std::size_t i = 0; i < progress_.size(); ++i) {
+      if (chosen(i)) ++chosen_;
+      if (progress_[i].state == State::done) ++done;
+      else if (chosen(i)) ++to_do;
+    }
     const int wanted = study_.parallel_cases > 0 ? study_.parallel_cases : options_.cores;
     parallel_ = std::clamp(static_cast<int>(to_do), 1, wanted);
-    options_.say(std::to_string(study_.cases.size()) + " cases, " + std::to_string(study_.cases.size() - to_do) +
-                 " of them done already; " + std::to_string(parallel_) + " at a time");
+    const std::string all = std::to_string(study_.cases.size());
+    options_.say(all + " cases, " + std::to_string(done) + " of them done already; " +
+                 (chosen_ < static_cast<long>(study_.cases.size()) ? std::to_string(to_do) + " of the others chosen; " : "") +
+                 std::to_string(parallel_) + " at a time");
   }
+
+  bool chosen(std::size_t index) const { return options_.chosen(study_.cases[index].name); }
 
   void start_waiting_cases() {
     for (; next_ < study_.cases.size() && running_.size() < static_cast<std::size_t>(parallel_); ++next_)
-      if (progress_[next_].state == State::waiting) start(next_);
+      if (progress_[next_].state == State::waiting && chosen(next_)) start(next_);
   }
 
   void start(std::size_t index) {
@@ -216,10 +225,10 @@ class StudyRun {
       if (progress.message.empty())
         progress.message = status == 0 ? "it left no complete result.json" : "it ended with status " + std::to_string(status);
     }
-    const long ended = std::count_if(progress_.begin(), progress_.end(), [](const auto& p) {
-      return p.state == State::done || p.state == State::failed;
-    });
-    const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(study_.cases.size()) + "] ";
+    long ended = 0;
+    for (std::size_t i = 0; i < progress_.size(); ++i)
+      if (chosen(i) && (progress_[i].state == State::done || progress_[i].state == State::failed)) ++ended;
+    const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(chosen_) + "] ";
     options_.say(counter + name + ": " +
                  (progress.state == State::done ? "done in " + wait_text(progress.seconds) : "failed: " + progress.message) +
                  time_left());
@@ -231,7 +240,7 @@ class StudyRun {
     if (solved_ == 0) return "";
     const double mean = seconds_of_solved_ / solved_;
     for (std::size_t i = 0; i < progress_.size(); ++i)
-      if (progress_[i].state == State::waiting) seconds += mean;
+      if (progress_[i].state == State::waiting && chosen(i)) seconds += mean;
     for (const auto& running : running_)
       if (progress_[running.index].state == State::running) seconds += std::max(0.0, mean - seconds_since(running.start));
     return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
@@ -265,6 +274,7 @@ class StudyRun {
   std::vector<Running> running_;
   std::size_t next_ = 0;
   int parallel_ = 1;
+  long chosen_ = 0;
   int solved_ = 0;
   double seconds_of_solved_ = 0;
   Clock::time_point last_report_ = Clock::now();

@@ -135,7 +135,10 @@ CaseInput with_derived_way(const CaseInput& input) {
   return derived;
 }
 
-CaseSetup set_up(const CaseInput& input) {
+namespace {
+
+/// All of a case's setup but its surfaces' heights.
+CaseSetup set_up_sizes(const CaseInput& input) {
   CaseSetup setup;
   find_hertz_scales(input, setup);
   const double R = input.radius;
@@ -203,8 +206,21 @@ CaseSetup set_up(const CaseInput& input) {
   setup.motion = motion_scales(input, setup, spacing);
   if (type == Type::program) fit_to_program(input, setup);
   options.mesh.layers = input.mesh.layers;
-  const Roughness particle = roughness_of(upper, sizes.region_particle + sizes.reach_particle, spacing);
-  const Roughness substrate = roughness_of(lower, sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);
+  return setup;
+}
+
+}  // namespace
+
+void check_extent(const CaseInput& input) { set_up_sizes(with_derived_way(input)); }
+
+CaseSetup set_up(const CaseInput& input) {
+  CaseSetup setup = set_up_sizes(input);
+  auto& options = setup.system;
+  const auto& sizes = options.mesh.sizes;
+  const double spacing = sizes.spacing_particle;
+  const Roughness particle = roughness_of(input.particle.topography, sizes.region_particle + sizes.reach_particle, spacing);
+  const Roughness substrate =
+      roughness_of(input.substrate.topography, sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);
   options.mesh.particle_height = particle.height;
   options.mesh.substrate_height = substrate.height;
   options.mesh.largest_height_particle = particle.largest;

@@ -104,6 +104,22 @@ TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_agai
   EXPECT_EQ(first.find("--resume"), std::string::npos);
 }
 
+TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on) {
+  options_.chosen = [](const std::string& name) { return name == "1_mN"; };
+  auto progress = run_study(two_loads(), options_);
+  EXPECT_EQ(progress[0].state, State::done);
+  EXPECT_EQ(progress[1].state, State::waiting);
+  EXPECT_EQ(summary()["cases"][1]["state"], "waiting");
+  EXPECT_FALSE(fs::exists(options_.output / "2_mN" / "calls"));
+  EXPECT_NE(said_.front().find("2 cases, 0 of them done already; 1 of the others chosen"), std::string::npos) << said_.front();
+  folder_.write("mended", "");
+  options_.resume = true, options_.chosen = [](const std::string&) { return true; };
+  progress = run_study(two_loads(), options_);
+  EXPECT_EQ(progress[1].state, State::done);
+  const std::string first = calls("1_mN");
+  EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 1);
+}
+
 TEST_F(StudyRunner, a_case_begun_by_another_version_is_solved_anew) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
