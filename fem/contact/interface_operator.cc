@@ -64,18 +64,36 @@ int InterfaceNodes::index(long global_node) const {
   return static_cast<int>(std::lower_bound(global_.begin(), global_.end(), global_node) - global_.begin());
 }
 
-template <typename Number>
-std::vector<Number> InterfaceNodes::gather(const Number* local, int component) const {
-  std::vector<Number> values(global_.size(), Number(0));
+std::vector<double> InterfaceNodes::gather(const double* local, int component) const {
+  std::vector<double> values(global_.size(), 0.0);
   for (const auto& [index, node] : owned_) values[index] = local[3 * node + component];
   if (parallel_) dealii::Utilities::MPI::sum(values, communicator_, values);
   return values;
 }
 
 template <typename Number>
-void InterfaceNodes::scatter_add(std::vector<Number>& values, int component, Number* local) const {
-  if (parallel_) dealii::Utilities::MPI::sum(values, communicator_, values);
-  for (const auto& [index, node] : owned_) local[3 * node + component] += values[index];
+void InterfaceNodes::gather(const Number* local, std::vector<NodeValue<Number>>& values) const {
+  values.assign(global_.size(), NodeValue<Number>{});
+  for (const auto& [index, node] : owned_) {
+    const Number* own = local + 3 * static_cast<std::ptrdiff_t>(node);
+    values[index] = NodeValue<Number>{own[0], own[1], own[2], 0};
+  }
+  sum_over_ranks<Number>(values);
+}
+
+template <typename Number>
+void InterfaceNodes::scatter_add(std::vector<NodeValue<Number>>& values, Number* local) const {
+  sum_over_ranks<Number>(values);
+  for (const auto& [index, node] : owned_)
+    for (int c = 0; c < 3; ++c) local[3 * static_cast<std::ptrdiff_t>(node) + c] += values[index][c];
+}
+
+template <typename Number>
+void InterfaceNodes::sum_over_ranks(std::vector<NodeValue<Number>>& values) const {
+  if (!parallel_ || values.empty()) return;
+  auto* numbers = reinterpret_cast<Number*>(values.data());
+  const std::size_t count = 4 * values.size();
+  dealii::Utilities::MPI::sum(dealii::ArrayView<const Number>(numbers, count), communicator_, dealii::ArrayView<Number>(numbers, count));
 }
 
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes)
@@ -87,7 +105,7 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
   const FaceFinder finder(level_.interface_faces());
   start_.assign(1, 0);
   column_.clear();
-  weight_.clear();
+  std::vector<double> weights;
   active_.clear();
   std::vector<std::pair<int, double>> merged;
   for (const auto& row : rows) {
@@ -107,10 +125,13 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
     }
     for (const auto& [column, weight] : merged) {
       column_.push_back(column);
-      weight_.push_back(weight);
+      weights.push_back(weight);
     }
     start_.push_back(static_cast<int>(column_.size()));
   }
+  auto& weight = std::get<std::vector<double>>(weights_);
+  weight = std::move(weights);
+  std::get<std::vector<float>>(weights_).assign(weight.begin(), weight.end());
   set_slopes(rows);
   const long count = static_cast<long>(rows.size());
   const long ranks = dealii::Utilities::MPI::n_mpi_processes(level_.communicator());
@@ -132,7 +153,6 @@ void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
 void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness) {
   active_.clear();
   stiffness_ = stiffness;
-  resists_slip_ = std::any_of(stiffness.begin(), stiffness.end(), [](const auto& row) { return row.resists_slip(); });
   for (int r = first_row_; r < last_row_; ++r)
     if (!stiffness[r].open()) active_.push_back(r);
 }
@@ -143,58 +163,39 @@ void InterfaceOperator::set_rotation(const Rotation& rotation) {
 }
 
 template <typename Number>
-std::array<std::vector<Number>, 3> InterfaceOperator::gather_turned(const Number* x, int first) const {
-  std::array<std::vector<Number>, 3> values;
-  for (int c = turned_ ? 0 : first; c < 3; ++c) values[c] = nodes_.gather(x, c);
-  if (!turned_) return values;
-  for (int k = 0; k < nodes_.count(); ++k) {
-    if (nodes_.site(k).body != 0) continue;
-    const Number own[3] = {values[0][k], values[1][k], values[2][k]};
-    for (int c = 0; c < 3; ++c)
-      values[c][k] = static_cast<Number>(rotation_[c][0]) * own[0] + static_cast<Number>(rotation_[c][1]) * own[1] + static_cast<Number>(rotation_[c][2]) * own[2];
-  }
-  return values;
-}
-
-template <typename Number>
-void InterfaceOperator::scatter_turned(std::array<std::vector<Number>, 3>& values, int first, Number* y) const {
-  if (turned_) {
-    for (auto& component : values) component.resize(nodes_.count(), Number(0));
-    for (int k = 0; k < nodes_.count(); ++k) {
-      if (nodes_.site(k).body != 0) continue;
-      const Number turned[3] = {values[0][k], values[1][k], values[2][k]};
-      for (int c = 0; c < 3; ++c)
-        values[c][k] = static_cast<Number>(rotation_[0][c]) * turned[0] + static_cast<Number>(rotation_[1][c]) * turned[1] + static_cast<Number>(rotation_[2][c]) * turned[2];
-    }
-  }
-  for (int c = turned_ ? 0 : first; c < 3; ++c)
-    if (!values[c].empty()) nodes_.scatter_add(values[c], c, y);
+void InterfaceOperator::turn(std::vector<NodeValue<Number>>& values, bool back) const {
+  if (!turned_) return;
+  NodeValue<Number> column[3] = {};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) column[j][i] = static_cast<Number>(back ? rotation_[j][i] : rotation_[i][j]);
+  for (int k = 0; k < nodes_.count(); ++k)
+    if (nodes_.site(k).body == 0) values[k] = column[0] * values[k][0] + column[1] * values[k][1] + column[2] * values[k][2];
 }
 
 template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
-  const int first = resists_slip_ || tilted_ ? 0 : 2;
-  const std::array<std::vector<Number>, 3> values = gather_turned(x, first);
-  std::array<std::vector<Number>, 3> result;
-  for (int c = first; c < 3; ++c) result[c].assign(nodes_.count(), Number(0));
+  auto& work = std::get<Workspace<Number>>(workspaces_);
+  nodes_.gather<Number>(x, work.moved);
+  turn<Number>(work.moved, false);
+  work.forces.assign(nodes_.count(), NodeValue<Number>{});
+  const auto& weight = std::get<std::vector<Number>>(weights_);
   for (const int row : active_) {
     const RowStiffness& k = stiffness_[row];
-    Number jump[3] = {}, force[3] = {};
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
-      for (int c = first; c < 3; ++c) jump[c] += static_cast<Number>(weight_[e]) * values[c][column_[e]];
+    NodeValue<Number> jump{}, force{};
+    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * work.moved[column_[e]];
     const Number mx = static_cast<Number>(slope_[row][0]), my = static_cast<Number>(slope_[row][1]);
     force[2] = static_cast<Number>(k.normal) * (jump[2] + mx * jump[0] + my * jump[1]);
     force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1] + mx * force[2];
     force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1] + my * force[2];
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
-      for (int c = first; c < 3; ++c) result[c][column_[e]] += static_cast<Number>(weight_[e]) * force[c];
+    for (int e = start_[row]; e < start_[row + 1]; ++e) work.forces[column_[e]] += weight[e] * force;
   }
-  scatter_turned(result, first, y);
+  turn<Number>(work.forces, true);
+  nodes_.scatter_add<Number>(work.forces, y);
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
-  std::array<std::vector<double>, 3> result;
-  for (auto& component : result) component.assign(nodes_.count(), 0.0);
+  const auto& weight = std::get<std::vector<double>>(weights_);
+  std::vector<NodeValue<double>> result(nodes_.count(), NodeValue<double>{});
   for (const int row : active_) {
     const RowStiffness& stiffness = stiffness_[row];
     const double n[3] = {slope_[row][0], slope_[row][1], 1};
@@ -207,17 +208,28 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
     }
     for (int e = start_[row]; e < start_[row + 1]; ++e) {
       const double* k = turned_ && nodes_.site(column_[e]).body == 0 ? turned : fixed;
-      for (int c = 0; c < 3; ++c) result[c][column_[e]] += k[c] * weight_[e] * weight_[e];
+      for (int c = 0; c < 3; ++c) result[column_[e]][c] += k[c] * weight[e] * weight[e];
     }
   }
-  for (int c = resists_slip_ || tilted_ || turned_ ? 0 : 2; c < 3; ++c) nodes_.scatter_add(result[c], c, diagonal);
+  nodes_.scatter_add<double>(result, diagonal);
 }
 
 std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
-  const std::vector<double> values = turned_ ? gather_turned(x, 0)[component] : nodes_.gather(x, component);
   std::vector<double> jumps(rows(), 0.0);
-  for (int row = 0; row < rows(); ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight_[e] * values[column_[e]];
+  const auto& weight = std::get<std::vector<double>>(weights_);
+  const auto sum = [&](const auto& value_at) {
+    for (int row = 0; row < rows(); ++row)
+      for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight[e] * value_at(column_[e]);
+  };
+  if (turned_) {
+    auto& moved = std::get<Workspace<double>>(workspaces_).moved;
+    nodes_.gather<double>(x, moved);
+    turn<double>(moved, false);
+    sum([&](int node) { return moved[node][component]; });
+  } else {
+    const std::vector<double> values = nodes_.gather(x, component);
+    sum([&](int node) { return values[node]; });
+  }
   return jumps;
 }
 
@@ -242,19 +254,16 @@ void InterfaceOperator::add_normal_forces(const std::vector<double>& row_forces,
 }
 
 void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double* y, int component) const {
-  std::array<std::vector<double>, 3> result;
-  auto& sum = result[component];
-  sum.assign(nodes_.count(), 0.0);
+  auto& forces = std::get<Workspace<double>>(workspaces_).forces;
+  forces.assign(nodes_.count(), NodeValue<double>{});
+  const auto& weight = std::get<std::vector<double>>(weights_);
   for (int row = first_row_; row < last_row_; ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) sum[column_[e]] += weight_[e] * row_forces[row];
-  scatter_turned(result, component, y);
+    for (int e = start_[row]; e < start_[row + 1]; ++e) forces[column_[e]][component] += weight[e] * row_forces[row];
+  turn<double>(forces, true);
+  nodes_.scatter_add<double>(forces, y);
 }
 
 template void InterfaceOperator::apply<double>(const double*, double*) const;
 template void InterfaceOperator::apply<float>(const float*, float*) const;
-template std::vector<double> InterfaceNodes::gather<double>(const double*, int) const;
-template std::vector<float> InterfaceNodes::gather<float>(const float*, int) const;
-template void InterfaceNodes::scatter_add<double>(std::vector<double>&, int, double*) const;
-template void InterfaceNodes::scatter_add<float>(std::vector<float>&, int, float*) const;
 
 }  // namespace asperity::fem

@@ -10,6 +10,9 @@
 // ranks; each rank works on its share of the rows.
 #pragma once
 
+#include <array>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "fem/contact/mortar.h"
@@ -17,6 +20,14 @@
 #include "fem/solver/mesh_level.h"
 
 namespace asperity::fem {
+
+/// Three components of a node and one that stays 0, so that the processor takes them at once.
+template <typename Number>
+struct NodeValueOf {
+  typedef Number type __attribute__((vector_size(4 * sizeof(Number))));
+};
+template <typename Number>
+using NodeValue = typename NodeValueOf<Number>::type;
 
 /// The interface nodes of one level, the same list on every rank, and where this rank keeps its own.
 class InterfaceNodes {
@@ -33,13 +44,18 @@ class InterfaceNodes {
   };
   const Site& site(int node) const { return sites_[node]; }
   /// Values of one component at all interface nodes, from all ranks.
+  std::vector<double> gather(const double* local, int component) const;
+  /// The three components at all interface nodes, from all ranks.
   template <typename Number>
-  std::vector<Number> gather(const Number* local, int component) const;
+  void gather(const Number* local, std::vector<NodeValue<Number>>& values) const;
   /// Sums contributions of all ranks and adds each to the local vector of the node's owner.
   template <typename Number>
-  void scatter_add(std::vector<Number>& values, int component, Number* local) const;
+  void scatter_add(std::vector<NodeValue<Number>>& values, Number* local) const;
 
  private:
+  template <typename Number>
+  void sum_over_ranks(std::vector<NodeValue<Number>>& values) const;
+
   MPI_Comm communicator_;
   bool parallel_;
   std::vector<long> global_;
@@ -92,18 +108,21 @@ class InterfaceOperator {
   /// Visits the entries (interface node, weight) of a row.
   template <typename Visit>
   void for_row(int row, const Visit& visit) const {
-    for (int e = start_[row]; e < start_[row + 1]; ++e) visit(column_[e], weight_[e]);
+    for (int e = start_[row]; e < start_[row + 1]; ++e) visit(column_[e], std::get<std::vector<double>>(weights_)[e]);
   }
   /// The rows [first, last) that this rank works on.
   std::pair<int, int> share() const { return {first_row_, last_row_}; }
   const std::vector<int>& active() const { return active_; }
 
  private:
-  /// Components first..2 of a field at all nodes, in the substrate's frame, and sums of forces in it back into one.
+  /// Turns the particle's values into the substrate's frame, or back.
   template <typename Number>
-  std::array<std::vector<Number>, 3> gather_turned(const Number* x, int first) const;
+  void turn(std::vector<NodeValue<Number>>& values, bool back) const;
+  /// Fields at the interface nodes, kept between calls.
   template <typename Number>
-  void scatter_turned(std::array<std::vector<Number>, 3>& values, int first, Number* y) const;
+  struct Workspace {
+    std::vector<NodeValue<Number>> moved, forces;
+  };
 
   const MeshLevel& level_;
   InterfaceNodes nodes_;
@@ -112,8 +131,9 @@ class InterfaceOperator {
   std::vector<int> start_, column_, active_;
   std::vector<RowStiffness> stiffness_;
   std::vector<std::array<double, 2>> slope_;
-  bool resists_slip_ = false, tilted_ = false;  ///< whether any row of any rank does, is
-  std::vector<double> weight_;
+  bool tilted_ = false;  ///< whether any row is
+  std::tuple<std::vector<double>, std::vector<float>> weights_;  ///< the same, for both precisions
+  mutable std::tuple<Workspace<double>, Workspace<float>> workspaces_;
   int first_row_ = 0, last_row_ = 0;  ///< this rank's share
 };
 
