@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "fem/contact/line_search.h"
@@ -29,7 +30,8 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
     : system_(system),
       options_(options),
       penalty_(options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle),
-      tractions_(system, options_.friction.get(), options_.adhesion, penalty_) {
+      tractions_(system, options_.friction.get(), options_.adhesion, penalty_),
+      elastic_diagonal_(HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
   // Contacts that jump in or apart go a long way down in energy.
@@ -132,7 +134,14 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   double scale = std::max(tractions_.total_force(), force_control() ? std::abs(target) : 0.0);
   const double spacing = system_.options().mesh.sizes.spacing_particle;
   if (scale == 0) scale = 0.1 * system_.reduced_modulus() * spacing * spacing;  // no contact: what would flatten a tenth of a spacing
+  rounding_ = force_of_rounding(state.displacement) / scale;
   return residual.l1_norm() / scale;
+}
+
+double ContactSolver::force_of_rounding(const Vector<double>& displacement) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < displacement.locally_owned_size(); ++i) sum += elastic_diagonal_.local_element(i) * std::abs(displacement.local_element(i));
+  return std::numeric_limits<double>::epsilon() * dealii::Utilities::MPI::sum(sum, system_.level().communicator());
 }
 
 int ContactSolver::newton_direction(const TangentField* tangent, double spring, double accuracy, const Vector<double>& residual,
@@ -206,7 +215,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
       // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than that, the
       // last one by the full accuracy.
       const double wanted = closed ? 0.0 : report.updates == 0 ? first_goal : std::min(first_goal, fraction_of_change * report.penetration);
-      const double goal = std::max(options_.residual_tolerance, wanted);
+      const double goal = std::max({options_.residual_tolerance, rounding_, wanted});
       if (error <= goal || report.newton >= options_.largest_newton) break;
       // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
       const bool open = !tractions_.any_closed();
@@ -246,7 +255,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
     report.residual = error;
     if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(change.pressure) + " " + std::to_string(change.shear));
     closed = change.pressure <= options_.penetration_tolerance && change.shear <= options_.slip_tolerance;
-    if (closed && error <= options_.residual_tolerance) {
+    if (closed && error <= std::max(options_.residual_tolerance, rounding_)) {
       report.converged = true;
       break;
     }

@@ -17,7 +17,9 @@
 namespace asperity::fem {
 
 struct ContactSolverOptions {
-  double residual_tolerance = 1e-6;     ///< sum of unbalanced nodal forces relative to the contact force
+  /// Sum of unbalanced nodal forces relative to the contact force; met, too, where it is no more than what rounding of the
+  /// displacements leaves (light loads on a body far stiffer than the other, which moves as a whole).
+  double residual_tolerance = 1e-6;
   double penetration_tolerance = 1e-3;  ///< change of the pressures by a multiplier update, relative, in the 1-norm
   double slip_tolerance = 3e-3;         ///< the same of the shear tractions
   double penalty_factor = 4.0;          ///< eps = factor E* / spacing
@@ -62,6 +64,8 @@ class ContactSolver {
 
  private:
   double evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent);
+  /// Sum of nodal forces that displacements rounded to double precision leave unbalanced [N].
+  double force_of_rounding(const Vector<double>& displacement) const;
   /// A first guess: one step of elastic bodies in which the rows that tractions_ holds stick.
   void step_with_held_rows(ContactState& state, double target, TangentField* tangent, Vector<double>& residual, Vector<double>& direction,
                            SolveReport& report);
@@ -89,6 +93,8 @@ class ContactSolver {
   int convex_steps_left_ = 0;  ///< in which Newton's direction leaves the softening of attraction out
   double penalty_;       ///< eps [Pa/m]
   InterfaceTractions tractions_;
+  Vector<double> elastic_diagonal_;  ///< of both bodies' stiffness [N/m]
+  double rounding_ = 0;              ///< force of rounding over the contact force, as evaluated last
   double touch_offset_;  ///< rigid shift that brings the bodies to first touch [m]
 };
 

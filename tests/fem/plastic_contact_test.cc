@@ -167,6 +167,29 @@ void expect_subsurface_stress(double layers) {
 TEST(SubsurfaceStress_analytic, size_and_place_are_within_3_percent_in_both_bodies) { expect_subsurface_stress(10); }
 TEST(SubsurfaceStressNightly_analytic, size_and_place_are_within_3_percent_on_a_finer_mesh) { expect_subsurface_stress(14); }
 
+// Moved as a whole, a body a million times stiffer turns the rounding of its displacements into forces above 1e-6 of a light load.
+TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
+  SmoothContactOptions o;
+  o.particle = J2Material::elastic(71e15, 0.17);
+  o.substrate = J2Material::elastic(71e9, 0.17);
+  const double load = 100e-6, light = 0.05 * load;
+  o.largest_radius = Hertz{o.radius, 71e9 / (1 - 0.17 * 0.17), load}.contact_radius();
+  o.spacing = o.largest_radius / 8;
+  o.substrate_spacing = 0.7;
+  SmoothContact contact(o);
+  for (const double force : {load, light}) {
+    const auto step = contact.load(force);
+    EXPECT_TRUE(step.converged) << force;
+    EXPECT_LT(step.newton, 30) << force;
+    EXPECT_NEAR(step.force / force, 1, 1e-4);
+    const Hertz hertz = contact.hertz(force);
+    EXPECT_NEAR(step.contact_radius, hertz.contact_radius(), 0.5 * o.spacing);
+    if (force == load) {
+      EXPECT_NEAR(step.approach / hertz.approach(), 1, 0.02);
+    }
+  }
+}
+
 struct Cycle {
   double balance;        ///< (elastic + plastic work) / work done at the largest load
   double dissipated;     ///< plastic work / work not returned by unloading
