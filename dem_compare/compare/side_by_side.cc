@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "dem_compare/common_label.h"
 #include "dem_compare/compare/finite_element_column.h"
 
 namespace asperity {
@@ -31,43 +32,6 @@ std::string contact_key(const CaseGroup& group) {
   for (std::string line; std::getline(lines, line);)
     if (line.rfind("Experiment/", 0) != 0) key += line + "\n";
   return key;
-}
-
-std::vector<std::string> split(const std::string& text, const std::string& separator) {
-  std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (std::size_t to = 0; (to = text.find(separator, from)) != std::string::npos; from = to + separator.size())
-    parts.push_back(text.substr(from, to - from));
-  parts.push_back(text.substr(from));
-  return parts;
-}
-
-/// Words with which all of them begin.
-std::string common_beginning(const std::vector<std::string>& texts) {
-  std::vector<std::string> common = split(texts.front(), " ");
-  for (const auto& text : texts) {
-    const auto words = split(text, " ");
-    common.erase(std::mismatch(common.begin(), common.end(), words.begin(), words.end()).first, common.end());
-  }
-  std::string joined;
-  for (const auto& word : common) joined += (joined.empty() ? "" : " ") + word;
-  return joined;
-}
-
-/// What labels such as "300 uN, untreated 0.3 nm" have in common, part by part ("1.5 nm" of "sliding, 1.5 nm" and "rolling, 1.5 nm
-/// 200 uN"); the first where that is nothing.
-std::string common_label(const std::vector<std::string>& labels) {
-  std::string common;
-  for (std::size_t i = 0; i < split(labels.front(), ", ").size(); ++i) {
-    std::vector<std::string> parts;
-    for (const auto& label : labels) {
-      const auto own = split(label, ", ");
-      parts.push_back(i < own.size() ? own[i] : "");
-    }
-    const std::string part = common_beginning(parts);
-    if (!part.empty()) common += (common.empty() ? "" : ", ") + part;
-  }
-  return common.empty() ? labels.front() : common;
 }
 
 /// A contact whose numbers were given.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "dem_compare/common_label.h"
 #include "dem_compare/derive/case_numbers.h"
 #include "dem_compare/resistance/stretches.h"
 
@@ -97,7 +98,8 @@ class Sorter {
   }
 
   /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell
-  /// contacts apart. Of an axis with several values, the first one names the contact.
+  /// contacts apart. Of an axis with several values, what they have in common names
+  /// the contact, else the first one.
   void name_contacts() {
     const std::size_t count = collection_.axes.size();
     std::vector<bool> named(count, false);
@@ -120,10 +122,13 @@ class Sorter {
   }
 
   std::string label_of(std::size_t at, const std::vector<bool>& named) const {
-    const std::vector<std::string>& values = groups_[at].front()->values;
     std::string label;
-    for (std::size_t axis = 0; axis < named.size() && axis < values.size(); ++axis)
-      if (named[axis]) label += (label.empty() ? "" : ", ") + values[axis];
+    for (std::size_t axis = 0; axis < named.size() && axis < groups_[at].front()->values.size(); ++axis) {
+      if (!named[axis]) continue;
+      std::vector<std::string> values;
+      for (const CaseGroup* group : groups_[at]) values.push_back(group->values[axis]);
+      label += (label.empty() ? "" : ", ") + common_label(values);
+    }
     return label;
   }
 

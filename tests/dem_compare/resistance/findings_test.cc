@@ -388,6 +388,14 @@ TEST(ResistanceStudy, loads_named_among_the_variants_belong_to_one_contact) {
   EXPECT_EQ(contacts[0].states.size(), 2u);
 }
 
+TEST(ResistanceStudy, a_contact_goes_by_what_its_cases_labels_have_in_common) {
+  MovingFolder first, heavier, rougher;
+  heavier.load = 3e-4, rougher.rms = 2.7;
+  const Study study({{"1.5 nm long waves 100 uN", first}, {"1.5 nm long waves 300 uN", heavier}, {"2.7 nm", rougher}});
+  ASSERT_EQ(study.findings.study.contacts.size(), 2u);
+  EXPECT_EQ(study.findings.study.contacts[0].label, "1.5 nm long waves");
+}
+
 TEST(ResistanceStudy, files_hold_every_state_and_the_answers) {
   const Study study(of_roughness(0.05, -0.2));
   const std::string csv = resistance_csv(study.findings.study);
