@@ -98,8 +98,7 @@ class Sorter {
   }
 
   /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell
-  /// contacts apart. Of an axis with several values, what they have in common names
-  /// the contact, else the first one.
+  /// contacts apart. Of an axis with several values, what they have in common names the contact, else the first one.
   void name_contacts() {
     const std::size_t count = collection_.axes.size();
     std::vector<bool> named(count, false);
