@@ -16,9 +16,20 @@ namespace {
 
 /// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured correction.
 constexpr double block_half_width_in_radii = 0.7;
-/// How far of the particle's finely meshed cap a rolling contact may go: roughness fades out over a third of the fine region's
-/// half width beyond it, still on the cap.
-constexpr double rolled_share_of_cap = 0.72;
+/// Longest way from the middle of a roll [m] that a contact with this fine region has on the particle's finely meshed cap: no further
+/// up the sphere than where its slope makes the cap's cells, a lattice in projection, a fifteenth longer, and with the evenly spaced
+/// cells, half a region more on both sides (BodyMap), still on the cap.
+double longest_reach(double region, double radius) {
+  constexpr double highest = 0.78, widest = 0.97;
+  const double cap = meshing::BodyMap::cap_fraction * radius;
+  return std::min(highest * cap - region, widest * cap - 1.5 * region);
+}
+
+/// A longest length for a message, in three digits that are no longer than it: what is advised is not refused.
+std::string at_most(double length) {
+  const double unit = std::pow(10, std::floor(std::log10(length)) - 2);
+  return format_quantity(unit * std::floor(length / unit), Dimension::length);
+}
 
 struct Roughness {
   meshing::HeightFunction height;
@@ -88,11 +99,11 @@ void fit_to_program(const CaseInput& input, CaseSetup& setup) {
   auto& sizes = setup.system.mesh.sizes;
   const auto refuse = [&](const std::string& motion, double longest) {
     throw InputError(input.file + ": Experiment/Program " + motion + "; let the contact move by " +
-                     format_quantity(std::max(0.0, 2 * longest), Dimension::length) + " at most, to and fro counting once");
+                     (longest > 0 ? at_most(2 * longest) : "nothing") + " at most, to and fro counting once");
   };
   sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
-  const double longest = rolled_share_of_cap * meshing::BodyMap::cap_fraction * R, reach = sizes.region_particle + sizes.reach_particle;
-  if (reach > longest) refuse("rolls the contact out of the particle's finely meshed cap", longest - sizes.region_particle);
+  const double longest = longest_reach(sizes.region_particle, R), reach = sizes.region_particle + sizes.reach_particle;
+  if (sizes.reach_particle > longest) refuse("rolls the contact out of the particle's finely meshed cap", longest);
   sizes.reach_substrate = 0.5 * (extent.high_x - extent.low_x);
   sizes.region_substrate += 0.5 * (extent.high_y - extent.low_y) + R * std::asin(reach / R) - reach;
   const double widest = sizes.block_half_width / 2;
@@ -168,7 +179,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   if (region < 4 * spacing)
     throw InputError(input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
                      " leaves fewer than eight cells across the contact region of " + format_quantity(2 * region, Dimension::length) +
-                     "; set it to " + format_quantity(region / 16, Dimension::length) + " or less");
+                     "; set it to " + at_most(region / 16) + " or less");
 
   auto& options = setup.system;
   options.materials = {material_of(input.particle), material_of(input.substrate)};
@@ -187,11 +198,11 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   options.tilted_normals = type == Type::sliding || type == Type::rolling || type == Type::program || (type == Type::torsion && rough);
   if (type == Type::rolling) {
     sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
-    const double reach = region + sizes.reach_particle, longest = rolled_share_of_cap * meshing::BodyMap::cap_fraction * R;
-    if (reach > longest)
+    const double reach = region + sizes.reach_particle, longest = longest_reach(region, R);
+    if (sizes.reach_particle > longest)
       throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
                        " rolls the contact out of the particle's finely meshed cap; set it to " +
-                       format_quantity(2 * (longest - region), Dimension::length) + " or less");
+                       at_most(2 * longest) + " or less");
     sizes.region_substrate += R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
   }
   if (type == Type::sliding) {
@@ -201,7 +212,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
     if (sizes.region_substrate + sizes.reach_substrate > longest)
       throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
                        " leaves the middle half of the substrate's block; set it to " +
-                       format_quantity(2 * (longest - sizes.region_substrate), Dimension::length) + " or less");
+                       at_most(2 * (longest - sizes.region_substrate)) + " or less");
   }
   setup.motion = motion_scales(input, setup, spacing);
   if (type == Type::program) fit_to_program(input, setup);

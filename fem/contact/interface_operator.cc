@@ -215,21 +215,13 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
 }
 
 std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
-  std::vector<double> jumps(rows(), 0.0);
   const auto& weight = std::get<std::vector<double>>(weights_);
-  const auto sum = [&](const auto& value_at) {
-    for (int row = 0; row < rows(); ++row)
-      for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight[e] * value_at(column_[e]);
-  };
-  if (turned_) {
-    auto& moved = std::get<Workspace<double>>(workspaces_).moved;
-    nodes_.gather<double>(x, moved);
-    turn<double>(moved, false);
-    sum([&](int node) { return moved[node][component]; });
-  } else {
-    const std::vector<double> values = nodes_.gather(x, component);
-    sum([&](int node) { return values[node]; });
-  }
+  auto& moved = std::get<Workspace<double>>(workspaces_).moved;
+  nodes_.gather<double>(x, moved);
+  turn<double>(moved, false);
+  std::vector<double> jumps(rows(), 0.0);
+  for (int row = 0; row < rows(); ++row)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight[e] * moved[column_[e]][component];
   return jumps;
 }
 

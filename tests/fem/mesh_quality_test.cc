@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/quantity.h"
 #include "fem/boundary_surface.h"
 #include "fem/case_setup.h"
 #include "fem/contact/contact_system.h"
@@ -62,6 +63,33 @@ TEST(MeshQuality, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_
   for (const double distance : {0.2e-6, 0.6e-6, 0.8e-6, 0.9e-6, 1.0e-6, 1.1e-6, 1.2e-6, 1.4e-6, 1.7e-6}) {
     input.experiment.distance = distance;
     EXPECT_GT(Meshed(input).quality().smallest_scaled_jacobian[0], gentle) << distance;
+  }
+}
+
+/// The way that a case is told to roll at most, rather than so far that it is refused [m].
+double longest_way(CaseInput input) {
+  input.experiment.distance = 100e-6;
+  try {
+    check_extent(input);
+  } catch (const InputError& error) {
+    const std::string message = error.what(), before = "set it to ", after = " or less";
+    const auto from = message.find(before) + before.size();
+    return parse_quantity(message.substr(from, message.find(after) - from), Dimension::length);
+  }
+  return 0;
+}
+
+TEST(MeshQuality, cells_are_good_for_the_longest_way_that_a_contact_may_roll) {
+  struct Contact {
+    double load, spacing, way;
+  };
+  for (const auto& [load, spacing, way] : {Contact{100e-6, 32e-9, 5e-6}, {3e-3, 100e-9, 3.9e-6}, {15e-3, 200e-9, 2e-6}}) {
+    CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, 0);
+    input.experiment.type = ExperimentInput::Type::rolling;
+    input.experiment.normal_load = load;
+    input.experiment.distance = longest_way(input);
+    EXPECT_GT(input.experiment.distance, way) << load;
+    EXPECT_GT(Meshed(input).quality().smallest_scaled_jacobian[0], smallest_allowed_scaled_jacobian) << load;
   }
 }
 
