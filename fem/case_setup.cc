@@ -27,6 +27,7 @@ double longest_reach(double region, double radius) {
 
 /// A longest length for a message, in three digits that are no longer than it: what is advised is not refused.
 std::string at_most(double length) {
+  if (length <= 0) return "0 m";
   const double unit = std::pow(10, std::floor(std::log10(length)) - 2);
   return format_quantity(unit * std::floor(length / unit), Dimension::length);
 }
@@ -99,7 +100,7 @@ void fit_to_program(const CaseInput& input, CaseSetup& setup) {
   auto& sizes = setup.system.mesh.sizes;
   const auto refuse = [&](const std::string& motion, double longest) {
     throw InputError(input.file + ": Experiment/Program " + motion + "; let the contact move by " +
-                     (longest > 0 ? at_most(2 * longest) : "nothing") + " at most, to and fro counting once");
+                     at_most(2 * longest) + " at most, to and fro counting once");
   };
   sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
   const double longest = longest_reach(sizes.region_particle, R), reach = sizes.region_particle + sizes.reach_particle;
