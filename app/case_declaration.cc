@@ -109,14 +109,17 @@ CaseEntry flag(std::string section, std::string name, Member<bool> member, std::
 CaseEntry topography(std::string section, Member<std::string> member) {
   return {std::move(section), "Topography", "smooth", "",
           "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=80 nm, outside=mirror) | "
-          "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)",
+          "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, size=10 um, seed=3)",
           "Roughness of the surface: none, a measured scan, or a Gaussian surface from a spectrum. FILE: in any format of "
           "`asperity surface measure`; a relative name is looked for beside the case file; the scan's centre is the centre of "
           "contact. Arguments of scan, each optional: size, where the file lacks it; channel, by name or number; unit of heights, "
           "where a text file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; default plane); "
-          "cutoff, below which waves are taken out (a mesh needs four cells over the shortest wave; default: none are); outside, for a scan smaller than the contact region: refuse (default), or mirror, continued by its mirror images. "
+          "cutoff, below which waves are taken out (default: none are; a mesh needs four cells over the shortest wave, which without cutoff "
+          "is the one above which 99 % of the scan's slope variance lies, but no less than four pixels); outside, for a scan smaller than "
+          "the contact region: refuse (default), or mirror, continued by its mirror images. "
           "Arguments of generated but rms are optional: with window, rms is what scans of that side (512 x 512 pixels, plane "
-          "removed) show on average; without, it is that of the whole surface.",
+          "removed) show on average; without, it is that of the whole surface. The surface is decided by these arguments alone: it is periodic "
+          "with size, by default 64 rolloffs or what 2048 pixels carry, and repeats in regions that are larger.",
           [=](CaseInput& input, const std::string& text) {
             if (is_generator_call(text))
               parse_generator(text);
@@ -232,7 +235,9 @@ void add_experiment(std::vector<CaseEntry>& entries) {
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity("Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
                              Dimension::length, not_negative, "0 m", "",
-                             "Distance of nodes where contact can come; 0: derived from load and roughness."));
+                             "Distance of nodes where contact can come; 0: a twelfth of Hertz' contact radius or a quarter of the roughness' shortest wave, "
+                             "whichever is less (real area then reads some 13 % too large, the largest pressure some 18 % too small; an eighth leaves "
+                             "a third of that)."));
   entries.push_back(quantity("Mesh", "Contact region", [](CaseInput& c) -> double& { return c.mesh.contact_region; },
                              Dimension::length, not_negative, "0 m", "",
                              "Half width of the finely meshed square; 0: derived from load and roughness."));

@@ -4,8 +4,24 @@
 #include "core/case.h"
 #include "fem/contact/contact_system.h"
 #include "fem/experiments/program.h"
+#include "fem/mesh_quality.h"
+#include "surfaces/topography_spec.h"
 
 namespace asperity::fem {
+
+/// One body's roughness on the mesh.
+struct MeshedRoughness {
+  TopographyScales scales;
+  double spacing = 0;  ///< of the interface's nodes [m]
+  double region = 0;   ///< longer side of the finely meshed rectangle [m]
+  RoughnessFidelity fidelity;  ///< known once the mesh is made
+
+  bool rough() const { return scales.rms > 0; }
+  double cells_per_wave() const { return scales.shortest_wave / spacing; }
+};
+
+/// Says in one line which waves a rough body's mesh resolves, and what it leaves out.
+std::string resolution_text(const MeshedRoughness& roughness, const std::string& body);
 
 struct CaseSetup {
   ContactSystemOptions system;
@@ -15,6 +31,7 @@ struct CaseSetup {
   double largest_load = 0;      ///< given, or Hertz' at the largest approach [N]
   MotionScales motion;          ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
+  std::array<MeshedRoughness, 2> roughness;    ///< particle, substrate
 };
 
 /// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so that two diameters

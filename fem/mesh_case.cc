@@ -68,7 +68,7 @@ void say_quality(const Say& say, const HexMeshQuality& quality) {
     if (roughness.smooth()) continue;
     say(name + ": Sq of the nodes " + length(roughness.sq_nodes, 4) + ", of the topography there " + length(roughness.sq_topography, 4) +
         text(" (%+.2f %%)", 100 * (roughness.sq_ratio() - 1)) + "; facets depart from it by " + length(roughness.sq_between) +
-        text(" rms (%.2g %%)", 100 * roughness.sq_between / roughness.sq_topography));
+        text(" rms (%.2g %%)", 100 * roughness.missed_height_share()) + text(" and miss %.2g %% of its slope variance", 100 * roughness.missed_slope_share()));
   }
 }
 

@@ -29,6 +29,22 @@ struct Moments {
   double sq() const { return weight > 0 ? std::sqrt(std::max(0.0, square / weight - sum * sum / weight / weight)) : 0; }
 };
 
+/// Calls `visit(slope of the topography, slope of the facet)` for both components at four points of a bilinear facet with corner `low`,
+/// of this width and these corner heights.
+template <typename Visit>
+void for_slopes(const meshing::HeightFunction& topography, const std::array<double, 2>& low, const std::array<double, 2>& width,
+                const std::array<double, 4>& height, const Visit& visit) {
+  constexpr double short_way = 1.0 / 64;  // of the cell: central differences that see every wave a mesh is refused for
+  for (const double s : {0.25, 0.75})
+    for (const double t : {0.25, 0.75}) {
+      const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = short_way * width[0], ey = short_way * width[1];
+      visit((topography(x + ex, y) - topography(x - ex, y)) / (2 * ex),
+            ((1 - t) * (height[1] - height[0]) + t * (height[3] - height[2])) / width[0]);
+      visit((topography(x, y + ey) - topography(x, y - ey)) / (2 * ey),
+            ((1 - s) * (height[2] - height[0]) + s * (height[3] - height[1])) / width[1]);
+    }
+}
+
 RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options,
                            int body) {
   RoughnessFidelity result;
@@ -43,7 +59,7 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
   const double unit = std::pow(2.0, -lattice_bits), offset_x = body == 0 ? 0 : options.sizes.offset_substrate_x,
                offset_y = body == 0 ? 0 : options.sizes.offset_substrate_y;
 
-  Moments nodal, deviation, sampled, between;
+  Moments nodal, deviation, sampled, between, slope, missed_slope;
   for (const auto& face : level.interface_faces()) {
     if (face.body != body) continue;
     std::array<meshing::Point3, 4> corner;
@@ -69,11 +85,19 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
         sampled.add(h, area);
         between.add(facet - h, area);
       }
+    const std::array<double, 2> low{corner[0][0], corner[0][1]}, width{width_x, width_y};
+    for_slopes(topography, low, width, height, [&](double of_topography, double of_facet) {
+      slope.add(of_topography, area);
+      missed_slope.add(of_topography - of_facet, area);
+    });
   }
   result.sq_topography = sampled.sq();
   result.sq_nodes = nodal.sq();
   result.sq_deviation = deviation.rms();
   result.sq_between = between.rms();
+  // Moments are of single components, of which there are two.
+  result.rms_slope = std::sqrt(2.0) * slope.rms();
+  result.missed_slope = std::sqrt(2.0) * missed_slope.rms();
   return result;
 }
 
@@ -115,6 +139,12 @@ HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& po
   return quality;
 }
 
+std::string missed_roughness_text(const RoughnessFidelity& roughness, const std::string& body) {
+  if (roughness.missed_slope_share() < worth_saying_of_slopes) return "";
+  return body + ": facets miss " + text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the slope variance and " +
+         text("%.0f %%", 100 * roughness.missed_height_share()) + " of Sq: real area reads too large, pressures too small";
+}
+
 void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options, const std::string& file) {
   for (int body = 0; body < 2; ++body) {
     const std::string name = body == 0 ? "Particle" : "Substrate";
@@ -129,6 +159,12 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
                          format_quantity(roughness.sq_topography, Dimension::length, 4) + " (at most " +
                          text("%g %%", 100 * allowed_roughness_error) +
                          " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less");
+      if (roughness.missed_slope_share() > allowed_missed_slopes || roughness.missed_height_share() > allowed_missed_height)
+        throw InputError(file + ": " + name + "/Topography: between nodes every " + format_quantity(spacing, Dimension::length) + " the mesh misses " +
+                         text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the topography's slope variance and " +
+                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " + text("%g %%", 100 * allowed_missed_slopes) +
+                         " of either is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less, or leave "
+                         "out shorter waves with cutoff= in Topography");
     }
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
     const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +

@@ -46,9 +46,12 @@ Roughness roughness_of(const SolvedCase& solved, const std::string& section) {
                           map_half_width(solved, files[0]), map_pixels),
             true};
   constexpr double contacts_across = 4;
-  const double size = contacts_across * hertz_radius(solved);
-  const Topography topography = topography_for(solved.entries.text(section + "/Topography", "smooth"), size, size / map_pixels);
-  return {{topography.nx, topography.ny, 0, topography.lx, 0, topography.ly, topography.heights}, false};
+  const double size = contacts_across * hertz_radius(solved), pixel = size / map_pixels;
+  const HeightSampler sampler = heights_over(solved.entries.text(section + "/Topography", "smooth"), size);
+  Map map{map_pixels, map_pixels, -size / 2, size / 2, -size / 2, size / 2, {}};
+  for (int iy = 0; iy < map_pixels; ++iy)
+    for (int ix = 0; ix < map_pixels; ++ix) map.values.push_back(sampler.height((ix + 0.5) * pixel - size / 2, (iy + 0.5) * pixel - size / 2));
+  return {map, false};
 }
 
 std::string roughness_statistics(const Map& heights) {
@@ -75,7 +78,7 @@ std::string roughness_figure(const SolvedCase& solved, const std::string& sectio
     MapFigure figure = map_figure_of(roughness.heights);
     figure.colour_label = "height [nm]";
     figure.range = colour_range(map, outliers);
-    std::string where = "The whole surface, as the case file asks for it. ";
+    std::string where = "Around the contact, as the case file asks for it. ";
     if (roughness.as_meshed) {
       figure.circles = {hertz_radius(solved) / nm};
       figure.circle_label = "contact of smooth bodies at the largest load";

@@ -40,8 +40,8 @@ void set_argument(ScanParameters& scan, const std::string& key, const std::strin
   }
 }
 
-/// The map in the middle of its own mirror images: periodic with twice its size. Where it has an odd number of pixels,
-/// its centre lies half a pixel off.
+/// The map, without missing points, in the middle of its own mirror images: periodic with twice its size. Where it has an odd number
+/// of pixels, its centre lies half a pixel off.
 Topography mirrored(const Topography& map) {
   Topography image = map;
   image.nx = 2 * map.nx;
@@ -49,19 +49,16 @@ Topography mirrored(const Topography& map) {
   image.lx = 2 * map.lx;
   image.ly = 2 * map.ly;
   image.periodic = true;
-  image.source += ", continued by its mirror images";
   const auto source = [](int i, int n) {
     const int from_edge = (i - n / 2 + 2 * n) % (2 * n);
     return from_edge < n ? from_edge : 2 * n - 1 - from_edge;
   };
   image.heights.resize(4 * map.heights.size());
-  if (!map.missing.empty()) image.missing.resize(4 * map.heights.size());
   for (int iy = 0; iy < image.ny; ++iy)
     for (int ix = 0; ix < image.nx; ++ix) {
       const auto to = static_cast<std::size_t>(iy) * image.nx + ix;
       const auto from = static_cast<std::size_t>(source(iy, map.ny)) * map.nx + source(ix, map.nx);
       image.heights[to] = map.heights[from];
-      if (!map.missing.empty()) image.missing[to] = map.missing[from];
     }
   return image;
 }
@@ -125,11 +122,9 @@ Topography prepared_scan(const std::string& spec) {
   return map;
 }
 
-Topography scan_over(const std::string& spec, double size) {
+void require_cover(const std::string& spec, const Topography& map, double size) {
   const ScanParameters scan = parse_scan(spec);
-  const Topography map = prepared_scan(spec);
-  if (map.lx >= size && map.ly >= size) return map;
-  if (map.periodic || scan.outside == Outside::mirror) return map.periodic ? map : mirrored(map);
+  if ((map.lx >= size && map.ly >= size) || map.periodic || scan.outside == Outside::mirror) return;
   ScanParameters continued = scan;
   continued.outside = Outside::mirror;
   throw ScanError(spec, "the scan '" + scan.file + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +

@@ -36,9 +36,8 @@ ScanParameters parse_scan(const std::string& spec);
 /// The scan as read, levelled and, with a cut-off, without shorter waves. Throws ScanError.
 Topography prepared_scan(const std::string& spec);
 
-/// That scan for a square region of side `size` [m]; its centre is the centre of contact. Smaller scans are
-/// refused or, if asked for, continued by their mirror images (the map is then periodic with twice the scan's size; heights
-/// are continuous across the edges, slopes are not). Throws ScanError.
-Topography scan_over(const std::string& spec, double size);
+/// Throws ScanError, with the remedy, where a scan does not cover a square of side `size` [m] around its centre and its entry does not
+/// ask for mirror images.
+void require_cover(const std::string& spec, const Topography& map, double size);
 
 }  // namespace asperity

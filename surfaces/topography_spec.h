@@ -6,6 +6,7 @@
 #include <string>
 
 #include "surfaces/generate.h"
+#include "surfaces/sampler.h"
 #include "surfaces/topography.h"
 
 namespace asperity {
@@ -18,6 +19,8 @@ struct GeneratorParameters {
   /// Side of the scans in which spectrum.rms was measured [m] (512 x 512 pixels, mean plane removed, mean over many scans:
   /// surfaces/virtual_afm.h); 0: spectrum.rms is that of the whole surface.
   double window = 0;
+  /// Side of the periodic square that the surface repeats [m]; 0: that of default_period.
+  double size = 0;
 
   /// The spectrum of the surface itself: that whose scans show spectrum.rms, if it was measured.
   SelfAffineSpectrum surface_spectrum() const;
@@ -34,30 +37,41 @@ bool is_generator_call(const std::string& spec);
 /// range.
 GeneratorParameters parse_generator(const std::string& spec);
 
-/// The grid on which a generated surface lives. It depends on the spectrum and, for large regions, on the
-/// size of the region, never on a mesh: period = 8 roll-off wavelengths, doubled until it is at least `size`;
-/// square pixels of at most a quarter of the cut-off. The same seed thus is the same surface for every region
-/// of up to 8 roll-offs, and the surface repeats beyond its period.
+/// Side of a generated surface whose size is not given [m]: 64 roll-off wavelengths, but no more than 2048 pixels carry, and 8 roll-offs
+/// at least. It depends on the spectrum alone.
+double default_period(const SelfAffineSpectrum& spectrum);
+
+/// The grid on which a generated surface lives: its period, in square pixels of at most a quarter of the cut-off. Like the
+/// surface itself it depends on the entry alone, never on a mesh, load or way: the same entry is the same surface in every case.
+/// Throws InputError where that takes more pixels than memory holds.
 struct GeneratorGrid {
   double period = 0;
   int pixels = 0;
 };
-GeneratorGrid generator_grid(const GeneratorParameters& parameters, double size);
+GeneratorGrid generator_grid(const GeneratorParameters& parameters);
 
 /// True if the entry names a measured scan.
 bool is_scan(const std::string& spec);
 
 /// What a mesh has to know of a surface before its region is known.
 struct TopographyScales {
-  double rms = 0;                                                   ///< as given, or of the whole scan [m]
-  double shortest_wave = std::numeric_limits<double>::infinity();  ///< [m]; infinite where there is none or it is not known
+  double rms = 0;  ///< as given, or of the whole scan [m]
+  /// Wavelength down to which a mesh has to follow the surface [m]; infinite where there is no roughness. Generated: the cut-off. A scan:
+  /// its cutoff= where that is given, else the wave above which lie 99 % of its slope variance, but no less than four pixels, for
+  /// shorter waves are measured by too few heights.
+  double shortest_wave = std::numeric_limits<double>::infinity();
+  double unresolved = 0;  ///< share of a scan's slope variance in waves shorter than that [-]
+  double period = std::numeric_limits<double>::infinity();  ///< of a generated surface, beyond which it repeats [m]
 };
 TopographyScales topography_scales(const std::string& spec);
 
-/// The topography of a square region of side `size` [m] around the contact.
-/// smooth: one pixel of height zero. A scan: see scan_over. generated(...): the whole period, expected Sq = rms over the
+/// The whole topography that an entry names, centred on the contact; decided by the entry alone.
+/// smooth: one pixel of height zero. A scan: see prepared_scan. generated(...): one period, expected Sq = rms over the
 /// period, or, where rms was measured in a window, with the power spectral density of the surface it was measured on.
-/// `spacing` [m] is the mesh's; the surface does not depend on it (a mesh coarser than the pixels samples the surface).
-Topography topography_for(const std::string& spec, double size, double spacing);
+Topography topography_for(const std::string& spec);
+
+/// Its heights over a square of side `size` [m] around the contact. A generated surface repeats beyond its period. Throws ScanError where
+/// a scan is smaller and its entry does not ask for mirror images.
+HeightSampler heights_over(const std::string& spec, double size);
 
 }  // namespace asperity

@@ -44,8 +44,11 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     const double fx = state.shear[0][r] * system_.areas()[r] + force * slope[0], fy = state.shear[1][r] * system_.areas()[r] + force * slope[1];
     result.lateral_force[0] -= fx, result.lateral_force[1] -= fy;
     result.torsion_moment -= place[0] * fy - place[1] * fx;
-    // About the rolling axis (-sin, cos, 0).
-    result.rolling_moment -= std::cos(state.motion.spin) * (place[2] * fx - place[0] * force) - std::sin(state.motion.spin) * (place[1] * force - place[2] * fy);
+    // About the rolling axis (-sin, cos, 0) through the smooth shape's lowest point, which the approach has taken down: this moment,
+    // less radius times the lateral force, is the one about the centre that the roll turns, hence conjugate to its angle.
+    const double lever = place[2] + state.approach;
+    result.rolling_moment -= std::cos(state.motion.spin) * (lever * fx - place[0] * force) -
+                             std::sin(state.motion.spin) * (place[1] * force - lever * fy);
     if (p > 0) ++result.active;
     result.reaches_rim = result.reaches_rim || (p > 0 && system_.on_rim()[r]);
     if (force == 0) continue;

@@ -43,6 +43,8 @@ void ContactExperiment::start() {
   say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over +-" +
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
+  for (int body = 0; body < 2; ++body)
+    if (setup_.roughness[body].rough()) say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
   system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
   ContactState unloaded;
   system_->level().initialise(unloaded.displacement);
@@ -56,7 +58,13 @@ void ContactExperiment::start() {
   solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
   state_ = solver_->first_touch();
   state_.motion = program_.front().motion;
-  require_quality(hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh), setup_.system.mesh, input_.file);
+  const HexMeshQuality quality = hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh);
+  require_quality(quality, setup_.system.mesh, input_.file);
+  for (int body = 0; body < 2; ++body) {
+    setup_.roughness[body].fidelity = quality.roughness[body];
+    const std::string missed = missed_roughness_text(quality.roughness[body], body == 0 ? "particle" : "substrate");
+    if (!missed.empty()) say(missed);
+  }
   say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
       system_->linear().description() + " (" + wait_text(seconds() - started_) + ")");
 }

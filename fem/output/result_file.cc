@@ -38,6 +38,18 @@ json body_inputs(const BodyInput& body) {
           {"topography", body.topography}};
 }
 
+/// What of a body's roughness the mesh resolves.
+json resolved_roughness(const MeshedRoughness& r) {
+  if (!r.rough()) return nullptr;
+  const auto finite = [](double value) { return std::isfinite(value) ? json(value) : json(nullptr); };
+  return {{"shortest_wave", finite(r.scales.shortest_wave)},
+          {"cells_over_shortest_wave", finite(r.cells_per_wave())},
+          {"slope_variance_in_shorter_waves", r.scales.unresolved},
+          {"rms_slope", r.fidelity.rms_slope},
+          {"missed_by_facets", {{"rms_height", r.fidelity.missed_height_share()}, {"slope_variance", r.fidelity.missed_slope_share()}}},
+          {"repeats_every", r.scales.period < r.region ? json(r.scales.period) : json(nullptr)}};
+}
+
 }  // namespace
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& s) {
@@ -114,6 +126,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"interface_spacing", spacing},
         {"contact_region", setup.system.mesh.sizes.region_particle},
         {"contact_nodes", s.contact_nodes},
+        {"roughness", {{"particle", resolved_roughness(setup.roughness[0])}, {"substrate", resolved_roughness(setup.roughness[1])}}},
         {"contact_reaches_rim", std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
       {"effective", effective},
       {"balance", {{"force", force}, {"moment", moment}, {"energy", energy}}},

@@ -145,6 +145,26 @@ void expect_steady_spin(double spin_number, double largest_across) {
 TEST(CombinedProgram_other_code, a_rolling_sphere_that_spins_meets_steady_rolling_with_spin) { expect_steady_spin(0.7, 0.05); }
 TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_full_slip) { expect_steady_spin(2, 0.15); }
 
+/// From Cattaneo's shift to Carter's rolling with creep: friction takes all the work that shift and roll put in. A moment whose lever arm is
+/// not that of the centre the roll turns about would leave Q times approach over radius per way: an eighth of it.
+TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_shifted_and_then_rolled) {
+  const test::TemporaryFolder folder;
+  CaseInput input = program_case("smooth", 24e-9, "slide 6 nm; slide 503 nm and roll 500 nm");
+  input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
+  const auto history = run(input, folder.path);
+  const auto force = history.numbers("lateral_force [N]"), roll = history.numbers("rolling_angle [rad]"), work = history.numbers("work [J]"),
+             stored = history.numbers("elastic_energy [J]"), slip = history.numbers("friction_work [J]"), approach = history.numbers("normal_displacement [m]");
+  std::size_t begin = 0;
+  while (roll[begin + 1] == 0) ++begin;
+  const std::size_t last = roll.size() - 1;
+  const double into_friction = slip[last] - slip[begin], put_in = work[last] - work[begin] - (stored[last] - stored[begin]);
+  const double lever = force[last] * approach[last] * (roll[last] - roll[begin]);
+  std::printf("Q/(mu P) %.3f, put in over friction's work %.4f, force times approach times angle %.3f of it\n", force[last] / (0.3 * 100e-6),
+              put_in / into_friction, lever / into_friction);
+  EXPECT_GT(std::abs(lever), 0.05 * into_friction);  // else the case would not tell
+  EXPECT_NEAR(put_in, into_friction, 0.01 * into_friction);
+}
+
 /// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle without drive could hold.
 TEST(CombinedProgram, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
   const test::TemporaryFolder folder;

@@ -142,7 +142,7 @@ TEST(HeightSampler_analytic, keeps_a_sine_of_four_pixels_within_a_fifth_of_a_per
 
 TEST(HeightSampler_analytic, sampled_Sq_is_that_of_the_map_at_a_cutoff_of_four_pixels) {
   const Topography map =
-      topography_for("generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=5)", 1e-6, 5e-9);
+      topography_for("generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, size=1.6 um, seed=5)");
   const HeightSampler sampler(map);
   double sum = 0;
   const int points = 700;  // not a multiple of the pixels

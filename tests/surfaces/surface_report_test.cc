@@ -72,11 +72,10 @@ TEST(TopographySpec, of_a_file_is_levelled_and_must_be_large_enough) {
   for (int iy = 0; iy < tilted.ny; ++iy)
     for (int ix = 0; ix < tilted.nx; ++ix) tilted.at(ix, iy) += 1e-9 * ix;
   write_gsf(file, tilted);
-  const Topography map = topography_for(file.string(), 0.9e-6, 5e-9);
-  EXPECT_LT(height_moments(map).Sq, 3e-9);
-  EXPECT_NO_THROW(HeightSampler(map).height(0.45e-6, -0.45e-6));
-  EXPECT_THROW(topography_for(file.string(), 1.5e-6, 5e-9), InputError);
-  EXPECT_THROW(topography_for("no such file", 1e-6, 5e-9), InputError);
+  EXPECT_LT(height_moments(topography_for(file.string())).Sq, 3e-9);
+  EXPECT_NO_THROW(heights_over(file.string(), 0.9e-6).height(0.45e-6, -0.45e-6));
+  EXPECT_THROW(heights_over(file.string(), 1.5e-6), InputError);
+  EXPECT_THROW(topography_for("no such file"), InputError);
   std::filesystem::remove(file);
 }
 

@@ -46,13 +46,28 @@ TEST(TopographySpec, refuses_by_the_name_of_the_key) {
   EXPECT_NE(message("generated(rms=1.5 nm").find("not a call"), std::string::npos);
 }
 
-TEST(TopographySpec, gives_one_surface_whatever_the_mesh_and_the_region) {
-  const std::string spec = "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=20 nm, seed=3)";
-  const Topography small = topography_for(spec, 0.3e-6, 2e-9), large = topography_for(spec, 0.8e-6, 9e-9);
-  EXPECT_EQ(small.heights, large.heights);
-  EXPECT_LE(small.dx(), 5e-9 * (1 + 1e-12));
-  EXPECT_GE(topography_for(spec, 2e-6, 9e-9).lx, 2e-6);
-  EXPECT_EQ(HeightSampler(topography_for("smooth", 1e-6, 5e-9)).height(1e-7, 3e-6), 0.0);
+TEST(TopographySpec_analytic, a_generated_surface_is_decided_by_its_entry_alone_and_repeats_beyond_its_size) {
+  const std::string spec = "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=40 nm, size=1.6 um, seed=3)";
+  // Regions that fit and that are five times as large.
+  const HeightSampler small = heights_over(spec, 0.3e-6), large = heights_over(spec, 8e-6);
+  for (const double x : {-0.11e-6, 0.0, 0.14e-6})
+    for (const double y : {-0.13e-6, 0.02e-6}) {
+      EXPECT_EQ(small.height(x, y), large.height(x, y));
+      EXPECT_NEAR(large.height(x + 1.6e-6, y - 3.2e-6), small.height(x, y), 1e-20);
+    }
+  EXPECT_EQ(parse_generator(parse_generator(spec).text()).size, 1.6e-6);
+  EXPECT_LE(topography_for(spec).dx(), 10e-9 * (1 + 1e-12));
+  EXPECT_EQ(heights_over("smooth", 1e-6).height(1e-7, 3e-6), 0.0);
+}
+
+TEST(TopographySpec_analytic, the_size_of_a_generated_surface_follows_from_its_spectrum) {
+  const auto period = [](const std::string& arguments) { return generator_grid(parse_generator("generated(rms=1 nm, " + arguments + ")")).period; };
+  EXPECT_DOUBLE_EQ(period("rolloff=200 nm, cutoff=72 nm"), 64 * 200e-9);
+  EXPECT_DOUBLE_EQ(period("rolloff=1.5 um, cutoff=72 nm"), 512 * 72e-9);  // 2048 pixels
+  EXPECT_DOUBLE_EQ(period("rolloff=4 um, cutoff=10 nm"), 8 * 4e-6);
+  EXPECT_DOUBLE_EQ(period("rolloff=200 nm, cutoff=72 nm, size=3 um"), 3e-6);
+  EXPECT_THROW(parse_generator("generated(rms=1 nm, rolloff=200 nm, size=300 nm)"), InputError);
+  EXPECT_THROW(generator_grid(parse_generator("generated(rms=1 nm, rolloff=200 nm, cutoff=20 nm, size=1 mm)")), InputError);
 }
 
 TEST(TopographySpec, an_rms_with_a_window_is_a_measured_one) {
@@ -72,8 +87,8 @@ TEST(TopographySpec_analytic, scans_cut_from_surfaces_as_a_case_gets_them_show_t
   constexpr int surfaces = 30, scans_across = 4;
   double sum = 0, squares = 0;
   for (int seed = 1; seed <= surfaces; ++seed) {
-    const Topography surface = topography_for("generated(rms=1.5 nm, window=1.2 um, hurst=0.8, rolloff=600 nm, cutoff=75 nm, seed=" +
-                                                  std::to_string(seed) + ")", 1e-6, 20e-9);
+    const Topography surface = topography_for("generated(rms=1.5 nm, window=1.2 um, hurst=0.8, rolloff=600 nm, cutoff=75 nm, size=4.8 um, seed=" +
+                                              std::to_string(seed) + ")");
     const int pixels = surface.nx / scans_across;
     ASSERT_NEAR(pixels * surface.dx(), 1.2e-6, 1e-15);
     double mean_of_surface = 0;
@@ -127,7 +142,7 @@ TEST(ScanSpec, the_centre_of_the_scan_is_the_centre_of_contact_and_its_plane_is_
   const test::TemporaryFolder folder;
   const Topography scan = written_scan();
   write_gsf(folder.path / "scan.gsf", scan);
-  const HeightSampler sampler(topography_for((folder.path / "scan.gsf").string(), 0.5e-6, 10e-9));
+  const HeightSampler sampler = heights_over((folder.path / "scan.gsf").string(), 0.5e-6);
   const Topography expected = levelled(scan, Level::plane);
   EXPECT_NEAR(sampler.height(scan.dx() / 2, scan.dy() / 2), expected.at(40, 30), 1e-15);
   EXPECT_NEAR(sampler.height(-10.5 * scan.dx(), 7.5 * scan.dy()), expected.at(29, 37), 1e-15);
@@ -138,13 +153,11 @@ TEST(ScanSpec, a_scan_smaller_than_the_region_is_refused_with_a_remedy_or_mirror
   const Topography scan = written_scan();
   write_gsf(folder.path / "scan.gsf", scan);
   const std::string file = (folder.path / "scan.gsf").string();
-  const auto message = test::message_of<ScanError>([&] { topography_for(file, 0.7e-6, 10e-9); });
+  const auto message = test::message_of<ScanError>([&] { heights_over(file, 0.7e-6); });
   for (const auto& part : {file, std::string("800 nm x 600 nm"), std::string("square of 700 nm"), std::string("outside=mirror")})
     EXPECT_NE(message.find(part), std::string::npos) << message;
 
-  const Topography continued = topography_for("scan(" + file + ", outside=mirror)", 2e-6, 10e-9);
-  EXPECT_TRUE(continued.periodic);
-  const HeightSampler inside(topography_for(file, 0.5e-6, 10e-9)), everywhere(continued);
+  const HeightSampler inside = heights_over(file, 0.5e-6), everywhere = heights_over("scan(" + file + ", outside=mirror)", 2e-6);
   EXPECT_NEAR(everywhere.height(0.05e-6, -0.12e-6), inside.height(0.05e-6, -0.12e-6), 1e-13);
   EXPECT_NEAR(everywhere.height(0.45e-6, 0.1e-6), everywhere.height(0.35e-6, 0.1e-6), 1e-15);
   EXPECT_NEAR(everywhere.height(0.1e-6, -0.35e-6), everywhere.height(0.1e-6, -0.25e-6), 1e-15);
@@ -162,7 +175,7 @@ TEST(ScanSpec_analytic, a_cutoff_takes_out_shorter_waves_and_leaves_longer_ones)
     for (int ix = 0; ix < 100; ++ix) map.at(ix, iy) = 2e-9 * cosine(ix, 4) + 1e-9 * cosine(iy, 25);
   write_gsf(folder.path / "scan.gsf", map);
   const std::string file = (folder.path / "scan.gsf").string();
-  const Topography smoothed = topography_for("scan(" + file + ", level=mean, cutoff=100 nm)", 0.5e-6, 10e-9);
+  const Topography smoothed = topography_for("scan(" + file + ", level=mean, cutoff=100 nm)");
   ASSERT_EQ(smoothed.nx, 100);
   for (const int ix : {0, 13, 50, 99})
     for (const int iy : {0, 31, 99}) EXPECT_NEAR(smoothed.at(ix, iy), 2e-9 * cosine(ix, 4), 1e-15);
@@ -178,19 +191,43 @@ TEST(TopographySpec, says_how_rough_and_how_fine_a_surface_is_before_its_region_
   write_gsf(folder.path / "scan.gsf", written_scan());
   const std::string file = (folder.path / "scan.gsf").string();
   EXPECT_NEAR(topography_scales(file).rms, 1e-9, 1e-12);  // 2 nm sin sin, whole periods
-  EXPECT_TRUE(std::isinf(topography_scales(file).shortest_wave));
+  // Waves of 400 and 300 nm, crossed: 240 nm, which the window spreads over two rings of 600 nm on this small scan.
+  EXPECT_LE(topography_scales(file).shortest_wave, 240e-9);
+  EXPECT_GE(topography_scales(file).shortest_wave, 1 / (1 / 240e-9 + 2 / 600e-9));
   EXPECT_DOUBLE_EQ(topography_scales("scan(" + file + ", cutoff=90 nm)").shortest_wave, 90e-9);
 }
 
-TEST(ScanSpec, missing_points_stay_missing_in_the_mirror_images) {
+TEST(ScanSpec_analytic, an_odd_number_of_pixels_moves_no_height_where_mirror_images_begin_to_be_needed) {
   const test::TemporaryFolder folder;
   Topography scan = written_scan();
-  scan.missing.assign(scan.heights.size(), 0);
-  scan.at(3, 4) = std::nan("");
-  scan.missing[4 * 80 + 3] = 1;
+  scan.nx = 79, scan.heights.resize(79 * 60);
   write_gsf(folder.path / "scan.gsf", scan);
-  const Topography continued = topography_for("scan(" + (folder.path / "scan.gsf").string() + ", outside=mirror)", 2e-6, 10e-9);
-  EXPECT_EQ(continued.missing_count(), 4u);
+  const std::string entry = "scan(" + (folder.path / "scan.gsf").string() + ", outside=mirror)";
+  const HeightSampler inside = heights_over(entry, 0.5e-6), beyond = heights_over(entry, 2e-6);
+  for (const double x : {-0.2e-6, 0.07e-6}) EXPECT_EQ(inside.height(x, 0.1e-6), beyond.height(x, 0.1e-6));
+}
+
+/// Waves of 100 nm carry four times the slope variance of waves of 40 nm with a fifth of their height.
+TEST(ScanSpec_analytic, a_scan_tells_the_mesh_down_to_which_wave_its_slopes_lie) {
+  const test::TemporaryFolder folder;
+  const auto shortest = [&](double height_of_short_waves, double pixel) {
+    Topography map;
+    map.nx = map.ny = 256, map.lx = map.ly = 256 * pixel;
+    map.heights.resize(256 * 256);
+    for (int iy = 0; iy < 256; ++iy)
+      for (int ix = 0; ix < 256; ++ix)
+        map.at(ix, iy) = 1e-9 * std::sin(2 * M_PI * iy * pixel / 100e-9) + height_of_short_waves * std::sin(2 * M_PI * ix * pixel / 40e-9);
+    write_gsf(folder.path / "scan.gsf", map);
+    return topography_scales((folder.path / "scan.gsf").string());
+  };
+  const double resolution = 0.1;  // the window spreads a wave over a ring or two of 1.28 um
+  EXPECT_NEAR(shortest(0.2e-9, 5e-9).shortest_wave, 40e-9, resolution * 40e-9);
+  EXPECT_LT(shortest(0.2e-9, 5e-9).unresolved, 0.01);
+  EXPECT_NEAR(shortest(0.02e-9, 5e-9).shortest_wave, 100e-9, resolution * 100e-9);  // 0.25 % of the slope variance
+  // Waves of 40 nm on pixels of 15 nm are measured by fewer than four heights.
+  const TopographyScales coarse = shortest(0.2e-9, 15e-9);
+  EXPECT_GE(coarse.shortest_wave, 60e-9);
+  EXPECT_NEAR(coarse.unresolved, 0.2, 0.03);
 }
 
 TEST(ScanSpec, a_text_file_without_scale_is_refused_until_size_and_unit_are_given) {
@@ -201,9 +238,9 @@ TEST(ScanSpec, a_text_file_without_scale_is_refused_until_size_and_unit_are_give
     rows += "\n";
   }
   const std::string file = folder.write("heights.txt", rows).string();
-  const auto message = test::message_of<ScanError>([&] { topography_for(file, 0.5e-6, 10e-9); });
+  const auto message = test::message_of<ScanError>([&] { topography_for(file); });
   EXPECT_NE(message.find("scan(FILE, size=2.5 um"), std::string::npos) << message;
-  const Topography map = topography_for("scan(" + file + ", size=1 um, unit=nm, level=mean)", 0.5e-6, 10e-9);
+  const Topography map = topography_for("scan(" + file + ", size=1 um, unit=nm, level=mean)");
   EXPECT_DOUBLE_EQ(map.lx, 1e-6);
   EXPECT_DOUBLE_EQ(map.ly, 1e-6);
   EXPECT_NEAR(height_moments(map).Sz, 6e-9, 1e-18);
