@@ -74,4 +74,19 @@ TEST_F(ScanCase, one_smaller_than_the_contact_is_refused_by_line_and_solved_when
   EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean, outside=mirror)", "15 nm"), 0) << log;
 }
 
+/// Eight periods over 400 nm, crossed, are waves of 35 nm; a twelfth of Hertz' contact radius is 13 nm whatever the roughness.
+TEST_F(ScanCase, without_a_spacing_is_meshed_by_its_own_waves_and_says_what_is_resolved) {
+  ASSERT_EQ(solve("scan(scans/wavy.txt, size=0.4 um, unit=nm, outside=mirror)", "0 m"), 0) << log;
+  const auto result = nlohmann::json::parse(read_file(folder.path / "result" / "result.json"));
+  const auto& roughness = result["mesh"]["roughness"]["substrate"];
+  EXPECT_NEAR(roughness["shortest_wave"].get<double>(), 50e-9 / std::sqrt(2.0), 8e-9);
+  EXPECT_LT(result["mesh"]["interface_spacing"].get<double>(), 10e-9);
+  EXPECT_NEAR(roughness["cells_over_shortest_wave"].get<double>(), 4, 0.01);
+  EXPECT_LT(roughness["missed_by_facets"]["slope_variance"].get<double>(), 0.2);
+  EXPECT_NE(log.find("4 cells over its shortest wave"), std::string::npos) << log;
+  // A mesh of a twelfth of the contact radius misses most of these slopes.
+  EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.4 um, unit=nm, outside=mirror)", "27 nm"), 2);
+  EXPECT_NE(log.find("slope variance"), std::string::npos) << log;
+}
+
 }  // namespace asperity

@@ -149,7 +149,7 @@ TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_f
 /// not that of the centre the roll turns about would leave Q times approach over radius per way: an eighth of it.
 TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_shifted_and_then_rolled) {
   const test::TemporaryFolder folder;
-  CaseInput input = program_case("smooth", 24e-9, "slide 6 nm; slide 503 nm and roll 500 nm");
+  CaseInput input = program_case("smooth", 24e-9, "slide 3 nm; slide 2 nm and roll 400 nm");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const auto history = run(input, folder.path);
   const auto force = history.numbers("lateral_force [N]"), roll = history.numbers("rolling_angle [rad]"), work = history.numbers("work [J]"),

@@ -17,6 +17,7 @@
 #include "meshing/triangles/gap_query.h"
 #include "meshing/triangles/surface_check.h"
 #include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::fem {
 namespace {
@@ -25,8 +26,9 @@ using test::generated;
 using test::sphere_on_silicon;
 
 struct Meshed {
-  explicit Meshed(const CaseInput& input)
-      : options(set_up(input).system.mesh),
+  explicit Meshed(const CaseInput& input) : Meshed(set_up(input).system.mesh) {}
+  explicit Meshed(const meshing::ContactMeshOptions& mesh)
+      : options(mesh),
         geometry(options),
         forest(meshing::make_forest(MPI_COMM_WORLD, options)),
         level(*forest, Control::force),
@@ -53,6 +55,34 @@ TEST(MeshQuality, smooth_bodies_have_well_shaped_hexahedra) {
   const auto quality = mesh.quality();
   expect_good(quality);
   EXPECT_TRUE(quality.roughness[0].smooth());
+}
+
+/// Facets of n cells over a wave keep sin^2(pi/n) / (pi/n)^2 of its slope variance, as linear interpolation does.
+TEST(MeshQuality_analytic, facets_miss_of_a_wave_what_linear_interpolation_misses) {
+  constexpr double spacing = 20e-9, amplitude = 0.5e-9;
+  for (const double cells_per_wave : {8.0, 4.0, 2.5}) {
+    meshing::ContactMeshOptions options = set_up(sphere_on_silicon("smooth", "smooth", spacing, 400e-9)).system.mesh;
+    const double q = 2 * M_PI / (cells_per_wave * spacing);
+    options.substrate_height = [=](double x, double) { return amplitude * std::sin(q * x); };
+    options.largest_height_substrate = amplitude;
+    const RoughnessFidelity missed = Meshed(options).quality().roughness[1];
+    const double half = M_PI / cells_per_wave, kept = std::pow(std::sin(half) / half, 2);
+    EXPECT_NEAR(missed.missed_slope_share(), 1 - kept, 0.03 + 0.1 * (1 - kept)) << cells_per_wave;
+    EXPECT_NEAR(missed.rms_slope, amplitude * q / std::sqrt(2.0), 0.03 * amplitude * q) << cells_per_wave;
+  }
+}
+
+/// A mesh of a twelfth of the contact radius on waves of its own spacing keeps the nodes' Sq and misses half of the slope variance.
+TEST(MeshQuality, a_mesh_whose_facets_miss_the_slopes_is_refused_though_its_nodes_keep_the_Sq) {
+  const Meshed mesh(sphere_on_silicon("smooth", generated(1.5, 40, 3), 40e-9, 700e-9));
+  HexMeshQuality quality = mesh.quality();
+  EXPECT_GT(quality.roughness[1].missed_slope_share(), 0.4);
+  quality.roughness[1].sq_nodes = quality.roughness[1].sq_topography;  // chance decides this one
+  const auto message = test::message_of<InputError>([&] { require_quality(quality, mesh.options, "test.prm"); });
+  EXPECT_NE(message.find("of the topography's slope variance"), std::string::npos) << message;
+  const Meshed fine(sphere_on_silicon("smooth", generated(1.5, 40, 3), 10e-9, 250e-9));
+  EXPECT_LT(fine.quality().roughness[1].missed_slope_share(), worth_saying_of_slopes);
+  EXPECT_NO_THROW(require_quality(fine.quality(), fine.options, "test.prm"));
 }
 
 TEST(MeshQuality, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_for_any_distance_rolled) {
