@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "core/atomic_file.h"
+#include "core/json_text.h"
 
 namespace asperity {
 namespace {
@@ -22,9 +22,8 @@ const std::string result_format = "asperity-result/1";
 
 /// result.json of a case; nothing if it is missing, cut off, of another format, or says that it is not complete.
 std::optional<Json> read_result(const fs::path& folder) {
-  std::ifstream stream(folder / "result.json");
-  if (!stream) return std::nullopt;
-  Json result = Json::parse(stream, nullptr, false);
+  if (!fs::is_regular_file(folder / "result.json")) return std::nullopt;
+  Json result = json_if_valid(read_file(folder / "result.json"));
   if (!result.is_object() || result.value("format", "") != result_format || !result.value("complete", true))
     return std::nullopt;
   return result;

@@ -1,12 +1,13 @@
 #include "core/csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <sstream>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/read_limits.h"
 
 namespace asperity {
 namespace {
@@ -57,10 +58,17 @@ std::vector<double> CsvTable::numbers(const std::string& name) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  std::istringstream stream(read_file(path));
+  const std::string text = read_file(path);
   CsvTable table;
+  table.rows.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
   std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
+  int number = 0;
+  for (std::size_t from = 0; from < text.size(); from += line.size() + 1) {
+    line = text.substr(from, text.find('\n', from) - from);
+    ++number;
+    if (line.size() > read_limits::longest_line)
+      throw InputError(path.string() + ":" + std::to_string(number) + ": this line is longer than " +
+                       std::to_string(read_limits::longest_line) + " characters; this is no table of asperity");
     if (line.empty() || line[0] == '#' || line == "\r") continue;
     std::vector<std::string> cells = split_row(line);
     if (table.names.empty()) {

@@ -82,6 +82,9 @@ void read_motion(const std::string& text, ProgramPart& part) {
 std::vector<ProgramPart> parse_motion_program(const std::string& text) {
   std::vector<ProgramPart> program;
   if (trimmed(text).empty()) return program;
+  constexpr std::size_t longest = 10000;  // characters: std::regex recurses from one to the next
+  if (text.size() > longest)
+    throw InputError("a program of motions has at most " + std::to_string(longest) + " characters, not " + std::to_string(text.size()));
   static const std::regex steps(R"(^(.*\S)\s+in\s+(\d+)\s+steps?$)");
   for (const std::string& piece : split(text, ";")) {
     if (piece.empty()) continue;

@@ -1,7 +1,5 @@
 #include "core/parameter_file.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -10,11 +8,25 @@
 #include "core/nearest_name.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
+#include "core/read_limits.h"
 
 namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The text of a parameter file, if it can be one.
+std::string parameter_text(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (!error && size > read_limits::largest_parameter_file)
+    throw InputError(file.string() + ": holds " + std::to_string(size) + " bytes, more than a parameter file has; pass a case or study file");
+  std::string text = read_file(file);
+  if (text.find('\0') != std::string::npos)
+    throw InputError(file.string() + ": this is a binary file, not a parameter file");
+  return text;
+}
 
 std::string trim(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -37,8 +49,10 @@ class PrmReader {
     if (++depth_ > deepest_include)
       throw InputError(file.string() + ": files include each other more than " + std::to_string(deepest_include) +
                        " deep; does one include itself?");
+    if (++files_read_ > most_files)
+      throw InputError(file.string() + ": more than " + std::to_string(most_files) + " files are included; include each once");
     const std::size_t outer_sections = sections_.size();
-    std::istringstream stream(read_file(file));
+    std::istringstream stream(parameter_text(file));
     std::map<std::string, int> set_in_line;
     std::string line;
     int number = 0;
@@ -52,7 +66,9 @@ class PrmReader {
         ++number;
         line = trim(line) + " " + trim(without_comment(next));
         line = trim(line);
+        if (line.size() > read_limits::longest_line) refuse_long(file, first);
       }
+      if (line.size() > read_limits::longest_line) refuse_long(file, first);
       if (!line.empty()) read_line(file, first, line, outer_sections, set_in_line);
     }
     if (sections_.size() > outer_sections)
@@ -64,10 +80,15 @@ class PrmReader {
   Settings settings;
 
  private:
-  static constexpr int deepest_include = 16;
+  static constexpr int deepest_include = 16, most_files = 256;
   struct Section {
     std::string name, where;
   };
+
+  [[noreturn]] static void refuse_long(const fs::path& file, int line) {
+    throw InputError(file.string() + ":" + std::to_string(line) + ": this line is longer than " +
+                     std::to_string(read_limits::longest_line) + " characters; shorten it");
+  }
 
   static std::string without_comment(const std::string& line) { return line.substr(0, line.find('#')); }
 
@@ -83,6 +104,9 @@ class PrmReader {
     const std::string word = take_word(line);
     if (word == "subsection") {
       if (line.empty()) throw InputError(where + ": 'subsection' lacks its name");
+      if (sections_.size() >= read_limits::deepest_nesting)
+        throw InputError(where + ": subsections stand in each other more than " +
+                         std::to_string(read_limits::deepest_nesting) + " deep; is an 'end' missing?");
       sections_.push_back({line, where});
     } else if (word == "end") {
       if (!line.empty()) throw InputError(where + ": 'end' stands alone on its line, without '" + line + "'");
@@ -113,7 +137,7 @@ class PrmReader {
   }
 
   std::vector<Section> sections_;
-  int depth_ = 0;
+  int depth_ = 0, files_read_ = 0;
 };
 
 /// Line in which `key` of a JSON text first stands at or after `start`; moves `start` behind it.
@@ -160,13 +184,7 @@ void collect_json(const nlohmann::ordered_json& object, const std::string& secti
 
 Settings read_json(const fs::path& file, const std::string& text) {
   Settings settings;
-  nlohmann::ordered_json object;
-  try {
-    object = nlohmann::ordered_json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(std::min(error.byte, text.size())), '\n');
-    throw InputError(file.string() + ":" + std::to_string(line) + ": this is not JSON (" + error.what() + ")");
-  }
+  const nlohmann::ordered_json object = parse_json(text, file.string());
   std::size_t position = 0;
   collect_json(object, "", text, file.string(), position, settings);
   return settings;
@@ -176,9 +194,7 @@ Settings read_json(const fs::path& file, const std::string& text) {
 
 Settings read_settings(const fs::path& file, const std::vector<std::string>& overrides) {
   if (!fs::exists(file)) throw InputError("there is no file '" + file.string() + "'");
-  const std::string text = read_file(file);
-  if (text.find('\0') != std::string::npos)
-    throw InputError(file.string() + ": this is a binary file, not a parameter file");
+  const std::string text = parameter_text(file);
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos)
     throw InputError(file.string() + ": the file is empty; `asperity case-template` prints one to start from");

@@ -2,6 +2,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "dem_compare/surface_text.h"
 
 namespace asperity {
@@ -36,20 +37,19 @@ void add_to_group(CaseCollection& collection, const std::string& label, const st
   collection.groups.push_back({label, values, {std::move(solved)}, {std::move(numbers)}});
 }
 
-void add_study(CaseCollection& collection, const fs::path& folder) {
-  const fs::path file = folder / "study.json";
-  const Json study = Json::parse(read_file(file), nullptr, false);
+void add_cases(CaseCollection& collection, const fs::path& folder, const fs::path& file) {
+  const Json study = json_if_valid(read_file(file));
   if (!study.is_object() || study.value("format", "") != "asperity-study/1")
     throw InputError(file.string() + ": is not a summary of a study ('asperity-study/1'); run 'asperity study --resume' again");
   collection.title = study.value("title", "");
-  for (const auto& axis : study["axes"])
-    collection.axes.push_back({axis["name"].get<std::string>(), axis["values"].get<std::vector<std::string>>()});
-  for (const auto& entry : study["cases"]) {
+  for (const auto& axis : study.at("axes"))
+    collection.axes.push_back({axis.at("name").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
+  for (const auto& entry : study.at("cases")) {
     ++collection.planned;
-    const std::string name = entry["name"].get<std::string>();
+    const std::string name = entry.at("name").get<std::string>();
     std::vector<std::string> values;
     std::string label;
-    for (const auto& [axis, value] : entry["values"].items()) {
+    for (const auto& [axis, value] : entry.at("values").items()) {
       values.push_back(value.get<std::string>());
       label += (label.empty() ? "" : ", ") + values.back();
     }
@@ -65,6 +65,16 @@ void add_study(CaseCollection& collection, const fs::path& folder) {
       continue;
     }
     add_to_group(collection, label.empty() ? solved.title() : label, values, std::move(solved));
+  }
+}
+
+void add_study(CaseCollection& collection, const fs::path& folder) {
+  const fs::path file = folder / "study.json";
+  try {
+    add_cases(collection, folder, file);
+  } catch (const Json::exception& error) {
+    throw InputError(file.string() + ": lacks what a summary of a study holds (" + error.what() +
+                     "); run 'asperity study --resume' again");
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
 #include "dem_compare/contact_parameters.h"
@@ -181,15 +182,7 @@ ContactParameters parse_contact_parameters(const Json& json, const std::string& 
 }
 
 ContactParameters read_contact_parameters(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + std::min(text.size(), error.byte), '\n');
-    refuse(file.string() + ":" + std::to_string(line), "it is not valid JSON here");
-  }
-  return parse_contact_parameters(json, file.string());
+  return parse_contact_parameters(parse_json(read_file(file), file.string()), file.string());
 }
 
 Json to_json(const ContactParameters& parameters) {

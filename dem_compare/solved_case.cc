@@ -6,6 +6,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/parameter_file.h"
 
 namespace asperity {
@@ -41,7 +42,7 @@ void add_result_inputs(const Json& result, Entries& entries) {
 
 Json read_result(const fs::path& file) {
   if (!fs::exists(file)) return nullptr;
-  Json result = Json::parse(read_file(file), nullptr, false);
+  Json result = json_if_valid(read_file(file));
   if (!result.is_object())
     throw InputError(file.string() + ": is not valid JSON; solve the case again, or remove the file");
   if (result.value("format", "") != "asperity-result/1")

@@ -1,10 +1,10 @@
 // recording.json: reading with refusals that name file and entry; writing.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/nearest_name.h"
 #include "diagnosis/recording.h"
 #include "diagnosis/recording_table_file.h"
@@ -150,12 +150,7 @@ Recording read_recording(const fs::path& given) {
   const std::string file = path.string();
   Recording recording;
   recording.folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  Json json;
-  try {
-    json = Json::parse(read_file(path));
-  } catch (const nlohmann::json::parse_error& error) {
-    refuse(file, "not JSON: " + std::string(error.what()));
-  }
+  const Json json = parse_json(read_file(path), file);
   check_keys(json, {"format", "title", "mode", "particle", "substrate", "indenter", "rail_angle", "simulation", "noise", "tables"},
              "the recording", file);
   if (text_of(json, "format", "", file) != recording_format) refuse(file, "'format' is not '" + std::string(recording_format) + "'");

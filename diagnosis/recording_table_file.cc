@@ -7,13 +7,13 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/read_limits.h"
 #include "diagnosis/file_size.h"
 #include "diagnosis/trimmed.h"
 
 namespace asperity {
 namespace {
 
-/// Ten times what a day at 10 Hz gives; more is thinned before it is diagnosed.
 struct Column {
   std::string channel;  ///< "segment" for the text column
   double factor = 1;    ///< to SI
@@ -85,6 +85,8 @@ void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
     ++number;
     if (trimmed(line).empty() || line.front() == '#') continue;
     try {
+      if (line.size() > read_limits::longest_line)
+        throw InputError("this line is longer than " + std::to_string(read_limits::longest_line) + " characters; this is no table of samples");
       const std::vector<std::string> cells = cells_of(line);
       if (columns.empty()) {
         columns = header_of(cells);

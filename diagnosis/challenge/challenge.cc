@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "diagnosis/joined.h"
 
 namespace asperity {
@@ -23,7 +24,7 @@ constexpr const char* score_file = "score.json";
 std::optional<ChallengeScore> earlier_score(const fs::path& folder, const std::string& program) {
   if (!fs::exists(folder / score_file)) return std::nullopt;
   try {
-    const Json json = Json::parse(read_file(folder / score_file));
+    const Json json = parse_json(read_file(folder / score_file), score_file);
     if (json.at("program") != program) return std::nullopt;
     return score_from(json.at("score"));
   } catch (const std::exception&) {

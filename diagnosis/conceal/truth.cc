@@ -1,9 +1,8 @@
 #include "diagnosis/conceal/truth.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 
 namespace asperity {
 namespace {
@@ -41,7 +40,7 @@ Truth read_truth(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / file_name;
   Truth truth;
   try {
-    const Json json = Json::parse(read_file(file));
+    const Json json = parse_json(read_file(file), file.string());
     if (json.at("format") != truth_format) throw InputError(file.string() + ": 'format' is not '" + truth_format + "'");
     truth.family = json.at("family");
     for (const auto& entry : json.at("effects")) {

@@ -5,6 +5,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/read_limits.h"
 #include "diagnosis/file_size.h"
 #include "diagnosis/trimmed.h"
 
@@ -49,8 +50,12 @@ InstrumentText read_instrument_text(const std::filesystem::path& file) {
   if (!is_utf8(bytes)) bytes = from_latin_1(bytes);
   InstrumentText text;
   text.file = file.string();
+  text.lines.reserve(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1);
   std::string line;
   for (const char c : bytes) {
+    if (line.size() > read_limits::longest_line)
+      throw InputError(text.file + ":" + std::to_string(text.lines.size() + 1) + ": this line is longer than " +
+                       std::to_string(read_limits::longest_line) + " characters; this is no table of an instrument");
     if (c == '\n') {
       text.lines.push_back(line);
       line.clear();

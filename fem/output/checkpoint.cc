@@ -5,6 +5,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 
 namespace asperity::fem {
 namespace {
@@ -66,7 +67,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
 
 bool is_of_this_version(const fs::path& folder) {
   if (!fs::exists(folder / "latest.json")) return true;
-  const auto manifest = nlohmann::json::parse(read_file(folder / "latest.json"), nullptr, false);
+  const auto manifest = json_if_valid(read_file(folder / "latest.json"));
   return manifest.is_object() && manifest.value("format", "") == format &&
          manifest.value("columns", std::size_t{0}) == StepRecord::columns().size();
 }
@@ -75,7 +76,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm commu
   if (!fs::exists(folder / "latest.json")) return std::nullopt;
   if (!is_of_this_version(folder))
     throw WorkError("the checkpoint in '" + folder.string() + "' was written by another version of asperity; solve again without --resume");
-  const auto manifest = nlohmann::json::parse(read_file(folder / "latest.json"));
+  const auto manifest = json_if_valid(read_file(folder / "latest.json"));
   const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   if (manifest.at("ranks") != ranks)
     throw WorkError("the checkpoint was written by " + std::to_string(manifest.at("ranks").get<int>()) +

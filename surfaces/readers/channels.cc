@@ -10,10 +10,12 @@ namespace asperity {
 namespace {
 
 std::string list_of(const std::vector<ChannelEntry>& channels) {
+  constexpr std::size_t most = 20;
   std::string list;
-  for (std::size_t i = 0; i < channels.size(); ++i)
+  for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
     list += (i ? ", " : "") + std::to_string(i) + ": '" + channels[i].name + "'" +
             (channels[i].unit.empty() ? "" : " in " + channels[i].unit);
+  if (channels.size() > most) list += ", and " + std::to_string(channels.size() - most) + " more";
   return list;
 }
 

@@ -45,6 +45,9 @@ struct TopographyFormat {
   StoredMap (*read)(const SourceFile& file, const ReadOptions& options);
 };
 
+/// What read_topography() makes of a file that is in memory already.
+Topography topography_from(const SourceFile& file, const ReadOptions& options);
+
 /// All formats in the order in which they are tried.
 const std::vector<TopographyFormat>& topography_formats();
 

@@ -97,7 +97,8 @@ void resolve_scale(const Header& header, const Section& section, std::size_t sca
   if (found == section.end()) return;
   static const std::regex scale_form(R"(V\s*(?:\[([^\]]*)\])?\s*\(.*\)\s*([-+0-9.eE]+)\s*(.*))");
   std::smatch parts;
-  if (!std::regex_match(found->second, parts, scale_form)) return;
+  constexpr std::size_t longest = 1000;  // characters: std::regex recurses from one to the next
+  if (found->second.size() > longest || !std::regex_match(found->second, parts, scale_form)) return;
   const double hard_value = std::atof(parts[2].str().c_str());
   const std::string hard_unit = trimmed_text(parts[3].str());
   const double steps = std::ldexp(1.0, static_cast<int>(8 * scaling_bytes));

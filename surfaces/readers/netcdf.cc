@@ -4,12 +4,15 @@
 // instrument files. Missing: NaN or fill value. No real file was at hand: checked only against files that the
 // tests write from this description.
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
+#include <climits>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/error.h"
+#include "core/read_limits.h"
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/length_unit.h"
 #include "surfaces/readers/netcdf_classic.h"
@@ -22,7 +25,9 @@ namespace {
 class NetcdfFile {
  public:
   explicit NetcdfFile(const SourceFile& file) : file_(file) {
-    check(nc_open(file.path.string().c_str(), NC_NOWRITE, &id_));
+    // From memory, so that no other file and no address is ever opened; libnetcdf does not write to it.
+    check(nc_open_mem(file.path.string().c_str(), NC_NOWRITE, file.bytes.size(),
+                      const_cast<char*>(file.bytes.data()), &id_));
   }
   ~NetcdfFile() { nc_close(id_); }
   NetcdfFile(const NetcdfFile&) = delete;
@@ -135,6 +140,29 @@ void check_whole(const SourceFile& file) {
       ": it is cut off; copy or export it again");
 }
 
+/// Nothing is allocated for points that the file cannot hold: a classic file is not packed; one of HDF5 may be, in
+/// chunks, of which libnetcdf keeps some unpacked.
+void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights, std::size_t columns, std::size_t rows) {
+  nc_type type = NC_NAT;
+  std::size_t stored_size = 0;
+  netcdf.check(nc_inq_vartype(netcdf.id(), heights, &type));
+  if (type == NC_CHAR || type > NC_UINT64 || nc_inq_type(netcdf.id(), type, nullptr, &stored_size) != NC_NOERR)
+    throw InputError(file.name() + " has heights that are no numbers; export the topography");
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(file.name() + " announces " + what + ", too many for a file of " + std::to_string(file.bytes.size()) +
+                     " bytes: it is damaged, or must be passed in another format, such as .gsf");
+  };
+  const std::string announced = std::to_string(columns) + " x " + std::to_string(rows) + " points";
+  const std::uint64_t most_points = is_classic(file) ? file.bytes.size() / stored_size
+                                                     : read_limits::most_unpacked(file.bytes.size()) / sizeof(double);
+  if (columns > INT_MAX || rows > INT_MAX || (rows > 0 && columns > most_points / rows)) refuse(announced);
+  int storage = NC_CONTIGUOUS;
+  std::size_t chunk[2] = {0, 0};
+  if (is_classic(file) || nc_inq_var_chunking(netcdf.id(), heights, &storage, chunk) != NC_NOERR) return;
+  if (storage == NC_CHUNKED && chunk[1] > 0 && chunk[0] > most_points / chunk[1])
+    refuse("chunks of " + std::to_string(chunk[0]) + " x " + std::to_string(chunk[1]) + " points");
+}
+
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
   check_whole(file);
   const NetcdfFile netcdf(file);
@@ -149,6 +177,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const auto axes = axes_of(file, netcdf, heights);
   const bool x_first = axes[0].name == "x";
   const std::size_t columns = axes[x_first ? 0 : 1].points, rows = axes[x_first ? 1 : 0].points;
+  check_points(file, netcdf, heights, columns, rows);
   std::vector<double> stored(columns * rows);
   if (!stored.empty()) netcdf.check(nc_get_var_double(netcdf.id(), heights, stored.data()));
   std::vector<double> fills{NC_FILL_DOUBLE};

@@ -8,6 +8,8 @@ namespace {
 
 struct EndOfHeader {};
 
+constexpr std::uint64_t beyond_any_file = std::uint64_t{1} << 62;
+
 /// Big-endian entries of the header, one after the other.
 class HeaderCursor {
  public:
@@ -55,35 +57,49 @@ std::uint64_t type_size(std::uint64_t type) {
   return type < sizes.size() ? sizes[type] : 0;
 }
 
+/// Of sizes in a header, where one that overflows is beyond any file.
+std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t result = 0;
+  return __builtin_mul_overflow(a, b, &result) ? beyond_any_file : std::min(result, beyond_any_file);
+}
+
 void skip_attributes(HeaderCursor& cursor) {
   for (std::uint64_t left = cursor.list_length(); left > 0; --left) {
     cursor.skip_name();
     const std::uint64_t type = cursor.unsigned_number(4);
-    cursor.skip(cursor.count() * type_size(type));
+    cursor.skip(product(cursor.count(), type_size(type)));
   }
 }
 
 std::uint64_t end_of_variables(HeaderCursor cursor) {
-  cursor.count();  // records
+  const std::uint64_t records = cursor.count();
   std::vector<std::uint64_t> dimensions;
   for (std::uint64_t left = cursor.list_length(); left > 0; --left) {
     cursor.skip_name();
     dimensions.push_back(cursor.count());
   }
   skip_attributes(cursor);
-  std::uint64_t end = 0;
+  std::uint64_t end = 0;         // of what has a fixed size
+  std::uint64_t record_end = 0;  // of the first record, in which each growing variable has a part
+  std::uint64_t record_size = 0;
   for (std::uint64_t left = cursor.list_length(); left > 0; --left) {
     cursor.skip_name();
     std::uint64_t points = 1;
-    for (std::uint64_t axes = cursor.count(); axes > 0; --axes) {
+    bool grows = false;
+    for (std::uint64_t axes = cursor.count(), axis = 0; axis < axes; ++axis) {
       const std::uint64_t dimension = cursor.count();
-      points *= dimension < dimensions.size() ? dimensions[dimension] : 0;  // 0: grows by records
+      const std::uint64_t length = dimension < dimensions.size() ? dimensions[dimension] : 0;
+      if (axis == 0 && length == 0) grows = true;  // one part in each record
+      else points = product(points, length);
     }
     skip_attributes(cursor);
-    const std::uint64_t size = points * type_size(cursor.unsigned_number(4));
+    const std::uint64_t size = product(points, type_size(cursor.unsigned_number(4)));
     cursor.count();  // padded size
-    end = std::max(end, cursor.offset() + size);
+    const std::uint64_t part_end = std::min(cursor.offset(), beyond_any_file) + size;
+    (grows ? record_end : end) = std::max(grows ? record_end : end, part_end);
+    if (grows) record_size += std::min(size, beyond_any_file - std::min(record_size, beyond_any_file));
   }
+  if (records > 0 && record_end > 0) end = std::max(end, record_end + product(records - 1, record_size));
   return end;
 }
 

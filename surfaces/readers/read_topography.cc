@@ -124,10 +124,13 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
 
 }  // namespace
 
-Topography read_topography(const std::filesystem::path& path, const ReadOptions& options) {
-  const SourceFile file{path, read_file(path)};
+Topography topography_from(const SourceFile& file, const ReadOptions& options) {
   const TopographyFormat& format = format_of(file);
   return settled(file, format, options, format.read(file, options));
+}
+
+Topography read_topography(const std::filesystem::path& path, const ReadOptions& options) {
+  return topography_from({path, read_file(path)}, options);
 }
 
 std::string describe(const Topography& map) {

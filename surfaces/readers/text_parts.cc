@@ -8,9 +8,13 @@ namespace asperity {
 
 std::string trimmed_text(const std::string& text) {
   static const std::string no_break_space = "\xC2\xA0";
-  std::string plain = text;
-  for (auto at = plain.find(no_break_space); at != std::string::npos; at = plain.find(no_break_space))
-    plain.replace(at, no_break_space.size(), " ");
+  std::string plain;
+  for (std::size_t from = 0; from <= text.size();) {
+    const auto at = std::min(text.find(no_break_space, from), text.size());
+    plain.append(text, from, at - from);
+    if (at < text.size()) plain += ' ';
+    from = at + no_break_space.size();
+  }
   const std::string blanks(" \t\r\n\0", 5);
   const auto first = plain.find_first_not_of(blanks);
   if (first == std::string::npos) return "";

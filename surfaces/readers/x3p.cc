@@ -6,19 +6,30 @@
 // write from this description.
 #include <zip.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <pugixml.hpp>
 
 #include "core/error.h"
+#include "core/read_limits.h"
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/text_parts.h"
 
 namespace asperity {
 namespace {
 
+using read_limits::largest_file;
+using read_limits::most_unpacked;
+
 const std::string main_document = "main.xml";
+constexpr std::uint64_t largest_document = 1u << 20;  // of a few kB; its tree takes up to 20 times as much memory
+
+[[noreturn]] void refuse_large(const SourceFile& file, const std::string& what) {
+  throw InputError(file.name() + " holds " + what + " that is too large for a file of " +
+                   std::to_string(file.bytes.size()) + " bytes; pass a smaller map, or the same as .gsf");
+}
 
 /// The archive, read from memory.
 class ZipArchive {
@@ -46,27 +57,37 @@ class ZipArchive {
     return names;
   }
   bool has(const std::string& name) const { return zip_name_locate(archive_, name.c_str(), 0) >= 0; }
-  std::string content(const std::string& name) const {
+  /// Unpacks a part of at most `most` bytes.
+  std::string content(const std::string& name, std::uint64_t most = largest_file) {
     zip_stat_t about;
     zip_stat_init(&about);
-    if (zip_stat(archive_, name.c_str(), 0, &about) != 0 || !(about.valid & ZIP_STAT_SIZE))
+    constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_INDEX;
+    if (zip_stat(archive_, name.c_str(), 0, &about) != 0 || (about.valid & needed) != needed)
       throw InputError(file_.name() + " lacks '" + name + "', which its main.xml names; export it again");
-    constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 33;
-    if (about.size > most_bytes)
-      throw InputError(file_.name() + " holds a part '" + name + "' of more than 8 GB; pass a smaller map");
-    std::string bytes(about.size, '\0');
-    zip_file_t* part = zip_fopen(archive_, name.c_str(), 0);
-    const zip_int64_t got = part ? zip_fread(part, bytes.data(), bytes.size()) : -1;
+    if (about.comp_method != ZIP_CM_STORE && about.comp_method != ZIP_CM_DEFLATE)
+      throw InputError(file_.name() + " has a part '" + name +
+                       "' that is packed in a way that x3p does not know; export it again");
+    most = std::min(most, most_unpacked(file_.bytes.size()) - unpacked_);
+    if (about.size > most) refuse_large(file_, "a part '" + name + "'");
+    // The size that the archive states is not trusted: as much is kept as really comes out.
+    std::string bytes;
+    std::vector<char> piece(1 << 16);
+    zip_file_t* part = zip_fopen_index(archive_, about.index, 0);
+    zip_int64_t got = part ? 0 : -1;
+    while (part && bytes.size() <= about.size && (got = zip_fread(part, piece.data(), piece.size())) > 0)
+      bytes.append(piece.data(), static_cast<std::size_t>(got));
     if (part) zip_fclose(part);
-    if (got != static_cast<zip_int64_t>(bytes.size()))
+    if (got < 0 || bytes.size() != about.size)
       throw InputError(file_.name() + " has a part '" + name +
                        "' that cannot be unpacked: it is damaged; export it again");
+    unpacked_ += bytes.size();
     return bytes;
   }
 
  private:
   const SourceFile& file_;
   zip_t* archive_ = nullptr;
+  std::uint64_t unpacked_ = 0;
 };
 
 /// Child of that name, whatever its namespace prefix.
@@ -130,13 +151,13 @@ std::string list_for_person(const std::vector<std::string>& names) {
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions&) {
-  const ZipArchive archive(file);
+  ZipArchive archive(file);
   if (!archive.has(main_document))
     throw InputError(file.name() +
                      " is a zip archive and no x3p, for it lacks main.xml; unpack it and pass one of its "
                      "height maps (it holds " +
                      list_for_person(archive.names()) + ")");
-  const std::string xml = archive.content(main_document);
+  const std::string xml = archive.content(main_document, largest_document);
   pugi::xml_document document;
   if (const auto result = document.load_buffer(xml.data(), xml.size()); !result)
     throw InputError(file.name() + " has a main.xml that cannot be read (" + result.description() +
@@ -158,8 +179,10 @@ StoredMap read(const SourceFile& file, const ReadOptions&) {
   if (link.empty())
     throw InputError(file.name() + " keeps its points as text in main.xml; export it with binary data");
   const std::string type = text_of(axes, {"CZ", "DataType"});
-  const std::string data = archive.content(link);
   const std::size_t points = static_cast<std::size_t>(map.nx) * map.ny;
+  if (points > most_unpacked(file.bytes.size()) / sizeof(double))
+    refuse_large(file, std::to_string(map.nx) + " x " + std::to_string(map.ny) + " points");
+  const std::string data = archive.content(link);
   if (data.size() < points * bytes_of(file, type))
     throw InputError(file.name() + " has " + std::to_string(data.size()) + " of the " +
                      std::to_string(points * bytes_of(file, type)) + " bytes of heights that " +

@@ -61,7 +61,9 @@ GridAxis find_axis(const SourceFile& file, std::vector<double> positions) {
 /// Units in brackets of a title line "x [um], y [um], z (nm)": empty unless there are three.
 std::vector<std::string> title_units(const TextTable& table) {
   static const std::regex bracketed(R"([\[(]\s*([^\])]+?)\s*[\])])");
+  constexpr std::size_t longest = 1000;  // characters: std::regex recurses from one to the next
   for (const auto& title : table.titles) {
+    if (title.size() > longest) continue;
     std::vector<std::string> units;
     for (std::sregex_iterator it(title.begin(), title.end(), bracketed), end; it != end; ++it)
       units.push_back((*it)[1]);

@@ -122,7 +122,7 @@ TEST(ContactParameters, refuse_what_cannot_be_meant) {
 TEST(ContactParameters, say_which_line_is_not_JSON) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\n\"format\": \"asperity-parameters/1\",\n oops\n}");
-  EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }), file.string() + ":3: it is not valid JSON here");
+  EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }), file.string() + ":3: this is not JSON here; correct it or write it again");
 }
 
 TEST(ContactParameters, say_which_quantity_a_law_lacks) {
