@@ -52,6 +52,18 @@ TEST(NormalNumbers_analytic, a_hertzian_loading_gives_the_tangent_2EaStar_whatev
   }
 }
 
+TEST(NormalNumbers_analytic, mean_pressure_is_load_over_the_real_area_not_over_the_circle_of_the_radius) {
+  ContactHistory history = loading_and_unloading(0, 1e-9);
+  constexpr double touching = 0.3;  // of the circle: a rough contact
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    history.contact_radius[i] = hertz.contact_radius(history.normal_force[i]);
+    history.contact_area[i] = touching * M_PI * history.contact_radius[i] * history.contact_radius[i];
+  }
+  const auto numbers = normal_numbers(history, hertz);
+  ASSERT_EQ(numbers.loads.size(), 8u);
+  for (const auto& load : numbers.loads) EXPECT_NEAR(load.mean_pressure / (2.0 / 3 * hertz.peak_pressure(load.force) / touching), 1, 1e-12);
+}
+
 TEST(NormalNumbers_analytic, unloading_starts_with_the_stiffness_of_a_contact_of_the_remaining_elastic_approach) {
   const double imprint = 4e-9;
   const auto numbers = normal_numbers(loading_and_unloading(0, imprint), hertz);

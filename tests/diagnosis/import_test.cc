@@ -97,6 +97,25 @@ TEST(Import, maps_columns_with_factors_products_and_constants) {
   EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("there are t, x, mu, stress"), std::string::npos);
 }
 
+TEST(Import_analytic, zeros_that_a_hysitron_header_states_are_taken_off) {
+  const TemporaryFolder folder;
+  std::string rows = "Disp_nm\tForce_\xB5N\tTime_s\n";
+  for (int i = 0; i < 40; ++i) rows += std::to_string(100 + 2 * i) + "\t" + std::to_string(50 + 10 * i) + "\t" + std::to_string(i) + "\n";
+  const std::string points = "Test Data Points:\t40\n", version = "File Version:\tHysitron 8\n";
+  const auto table = [&](const std::string& header) {
+    return import_recording(folder.write("test.hld", version + header + points + rows), with_bodies()).tables[0];
+  };
+  const RecordingTable plain = table(""), shifted = table("Disp Shift:\t30\nForce Shift:\t12.5\n");
+  ASSERT_EQ(plain.rows(), 40u);
+  ASSERT_EQ(shifted.rows(), 40u);
+  EXPECT_NEAR(plain.column("normal_displacement")[3], 106e-9, 1e-18);
+  EXPECT_NEAR(plain.column("normal_force")[3], 80e-6, 1e-15);
+  for (std::size_t i = 0; i < 40; ++i) {
+    EXPECT_NEAR(shifted.column("normal_displacement")[i], plain.column("normal_displacement")[i] - 30e-9, 1e-18);
+    EXPECT_NEAR(shifted.column("normal_force")[i], plain.column("normal_force")[i] - 12.5e-6, 1e-15);
+  }
+}
+
 TEST(Import, puts_both_ways_of_a_scan_line_together_as_a_loop) {
   const TemporaryFolder folder;
   std::string text = "line,x,fwd,bwd\n";

@@ -57,6 +57,11 @@ TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) 
   EXPECT_LT(s.result["balance"]["moment"].get<double>(), 1e-9);
   EXPECT_NEAR(s.at("normal_force [N]", 3) / 100e-6, 1, 1e-6);
   EXPECT_GT(s.at("plastic_work [J]", 3), 0);
+  for (std::size_t k = 0; k + 1 < s.history.rows.size(); ++k) {
+    const double real_area = s.at("contact_area [m^2]", k);
+    EXPECT_NEAR(s.at("mean_pressure [Pa]", k) * real_area / s.at("normal_force [N]", k), 1, 1e-8) << "step " << k + 1;
+  }
+  EXPECT_NEAR(s.result["effective"]["mean_pressure"]["value"].get<double>() / s.at("mean_pressure [Pa]", 3), 1, 1e-8);
   double before = 0;
   for (const double dissipated : s.history.numbers("dissipated_energy [J]")) {
     EXPECT_GE(dissipated, before);

@@ -156,6 +156,44 @@ TEST(PullOffNightly_analytic, is_that_of_JKR_where_attraction_hardly_reaches) {
   EXPECT_NEAR(in_units, 1.5, 0.02 * 1.5);
 }
 
+/// Maugis' contact under a force, in his units: radius a, and radius m a out to which the surfaces attract.
+struct MaugisContact {
+  double a, m;
+
+  MaugisContact(double lambda, double force) {
+    double low = 0.1, high = 10;
+    for (int k = 0; k < 60; ++k) {
+      a = 0.5 * (low + high), m = reach(lambda, a);
+      const double u = std::sqrt(m * m - 1);
+      (a * a * a - lambda * a * a * (u + m * m * std::atan(u)) < force ? low : high) = a;
+    }
+  }
+  /// m where the gap at m a is the attraction's range: what is on the right of the law's first equation grows with it.
+  static double reach(double lambda, double a) {
+    double low = 1, high = 100;
+    for (int k = 0; k < 60; ++k) {
+      const double m = 0.5 * (low + high), u = std::sqrt(m * m - 1), t = std::atan(u);
+      (0.5 * lambda * a * a * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * a * (u * t - m + 1) < 1 ? low : high) = m;
+    }
+    return 0.5 * (low + high);
+  }
+};
+
+/// The pressure that a sensor between the surfaces would read: contact less attraction. Largest in the middle, by Maugis (1992)
+/// 3 a K/(2 pi R) - (2 s0/pi) arctan((m^2 - 1)^(1/2)).
+TEST(AdhesivePressure_analytic, the_largest_is_that_of_contact_less_attraction) {
+  AdhesiveSphere s(1.0, 8, fem::Dugdale::usual_half_ramp);
+  s.go_to(0.98 * jump_in(1.0));
+  s.go_to(0.2);
+  const auto r = s.go_to(1.0);
+  const MaugisContact contact(1.0, r.force / (M_PI * s.work * s.radius));
+  const double s0 = s.law.cohesive_stress, hertzian = 1.5 * contact.a * s.unit_radius * s.K / (M_PI * s.radius);
+  const double expected = hertzian - 2 * s0 / M_PI * std::atan(std::sqrt(contact.m * contact.m - 1));
+  std::printf("largest pressure %.4g, Maugis %.4g, attraction %.4g Pa\n", r.largest_pressure, expected, s0);
+  EXPECT_NEAR(r.largest_pressure, expected, 0.03 * expected);
+  EXPECT_GT(s0, 0.2 * expected) << "attraction left out would be seen";
+}
+
 void expect_jump_in(double lambda, double cells, double step) {
   AdhesiveSphere s(lambda, cells, 0.02);  // an end of the attraction as sharp as Dugdale's: where it begins is the answer
   const double expected = jump_in(lambda);

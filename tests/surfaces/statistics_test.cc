@@ -155,6 +155,39 @@ TEST(Gaussianity_analytic, skewness_and_kurtosis_scatter_by_their_stated_errors)
             8);  // 1 % of 150 expected; the kurtosis has a heavier tail than its limiting distribution
 }
 
+/// Of n independent Gaussian heights the skewness has the variance 6/n, the kurtosis 24/n (Fisher 1930), for large n.
+TEST(Gaussianity_analytic, errors_of_independent_heights_are_fishers) {
+  GenerateOptions options;
+  options.nx = options.ny = 256;
+  options.lx = options.ly = 256;
+  options.rms = 1;
+  const GaussianTest test = gaussian_test(generate_periodic([](double) { return 1.0; }, options));
+  const double n = 256 * 256;
+  EXPECT_NEAR(test.skewness_error / std::sqrt(6 / n), 1, 0.01);
+  EXPECT_NEAR(test.kurtosis_error / std::sqrt(24 / n), 1, 0.01);
+}
+
+/// Of correlated ones, 6 and 24 times the mean over all pairs of rho^3 and rho^4 (Lomnicki 1961, Metrika 4, 37).
+TEST(Gaussianity_analytic, errors_of_correlated_heights_follow_the_correlation_they_were_made_with) {
+  constexpr int n = 128;
+  constexpr double length = 5;  // rho = exp(-(r/length)^2), whose spectrum is Gaussian, too
+  GenerateOptions options;
+  options.nx = options.ny = n;
+  options.lx = options.ly = n;
+  options.rms = 1;
+  double skewness = 0, kurtosis = 0;
+  constexpr int realisations = 40;
+  for (int seed = 0; seed < realisations; ++seed) {
+    options.seed = static_cast<std::uint64_t>(seed);
+    const GaussianTest test = gaussian_test(generate_periodic([](double q) { return std::exp(-q * q * length * length / 4); }, options));
+    skewness += std::pow(test.skewness_error, 2) / realisations, kurtosis += std::pow(test.kurtosis_error, 2) / realisations;
+  }
+  // Mean of rho^k over the map: integral of exp(-k r^2/length^2), pi length^2/k, over its area.
+  const double area = n * n;
+  EXPECT_NEAR(skewness / (6 * M_PI * length * length / 3 / area), 1, 0.05);
+  EXPECT_NEAR(kurtosis / (24 * M_PI * length * length / 4 / area), 1, 0.05);
+}
+
 TEST(Gaussianity, is_denied_to_a_surface_of_one_sided_pits) {
   Topography map = gaussian(20, 7);
   for (double& h : map.heights) h = -h * h;

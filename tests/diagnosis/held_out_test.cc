@@ -1,0 +1,94 @@
+// Prediction of samples that a fit has not seen, where the fit is a mean and can be done by hand.
+#include "diagnosis/choose/held_out.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+constexpr double sd = 1e-7;
+constexpr int rows = 20;
+
+/// Independent rows of rolling under one load: a known friction and the zero of the sensor, which alone is fitted. Within Huber's bend, so
+/// that the fit is the mean of what is recorded less the friction.
+FitProblem rows_with(const std::vector<double>& deviations) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Mode::rolling);
+  problem.experiment.largest_response = 2e-6;
+  constexpr double load = 1e-3, friction = 6e-4;
+  problem.choice.parameters["rolling_friction"] = {friction, false};
+  for (const double deviation : deviations) {
+    problem.samples.list.push_back(test::row(problem.experiment, load).list[0]);
+    problem.samples.list.back().response = friction * load + deviation;
+  }
+  test::close_run(problem.samples, true);
+  problem.noise.sd.assign(deviations.size(), sd);
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  return problem;
+}
+
+/// Two standard deviations up in every fifth row, which is one of the five blocks, and a little of everything elsewhere.
+std::vector<double> one_block_apart() {
+  std::vector<double> deviations;
+  for (int i = 0; i < rows; ++i) deviations.push_back(sd * (i % 5 == 2 ? 2 : 0.3 * std::sin(3.0 * i)));
+  return deviations;
+}
+
+double mean_of_others(const std::vector<double>& deviations, int block) {
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < rows; ++i)
+    if (i % 5 != block) sum += deviations[static_cast<std::size_t>(i)], ++count;
+  return sum / count;
+}
+
+TEST(HeldOut_analytic, each_block_is_predicted_by_the_mean_of_the_others) {
+  const auto deviations = one_block_apart();
+  const FitProblem problem = rows_with(deviations);
+  const Blocks blocks = blocks_of(problem.samples);
+  ASSERT_EQ(blocks.count, 5);
+  EXPECT_EQ(blocks.name, "rows");
+  double expected = 0;
+  for (int i = 0; i < rows; ++i)
+    expected += std::pow((deviations[static_cast<std::size_t>(i)] - mean_of_others(deviations, i % 5)) / sd, 2) / rows;
+  const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
+  const HeldOut held_out = predict_held_out(problem, fit, blocks);
+  EXPECT_NEAR(held_out.chi2_reduced, expected, 1e-3 * expected);
+  EXPECT_NEAR(held_out.cost, expected, 1e-3 * expected) << "no residual lies beyond Huber's bend";
+  EXPECT_GT(held_out.chi2_reduced, 1.3 * fit.cost / rows) << "what was not seen is predicted worse than what was";
+}
+
+TEST(HeldOut_analytic, what_is_recorded_in_a_block_changes_its_own_prediction_by_nothing) {
+  // Were a block part of the fit that predicts it, its residual would follow the deviation by less than one for one.
+  const auto held_out_cost = [](double deviation) {
+    auto deviations = one_block_apart();
+    for (int i = 0; i < rows; ++i) deviations[static_cast<std::size_t>(i)] = i % 5 == 2 ? deviation * sd : 0;
+    const FitProblem problem = rows_with(deviations);
+    const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
+    return predict_held_out(problem, fit, blocks_of(problem.samples)).chi2_reduced;
+  };
+  // The block itself is off by d; each of the other four is predicted by three blocks of zero and one of d.
+  for (const double d : {1.0, 2.0}) EXPECT_NEAR(held_out_cost(d), (d * d + 4 * d * d / 16) / 5, 1e-3 * d * d) << d;
+}
+
+TEST(HeldOut_analytic, an_effect_that_one_block_alone_shows_is_not_consistent) {
+  const auto is_consistent = [](const std::function<double(int)>& deviation_of_block) {
+    std::vector<double> deviations;
+    for (int i = 0; i < 200; ++i) deviations.push_back(deviation_of_block(i % 5) * sd);
+    const FitProblem problem = rows_with(deviations);
+    const ModelFit fit = finished(problem, fit_explanation(problem, {&effect_of("lateral_zero_offset")}));
+    return predict_held_out(problem, fit, blocks_of(problem.samples)).consistent;
+  };
+  EXPECT_FALSE(is_consistent([](int block) { return block == 2 ? 10 : 0; }));
+  EXPECT_TRUE(is_consistent([](int) { return 10; }));
+}
+
+}  // namespace
+}  // namespace asperity
