@@ -25,7 +25,7 @@ const ElasticBody borosilicate{71e9, 0.17};
 constexpr double radius = 8.5e-6;
 
 TEST(Hertz_other_code, radius_approach_pressure_and_stiffness_agree_with_the_reference_for_all_pairs_and_loads) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_loads.csv");
+  const auto path = asperity::test::reference_table("01_hertz_table_loads.csv");
   const CsvTable table = read_csv(path);
   const auto column = [&](const char* name) { return table.numbers(name); };
   const auto load = column("P_uN"), a = column("a_nm"), delta = column("delta_nm"), p0 = column("p0_GPa"),
@@ -50,7 +50,7 @@ TEST(Hertz_other_code, radius_approach_pressure_and_stiffness_agree_with_the_ref
 }
 
 TEST(Hertz_other_code, stresses_on_the_axis_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_axis_stress.csv");
+  const auto path = asperity::test::reference_table("01_hertz_table_axis_stress.csv");
   const CsvTable table = read_csv(path);
   const auto depth = table.numbers("z_over_a");
   ASSERT_GT(depth.size(), 5u);
@@ -67,7 +67,7 @@ TEST(Hertz_other_code, stresses_on_the_axis_agree_with_the_reference) {
 }
 
 TEST(Hertz_other_code, place_height_and_pressure_of_first_yield_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_yield_vs_nu.csv");
+  const auto path = asperity::test::reference_table("01_hertz_table_yield_vs_nu.csv");
   const CsvTable table = read_csv(path);
   const auto nu = table.numbers("nu"), depth = table.numbers("z_over_a_max"), stress = table.numbers("sVM_over_p0"),
              pressure = table.numbers("p0_over_Y_first_yield");
@@ -81,7 +81,7 @@ TEST(Hertz_other_code, place_height_and_pressure_of_first_yield_agree_with_the_r
 }
 
 TEST(Hertz_other_code, load_of_first_yield_agrees_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_critical_system.csv");
+  const auto path = asperity::test::reference_table("02_elastoplastic_table_critical_system.csv");
   const CsvTable table = read_csv(path);
   const auto yield_stress = table.numbers("Y_GPa"), factor = table.numbers("C(nu)_exact"), load = table.numbers("Fc_uN");
   int compared = 0;

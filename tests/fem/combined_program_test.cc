@@ -113,7 +113,7 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
 /// surface that has not slipped. Smooth equal bodies; the way between the flanks is held, as symmetry does on a rail.
 /// `largest_across`: relative error of the force across; it falls with the first power of the spacing, here and in the reference.
 void expect_steady_spin(double spin_number, double largest_across) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_spin.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_spin.csv");
   const auto table = read_csv(path);
   const auto nu = table.numbers("nu"), numbers = table.numbers("G*a^3*phi/(mu*P)");
   std::size_t row = 0;

@@ -61,12 +61,12 @@ void expect_spence(const Spence& expected) {
 }
 
 TEST(DissimilarBodies_other_code, friction_raises_the_peak_pressure_and_leaves_a_core_that_sticks) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_spence.csv");
+  const auto path = asperity::test::reference_table("01_hertz_table_spence.csv");
   expect_spence(reference(path, "borosilicate/diamond", 0.5));
 }
 
 TEST(DissimilarBodiesNightly_other_code, with_more_friction_a_larger_core_sticks) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/01_hertz_table_spence.csv");
+  const auto path = asperity::test::reference_table("01_hertz_table_spence.csv");
   expect_spence(reference(path, "borosilicate/diamond", 0.8));
 }
 

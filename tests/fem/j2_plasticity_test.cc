@@ -183,7 +183,7 @@ TEST(J2_analytic, radial_return_converges_to_krieg_and_krieg_on_a_turning_path) 
 }
 
 TEST(J2_other_code, krieg_and_krieg_angles_agree_with_the_stored_ones) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/08_fe_verification.csv");
+  const auto path = asperity::test::reference_table("08_fe_verification.csv");
   const auto table = asperity::read_csv(path);
   int found = 0;
   for (const auto& row : table.rows) {

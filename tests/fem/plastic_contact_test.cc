@@ -66,7 +66,7 @@ LoadedStep reach(SmoothContact& contact, const YieldingHalfSpace& body, double f
 }
 
 void expect_table(const YieldingHalfSpace& body, const std::vector<double>& forces, double cells_at_largest, double largest_area) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_ownFE.csv");
+  const auto path = asperity::test::reference_table("02_elastoplastic_table_ownFE.csv");
   const auto table = asperity::read_csv(path);
   const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
   SmoothContact contact(body.options(largest_radius, largest_radius / cells_at_largest));
@@ -104,7 +104,7 @@ TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_p
   const YieldingHalfSpace body(0.03e-6);
   constexpr double largest_area = 202, cells = 24;
   const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_ownFE.csv");
+  const auto path = asperity::test::reference_table("02_elastoplastic_table_ownFE.csv");
   const auto table = asperity::read_csv(path);
   SmoothContact contact(body.options(largest_radius, largest_radius / cells));
   for (double f = 4; f < 510; f *= f < 60 ? 1.3 : 1.1) {
@@ -240,7 +240,7 @@ Cycle cycle(double largest_f, int steps, double cells, double largest_area) {
 }
 
 void expect_cycle(int steps, double cells) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/02_elastoplastic_table_unloading.csv");
+  const auto path = asperity::test::reference_table("02_elastoplastic_table_unloading.csv");
   auto table = asperity::read_csv(path);
   CsvTable own = table;
   own.rows.clear();

@@ -133,7 +133,7 @@ double reference_value(const std::filesystem::path& path, const std::string& id)
 }
 
 TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c11 = kalker(path, "C11_own");
   const auto r = steady_reaction(rolling_contact(friction_along), {small_along, 0, 0}, {c11 * small_along, 0, 0});
   std::printf("C11 %.4f (%.4f)\n", r.x / small_along, c11);
@@ -141,7 +141,7 @@ TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
 }
 
 TEST(RollingNightly_other_code, lateral_creep_meets_Kalkers_C22) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c22 = kalker(path, "C22_own");
   const auto r = steady_reaction(rolling_contact(friction), {0, small, 0}, {0, c22 * small, 0});
   std::printf("C22 %.4f (%.4f)\n", r.y / small, c22);
@@ -149,7 +149,7 @@ TEST(RollingNightly_other_code, lateral_creep_meets_Kalkers_C22) {
 }
 
 TEST(RollingNightly_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_kalker_circle.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c23 = kalker(path, "C23_own"), c33 = kalker(path, "C33_own");
   const auto r = steady_reaction(rolling_contact(friction_spin), {0, 0, small}, {0, c23 * small, c33 * small});
   std::printf("C23 %.4f (%.4f)  C33 %.4f (%.4f)\n", r.y / small, c23, r.torsion / small, c33);
@@ -159,7 +159,7 @@ TEST(RollingNightly_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
 
 TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
   // At G a^2 xi / (mu P) = 0.2 and nu = 0.17, Q / (mu P) = 0.6013 (boundary elements, extrapolated).
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling.csv");
+  const auto path = asperity::test::reference_table("05_rolling.csv");
   const double expected = reference_value(path, "R-creep-longitudinal-0.17-0.2");
   FrictionalContactOptions o = rolling_contact(0);
   const double nu = o.poisson[0], G = o.youngs[0] / (2 * (1 + nu)), a = std::cbrt(3 * o.load * o.radius * (1 - nu * nu) / (2 * o.youngs[0]));

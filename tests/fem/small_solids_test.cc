@@ -195,7 +195,7 @@ TEST(ContactPatch_analytic, uniform_pressure_passes_through_non_matching_distort
 }
 
 TEST(ContactPatch_other_code, top_displacement_agrees_with_the_stored_value) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/08_fe_verification.csv");
+  const auto path = asperity::test::reference_table("08_fe_verification.csv");
   const auto table = asperity::read_csv(path);
   int found = 0;
   for (const auto& row : table.rows) {
@@ -320,7 +320,7 @@ TEST(HillSphereNightly_analytic, displacements_near_collapse_are_within_one_perc
 }
 
 TEST(HillSphere_other_code, formulas_agree_with_the_stored_table) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/08_fe_table_hill_sphere.csv");
+  const auto path = asperity::test::reference_table("08_fe_table_hill_sphere.csv");
   const auto table = asperity::read_csv(path);
   const auto radii = table.numbers("c/a"), pressure = table.numbers("p/Y"), inner = table.numbers("u(a)E/(Y*a)"),
              outer = table.numbers("u(b)E/(Y*a)");

@@ -48,7 +48,7 @@ TEST(Torsion_analytic, and_lateral_stiffness_without_slip_of_unlike_bodies_have_
 }
 
 TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_lubkin.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_lubkin.csv");
   const auto table = asperity::read_csv(path);
   auto angles = table.numbers("theta*Gt*a^2/(mu*P)"), moments = table.numbers("M/(mu*P*a)");
   angles.insert(angles.begin(), 0), moments.insert(moments.begin(), 0);
@@ -76,7 +76,7 @@ TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
 }
 
 TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_slide_spin.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_slide_spin.csv");
   const auto table = asperity::read_csv(path);
   const auto ratios = table.numbers("spin_ratio_omega*a/v"), forces = table.numbers("F/(muP)_Hertz"), moments = table.numbers("T/(muPa)_Hertz");
   FrictionalContact contact({});

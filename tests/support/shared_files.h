@@ -1,4 +1,4 @@
-// Reference solutions and measurements that lie beside the repository and are not part of it.
+// Numbers that tests compare with: tables of the project's own, in the repository, and files of other people, beside it.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,14 @@
 
 namespace asperity::test {
 
-/// Path of a file below the folder of references (environment variable ASPERITY_SHARED, else ../shared beside the
-/// repository); empty where it is missing.
+/// Folder of the tables below; its README.md says where each comes from.
+std::filesystem::path reference_folder();
+
+/// Path of a table of the repository, tests/data/references/NAME. Throws, which fails the test, where it is missing.
+std::filesystem::path reference_table(const std::string& name);
+
+/// Path of a file that other people made (scans, recordings, results of other codes) and that the repository does not copy, below
+/// the folder named by the environment variable ASPERITY_SHARED, else ../shared beside the repository; empty where it is missing.
 std::optional<std::filesystem::path> shared_file(const std::string& relative_path);
 
 }  // namespace asperity::test

@@ -18,7 +18,7 @@ Jkr jkr_with_pull_off(double force) { return {modulus, radius, force / (1.5 * pi
 Dmt dmt_with_pull_off(double force) { return {modulus, radius, force / (2 * pi * radius)}; }
 
 TEST(Adhesion_other_code, radius_and_approach_agree_with_the_reference_for_all_loads) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_loads_BS_Si.csv");
+  const auto path = asperity::test::reference_table("06_adhesion_table_loads_BS_Si.csv");
   const CsvTable table = read_csv(path);
   const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"), a_jkr = table.numbers("a_JKR_nm"),
              d_jkr = table.numbers("delta_JKR_nm"), a_dmt = table.numbers("a_DMT_nm"), d_dmt = table.numbers("delta_DMT_nm");
@@ -97,7 +97,7 @@ MaugisDugdale maugis_in_his_units(double lambda) {
 }
 
 TEST(MaugisDugdale_other_code, pull_off_and_radii_agree_with_the_reference_from_DMTs_range_to_JKRs) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_maugis.csv");
+  const auto path = asperity::test::reference_table("06_adhesion_table_maugis.csv");
   const CsvTable table = read_csv(path);
   const auto lambda = table.numbers("lambda"), pull_off = table.numbers("Ppulloff/(pi*w*R)"),
              a0 = table.numbers("a0_zero_load"), d0 = table.numbers("delta_zero_load");
@@ -112,8 +112,8 @@ TEST(MaugisDugdale_other_code, pull_off_and_radii_agree_with_the_reference_from_
 }
 
 TEST(MaugisDugdale_other_code, radius_and_approach_of_the_papers_sphere_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_loads_BS_Si.csv");
-  ASPERITY_SHARED_FILE_OR_SKIP(system_path, "references/06_adhesion_table_system.csv");
+  const auto path = asperity::test::reference_table("06_adhesion_table_loads_BS_Si.csv");
+  const auto system_path = asperity::test::reference_table("06_adhesion_table_system.csv");
   const CsvTable table = read_csv(path), system = read_csv(system_path);
   const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"),
              a = table.numbers("a_Maugis(z0=0.2nm)_nm"), delta = table.numbers("delta_Maugis_nm");
@@ -197,7 +197,7 @@ TEST(NormalLaw, any_law_inverts_its_force) {
 }
 
 TEST(Tabor_other_code, parameter_agrees_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/06_adhesion_table_system.csv");
+  const auto path = asperity::test::reference_table("06_adhesion_table_system.csv");
   const CsvTable table = read_csv(path);
   const auto z0 = table.numbers("z0_nm"), w = table.numbers("w_JKR_mJ/m2"), mu = table.numbers("Tabor_mu_JKR");
   for (std::size_t i = 0; i < z0.size(); ++i) {

@@ -127,7 +127,7 @@ TEST(PartialSlip_analytic, a_closed_inner_loop_is_forgotten) {
 }
 
 TEST(PartialSlip_other_code, shift_and_loop_energy_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/03_mindlin_table_Qdelta.csv");
+  const auto path = asperity::test::reference_table("03_mindlin_table_Qdelta.csv");
   const CsvTable table = read_csv(path);
   const auto q = table.numbers("Q_over_muP"), shift = table.numbers("delta_over_delta_gs"),
              energy = table.numbers("loop_energy_over_muP_delta_gs(closed)");
@@ -159,7 +159,7 @@ TEST(PartialSlip_other_code, shift_and_loop_energy_agree_with_the_reference) {
 }
 
 TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/03_mindlin_table_histories.csv");
+  const auto path = asperity::test::reference_table("03_mindlin_table_histories.csv");
   const CsvTable table = read_csv(path);
   std::map<std::string, double> expected;
   const auto closed = table.numbers("delta_t_over_D0_closed_form (D0=3muP0/(16G*a0))");

@@ -19,7 +19,7 @@ constexpr double radius = 8.5e-6;
 const double modulus = reduced_modulus({71e9, 0.17}, {179e9, 0.25});
 
 TEST(HysteresisRolling_other_code, moment_agrees_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_hysteresis.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_hysteresis.csv");
   const CsvTable table = read_csv(path);
   const auto load = table.numbers("P_uN"), a = table.numbers("a_nm"), moment = table.numbers("M_roll_over_alpha_Nm"),
              kendall = table.numbers("Kendall_F_for_dw=1mJ/m2_nN");
@@ -38,7 +38,7 @@ TEST(PlasticRolling_other_code, force_of_the_first_pass_agrees_with_the_referenc
 }
 
 TEST(AdhesiveRolling_other_code, moment_and_hysteresis_force_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_adhesive.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_adhesive.csv");
   const CsvTable table = read_csv(path);
   const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"), xi = table.numbers("xi_nm"),
              moment = table.numbers("M_DominikTielens_Nm"), force = table.numbers("F_Kendall_2a*0.1w_nN");
@@ -52,7 +52,7 @@ TEST(AdhesiveRolling_other_code, moment_and_hysteresis_force_agree_with_the_refe
 }
 
 TEST(CreepForce_other_code, original_and_Kalkers_cubic_law_agree_with_the_reference_and_with_the_boundary_elements) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/05_rolling_table_creep_force.csv");
+  const auto path = asperity::test::reference_table("05_rolling_table_creep_force.csv");
   const CsvTable table = read_csv(path);
   const auto nu = table.numbers("nu"), creep = table.numbers("G*a^2*xi/(mu*P)"), linear = table.numbers("Kalker_linear"),
              original = table.numbers("Vermeulen-Johnson_1964"), exact = table.numbers("own_BEM_extrapolated"),
@@ -69,7 +69,7 @@ TEST(CreepForce_other_code, original_and_Kalkers_cubic_law_agree_with_the_refere
 }
 
 TEST(SlidingWithSpin_other_code, force_and_moment_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_slide_spin.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_slide_spin.csv");
   const CsvTable table = read_csv(path);
   const auto eps = table.numbers("eps=v/(omega*a)"), force = table.numbers("F/(muP)_Hertz"), moment = table.numbers("T/(muPa)_Hertz");
   ASSERT_GT(eps.size(), 10u);

@@ -17,7 +17,7 @@ constexpr double table_digits = 1e-7;  // eight significant digits, the leading 
 const LubkinTorsion unit{1, 1, 1, 1};  // Gt = mu = P = a = 1: the tables' normalisation
 
 TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_lubkin.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_lubkin.csv");
   const CsvTable table = read_csv(path);
   const auto c = table.numbers("c_over_a"), angle = table.numbers("theta*Gt*a^2/(mu*P)"), moment = table.numbers("M/(mu*P*a)");
   ASSERT_GE(c.size(), 10u);
@@ -29,12 +29,12 @@ TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_refe
 }
 
 TEST(Lubkin_other_code, angle_at_a_moment_residual_twist_and_loop_energy_agree_with_the_reference) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_theta_of_M.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_theta_of_M.csv");
   const CsvTable virgin = read_csv(path);
   const auto m = virgin.numbers("M/(mu*P*a)"), theta = virgin.numbers("theta*Gt*a^2/(mu*P)");
   for (std::size_t i = 0; i < m.size(); ++i) EXPECT_NEAR(unit.angle(m[i]) / theta[i], 1, table_digits);
 
-  ASPERITY_SHARED_FILE_OR_SKIP(cycle_path, "references/04_torsion_table_cycle.csv");
+  const auto cycle_path = asperity::test::reference_table("04_torsion_table_cycle.csv");
   const CsvTable cycle = read_csv(cycle_path);
   const auto top = cycle.numbers("M*/(mu*P*a)"), residual = cycle.numbers("residual_theta*Gt*a^2/(mu*P)_at_M=0"),
              energy = cycle.numbers("loop_energy*Gt*a/(mu*P)^2");
@@ -79,7 +79,7 @@ TEST(Lubkin_analytic, unloading_after_Masing_reaches_the_mirrored_state) {
 }
 
 TEST(Torsion_other_code, stiffness_and_full_slip_moment_agree_with_the_reference_for_all_pairs_and_loads) {
-  ASPERITY_SHARED_FILE_OR_SKIP(path, "references/04_torsion_table_loads.csv");
+  const auto path = asperity::test::reference_table("04_torsion_table_loads.csv");
   const CsvTable table = read_csv(path);
   const auto load = table.numbers("P_uN"), mu = table.numbers("mu"), k = table.numbers("ktors_Nm_per_rad"),
              full = table.numbers("M_full_slip_Nm"), half = table.numbers("theta_at_half_M_full_rad");
