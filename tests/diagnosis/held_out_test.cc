@@ -12,8 +12,8 @@
 namespace asperity {
 namespace {
 
-constexpr double sd = 1e-7;
-constexpr int rows = 20;
+constexpr double noise_of_row = 1e-7;
+constexpr int row_count = 20;
 
 /// Independent rows of rolling under one load: a known friction and the zero of the sensor, which alone is fitted. Within Huber's bend, so
 /// that the fit is the mean of what is recorded less the friction.
@@ -28,7 +28,7 @@ FitProblem rows_with(const std::vector<double>& deviations) {
     problem.samples.list.back().response = friction * load + deviation;
   }
   test::close_run(problem.samples, true);
-  problem.noise.sd.assign(deviations.size(), sd);
+  problem.noise.sd.assign(deviations.size(), noise_of_row);
   problem.noise.shared.assign(1, {});
   problem.thin = problem.samples;
   return problem;
@@ -37,14 +37,14 @@ FitProblem rows_with(const std::vector<double>& deviations) {
 /// Two standard deviations up in every fifth row, which is one of the five blocks, and a little of everything elsewhere.
 std::vector<double> one_block_apart() {
   std::vector<double> deviations;
-  for (int i = 0; i < rows; ++i) deviations.push_back(sd * (i % 5 == 2 ? 2 : 0.3 * std::sin(3.0 * i)));
+  for (int i = 0; i < row_count; ++i) deviations.push_back(noise_of_row * (i % 5 == 2 ? 2 : 0.3 * std::sin(3.0 * i)));
   return deviations;
 }
 
 double mean_of_others(const std::vector<double>& deviations, int block) {
   double sum = 0;
   int count = 0;
-  for (int i = 0; i < rows; ++i)
+  for (int i = 0; i < row_count; ++i)
     if (i % 5 != block) sum += deviations[static_cast<std::size_t>(i)], ++count;
   return sum / count;
 }
@@ -56,20 +56,20 @@ TEST(HeldOut_analytic, each_block_is_predicted_by_the_mean_of_the_others) {
   ASSERT_EQ(blocks.count, 5);
   EXPECT_EQ(blocks.name, "rows");
   double expected = 0;
-  for (int i = 0; i < rows; ++i)
-    expected += std::pow((deviations[static_cast<std::size_t>(i)] - mean_of_others(deviations, i % 5)) / sd, 2) / rows;
+  for (int i = 0; i < row_count; ++i)
+    expected += std::pow((deviations[static_cast<std::size_t>(i)] - mean_of_others(deviations, i % 5)) / noise_of_row, 2) / row_count;
   const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
   const HeldOut held_out = predict_held_out(problem, fit, blocks);
   EXPECT_NEAR(held_out.chi2_reduced, expected, 1e-3 * expected);
   EXPECT_NEAR(held_out.cost, expected, 1e-3 * expected) << "no residual lies beyond Huber's bend";
-  EXPECT_GT(held_out.chi2_reduced, 1.3 * fit.cost / rows) << "what was not seen is predicted worse than what was";
+  EXPECT_GT(held_out.chi2_reduced, 1.3 * fit.cost / row_count) << "what was not seen is predicted worse than what was";
 }
 
 TEST(HeldOut_analytic, what_is_recorded_in_a_block_changes_its_own_prediction_by_nothing) {
   // Were a block part of the fit that predicts it, its residual would follow the deviation by less than one for one.
   const auto held_out_cost = [](double deviation) {
     auto deviations = one_block_apart();
-    for (int i = 0; i < rows; ++i) deviations[static_cast<std::size_t>(i)] = i % 5 == 2 ? deviation * sd : 0;
+    for (int i = 0; i < row_count; ++i) deviations[static_cast<std::size_t>(i)] = i % 5 == 2 ? deviation * noise_of_row : 0;
     const FitProblem problem = rows_with(deviations);
     const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
     return predict_held_out(problem, fit, blocks_of(problem.samples)).chi2_reduced;
@@ -81,7 +81,7 @@ TEST(HeldOut_analytic, what_is_recorded_in_a_block_changes_its_own_prediction_by
 TEST(HeldOut_analytic, an_effect_that_one_block_alone_shows_is_not_consistent) {
   const auto is_consistent = [](const std::function<double(int)>& deviation_of_block) {
     std::vector<double> deviations;
-    for (int i = 0; i < 200; ++i) deviations.push_back(deviation_of_block(i % 5) * sd);
+    for (int i = 0; i < 200; ++i) deviations.push_back(deviation_of_block(i % 5) * noise_of_row);
     const FitProblem problem = rows_with(deviations);
     const ModelFit fit = finished(problem, fit_explanation(problem, {&effect_of("lateral_zero_offset")}));
     return predict_held_out(problem, fit, blocks_of(problem.samples)).consistent;

@@ -7,6 +7,7 @@
 #include "tests/fem/support/elastic_materials.h"
 #include "tests/fem/support/smooth_contact.h"
 #include "tests/support/shared_files.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -50,9 +51,12 @@ void expect_hertz(const char* pair, const J2Material& substrate, double force, d
   const auto e = errors(step, hertz, hertz.contact_radius() / cells);
   std::printf("%-8s %6.0f uN  a/h %4.0f  unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%  newton %d cg %d\n", pair,
               force * 1e6, cells, c.unknowns(), 100 * e.force, e.radius_in_spacings, 100 * e.pressure, step.newton, step.linear);
-  EXPECT_LT(std::abs(e.force), 0.01);
-  EXPECT_LT(std::abs(e.radius_in_spacings), 0.2);  // asked: 0.5
-  EXPECT_LT(std::abs(e.pressure), 0.02);
+  char mesh[64];
+  std::snprintf(mesh, sizeof mesh, ", %s, %g uN, a/h %g", pair, force * 1e6, cells);
+  const auto verified = [&](const char* what) { return Verified{"Hertz", what + std::string(mesh), "Hertz (1882)"}; };
+  EXPECT_TRUE(verified("force").within(1 + e.force, 1, 0.01));
+  EXPECT_TRUE(verified("contact radius").below(e.radius_in_spacings, 0.2, "h"));
+  EXPECT_TRUE(verified("largest pressure").within(1 + e.pressure, 1, 0.02));
 }
 
 TEST(Hertz_analytic, silicon_at_100_uN) { expect_hertz("silicon", silicon, 100e-6, 12); }
@@ -87,7 +91,8 @@ TEST(HertzNightly_analytic, force_converges_and_the_radius_error_stays_below_hal
 TEST(Hertz_analytic, force_follows_the_three_halves_law_of_approach) {
   auto c = contact(silicon, 400e-6, 12);
   const auto low = c.load(200e-6), high = c.load(400e-6);
-  EXPECT_NEAR(std::log(2.0) / std::log(high.approach / low.approach), 1.5, 0.015);
+  const double exponent = std::log(2.0) / std::log(high.approach / low.approach);
+  EXPECT_TRUE((Verified{"Hertz", "exponent of force over approach, silicon, 200 to 400 uN", "3/2, Hertz (1882)"}.within(exponent, 1.5, 0.01)));
 }
 
 TEST(Hertz_analytic, tractions_and_reactions_agree) {
@@ -104,7 +109,7 @@ TEST(Hertz_analytic, elastic_energy_is_the_work_of_the_force) {
   const auto step = c.load(100e-6);
   const double work = 0.4 * step.force * step.approach + 0.5 * step.force * (step.raw_approach - step.approach);
   std::printf("elastic energy / work %.5f\n", step.elastic_energy / work);
-  EXPECT_NEAR(step.elastic_energy, work, 0.01 * work);
+  EXPECT_TRUE((Verified{"Hertz", "elastic energy, silicon, a/h 12", "2/5 P delta"}.within(step.elastic_energy, work, 0.01)));
 }
 
 }  // namespace

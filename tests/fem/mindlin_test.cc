@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/fem/support/frictional_contact.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -38,9 +39,9 @@ void expect_glued_stiffness(double cells) {
   FrictionalContact contact(o);
   const double expected = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
   const double measured = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
-  std::printf("%g cells: %.5g against %.5g N/m: %+.2f %%\n", cells, measured, expected, 100 * (measured / expected - 1));
   // Glued nodes make the contact wider by part of a spacing: first order in the spacing, 2 % at 12 cells.
-  EXPECT_NEAR(measured, expected, 0.24 / cells * expected);
+  const asperity::test::Verified verified{"Sliding", "lateral stiffness without slip, a/h " + std::to_string(std::lround(cells)), "8 G* a, Mindlin (1949)"};
+  EXPECT_TRUE(verified.within(measured, expected, 0.24 / cells));
 }
 
 TEST(Mindlin_analytic, stiffness_without_slip_approaches_8_G_a) {
@@ -66,7 +67,10 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
   const double a = contact.contact_radius, h = contact.system.options().mesh.sizes.spacing_particle;
   for (const double ratio : ratios) {
     const Point p = shift_to(contact, ratio);
-    EXPECT_NEAR(p.shift, cattaneo_shift(p.force), 0.02 * cattaneo_shift(p.force));
+    char place[64];
+    std::snprintf(place, sizeof place, ", Q/(mu P) %.2f, a/h %g", p.force, cells);
+    const auto verified = [&](const char* what) { return asperity::test::Verified{"Sliding", what + std::string(place), "Cattaneo (1938)"}; };
+    EXPECT_TRUE(verified("shift").within(p.shift, cattaneo_shift(p.force), 0.02));
     const double stick_radius = a * std::cbrt(1 - p.force), p0 = 1.5 * contact.options.load / (M_PI * a * a);
     double difference = 0, size = 0;
     int misplaced = 0;  // nodes more than a spacing from the border of sticking that are on its wrong side
@@ -84,10 +88,10 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
       misplaced += is_misplaced;
       if (is_misplaced) std::printf("  a node %.2f spacings outside the border of sticking uses %.4f of its friction\n", (radius - stick_radius) / h, used);
     }
-    EXPECT_EQ(misplaced, 0);
+    EXPECT_TRUE(verified("nodes more than a spacing on the wrong side of sticking").below(misplaced, 0));
     std::printf("  stick radius %.3f a: traction differs by %.2f %% in the 2-norm\n", stick_radius / a, 100 * std::sqrt(difference / size));
     if (stick_radius < traction_below * a) {
-      EXPECT_LT(std::sqrt(difference / size), 0.03);
+      EXPECT_TRUE(verified("traction in the 2-norm").below(100 * std::sqrt(difference / size), 3, "%"));
     }
   }
   const Point p = shift_to(contact, 1.1);
@@ -158,7 +162,7 @@ TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and
                           (1 - std::pow(1 - x, 5.0 / 3) - 5 * x / 6 * (1 + std::pow(1 - x, 2.0 / 3)));
   std::printf("loop energy %.5g J dissipated by slip, %.5g J work of the shift; expected %.5g J (%+.2f %%)\n", dissipated, work, expected,
               100 * (dissipated / expected - 1));
-  EXPECT_NEAR(dissipated, expected, 0.03 * expected);
+  EXPECT_TRUE((asperity::test::Verified{"Sliding", "energy of a loop between +-0.68 mu P, a/h 12", "Mindlin & Deresiewicz (1953)"}.within(dissipated, expected, 0.03)));
   EXPECT_NEAR(work, expected, 0.1 * expected);  // trapezia over ten steps
 }
 

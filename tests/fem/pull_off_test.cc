@@ -8,6 +8,7 @@
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/interface/dugdale.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -112,7 +113,9 @@ void expect_pull_off(double lambda, double cells, double step) {
     largest = std::max(largest, tension);
   }
   std::printf("lambda %g: pull-off %.4f (%.4f) pi w R\n", lambda, largest / unit, expected / unit);
-  EXPECT_NEAR(largest, expected, 0.03 * expected);
+  char what[64];
+  std::snprintf(what, sizeof what, "pull-off, lambda %g, %g cells in Maugis' unit", lambda, cells);
+  EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992)"}.within(largest, expected, 0.03)));
 }
 
 TEST(PullOff_analytic, follows_Maugis_from_DMT_to_JKR) {
@@ -190,7 +193,7 @@ TEST(AdhesivePressure_analytic, the_largest_is_that_of_contact_less_attraction) 
   const double s0 = s.law.cohesive_stress, hertzian = 1.5 * contact.a * s.unit_radius * s.K / (M_PI * s.radius);
   const double expected = hertzian - 2 * s0 / M_PI * std::atan(std::sqrt(contact.m * contact.m - 1));
   std::printf("largest pressure %.4g, Maugis %.4g, attraction %.4g Pa\n", r.largest_pressure, expected, s0);
-  EXPECT_NEAR(r.largest_pressure, expected, 0.03 * expected);
+  EXPECT_TRUE((test::Verified{"Adhesion", "largest pressure, lambda 1, 8 cells in Maugis' unit", "Maugis (1992)"}.within(r.largest_pressure, expected, 0.03)));
   EXPECT_GT(s0, 0.2 * expected) << "attraction left out would be seen";
 }
 
@@ -207,7 +210,9 @@ void expect_jump_in(double lambda, double cells, double step) {
   // Where it jumped the finite bodies had no force on them yet, or the force before the step.
   const double found = 0.5 * (before + s.state.approach / s.unit_approach);
   std::printf("lambda %g: contact forms at %.4f to %.4f (%.4f)\n", lambda, before, s.state.approach / s.unit_approach, expected);
-  EXPECT_NEAR(found, expected, 0.03 * std::abs(expected));
+  char what[64];
+  std::snprintf(what, sizeof what, "approach at which the contact forms, lambda %g, %g cells", lambda, cells);
+  EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992), Johnson & Greenwood (1997)"}.within(found, expected, 0.03)));
 }
 
 TEST(JumpIn_analytic, contact_forms_where_Maugis_has_it) {

@@ -4,6 +4,7 @@
 #include "core/csv.h"
 #include "tests/fem/support/frictional_contact.h"
 #include "tests/support/shared_files.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -24,11 +25,11 @@ TEST(Torsion_analytic, stiffness_without_slip_converges_to_16_thirds_G_a_cubed) 
     FrictionalContact contact(o);
     const double expected = 16.0 / 3 * contact.system.torsion_modulus() * std::pow(contact.contact_radius, 3);
     const double error = contact.solver.torsion_stiffness(contact.state) / expected - 1;
-    std::printf("%g cells: torsion stiffness %+.2f %%\n", cells, 100 * error);
+    const asperity::test::Verified verified{"Torsion", "stiffness without slip, a/h " + std::to_string(std::lround(cells)), "16/3 G a^3, Reissner & Sagoci (1944)"};
+    EXPECT_TRUE(verified.within(1 + error, 1, cells < 12 ? 0.03 : 0.02));  // first order in the spacing
     EXPECT_LT(std::abs(error), std::abs(last));
     last = error;
   }
-  EXPECT_NEAR(last, 0, 0.02);
 }
 
 /// Borosilicate on silicon: what both bodies turn and shift adds up, 1/G1 + 1/G2 and (2 - nu1)/G1 + (2 - nu2)/G2. Pressed without
@@ -42,9 +43,9 @@ TEST(Torsion_analytic, and_lateral_stiffness_without_slip_of_unlike_bodies_have_
   const double turning = 16.0 / 3 / (1 / g1 + 1 / g2) * a * a * a, shifting = 8 / (1.83 / g1 + 1.75 / g2) * a;
   const double turned = contact.solver.torsion_stiffness(contact.state);
   const double shifted = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
-  std::printf("unlike bodies: torsion %+.2f %%, lateral %+.2f %%\n", 100 * (turned / turning - 1), 100 * (shifted / shifting - 1));
-  EXPECT_NEAR(turned, turning, 0.02 * turning);
-  EXPECT_NEAR(shifted, shifting, 0.02 * shifting);
+  const auto verified = [](const char* what, const char* source) { return asperity::test::Verified{"Torsion", what, source}; };
+  EXPECT_TRUE(verified("stiffness of borosilicate on silicon, a/h 18", "16/3 a^3/(1/G1 + 1/G2)").within(turned, turning, 0.02));
+  EXPECT_TRUE(verified("lateral stiffness of borosilicate on silicon, a/h 18", "8 G* a").within(shifted, shifting, 0.02));
 }
 
 TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
@@ -63,16 +64,16 @@ TEST(Torsion_other_code, moment_follows_Lubkin_to_full_slip_and_Masing_back) {
     const double moment = go(angle), expected = linear_between(angles, moments, angle);
     std::printf("angle %.3f  moment %.5f (%.5f, %+.2f %%)  newton %d cg %d\n", angle, moment, expected, 100 * (moment / expected - 1),
                 contact.newton, contact.linear);
-    EXPECT_NEAR(moment, expected, 0.03 * expected);
+    char what[64];
+    std::snprintf(what, sizeof what, "moment at theta G a^2/(mu P) %.2f, a/h 12", angle);
+    EXPECT_TRUE((asperity::test::Verified{"Torsion", what, "Lubkin (1951), solved"}.within(moment, expected, 0.03)));
   }
   const double full = go(1.5);
-  std::printf("full slip %+.2f %%\n", 100 * (full / (3 * M_PI / 16) - 1));
-  EXPECT_NEAR(full, 3 * M_PI / 16, 0.01 * 3 * M_PI / 16);
+  EXPECT_TRUE((asperity::test::Verified{"Torsion", "moment of full slip, a/h 12", "3 pi mu P a/16"}.within(full, 3 * M_PI / 16, 0.01)));
   // Back: twice the first loading.
   const double back = go(1.5 - 2 * 0.17);
   const double masing = full - 2 * linear_between(angles, moments, 0.17);
-  std::printf("back %.4f (%.4f)\n", back, masing);
-  EXPECT_NEAR(back, masing, 0.02);
+  EXPECT_TRUE((asperity::test::Verified{"Torsion", "way back, a/h 12", "Masing's rule on Lubkin (1951)"}.below(back - masing, 0.02, "mu P a")));
 }
 
 TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
@@ -92,8 +93,9 @@ TEST(SlideAndSpin_other_code, spin_lowers_sliding_friction_as_Farkas_found) {
     const double force = r.lateral_force[0] / contact.friction_force, moment = r.torsion_moment / (contact.friction_force * a);
     const double force_expected = linear_between(ratios, forces, ratio), moment_expected = linear_between(ratios, moments, ratio);
     std::printf("spin ratio %.1f  force %.4f (%.4f)  moment %.4f (%.4f)  sticking %d\n", ratio, force, force_expected, moment, moment_expected, r.sticking);
-    EXPECT_NEAR(force, force_expected, 0.03 * force_expected);
-    EXPECT_NEAR(moment, moment_expected, 0.03 * moment_expected);
+    const auto verified = [&](const std::string& what) { return asperity::test::Verified{"Torsion", what + std::to_string(ratio).substr(0, 3) + ", a/h 12", "Farkas et al. (2003), quadrature"}; };
+    EXPECT_TRUE(verified("friction force at spin ratio ").within(force, force_expected, 0.03));
+    EXPECT_TRUE(verified("friction moment at spin ratio ").within(moment, moment_expected, 0.03));
   }
 }
 

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Tests of the scripts that check tags, make the tables and run the nightly tests, with programs that only look like tests."""
+
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TESTS = pathlib.Path(__file__).resolve().parent.parent
+
+# A program that lists and runs tests as Google Test does.
+PROGRAM = """#!/bin/sh
+case "$*" in
+  *--gtest_list_tests*) printf '%s\\n' {listed} ;;
+  *good*) printf 'topic,quantity,source,asked,measured,met,test\\n"Hertz","force, a/h 12","Hertz","1 %%","+0.5 %%","yes","X_analytic.good"\\n' \\
+          > "$ASPERITY_VERIFICATION/good.csv"; echo '[  PASSED  ] 1 test.' ;;
+  *wrong*) echo 'it was wrong'; exit 1 ;;
+  *crash*) kill -SEGV $$ ;;
+esac
+"""
+
+
+def program(folder, name, *listed):
+    path = pathlib.Path(folder) / name
+    path.write_text(PROGRAM.format(listed=" ".join(f"'{line}'" for line in listed)))
+    path.chmod(0o755)
+    return path
+
+
+def run(*command):
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True)
+
+
+class Tags(unittest.TestCase):
+    def test_a_test_without_a_tag_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found = run(TESTS / "scripts/check_tags", program(folder, "a", "Hertz_analytic.", "  force", "Csv.", "  reads_rows"))
+            self.assertEqual(found.returncode, 1)
+            self.assertIn("Csv.reads_rows", found.stderr)
+            self.assertNotIn("Hertz", found.stderr)
+
+    def test_tags_of_suites_tests_and_parametrised_tests_count(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found = run(TESTS / "scripts/check_tags", program(folder, "a", "Hertz_analytic.", "  force", "Folder.", "  reads_rows_behaviour",
+                                                              "All/OwnLaw_regression.", "  comes_back/first  # GetParam() = 1"))
+            self.assertEqual((found.returncode, found.stdout.strip()), (0, "3 tests, each tagged"))
+
+
+class Table(unittest.TestCase):
+    HEADER = "topic,quantity,source,asked,measured,met,test\n"
+
+    def table(self, *rows):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "a.csv").write_text(self.HEADER + "".join(row + "\n" for row in rows))
+            return run(TESTS / "verification/table", folder)
+
+    def test_rows_stand_under_their_topic_with_tag_and_commit(self):
+        made = self.table('"Hertz","force, a/h 12","Hertz (1882)","1 %","-0.67 %","yes","Hertz_analytic.silicon"')
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertIn("## Hertz\n", made.stdout)
+        self.assertIn("| force, a/h 12 | analytic | Hertz (1882) | 1 % | -0.67 % | `Hertz_analytic.silicon` |", made.stdout)
+        self.assertRegex(made.stdout, r"Generated on \d{4}-\d\d-\d\d by .* commit \S+")
+
+    def test_what_is_not_met_is_said_and_fails(self):
+        made = self.table('"Hertz","force","Hertz","1 %","+2 %","no","Hertz_analytic.silicon"')
+        self.assertEqual(made.returncode, 1)
+        self.assertIn("**+2 %, not met**", made.stdout)
+
+    def test_no_rows_and_no_tag_are_refused(self):
+        self.assertEqual(self.table().returncode, 1)
+        self.assertIn("does not say where", self.table('"Hertz","force","Hertz","1 %","0 %","yes","Hertz.silicon"').stderr)
+
+
+class Nightly(unittest.TestCase):
+    def record(self, *listed):
+        with tempfile.TemporaryDirectory() as folder:
+            program(folder, "core_tests", *listed)
+            page = pathlib.Path(folder) / "deep" / "page.md"
+            done = run(TESTS / "nightly/run", "--build", folder, "--record", page)
+            return done.returncode, page.read_text() if page.exists() else ""
+
+    def test_the_record_has_commit_outcome_time_and_what_was_measured(self):
+        status, page = self.record("XNightly_analytic.", "  good")
+        self.assertEqual(status, 0)
+        self.assertRegex(page, r"# Nightly tests of \d{4}-\d\d-\d\d")
+        self.assertRegex(page, r"Commit \S+")
+        self.assertIn("| `XNightly_analytic.good` | passed | 0 s |", page)
+        self.assertIn("| Hertz | force, a/h 12 | Hertz | 1 % | +0.5 % |", page)
+        self.assertIn("`fem_tests` is not built", page)
+
+    def test_failures_and_crashes_are_in_the_record_and_in_the_status(self):
+        status, page = self.record("XNightly_analytic.", "  good", "  wrong", "  crash")
+        self.assertEqual(status, 1)
+        self.assertIn("3 tests: 1 passed, 2 failed", page)
+        self.assertIn("| `XNightly_analytic.wrong` | **FAILED** |", page)
+        self.assertIn("| `XNightly_analytic.crash` | **FAILED: signal 11** |", page)
+
+    def test_no_test_at_all_is_a_failure(self):
+        self.assertEqual(self.record("")[0], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
