@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/read_limits.h"
+#include "core/utf8.h"
 
 namespace asperity {
 namespace {
@@ -25,7 +26,7 @@ std::string parameter_text(const fs::path& file) {
   std::string text = read_file(file);
   if (text.find('\0') != std::string::npos)
     throw InputError(file.string() + ": this is a binary file, not a parameter file");
-  return text;
+  return as_utf8(std::move(text));
 }
 
 std::string trim(const std::string& text) {
@@ -157,7 +158,7 @@ std::string without_mangling(const std::string& key) {
     name += mangled ? static_cast<char>(std::stoi(key.substr(i + 1, 2), nullptr, 16)) : key[i];
     if (mangled) i += 2;
   }
-  return name;
+  return as_utf8(std::move(name));
 }
 
 /// True for an entry as deal.II writes it: an object of value, default_value, documentation, pattern.

@@ -45,6 +45,19 @@ const Units& units_of(Dimension dimension) {
   return none;
 }
 
+using Prefixes = std::vector<std::pair<std::string, double>>;
+
+/// Largest first.
+const Prefixes& prefixes() {
+  static const Prefixes prefixes{{"T", 1e12}, {"G", 1e9},  {"M", 1e6},  {"k", 1e3},  {"", 1.0},
+                                 {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+  return prefixes;
+}
+
+bool takes_prefixes(Dimension dimension) {
+  return dimension != Dimension::none && dimension != Dimension::area && dimension != Dimension::angle;
+}
+
 std::string trim(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return "";
@@ -65,6 +78,9 @@ std::string si_symbol(Dimension dimension) { return units_of(dimension).front().
 double unit_factor(const std::string& unit, Dimension dimension) {
   for (const auto& [name, factor] : units_of(dimension))
     if (name == unit) return factor;
+  if (takes_prefixes(dimension))  // what format_quantity writes
+    for (const auto& [prefix, factor] : prefixes())
+      if (unit == prefix + si_symbol(dimension)) return factor;
   throw InputError("unit '" + unit + "' does not fit; use one of " + list_of(units_of(dimension)));
 }
 
@@ -75,7 +91,7 @@ double parse_quantity(const std::string& text, Dimension dimension) {
   if (trimmed.empty() || end == trimmed.c_str() || std::isnan(number))
     throw InputError("'" + text + "' is not a number with a unit; write for example '2.5 " +
                      si_symbol(dimension) + "'");
-  const std::string unit = trim(end);
+  const std::string unit = trim(trimmed.substr(static_cast<std::size_t>(end - trimmed.c_str())));
   if (unit.empty()) return number;
   try {
     return number * unit_factor(unit, dimension);
@@ -91,14 +107,11 @@ std::string format_quantity(double si_value, Dimension dimension, int digits) {
     return buffer;
   }
   const std::string symbol = si_symbol(dimension);
-  static const std::vector<std::pair<std::string, double>> prefixes{
-      {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"", 1.0}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
-  const bool prefixable = dimension != Dimension::area && dimension != Dimension::angle;
   // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor 1e+03 pm).
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
   const double rounded = std::strtod(buffer, nullptr);
-  if (rounded != 0.0 && prefixable)
-    for (const auto& [prefix, factor] : prefixes)
+  if (rounded != 0.0 && takes_prefixes(dimension))
+    for (const auto& [prefix, factor] : prefixes())
       if (std::abs(rounded) >= factor * (1 - 1e-12)) {
         std::snprintf(buffer, sizeof buffer, "%.*g %s%s", digits, rounded / factor, prefix.c_str(), symbol.c_str());
         return buffer;

@@ -14,6 +14,8 @@ constexpr const char* fischer_header = "F\th\tt";
 bool is_fischer(const InstrumentText& text) { return text.line_with(fischer_header).has_value() && text.line_with("Block").has_value(); }
 
 Recording read_fischer(const InstrumentText& text, const ImportOptions&) {
+  if (!text.line_with(fischer_header))
+    throw InputError(text.file + ": has no table under F, h, t as Fischer's has; leave --format out, or pass csv");
   RecordingTable table;
   table.file = "loading.csv";
   table.control = {"normal_displacement"};

@@ -6,40 +6,11 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/read_limits.h"
+#include "core/utf8.h"
 #include "diagnosis/file_size.h"
 #include "diagnosis/trimmed.h"
 
 namespace asperity {
-namespace {
-
-/// Is this byte sequence valid UTF-8?
-bool is_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const std::size_t length = byte < 0x80 ? 1 : byte >> 5 == 6 ? 2 : byte >> 4 == 14 ? 3 : byte >> 3 == 30 ? 4 : 0;
-    if (length == 0 || i + length > text.size()) return false;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((static_cast<unsigned char>(text[i + k]) >> 6) != 2) return false;
-    i += length;
-  }
-  return true;
-}
-
-std::string from_latin_1(const std::string& text) {
-  std::string utf8;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xC0 | (byte >> 6));
-      utf8 += static_cast<char>(0x80 | (byte & 0x3F));
-    }
-  }
-  return utf8;
-}
-
-}  // namespace
 
 InstrumentText read_instrument_text(const std::filesystem::path& file) {
   check_file_size(file, "cut it into experiments");
@@ -47,7 +18,7 @@ InstrumentText read_instrument_text(const std::filesystem::path& file) {
   if (bytes.find('\0') != std::string::npos)
     throw InputError(file.string() + ": is binary, not text; export it as text from the instrument's program");
   if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) bytes.erase(0, 3);
-  if (!is_utf8(bytes)) bytes = from_latin_1(bytes);
+  bytes = as_utf8(std::move(bytes));
   InstrumentText text;
   text.file = file.string();
   text.lines.reserve(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1);

@@ -17,7 +17,10 @@ constexpr const char* optics11_header = "Time (s)\tLoad (uN)";
 bool is_optics11(const InstrumentText& text) { return text.line_with(optics11_header).has_value() && text.line_with("Tip radius").has_value(); }
 
 Recording read_optics11(const InstrumentText& text, const ImportOptions& options) {
-  const InstrumentTable source = table_under(text, *text.line_with(optics11_header));
+  const auto header = text.line_with(optics11_header);
+  if (!header)
+    throw InputError(text.file + ": has no table under 'Time (s)' and 'Load (uN)' as Optics11's has; leave --format out, or pass csv");
+  const InstrumentTable source = table_under(text, *header);
   const auto &time = source.column("Time (s)", text.file), &load = source.column("Load (uN)", text.file),
              &indentation = source.column("Indentation (nm)", text.file), &cantilever = source.column("Cantilever (nm)", text.file),
              &piezo = source.column("Piezo (nm)", text.file);

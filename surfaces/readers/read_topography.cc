@@ -8,6 +8,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/utf8.h"
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/text_parts.h"
 
@@ -101,7 +102,7 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
   topography.lx = *map.lx;
   topography.ly = *map.ly;
   topography.periodic = map.periodic;
-  topography.channel = map.channel;
+  topography.channel = as_utf8(map.channel);
   if (map.first_row == FirstRow::top)
     for (int low = 0, high = map.ny - 1; low < high; ++low, --high)
       std::swap_ranges(map.heights.begin() + static_cast<std::ptrdiff_t>(low) * map.nx,
@@ -116,9 +117,9 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
   if (known == 0) throw InputError(file.name() + " holds no valid height; pass a map that was measured");
   if (known < topography.heights.size())
     for (const double height : topography.heights) topography.missing.push_back(std::isnan(height));
-  topography.source = file.path.string() + " (" + format.name + "; " + map.scale +
-                      "; first row stored is the " + (map.first_row == FirstRow::top ? "top" : "bottom") +
-                      " of the image" + (map.note.empty() ? "" : "; " + map.note) + ")";
+  topography.source = as_utf8(file.path.string() + " (" + format.name + "; " + map.scale +
+                               "; first row stored is the " + (map.first_row == FirstRow::top ? "top" : "bottom") +
+                               " of the image" + (map.note.empty() ? "" : "; " + map.note) + ")");
   return topography;
 }
 

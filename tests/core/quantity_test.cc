@@ -40,4 +40,15 @@ TEST(Quantity, what_rounds_to_a_thousand_takes_the_next_prefix) {
   EXPECT_EQ(format_quantity(0.99999e-9, Dimension::length, 6), "999.99 pm");
 }
 
+TEST(Quantity_analytic, is_read_as_it_is_written_whatever_its_magnitude) {
+  for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
+                                    Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness})
+    for (double value = 1.5e-15; value < 1e16; value *= 10)
+      EXPECT_NEAR(parse_quantity(format_quantity(value, dimension), dimension), value, 1e-12 * value) << format_quantity(value, dimension);
+}
+
+TEST(Quantity_analytic, what_follows_a_nul_is_no_blank) {
+  EXPECT_THROW(parse_quantity(std::string("1\0 um", 5), Dimension::length), InputError);
+}
+
 }  // namespace asperity

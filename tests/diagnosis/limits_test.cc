@@ -46,5 +46,15 @@ TEST(LimitsOfImport_analytic, a_megabyte_of_empty_lines_or_of_commas_stays_withi
   test::expect_refused_within(test::measured_in_child([&] { import_recording(commas, {}); }), most_bytes);
 }
 
+TEST(LimitsOfImport_analytic, a_format_that_is_asked_for_and_not_there_is_refused) {
+  const TemporaryFolder folder;
+  const auto empty = folder.write("empty.txt", "");
+  for (const std::string& format : import_formats()) {
+    ImportOptions options;
+    options.format = format;
+    EXPECT_EQ(test::in_child([&] { import_recording(empty, options); }).end, ChildOutcome::End::refused) << format;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -178,3 +178,9 @@ TEST(Limits_of_every_map_analytic, a_header_of_no_break_spaces_is_read_in_time) 
 TEST(Limits_of_every_map_analytic, a_device_is_no_map) {
   EXPECT_SAYS(refusal("/dev/zero"), "'/dev/zero' is a device, not a file");
 }
+
+TEST(Names_of_channels_analytic, in_latin_1_are_utf8_afterwards) {
+  const auto path = write_bytes("a.gsf", gsf_bytes("XRes = 2\nYRes = 2\nXReal = 1e-6\nYReal = 1e-6\nZUnits = m\nTitle = H\xF6he\n",
+                                                   {0, 1e-9f, 0, 1e-9f}));
+  EXPECT_EQ(read_topography(path).channel, "Höhe");
+}
