@@ -1,4 +1,4 @@
-// Laws of attraction, and what they do to the rolling and sliding of a smooth elastic sphere.
+// What attraction does to the rolling and sliding of a smooth elastic sphere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,52 +6,14 @@
 #include <cstdio>
 #include <map>
 
-#include "core/error.h"
-#include "fem/interface/adhesion_law.h"
 #include "fem/interface/dugdale.h"
 #include "tests/fem/support/frictional_contact.h"
 
 namespace {
 
 using namespace asperity;
-using fem::AdhesionLaw;
 using test::FrictionalContact;
 using test::FrictionalContactOptions;
-
-TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) {
-  constexpr double work = 0.08, length = 0.6e-9;
-  for (const auto& entry : fem::adhesion_laws()) {
-    const auto law = entry.make(work, length);
-    const int n = 200000;
-    const double step = law->range() / n;
-    double integral = 0;
-    for (int k = 0; k < n; ++k) integral += law->at((k + 0.5) * step).stress * step;
-    EXPECT_NEAR(integral + law->at(law->range()).work, work, 1e-4 * work) << entry.name;
-    EXPECT_NEAR(law->at(0).work, work, 1e-12 * work) << entry.name;
-    EXPECT_LT(law->at(law->range()).work, 2e-4 * work) << entry.name;
-  }
-}
-
-TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_of_stress) {
-  for (const auto& entry : fem::adhesion_laws()) {
-    const auto law = entry.make(0.08, 0.6e-9);
-    for (const double gap : {0.1e-9, 0.5e-9, 0.59e-9, 0.7e-9, 2e-9}) {
-      const double d = 1e-15;
-      const auto here = law->at(gap), above = law->at(gap + d), below = law->at(gap - d);
-      EXPECT_NEAR((above.stress - below.stress) / (2 * d), here.slope, 1e-5 * std::abs(here.slope) + 1) << entry.name << " " << gap;
-      EXPECT_NEAR((below.work - above.work) / (2 * d), here.stress, 1e-5 * here.stress + 1) << entry.name << " " << gap;
-    }
-  }
-}
-
-TEST(AdhesionLaws, an_unknown_name_is_refused_with_those_there_are) {
-  try {
-    fem::make_adhesion_law("glue", 0.1, 1e-9);
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("dugdale"), std::string::npos);
-  }
-}
 
 /// Of the closed nodes across the direction of rolling [m]; the contact is longer than wide.
 double width_of_contact(const FrictionalContact& contact) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/error.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/interface/capped_coulomb.h"
 #include "fem/interface/coulomb.h"
 #include "fem/interface/shear_strength.h"
@@ -113,6 +115,41 @@ TEST(Slip_analytic, of_a_converged_step_is_against_its_traction) {
     EXPECT_NEAR(shear.traction[0], t[0], 1e-15);
     EXPECT_NEAR(shear.traction[1], t[1], 1e-15);
     EXPECT_GT(-(shear.traction[0] * slip[0] + shear.traction[1] * slip[1]), 0);
+  }
+}
+
+TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) {
+  constexpr double work = 0.08, length = 0.6e-9;
+  for (const auto& entry : fem::adhesion_laws()) {
+    const auto law = entry.make(work, length);
+    const int n = 200000;
+    const double step = law->range() / n;
+    double integral = 0;
+    for (int k = 0; k < n; ++k) integral += law->at((k + 0.5) * step).stress * step;
+    EXPECT_NEAR(integral + law->at(law->range()).work, work, 1e-4 * work) << entry.name;
+    EXPECT_NEAR(law->at(0).work, work, 1e-12 * work) << entry.name;
+    EXPECT_LT(law->at(law->range()).work, 2e-4 * work) << entry.name;
+  }
+}
+
+TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_of_stress) {
+  for (const auto& entry : fem::adhesion_laws()) {
+    const auto law = entry.make(0.08, 0.6e-9);
+    for (const double gap : {0.1e-9, 0.5e-9, 0.59e-9, 0.7e-9, 2e-9}) {
+      const double d = 1e-15;
+      const auto here = law->at(gap), above = law->at(gap + d), below = law->at(gap - d);
+      EXPECT_NEAR((above.stress - below.stress) / (2 * d), here.slope, 1e-5 * std::abs(here.slope) + 1) << entry.name << " " << gap;
+      EXPECT_NEAR((below.work - above.work) / (2 * d), here.stress, 1e-5 * here.stress + 1) << entry.name << " " << gap;
+    }
+  }
+}
+
+TEST(AdhesionLaws, an_unknown_name_is_refused_with_those_there_are) {
+  try {
+    fem::make_adhesion_law("glue", 0.1, 1e-9);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("dugdale"), std::string::npos);
   }
 }
 

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
-"""Tests of the scripts that check tags, make the tables and run the nightly tests, with programs that only look like tests."""
+"""Tests of the scripts that check tags, make tables and mutants and run the nightly tests, with programs that only look like tests."""
 
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
 TESTS = pathlib.Path(__file__).resolve().parent.parent
+sys.path += [str(TESTS.parent / "benchmarks"), str(TESTS / "mutation")]
+
+import places  # noqa: E402
+import readme_tables  # noqa: E402
 
 # A program that lists and runs tests as Google Test does.
 PROGRAM = """#!/bin/sh
@@ -97,6 +102,44 @@ class Nightly(unittest.TestCase):
 
     def test_no_test_at_all_is_a_failure(self):
         self.assertEqual(self.record("")[0], 1)
+
+
+class Benchmarks(unittest.TestCase):
+    SIZE = {"spacing": "20 nm", "unknowns": 130638, "contact_nodes": 1, "steps": 20, "wall_time": 35.2, "newton_per_step": 8.0, "most_newton_in_a_step": 10,
+            "cg_per_step": 41, "cg_per_newton": 5.13, "peak_memory": 2 ** 28, "bytes_per_unknown": 1600, "contact_area_at_largest_load": 1.64e-13}
+    REPORT = {"machine": {"processor": "A", "cores": 2, "load": [1.0, 1, 1], "time": "2026-11-23T12:00:00Z"}, "threads": 2,
+              "run": {"commit": "abc1234", "load_after": 2.0}, "sizes": [SIZE]}
+
+    def test_the_table_has_commit_date_unknowns_and_iterations_of_the_run(self):
+        text = readme_tables.rough_contact(self.REPORT)
+        self.assertIn("Commit abc1234, 2026-11-23, A, 2 cores, 2 threads, load before and after 1.0, 2.0.", text)
+        self.assertIn("| 20 nm | 130 638 | 20 | 35 s | 8.0 (10) | 41 | 5.1 | 0.25 GiB | 1.60 kB | 0.1640 um^2 |", text)
+
+    def test_a_table_replaces_the_one_of_its_name_alone(self):
+        page = "a\n" + readme_tables.block("x", "old\n") + "\nb\n" + readme_tables.block("y", "kept\n")
+        self.assertEqual(readme_tables.replaced(page, "x", "new\n"), page.replace("old", "new"))
+        self.assertRaises(ValueError, readme_tables.replaced, page, "z", "new\n")
+
+    def test_the_page_has_a_place_for_every_table(self):
+        page = (TESTS.parent / "benchmarks" / "README.md").read_text()
+        for name in readme_tables.TABLES:
+            readme_tables.replaced(page, name, "")
+
+
+class Mutants(unittest.TestCase):
+    def of(self, line):
+        return {operator: places.schema(line, 7, begin, end, mutated) for operator, begin, end, mutated in places.places_in(line)}
+
+    def test_a_change_is_put_beside_the_whole_expression_it_stands_in(self):
+        made = self.of("  const double x = f(a + b, 2 * c), y = a;")
+        self.assertEqual(made["plus and minus"], "  const double x = f((asperity_mutant(7) ? (a - b) : (a + b)), 2 * c), y = a;")
+        self.assertEqual(made["integer plus one"], "  const double x = f(a + b, (asperity_mutant(7) ? (3) : (2)) * c), y = a;")
+        self.assertEqual(self.of("  return a + b * c;")["times and over"], "  return (asperity_mutant(7) ? (a + b / c) : (a + b * c));")
+        self.assertEqual(self.of("  y = 1 / std::sqrt(1 + x);")["root dropped"], "  y = 1 / (asperity_mutant(7) ? ((1 + x)) : (std::sqrt(1 + x)));")
+
+    def test_what_is_no_code_or_goes_on_in_another_line_is_left_alone(self):
+        for line in ("// a + b", '  say("a + b");', "  constexpr double x = 2.5;", "  const double x = a +", "      a + b *", '  text = name + " is";'):
+            self.assertEqual(self.of(line), {}, line)
 
 
 if __name__ == "__main__":
