@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/atomic_file.h"
+#include "core/output_folder.h"
 #include "diagnosis/challenge/challenge.h"
 
 namespace asperity {
@@ -39,7 +40,7 @@ void run_challenge(const ChallengeArguments& arguments) {
   options.jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.program = program_mark() + "-" + std::to_string(arguments.seed);
   options.progress = [](const std::string& line) { std::cerr << line << std::endl; };
-  fs::create_directories(options.output);
+  make_folder(options.output);
   const auto scores = run_challenge(options);
   const std::string text = challenge_text(scores);
   write_file_atomically(options.output / "challenge.md", text);

@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
 #include "report/comparison_page.h"
@@ -50,7 +51,7 @@ void run_compare(const CompareArguments& arguments) {
   auto object = to_json(comparison);
   object["side_by_side"] = to_json(columns);
   const std::string json = object.dump(1) + "\n", markdown = to_markdown(comparison) + "\n" + to_markdown(columns);
-  fs::create_directories(output);
+  make_folder(output);
   write_file_atomically(output / "comparison.json", json);
   write_file_atomically(output / "comparison.md", markdown);
   write_file_atomically(output / "comparison.csv", to_csv(comparison));

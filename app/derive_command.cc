@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_folder.h"
 #include "dem_compare/derive/derivation.h"
 
 namespace asperity {
@@ -31,7 +32,7 @@ fs::path file_of(const fs::path& output, std::size_t set, std::size_t sets) {
 void run_derive(const DeriveArguments& arguments) {
   const ParameterSets found = collect_parameter_sets({arguments.folders.begin(), arguments.folders.end()});
   const fs::path output = arguments.output;
-  if (output.has_parent_path()) fs::create_directories(output.parent_path());
+  if (output.has_parent_path()) make_folder(output.parent_path());
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& sentence : found.remarks) text += sentence + "\n";

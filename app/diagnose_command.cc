@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/diagnosis.h"
 #include "report/diagnosis_page.h"
@@ -56,7 +57,7 @@ void run_diagnose(const DiagnoseArguments& arguments) {
   options.progress = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
   const Diagnosis diagnosis = diagnose(recording, options);
   const fs::path output = arguments.output;
-  fs::create_directories(output);
+  make_folder(output);
   const std::string json = diagnosis_json(diagnosis);
   write_file_atomically(output / "diagnosis.json", json);
   write_file_atomically(output / "report.html", report::diagnosis_page(recording, diagnosis));

@@ -1,8 +1,15 @@
 // The program `asperity`: one subcommand per hop. Exit status 0 done, 1 the work failed, 2 the input was refused.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -21,6 +28,7 @@
 #include "app/solve_command.h"
 #include "app/study_command.h"
 #include "app/surface_command.h"
+#include "core/build_commit.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
 
@@ -46,14 +54,30 @@ void check_subcommand_exists(const CLI::App& app, int argc, char** argv) {
                              (meant.empty() ? "; asperity --help lists them" : "; did you mean '" + meant + "'?"));
 }
 
-}  // namespace
+/// A program started without one of its standard streams would open its results in their place, and print into them.
+void open_missing_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::exit(failed);
+}
 
-int main(int argc, char** argv) {
+/// What was printed must have arrived: a full disk shows when the stream is flushed, or even closed.
+int with_printed_output(int status) {
+  errno = 0;
+  std::cout.flush();
+  const bool flushed = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.good();
+  const int error = errno;
+  if (std::fclose(stdout) == 0 && flushed) return status;
+  std::fprintf(stderr, "asperity: cannot write to standard output%s%s; what it should have said is cut off\n", error ? ": " : "",
+               error ? std::strerror(error) : "");
+  return status == 0 ? failed : status;
+}
+
+int run(int argc, char** argv) {
   CLI::App app(
       "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a discrete "
       "element simulation needs.");
   app.name("asperity");
-  app.set_version_flag("--version", "asperity " ASPERITY_VERSION);
+  app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + asperity::build_commit());
   app.require_subcommand(1);
   app.footer(
       "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
@@ -85,4 +109,11 @@ int main(int argc, char** argv) {
     return say(error, failed);
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  open_missing_streams();
+  return with_printed_output(run(argc, argv));
 }

@@ -9,6 +9,7 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/output_folder.h"
 #include "dem_compare/paper/analysis.h"
 
 namespace asperity {
@@ -29,7 +30,7 @@ void run_paper(const PaperArguments& arguments) {
   const std::string text = paper_text(analysis), json = paper_json(analysis);
   if (!arguments.output.empty()) {
     const fs::path output = arguments.output;
-    fs::create_directories(output);
+    make_folder(output);
     write_file_atomically(output / "paper.txt", text);
     write_file_atomically(output / "paper.json", json);
     for (std::size_t i = 0; i < analysis.sections.size(); ++i)

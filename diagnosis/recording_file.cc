@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/nearest_name.h"
+#include "core/output_folder.h"
 #include "diagnosis/recording.h"
 #include "diagnosis/recording_table_file.h"
 
@@ -186,7 +187,7 @@ Recording read_recording(const fs::path& given) {
 }
 
 void write_recording(const Recording& recording, const fs::path& folder) {
-  fs::create_directories(folder);
+  make_folder(folder);
   Json json;
   json["format"] = recording_format;
   json["title"] = recording.title;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "core/quantity.h"
 #include "fem/boundary_surface.h"
 #include "fem/case_setup.h"
@@ -114,7 +115,7 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
   say_quality(say, quality);
   require_quality(quality, options, input.file);
 
-  fs::create_directories(output);
+  make_folder(output);
   write_hexahedra(output / "hexahedra.vtu", level, positions);
   for (int body = 0; body < 2; ++body) {
     const std::string name = body_name[body];

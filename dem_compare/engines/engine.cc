@@ -5,6 +5,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/output_folder.h"
 #include "core/quantity.h"
 #include "dem_compare/engines/lammps.h"
 #include "dem_compare/engines/run_program.h"
@@ -44,7 +45,7 @@ EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment, c
   run.plan = plan_motion(experiment);
   const std::string input = engine.input(experiment, run.plan);
   const fs::path program = program_of(engine, options);
-  fs::create_directories(folder);
+  make_folder(folder);
   fs::remove(folder / trace_name);
   write_file_atomically(folder / engine.input_file(), input);
   std::vector<std::string> arguments{program.string()};
