@@ -1,6 +1,7 @@
 #include "app/case_declaration.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -50,6 +51,12 @@ std::string kind_of(Dimension dimension) {
   }
 }
 
+std::string canonical_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.14g", value);
+  return text;
+}
+
 template <class T>
 using Member = std::function<T&(CaseInput&)>;
 
@@ -61,7 +68,8 @@ CaseEntry quantity(std::string section, std::string name, Member<double> member,
             const double value = parse_quantity(text, dimension);
             if (!range.holds(value)) throw InputError("'" + text + "' is not admissible; it must be " + admissible);
             member(input) = value;
-          }};
+          },
+          [=](const std::string& text) { return canonical_number(parse_quantity(text, dimension)); }};
 }
 
 CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low, std::string default_text,
@@ -74,7 +82,8 @@ CaseEntry whole_number(std::string section, std::string name, Member<int> member
             if (text.empty() || *end != '\0' || value < low || value > std::numeric_limits<int>::max())
               throw InputError("'" + text + "' is not admissible; it must be " + admissible);
             member(input) = static_cast<int>(value);
-          }};
+          },
+          [](const std::string& text) { return std::to_string(std::strtol(text.c_str(), nullptr, 10)); }};
 }
 
 /// One of several words, each with the value it stands for.

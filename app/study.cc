@@ -142,12 +142,23 @@ bool apply_realisation(Settings& settings, int realisation) {
   return any;
 }
 
+/// The settings of a study after those of --set; one of an entry that is varied replaces its values.
+Settings overridden(Settings settings, const std::vector<std::string>& overrides) {
+  for (const auto& text : overrides) {
+    Setting setting = parse_override(text);
+    const Setting varied{"Study/Vary", setting.path(), setting.value, setting.where};
+    const bool is_varied = std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.path() == varied.path(); });
+    override_setting(settings, is_varied ? varied : setting);
+  }
+  return settings;
+}
+
 class StudyReader {
  public:
   explicit StudyReader(const fs::path& file) { study_.file = file; }
 
-  Study read() {
-    for (const auto& setting : read_settings(study_.file)) take(setting);
+  Study read(const std::vector<std::string>& overrides) {
+    for (const auto& setting : overridden(read_settings(study_.file), overrides)) take(setting);
     if (!variants_.choices.empty()) axes_.push_back(variants_);
     merge_base();
     for (const auto& axis : axes_) name_axis(axis);
@@ -280,6 +291,6 @@ const char* const study_example =
     "  end\n"
     "end\n";
 
-Study read_study(const fs::path& file) { return StudyReader(file).read(); }
+Study read_study(const fs::path& file, const std::vector<std::string>& overrides) { return StudyReader(file).read(overrides); }
 
 }  // namespace asperity

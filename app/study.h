@@ -49,7 +49,8 @@ struct Study {
 /// The subsection above, for the help and the manual.
 extern const char* const study_example;
 
-/// Reads a study and checks each of its cases. Throws InputError naming file and line.
-Study read_study(const std::filesystem::path& file);
+/// Reads a study and checks each of its cases, with `overrides` "Section/Entry=value" as if they stood in the file (of an entry that
+/// is varied: in place of its values). Throws InputError naming file and line.
+Study read_study(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace asperity

@@ -12,9 +12,10 @@
 
 #include "app/case_file.h"
 #include "app/study_runner.h"
+#include "core/build_commit.h"
 #include "core/error.h"
-#include "fem/case_setup.h"
 #include "fem/output/checkpoint.h"
+#include "fem/solve_case.h"
 
 namespace asperity {
 namespace {
@@ -23,7 +24,8 @@ namespace fs = std::filesystem;
 
 struct StudyArguments {
   std::string file, output, solver, only;
-  bool resume = false;
+  std::vector<std::string> overrides;
+  bool resume = false, overwrite = false, check = false;
   int parallel = 0;
 };
 
@@ -42,12 +44,13 @@ std::function<bool(const std::string&)> names_with(const std::string& expression
   return chosen;
 }
 
-/// Before the first case is solved rather than when its turn comes: contacts and ways that the bodies have no room for.
-void check_extents(const Study& study) {
+/// Before the first case is solved rather than when its turn comes: contacts and ways that the bodies have no room for, scans that
+/// are too small.
+void check_cases(const Study& study) {
   for (const StudyCase& item : study.cases) {
     try {
       const CaseInput input = case_from_settings(item.settings, study.file);
-      naming_lines_of_scans(item.settings, input, [&] { fem::check_extent(input); });
+      naming_lines_of_scans(item.settings, input, [&] { check_case(input); });
     } catch (const InputError& error) {
       throw InputError(std::string(error.what()) + " (case " + item.name + ")");
     }
@@ -55,17 +58,27 @@ void check_extents(const Study& study) {
 }
 
 void run_study(const StudyArguments& arguments) {
-  Study study = read_study(arguments.file);
-  check_extents(study);
+  Study study = read_study(arguments.file, arguments.overrides);
+  std::function<bool(const std::string&)> chosen_name = [](const std::string&) { return true; };
+  if (!arguments.only.empty()) chosen_name = names_with(arguments.only, study);
+  check_cases(study);
+  if (arguments.check) {
+    std::cout << "all " << study.cases.size() << " cases of '" << arguments.file << "' are accepted; nothing was solved" << std::endl;
+    return;
+  }
+  if (arguments.output.empty()) throw InputError("study needs --output DIR, the folder for the results (or --check)");
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   StudyRunOptions options;
   options.output = arguments.output;
   options.resume = arguments.resume;
   options.cores = std::max(1u, std::thread::hardware_concurrency());
   options.program = arguments.solver.empty() ? fs::read_symlink("/proc/self/exe") : fs::absolute(arguments.solver);
-  options.can_resume = [](const fs::path& folder) { return fem::is_of_this_version(folder / "checkpoint"); };
+  options.overwrite = arguments.overwrite;
+  options.objection_to_resume = [](const fs::path& folder, const std::string& inputs) {
+    return fem::objection_to_resume(folder / "checkpoint", {inputs, build_commit()});
+  };
   options.say = [](const std::string& line) { std::cout << line << std::endl; };
-  if (!arguments.only.empty()) options.chosen = names_with(arguments.only, study);
+  options.chosen = chosen_name;
   const auto progress = run_study(study, options);
 
   const auto count = [&](CaseProgress::State state) {
@@ -78,8 +91,9 @@ void run_study(const StudyArguments& arguments) {
   const auto done = count(CaseProgress::State::done), failed = count(CaseProgress::State::failed);
   const std::string all = std::to_string(chosen) + (arguments.only.empty() ? "" : " chosen");
   std::cout << done << " of " << all << " cases done; summary: " << (options.output / "study.csv").string() << std::endl;
-  const std::string again = "asperity study " + arguments.file + " --output " + arguments.output + " --resume" +
-                            (arguments.only.empty() ? "" : " --only '" + arguments.only + "'");
+  std::string again = "asperity study " + arguments.file + " --output " + arguments.output + " --resume" +
+                      (arguments.only.empty() ? "" : " --only '" + arguments.only + "'");
+  for (const auto& text : arguments.overrides) again += " --set '" + text + "'";
   if (done + failed < chosen)
     throw WorkError("the study was stopped; '" + again + "' goes on with it");
   if (failed > 0)
@@ -93,8 +107,13 @@ void add_study_command(CLI::App& app) {
   const auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = app.add_subcommand("study", "Solve a matrix of cases, several at a time");
   command->add_option("STUDY.prm", arguments->file, "Study file: a base case and what is varied")->required();
-  command->add_option("--output", arguments->output, "Folder for the results, a folder in it for each case")->required();
-  command->add_flag("--resume", arguments->resume, "Go on with an earlier run: complete cases are kept");
+  command->add_option("--output", arguments->output, "Folder for the results, a folder in it for each case");
+  command->add_flag("--resume", arguments->resume, "Go on with an earlier run: complete cases are kept; refused if one of them is of other inputs");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "Go on, and solve complete cases of other inputs anew; what was there is kept in the folder 'earlier'");
+  command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of every case, or the values of one that is varied")
+      ->expected(1)->take_all();
+  command->add_flag("--check", arguments->check, "Read all cases and their scans and refuse what would be refused before meshing; solve and write nothing");
   command->add_option("--only", arguments->only,
                       "Solve only cases whose names contain this (regular expression); the others wait. Machines may share a study: "
                       "bring the case folders together, and --resume collects them");

@@ -14,10 +14,11 @@
 #include <fstream>
 #include <thread>
 
-#include "app/case_file.h"
+#include "app/study_folders.h"
 #include "core/atomic_file.h"
 #include "core/child_process.h"
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "core/wait_text.h"
 
 namespace asperity {
@@ -88,7 +89,7 @@ std::string last_line(const fs::path& file) {
 
 class StudyRun {
  public:
-  StudyRun(const Study& study, const StudyRunOptions& options) : study_(study), options_(options), progress_(study.cases.size()) {}
+  StudyRun(const Study& study, const StudyRunOptions& options) : study_(study), options_(options), progress_(study.cases.size()), folders_(study, options.output) {}
 
   std::vector<CaseProgress> run() {
     prepare();
@@ -113,10 +114,6 @@ class StudyRun {
     Clock::time_point start;
   };
 
-  fs::path folder(std::size_t index) const { return options_.output / study_.cases[index].name; }
-  static constexpr const char* case_file = "case.prm";
-  static constexpr const char* log_file = "solve.log";
-
   /// Summaries that an earlier run was killed in writing.
   void remove_unfinished_files() const {
     std::vector<fs::path> unfinished;
@@ -127,42 +124,25 @@ class StudyRun {
     for (const auto& path : unfinished) fs::remove(path);
   }
 
-  /// True if a case file says the same case, entries that it lacks being at their defaults: a program that knows more entries
-  /// still knows the case.
-  bool says_the_same(const fs::path& file, const Settings& settings) const {
-    if (!fs::exists(file)) return false;
-    try {
-      return format_settings(complete_settings(read_settings(file), file)) == format_settings(settings);
-    } catch (const InputError&) {
-      return false;
+  /// What is there of a case from an earlier run: complete ones are kept, those of other inputs set aside.
+  void prepare_case(std::size_t i) {
+    if (folders_.is_solved(i)) {
+      progress_[i].state = State::done;
+      return;
     }
+    if (folders_.has_result(i) && !chosen(i)) {
+      options_.say(study_.cases[i].name + ": its result is of other inputs and left out; it is not among the cases chosen");
+      return;
+    }
+    const fs::path earlier = folders_.prepare(i);
+    if (!earlier.empty())
+      options_.say(study_.cases[i].name + ": its input has changed; it is solved anew, what was there is in " + earlier.string());
   }
 
-  /// A place of its own for results that may be wanted again.
-  fs::path set_aside(std::size_t index) const {
-    const fs::path place = options_.output / "earlier";
-    fs::create_directories(place);
-    fs::path to = place / study_.cases[index].name;
-    for (int i = 2; fs::exists(to); ++i) to = place / (study_.cases[index].name + "-" + std::to_string(i));
-    fs::rename(folder(index), to);
-    return to;
-  }
-
-  /// What is in the folder from an earlier run: complete cases are kept, those whose input changed begin anew.
   void prepare() {
     remove_unfinished_files();
-    for (std::size_t i = 0; i < study_.cases.size(); ++i) {
-      if (says_the_same(folder(i) / case_file, study_.cases[i].settings)) {
-        if (has_result(folder(i))) progress_[i].state = State::done;
-        continue;
-      }
-      if (fs::exists(folder(i))) {
-        const fs::path earlier = set_aside(i);
-        options_.say(study_.cases[i].name + ": its input has changed; it is solved anew, what was there is in " + earlier.string());
-      }
-      fs::create_directories(folder(i));
-      write_file_atomically(folder(i) / case_file, format_settings(study_.cases[i].settings));
-    }
+    if (!options_.overwrite) folders_.refuse_other_inputs();
+    for (std::size_t i = 0; i < study_.cases.size(); ++i) prepare_case(i);
     long to_do = 0, done = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i) {
       if (chosen(i)) ++chosen_;
@@ -186,13 +166,15 @@ class StudyRun {
 
   void start(std::size_t index) {
     const std::string threads = std::to_string(std::max(1, options_.cores / parallel_));
-    std::vector<std::string> arguments{options_.program.string(), "solve", (folder(index) / case_file).string(), "--output",
-                                       folder(index).string(), "--set", "Solver/Threads=" + threads};
-    const bool begun = fs::exists(folder(index) / log_file), goes_on = begun && options_.can_resume(folder(index));
-    if (goes_on) arguments.push_back("--resume");
-    running_.push_back({index, ChildProcess(arguments, folder(index) / log_file, {"OMP_NUM_THREADS=" + threads}), Clock::now()});
+    const fs::path folder = folders_.folder(index);
+    std::vector<std::string> arguments{options_.program.string(), "solve", folders_.case_file(index).string(), "--output", folder.string(),
+                                       "--set", "Solver/Threads=" + threads};
+    const bool begun = folders_.has_begun(index);
+    const std::string objection = begun ? options_.objection_to_resume(folder, folders_.inputs(index)) : "";
+    if (begun) arguments.push_back(objection.empty() ? "--resume" : "--overwrite");
+    running_.push_back({index, ChildProcess(arguments, folders_.log(index), {"OMP_NUM_THREADS=" + threads}), Clock::now()});
     progress_[index].state = State::running;
-    options_.say(study_.cases[index].name + (goes_on ? ": resumed" : begun ? ": begun by another version of asperity; solved anew" : ": started"));
+    options_.say(study_.cases[index].name + (!begun ? ": started" : objection.empty() ? ": resumed" : ": solved anew, for its checkpoint " + objection));
   }
 
   void collect_ended_cases() {
@@ -215,13 +197,13 @@ class StudyRun {
     CaseProgress& progress = progress_[running.index];
     progress.seconds = seconds_since(running.start);
     const std::string& name = study_.cases[running.index].name;
-    if (status == 0 && has_result(folder(running.index))) {
+    if (status == 0 && folders_.has_result(running.index)) {
       progress.state = State::done;
       ++solved_;
       seconds_of_solved_ += progress.seconds;
     } else {
       progress.state = State::failed;
-      progress.message = last_line(folder(running.index) / log_file);
+      progress.message = last_line(folders_.log(running.index));
       if (progress.message.empty())
         progress.message = status == 0 ? "it left no complete result.json" : "it ended with status " + std::to_string(status);
     }
@@ -250,7 +232,7 @@ class StudyRun {
     if (Clock::now() - last_report_ < report_interval) return;
     last_report_ = Clock::now();
     for (const auto& running : running_) {
-      const std::string line = last_line(folder(running.index) / log_file);
+      const std::string line = last_line(folders_.log(running.index));
       if (!line.empty()) options_.say("  " + study_.cases[running.index].name + ": " + line);
     }
   }
@@ -264,13 +246,14 @@ class StudyRun {
     };
     while (!all_ended() && Clock::now() - start < stop_grace) std::this_thread::sleep_for(poll_interval);
     for (const auto& running : running_)
-      progress_[running.index].state = has_result(folder(running.index)) ? State::done : State::stopped;
+      progress_[running.index].state = folders_.has_result(running.index) ? State::done : State::stopped;
     running_.clear();
   }
 
   const Study& study_;
   const StudyRunOptions& options_;
   std::vector<CaseProgress> progress_;
+  const StudyFolders folders_;
   std::vector<Running> running_;
   std::size_t next_ = 0;
   int parallel_ = 1;
@@ -283,9 +266,9 @@ class StudyRun {
 }  // namespace
 
 std::vector<CaseProgress> run_study(const Study& study, const StudyRunOptions& options) {
-  fs::create_directories(options.output);
+  make_folder(options.output);
   const FolderLock lock(options.output);
-  if (!options.resume && fs::exists(options.output / "study.json"))
+  if (!options.resume && !options.overwrite && fs::exists(options.output / "study.json"))
     throw InputError("'" + options.output.string() + "' holds a study already; add --resume to go on with it, or choose another folder");
   return StudyRun(study, options).run();
 }

@@ -102,7 +102,7 @@ Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& pr
               {"state", word_for(progress.state)}};
   if (!progress.message.empty()) object["message"] = progress.message;
   if (result)
-    for (const char* part : {"effective", "balance", "cost"})
+    for (const char* part : {"inputs_sha256", "commit", "effective", "balance", "cost"})
       if (result->contains(part)) object[part] = (*result)[part];
   return object;
 }

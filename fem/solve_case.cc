@@ -4,7 +4,9 @@
 
 #include "core/error.h"
 #include "core/motion_program.h"
+#include "fem/case_setup.h"
 #include "fem/experiments/contact_experiment.h"
+#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -35,6 +37,14 @@ void require_solvable(const CaseInput& input) {
 }
 
 }  // namespace
+
+void check_case(const CaseInput& input) {
+  require_solvable(input);
+  if (is_scan(input.particle.topography) || is_scan(input.substrate.topography))
+    fem::set_up(fem::with_derived_way(input));
+  else
+    fem::check_extent(input);
+}
 
 void solve_case(const CaseInput& input, const SolveOptions& options) {
   require_solvable(input);

@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "core/atomic_file.h"
+#include "core/build_commit.h"
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/experiments/energy_balance.h"
@@ -37,6 +39,8 @@ ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions&
 void ContactExperiment::say(const std::string& line) const {
   if (speaks() && options_.progress) options_.progress(line);
 }
+
+Provenance ContactExperiment::provenance() const { return {options_.inputs_sha256, build_commit()}; }
 
 void ContactExperiment::start() {
   const auto& sizes = setup_.system.mesh.sizes;
@@ -70,10 +74,10 @@ void ContactExperiment::start() {
 }
 
 bool ContactExperiment::resume() {
-  const auto checkpoint = read_checkpoint(options_.output / "checkpoint", MPI_COMM_WORLD);
+  const auto checkpoint = read_checkpoint(options_.output / "checkpoint", provenance(), MPI_COMM_WORLD);
   if (!checkpoint) return false;
   if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() || checkpoint->multiplier.size() != state_.multiplier.size())
-    throw WorkError("the checkpoint in '" + options_.output.string() + "' belongs to another mesh; solve again without --resume");
+    throw WorkError("the checkpoint in '" + options_.output.string() + "' belongs to another mesh; solve again with --overwrite");
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
@@ -97,12 +101,16 @@ bool ContactExperiment::resume() {
 
 void ContactExperiment::run() {
   started_ = seconds();
-  if (speaks()) std::filesystem::create_directories(options_.output);
-  MPI_Barrier(MPI_COMM_WORLD);
   start();
-  if (!options_.resume || !resume()) {
+  const bool resumed = options_.resume && resume();
+  if (speaks()) {
+    if (options_.before_writing) options_.before_writing();
+    make_folder(options_.output);
     // What an earlier run left is of another history: a study would take a run that is stopped now for a finished one.
-    if (speaks()) std::filesystem::remove(options_.output / "result.json");
+    if (!resumed) std::filesystem::remove(options_.output / "result.json");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (!resumed) {
     // A radius well inside of the region and several spacings wide; the far field does not depend on it at first order.
     const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                                    6 * setup_.system.mesh.sizes.spacing_particle);
@@ -266,6 +274,7 @@ void ContactExperiment::step_to(const Station& station, int index) {
 
 void ContactExperiment::write_step(int index) {
   Checkpoint c;
+  c.provenance = provenance();
   c.steps = index;
   c.load = load_;
   c.far_field = far_field_;
@@ -291,6 +300,7 @@ void ContactExperiment::write_result() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   ResultSummary summary;
+  summary.provenance = provenance();
   summary.peak_memory = dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
   summary.wall_time = time_before_ + seconds() - started_;
   summary.ranks = ranks_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/provenance.h"
 #include "fem/case_setup.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/experiments/program.h"
@@ -30,6 +31,7 @@ class ContactExperiment {
   void write_result();
   void measure_stiffness();
   bool speaks() const { return rank_ == 0; }
+  Provenance provenance() const;
   void say(const std::string& line) const;
 
   const CaseInput input_;

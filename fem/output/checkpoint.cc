@@ -6,6 +6,8 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
+#include "core/output_folder.h"
+#include "core/sha256.h"
 
 namespace asperity::fem {
 namespace {
@@ -20,10 +22,10 @@ void put(std::string& bytes, const std::vector<double>& values) {
 
 std::vector<double> take(const std::string& bytes, std::size_t& at) {
   std::uint64_t count = 0;
-  if (at + sizeof count > bytes.size()) throw WorkError("the checkpoint is cut off; solve again without --resume");
+  if (at + sizeof count > bytes.size()) throw WorkError("the checkpoint is cut off; solve again with --overwrite");
   std::memcpy(&count, bytes.data() + at, sizeof count);
   at += sizeof count;
-  if (at + count * sizeof(double) > bytes.size()) throw WorkError("the checkpoint is cut off; solve again without --resume");
+  if (at + count * sizeof(double) > bytes.size()) throw WorkError("the checkpoint is cut off; solve again with --overwrite");
   std::vector<double> values(count);
   std::memcpy(values.data(), bytes.data() + at, count * sizeof(double));
   at += count * sizeof(double);
@@ -31,10 +33,55 @@ std::vector<double> take(const std::string& bytes, std::size_t& at) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/2";
+constexpr const char* format = "asperity-checkpoint/3";
 
-fs::path part(const fs::path& folder, int step, int rank) {
-  return folder / ("step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin");
+std::string part_name(int step, int rank) { return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin"; }
+
+/// What the manifest says of a part.
+nlohmann::json description(const std::string& name, const std::string& bytes) {
+  return {{"file", name}, {"bytes", bytes.size()}, {"sha256", sha256(bytes)}};
+}
+
+/// One text without blanks, so that no byte of it can change unseen: its own SHA-256 is of the rest.
+std::string signed_text(nlohmann::json manifest) {
+  manifest["sha256"] = sha256(manifest.dump());
+  return manifest.dump();
+}
+
+/// An empty object if the manifest is damaged or of another version.
+nlohmann::json read_manifest(const fs::path& folder) {
+  const std::string text = read_file(folder / "latest.json");
+  auto manifest = json_if_valid(text);
+  if (!manifest.is_object() || !manifest.contains("sha256")) return nlohmann::json::object();
+  manifest.erase("sha256");
+  const bool whole = signed_text(manifest) == text && manifest.value("format", "") == format &&
+                     manifest.value("columns", std::size_t{0}) == StepRecord::columns().size();
+  return whole ? manifest : nlohmann::json::object();
+}
+
+std::string objection_to_origin(const nlohmann::json& manifest, const Provenance& now) {
+  if (manifest.empty()) return "is damaged, or was written by another version of asperity";
+  if (manifest.at("inputs_sha256") != now.inputs_sha256) return "is of other inputs";
+  if (manifest.at("commit") != now.commit)
+    return "was written by the build of commit " + manifest.at("commit").get<std::string>() + ", and this one is of " + now.commit;
+  return "";
+}
+
+std::string objection_to_part(const fs::path& folder, const nlohmann::json& described, const std::string& bytes) {
+  const std::string name = (folder / described.at("file").get<std::string>()).string();
+  if (bytes.size() != described.at("bytes").get<std::size_t>())
+    return "is damaged: '" + name + "' has " + std::to_string(bytes.size()) + " bytes of " + std::to_string(described.at("bytes").get<std::size_t>());
+  if (sha256(bytes) != described.at("sha256").get<std::string>()) return "is damaged: '" + name + "' has another SHA-256 than when it was written";
+  return "";
+}
+
+std::string read_part(const fs::path& folder, const nlohmann::json& described) {
+  const fs::path path = folder / described.at("file").get<std::string>();
+  return fs::exists(path) ? read_file(path) : std::string();
+}
+
+void accept(const fs::path& folder, const std::string& objection) {
+  if (!objection.empty()) throw WorkError("the checkpoint in '" + folder.string() + "' " + objection + "; solve again with --overwrite");
 }
 
 }  // namespace
@@ -42,7 +89,7 @@ fs::path part(const fs::path& folder, int step, int rank) {
 void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm communicator) {
   const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  if (rank == 0) fs::create_directories(folder);
+  if (rank == 0) make_folder(folder);
   MPI_Barrier(communicator);
   std::string bytes;
   std::vector<double> rows;
@@ -54,38 +101,48 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
               at.y, at.spin, at.roll, c.coupling.elastic.x, c.coupling.elastic.y, c.coupling.elastic.turn});
   using Part = const std::vector<double>*;
   for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.shear[0]), Part(&c.shear[1]), Part(&c.bonded), Part(&c.history)}) put(bytes, *values);
-  write_file_atomically(part(folder, c.steps, rank), bytes);
-  MPI_Barrier(communicator);
+  const std::string name = part_name(c.steps, rank);
+  write_file_atomically(folder / name, bytes);
+  const auto parts = dealii::Utilities::MPI::gather(communicator, description(name, bytes).dump());
   if (rank != 0) return;
-  const nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()}};
-  write_file_atomically(folder / "latest.json", manifest.dump(1));
+  nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()},
+                          {"inputs_sha256", c.provenance.inputs_sha256}, {"commit", c.provenance.commit}};
+  for (const auto& part : parts) manifest["parts"].push_back(nlohmann::json::parse(part));
+  write_file_atomically(folder / "latest.json", signed_text(manifest));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps) + "_", 0) != 0) fs::remove(entry.path());
   }
 }
 
-bool is_of_this_version(const fs::path& folder) {
-  if (!fs::exists(folder / "latest.json")) return true;
-  const auto manifest = json_if_valid(read_file(folder / "latest.json"));
-  return manifest.is_object() && manifest.value("format", "") == format &&
-         manifest.value("columns", std::size_t{0}) == StepRecord::columns().size();
+std::string objection_to_resume(const fs::path& folder, const Provenance& now) {
+  if (!fs::exists(folder / "latest.json")) return "";
+  const auto manifest = read_manifest(folder);
+  std::string objection = objection_to_origin(manifest, now);
+  if (!objection.empty()) return objection;
+  for (const auto& described : manifest.at("parts")) {
+    objection = objection_to_part(folder, described, read_part(folder, described));
+    if (!objection.empty()) return objection;
+  }
+  return "";
 }
 
-std::optional<Checkpoint> read_checkpoint(const fs::path& folder, MPI_Comm communicator) {
+std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenance& now, MPI_Comm communicator) {
   if (!fs::exists(folder / "latest.json")) return std::nullopt;
-  if (!is_of_this_version(folder))
-    throw WorkError("the checkpoint in '" + folder.string() + "' was written by another version of asperity; solve again without --resume");
-  const auto manifest = json_if_valid(read_file(folder / "latest.json"));
+  const auto manifest = read_manifest(folder);
+  accept(folder, objection_to_origin(manifest, now));
   const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   if (manifest.at("ranks") != ranks)
     throw WorkError("the checkpoint was written by " + std::to_string(manifest.at("ranks").get<int>()) +
                     " processes; resume with mpirun -np " + std::to_string(manifest.at("ranks").get<int>()));
-  const std::string bytes = read_file(part(folder, manifest.at("steps"), dealii::Utilities::MPI::this_mpi_process(communicator)));
+  const auto& described = manifest.at("parts").at(dealii::Utilities::MPI::this_mpi_process(communicator));
+  const std::string bytes = read_part(folder, described);
+  accept(folder, objection_to_part(folder, described, bytes));
   std::size_t at = 0;
   Checkpoint c;
   const auto head = take(bytes, at);
-  if (head.size() != 20) throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again without --resume");
+  if (head.size() != 20) throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again with --overwrite");
+  c.provenance = now;
   c.steps = static_cast<int>(head[0]);
   c.load = head[1], c.far_field = head[2], c.lateral_far_field = head[3];
   c.stiffness_at_peak = head[4], c.lateral_stiffness = head[5], c.torsion_stiffness = head[6];

@@ -1,16 +1,19 @@
-// The last accepted state on disk, one file per rank and a manifest that is written last.
+// The last accepted state on disk, one file per rank and a manifest, written last, that says length and SHA-256 of each.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/provenance.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/output/step_record.h"
 
 namespace asperity::fem {
 
 struct Checkpoint {
+  Provenance provenance;
   int steps = 0;                       ///< accepted so far
   double load = 0, far_field = 0, lateral_far_field = 0, wall_time = 0;
   double stiffness_at_peak = 0, lateral_stiffness = 0, torsion_stiffness = 0;
@@ -28,10 +31,12 @@ struct Checkpoint {
 /// Collective. The checkpoint before stays valid until this one is complete.
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint, MPI_Comm communicator);
 
-/// Whether a checkpoint in `folder` was written by a program of this version; true where there is none.
-bool is_of_this_version(const std::filesystem::path& folder);
+/// Why the checkpoint in `folder` cannot be gone on with (another program, other inputs, damaged), as the end of a sentence that
+/// begins with its name; empty if it can, or if there is none. Reads all of its files.
+std::string objection_to_resume(const std::filesystem::path& folder, const Provenance& now);
 
-/// The latest complete checkpoint; empty if there is none. Throws WorkError if it was made by another number of ranks or version.
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, MPI_Comm communicator);
+/// The latest complete checkpoint; empty if there is none. Throws WorkError if it is of another number of ranks, or for what
+/// objection_to_resume says.
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, const Provenance& now, MPI_Comm communicator);
 
 }  // namespace asperity::fem

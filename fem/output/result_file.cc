@@ -93,6 +93,8 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
       {"format", "asperity-result/1"},
       {"title", input.title},
       {"experiment", name_of(input.experiment.type)},
+      {"inputs_sha256", s.provenance.inputs_sha256},
+      {"commit", s.provenance.commit},
       {"inputs",
        {{"case", input.file},
         {"particle", body_inputs(input.particle)},

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "core/provenance.h"
 #include "fem/case_setup.h"
 #include "fem/output/step_record.h"
 
 namespace asperity::fem {
 
 struct ResultSummary {
+  Provenance provenance;
   double wall_time = 0, peak_memory = 0;  ///< [s], [byte]
   int ranks = 1;
   unsigned threads = 1;

@@ -188,7 +188,7 @@ std::vector<double> PlasticBodies::save_history() const {
 void PlasticBodies::restore_history(const std::vector<double>& saved) {
   constexpr std::size_t record = 1 + points_per_hex * 7 * lanes;
   if (saved.empty() || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 1) % record != 0)
-    throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again without --resume");
+    throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
   for (auto& history : history_) history.reset();
   for (std::size_t at = 1; at < saved.size(); at += record) {
     auto history = std::make_unique<History>();

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
 
@@ -48,6 +49,17 @@ int finish(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Of the step that the manifest names; an interrupted one may lie beside it.
+fs::path part_of(const fs::path& checkpoint) {
+  return checkpoint / nlohmann::json::parse(read_file(checkpoint / "latest.json")).at("parts").at(0).at("file").get<std::string>();
+}
+
+void flip_a_bit(const fs::path& file) {
+  std::string bytes = read_file(file);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+  write_file_atomically(file, bytes);
+}
+
 std::size_t rows(const fs::path& history) { return fs::exists(history) ? read_csv(history).rows.size() : 0; }
 
 TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
@@ -59,13 +71,21 @@ TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
   // An earlier result in the folder must not pass for that of the run that is killed.
   fs::create_directories(killed);
   fs::copy_file(whole / "result.json", killed / "result.json");
-  const pid_t child = start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string()});
+  const pid_t child = start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--overwrite"});
   for (int i = 0; i < 6000 && rows(killed / "history.csv") < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, SIGKILL);
   finish(child);
   ASSERT_GE(rows(killed / "history.csv"), 3u);
   ASSERT_FALSE(fs::exists(killed / "result.json")) << "of the earlier run, or killed too late to show anything";
 
+  // Not over what there is, not with another material, not from a damaged checkpoint; then on.
+  EXPECT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string()})), 2);
+  EXPECT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", (killed / "case.prm").string(), "--output", killed.string(), "--resume", "--set",
+                          "Substrate/Young modulus=150 GPa"})), 2);
+  const fs::path part = part_of(killed / "checkpoint");
+  flip_a_bit(part);
+  EXPECT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--resume"})), 1);
+  flip_a_bit(part);
   ASSERT_EQ(finish(start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--resume"})), 0);
   const auto expected = read_csv(whole / "history.csv"), resumed = read_csv(killed / "history.csv");
   ASSERT_EQ(resumed.rows.size(), expected.rows.size());
@@ -87,6 +107,17 @@ TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
   }
   const test::Verified verified{"Interruption", "kill -9 and resumed: every number of the history, over its column's largest", "the uninterrupted run"};
   EXPECT_TRUE(verified.below(worst, 1e-6)) << where;
+  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]", "work [J]"})
+    for (std::size_t k = 0; k < expected.rows.size(); ++k)
+      EXPECT_NEAR(resumed.numbers(column)[k] / expected.numbers(column)[k], 1, 1e-6) << column << " step " << k + 1;
+  // Case, checkpoint and result say the same inputs and program.
+  const auto result = nlohmann::json::parse(read_file(killed / "result.json")), manifest = nlohmann::json::parse(read_file(killed / "checkpoint" / "latest.json"));
+  const std::string inputs = result.at("inputs_sha256"), commit = result.at("commit");
+  EXPECT_EQ(inputs.size(), 64u);
+  EXPECT_EQ(manifest.at("inputs_sha256"), inputs);
+  EXPECT_EQ(manifest.at("commit"), commit);
+  EXPECT_EQ(read_file(killed / "case.prm").rfind("# inputs_sha256: " + inputs + "\n# commit: " + commit + "\n", 0), 0u);
+  EXPECT_EQ(nlohmann::json::parse(read_file(whole / "result.json")).at("inputs_sha256"), inputs);
   // The case asks for one thread.
   EXPECT_NE(read_file(killed / "result.json").find("\"threads\": 1,"), std::string::npos) << read_file(killed / "result.json");
 }

@@ -1,8 +1,13 @@
 // The program as a person calls it: exit status and messages.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/case_file.h"
+#include "core/atomic_file.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
@@ -64,6 +69,73 @@ TEST(Program, refuses_a_study_with_a_case_that_the_bodies_have_no_room_for) {
   EXPECT_CONTAINS(outcome.output, file.string() + ": Experiment/Distance of 40 um rolls the contact out of the particle's finely meshed cap; set it to ");
   EXPECT_CONTAINS(outcome.output, "or less (case long)");
   EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST(Program, solves_over_no_finished_result_unless_told_and_leaves_case_and_result_of_one_input) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case() + "subsection Experiment\n set Normal load = 20 uN\n set Load steps = 1\n set Unload = false\nend\n"
+                                             "subsection Mesh\n set Interface spacing = 30 nm\n set Layers = 1\nend\nsubsection Output\n set Fields = false\nend\n"
+                                             "subsection Solver\n set Threads = 1\nend\n");
+  const auto output = folder.path / "out";
+  const auto modulus = [&] { return nlohmann::json::parse(read_file(output / "result.json"))["inputs"]["substrate"]["youngs_modulus"].get<double>(); };
+  ASSERT_EQ(call("solve " + file.string() + " --output " + output.string()).status, 0);
+  const std::string first = read_file(output / "result.json");
+  const std::string again = "solve " + (output / "case.prm").string() + " --output " + output.string() + " --set 'Substrate/Young modulus=150 GPa'";
+  for (const char* flag : {"", " --resume"}) {
+    const Outcome refused = call(again + flag);
+    EXPECT_EQ(refused.status, 2) << refused.output;
+    EXPECT_CONTAINS(refused.output, "--overwrite");
+    EXPECT_EQ(read_file(output / "result.json"), first);
+  }
+  EXPECT_EQ(call("solve " + file.string() + " --output " + output.string() + " --resume").status, 0);
+  EXPECT_EQ(read_file(output / "result.json"), first) << "nothing was left to do";
+  // A case that cannot be meshed leaves the result that it was to replace.
+  EXPECT_EQ(call(again + " --overwrite --set 'Mesh/Interface spacing=900 nm'").status, 2);
+  EXPECT_EQ(read_file(output / "result.json"), first);
+  ASSERT_EQ(call(again + " --overwrite").status, 0);
+  EXPECT_EQ(modulus(), 150e9);
+  EXPECT_EQ(read_case(output / "case.prm").substrate.youngs_modulus, 150e9);
+}
+
+TEST(Program, checks_a_case_and_a_study_without_solving) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const Outcome accepted = call("solve " + file.string() + " --check"), refused = call("solve " + file.string() + " --check --set 'Experiment/Normal load=-1 mN'");
+  EXPECT_EQ(accepted.status, 0) << accepted.output;
+  EXPECT_CONTAINS(accepted.output, "is accepted; nothing was solved");
+  EXPECT_EQ(refused.status, 2);
+  const Outcome study = call("study " + file.string() + " --check --set 'Experiment/Normal load=1 mN'");
+  EXPECT_EQ(study.status, 0) << study.output;
+  EXPECT_CONTAINS(study.output, "all 1 cases of");
+}
+
+TEST(Program, says_when_what_it_prints_does_not_arrive) {
+  const TemporaryFolder folder;
+  const auto device = folder.path / "full";
+  constexpr unsigned memory_devices = 1, full = 7;  // a device of this test's own that is as /dev/full
+  if (::mknod(device.c_str(), S_IFCHR | 0666, makedev(memory_devices, full)) != 0) GTEST_SKIP() << "only root may make a device";
+  for (const char* command : {"case-template", "laws", "--help", "--version"}) {
+    const Outcome outcome = call(std::string(command) + " 2>&1 >" + device.string() + " #");
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_CONTAINS(outcome.output, "asperity: cannot write to standard output: No space left on device");
+  }
+  EXPECT_EQ(call("case-template >&- #").status, 0) << "a closed output is meant";
+  EXPECT_TRUE(std::filesystem::is_character_file(device));
+}
+
+TEST(Program, writes_through_links_and_fifos_and_takes_no_file_for_a_folder) {
+  const TemporaryFolder folder;
+  const auto fifo = folder.path / "fifo", link = folder.path / "link", target = folder.path / "target.gsf";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  std::filesystem::create_symlink("target.gsf", link);
+  const std::string generate = "surface generate --rms '1 nm' --size '1 um' --pixels 64 --seed 1 --output ";
+  EXPECT_EQ(call(generate + link.string()).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  ASSERT_EQ(call(generate + fifo.string() + " & cat " + fifo.string() + " > " + (folder.path / "read.gsf").string() + "; wait #").status, 0);
+  EXPECT_EQ(read_file(folder.path / "read.gsf"), read_file(target));
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
+  EXPECT_EQ(call("paper --output " + fifo.string()).status, 2);
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
 }
 
 TEST(Program, solves_chosen_cases_of_a_study) {

@@ -40,7 +40,7 @@ class ScanCase : public testing::Test {
                              " set Unload = false\nend\nsubsection Mesh\n set Interface spacing = " + spacing + "\n set Layers = 1\nend\n";
     const auto file = folder.write("case.prm", text);
     const int status = std::system((std::string(ASPERITY_EXECUTABLE) + " solve " + file.string() + " --output " +
-                                    (folder.path / "result").string() + " > " + (folder.path / "log").string() + " 2>&1").c_str());
+                                    (folder.path / "result").string() + " --overwrite > " + (folder.path / "log").string() + " 2>&1").c_str());
     log = read_file(folder.path / "log");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }

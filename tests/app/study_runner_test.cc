@@ -33,9 +33,10 @@ case_file=$2; output=$4
 echo "$@" >> "$output/calls"
 if [ -e "$here/slow" ]; then echo $$ > "$output/begun"; exec sleep 1000; fi
 if grep -q '2 mN' "$case_file" && ! [ -e "$here/mended" ]; then printf "the step did not converge\n" >&2; exit 1; fi
+inputs=$(sed -n 's/^# inputs_sha256: //p' "$case_file")
 seed=$(sed -n '/set Topography/s/.*seed=\([0-9]*\).*/\1/p' "$case_file")
 cat > "$output/result.json" <<END
-{"format": "asperity-result/1",
+{"format": "asperity-result/1", "inputs_sha256": "$inputs",
  "effective": {"normal_stiffness": {"value": ${seed:-7}, "unit": "N/m", "sd": 0.5}}}
 END
 )";
@@ -120,14 +121,15 @@ TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on) {
   EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 1);
 }
 
-TEST_F(StudyRunner, a_case_begun_by_another_version_is_solved_anew) {
+TEST_F(StudyRunner, a_case_whose_checkpoint_cannot_be_gone_on_with_is_solved_anew) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
-  options_.can_resume = [](const fs::path& folder) { return folder.filename() != "2_mN"; };
+  options_.objection_to_resume = [](const fs::path& folder, const std::string&) { return folder.filename() == "2_mN" ? "is damaged" : ""; };
   options_.resume = true;
   EXPECT_EQ(run_study(two_loads(), options_)[1].state, State::done);
   EXPECT_EQ(calls("2_mN").find("--resume"), std::string::npos);
-  EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: begun by another version of asperity; solved anew"), said_.end());
+  EXPECT_NE(calls("2_mN").find("--overwrite"), std::string::npos);
+  EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: solved anew, for its checkpoint is damaged"), said_.end());
 }
 
 TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete) {
@@ -139,10 +141,16 @@ TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete) {
   EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 2);
 }
 
-TEST_F(StudyRunner, a_case_whose_input_changed_is_solved_anew) {
+TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_asked) {
   run_study(study("subsection Study\nend\n"), options_);
   options_.resume = true;
-  run_study(study("subsection Mesh\n set Layers = 6\nend\n"), options_);
+  const Study changed = study("subsection Mesh\n set Layers = 6\nend\n");
+  const std::string message = message_of<InputError>([&] { run_study(changed, options_); });
+  EXPECT_NE(message.find("case case: "), std::string::npos) << message;
+  EXPECT_NE(message.find("was solved with Mesh/Layers = 4, and now it is 6; --overwrite"), std::string::npos) << message;
+  EXPECT_NE(read_file(options_.output / "case" / "case.prm").find("Layers = 4"), std::string::npos) << "nothing is written before";
+  options_.overwrite = true;
+  run_study(changed, options_);
   const std::string only = calls("case");
   EXPECT_EQ(std::count(only.begin(), only.end(), '\n'), 1);
   EXPECT_EQ(only.find("--resume"), std::string::npos);
@@ -150,6 +158,21 @@ TEST_F(StudyRunner, a_case_whose_input_changed_is_solved_anew) {
   // What was solved before is not lost.
   EXPECT_NE(read_file(options_.output / "earlier" / "case" / "case.prm").find("Layers = 4"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(options_.output / "earlier" / "case" / "result.json"));
+}
+
+TEST_F(StudyRunner, a_complete_case_is_not_kept_if_its_scan_changed_or_it_does_not_say_its_inputs) {
+  folder_.write("scan.txt", "0 1\n1 0\n");
+  const Study rough = study("subsection Substrate\n set Topography = scan(scan.txt, size=1 um, unit=nm)\nend\n");
+  run_study(rough, options_);
+  options_.resume = true;
+  EXPECT_EQ(run_study(rough, options_)[0].state, State::done);
+  folder_.write("scan.txt", "0 1\n1 2\n");
+  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("another content of the scan"), std::string::npos);
+  folder_.write("results/case/result.json", "{\"format\": \"asperity-result/1\"}");
+  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("did not record its inputs"), std::string::npos);
+  // Other cases can be solved meanwhile; this one's result is then not among the study's.
+  options_.overwrite = true, options_.chosen = [](const std::string&) { return false; };
+  EXPECT_EQ(run_study(rough, options_)[0].state, State::waiting);
 }
 
 TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept) {

@@ -98,6 +98,17 @@ TEST(Study, a_varied_value_may_bring_further_entries) {
   EXPECT_EQ(value_of(study.cases[1], "Experiment/Load steps"), "3");
 }
 
+TEST(Study, an_entry_set_on_the_command_line_replaces_it_or_the_values_it_is_varied_by) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("study.prm", smooth_case() + "subsection Study\n subsection Vary\n  set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
+  const Study study = read_study(file, {"Experiment/Normal load=10 uN", "Mesh/Layers=2", "Study/Parallel cases=3"});
+  ASSERT_EQ(study.cases.size(), 1u);
+  EXPECT_EQ(study.cases[0].name, "10_uN");
+  EXPECT_EQ(value_of(study.cases[0], "Experiment/Normal load"), "10 uN");
+  EXPECT_EQ(value_of(study.cases[0], "Mesh/Layers"), "2");
+  EXPECT_EQ(study.parallel_cases, 3);
+}
+
 TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
   const TemporaryFolder folder;
   folder.write("cases/scan.gsf", "x");

@@ -1,0 +1,43 @@
+#include "app/inputs_hash.h"
+
+#include "app/case_declaration.h"
+#include "app/case_file.h"
+#include "core/atomic_file.h"
+#include "core/sha256.h"
+#include "surfaces/scan_spec.h"
+#include "surfaces/topography_spec.h"
+
+namespace asperity {
+namespace {
+
+/// To be raised where the text below changes its meaning.
+constexpr const char* version = "asperity-inputs/1\n";
+
+/// A scan by its content: the same file in another folder is the same input.
+std::string by_content(const std::string& topography) {
+  ScanParameters scan = parse_scan(topography);
+  scan.file = std::filesystem::path(scan.file).filename().string() + " sha256 " + sha256(read_file(scan.file));
+  return scan.text();
+}
+
+}  // namespace
+
+bool is_about_the_run(const Setting& setting) {
+  return setting.section == "Output" || setting.path() == "Title" || setting.path() == "Solver/Threads";
+}
+
+std::string inputs_sha256(const Settings& settings, const std::filesystem::path& file) {
+  std::string text = version;
+  const Settings complete = complete_settings(settings, file);
+  for (std::size_t i = 0; i < complete.size(); ++i) {
+    const CaseEntry& entry = case_entries()[i];  // complete_settings has their order
+    if (is_about_the_run(complete[i])) continue;
+    std::string value = entry.canonical(complete[i].value);
+    if (!entry.required() && value == entry.canonical(entry.default_text)) continue;
+    if (entry.name == "Topography" && is_scan(value)) value = by_content(value);
+    text += complete[i].path() + " = " + value + "\n";
+  }
+  return sha256(text);
+}
+
+}  // namespace asperity
