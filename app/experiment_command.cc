@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/output_folder.h"
 #include "core/quantity.h"
 #include "dem_compare/experiments/dynamic.h"
 #include "dem_compare/experiments/from_parameters.h"
@@ -92,10 +93,12 @@ void run_experiment(const ExperimentArguments& arguments) {
   }
   const LoopNumbers numbers = measure(loop);
   const std::string json = experiment_json(arguments, loop, numbers, program.normal_load).dump(1) + "\n";
-  const fs::path output = arguments.output;
-  fs::create_directories(output);
-  write_file_atomically(output / "loop.csv", to_csv(loop));
-  write_file_atomically(output / "experiment.json", json);
+  if (!arguments.output.empty()) {
+    const fs::path output = arguments.output;
+    make_folder(output);
+    write_file_atomically(output / "loop.csv", to_csv(loop));
+    write_file_atomically(output / "experiment.json", json);
+  }
   std::cout << (arguments.json ? json : experiment_text(numbers, program.normal_load)) << std::flush;
 }
 
@@ -108,7 +111,7 @@ void add_experiment_commands(CLI::App& app) {
   command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")->required();
   command->add_option("--type", arguments->type, "glued (sliding loop), rolling (under a plate) or rail (V-rail under a plate)")
       ->required()->check(CLI::IsMember({"glued", "rolling", "rail"}));
-  command->add_option("--output", arguments->output, "Folder for loop.csv and experiment.json")->required();
+  command->add_option("--output", arguments->output, "Folder for loop.csv and experiment.json (default: print the numbers alone)");
   command->add_option("--indenter", arguments->indenter, "Contact of particle and plate (default: as with the substrate)");
   command->add_option("--load", arguments->load, "Normal load on the substrate, in a rail on each flank")->capture_default_str();
   command->add_option("--amplitude", arguments->amplitude, "Of the loop")->capture_default_str();

@@ -42,7 +42,7 @@ void check(const ConcealOptions& options) {
       if (std::find(set.begin(), set.end(), effect) != set.end()) both.push_back(effect);
     if (both.size() > 1) throw InputError("'" + both[0] + "' and '" + both[1] + "' are two laws for one place of the contact; conceal one of them");
   }
-  if (!(options.noise >= 0 && options.noise < 1)) throw InputError("the noise must be at least 0 and below 1 (relative to the largest response)");
+  if (!(options.noise >= 0 && options.noise < 1)) throw InputError("the noise must be at least 0 and below 1, relative to the largest response; write --noise 0.01 for 1 %");
   const std::vector<std::string> settings{"", "one_load", "ramp_only", "long_hold", "small_loops"};
   if (std::find(settings.begin(), settings.end(), options.setting) == settings.end())
     throw InputError("there is no setting '" + options.setting + "'; there are one_load, ramp_only, long_hold and small_loops");
