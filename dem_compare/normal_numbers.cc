@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/residual_imprint.h"
 #include "dem_compare/least_squares.h"
 #include "dem_compare/statistics.h"
 
@@ -71,29 +72,6 @@ LeastSquaresFit fit_power_law(const Values& approach, const Values& force, doubl
 
 FittedNumber parameter(const LeastSquaresFit& fit, Eigen::Index i, double unit) {
   return {fit.parameters[i] * unit, std::sqrt(fit.covariance(i, i)) * unit};
-}
-
-/// Approach of the first loading at a force: between its steps linear in F^(2/3), below the first a power law through
-/// first touch (approach and force zero) and the first two steps; NaN above.
-double loading_approach(const Branch& loading, double force) {
-  if (force <= 0) return 0;
-  const Values &d = loading.approach, &f = loading.force;
-  if (f.size() < 2 || f[0] <= 0 || d[0] <= 0 || d[1] <= d[0] || f[1] <= f[0]) return unknown;
-  if (force < f[0]) return d[0] * std::pow(force / f[0], std::log(d[1] / d[0]) / std::log(f[1] / f[0]));
-  // The turning points of loading and unloading may differ by the solver's tolerance.
-  const double reached = std::min(force, f.back());
-  std::size_t i = 0;
-  while (i + 2 < f.size() && f[i + 1] < reached) ++i;
-  const double g0 = std::pow(f[i], 2.0 / 3.0), g1 = std::pow(f[i + 1], 2.0 / 3.0);
-  return d[i] + (std::pow(reached, 2.0 / 3.0) - g0) / (g1 - g0) * (d[i + 1] - d[i]);
-}
-
-/// First step of an unloading branch that bears nothing any more; its last step if all bear something. Under control by
-/// displacement the bodies may be drawn apart further: the imprint is where the load vanished.
-std::size_t end_of_unloading(const ContactHistory& history, const HistoryBranch& unloading) {
-  std::size_t i = unloading.last;
-  while (i > unloading.first + 1 && history.normal_force[i - 1] <= 0) --i;
-  return i;
 }
 
 /// The steps of the first loading; stiffnesses are those of `numbers`.
@@ -226,9 +204,13 @@ NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) 
     } else if (range.kind == HistoryBranch::Kind::unloading && !unloaded) {
       unloaded = true;
       numbers.unloading = tangent_stiffness(branch.approach, branch.force);
-      const std::size_t end = end_of_unloading(history, range);
-      numbers.imprint_force = std::max(0.0, history.normal_force[end]);
-      numbers.residual_imprint = history.normal_displacement[end] - loading_approach(first_loading, numbers.imprint_force);
+      const auto of_range = [&](const Values& column) {
+        return Values(column.begin() + static_cast<long>(range.first), column.begin() + static_cast<long>(range.last) + 1);
+      };
+      const ResidualImprint left =
+          residual_imprint(first_loading.approach, first_loading.force, of_range(history.normal_displacement), of_range(history.normal_force));
+      numbers.imprint_force = left.force;
+      numbers.residual_imprint = left.depth;
     } else if (range.kind == HistoryBranch::Kind::loading && unloaded && !reloaded) {
       reloaded = true;
       numbers.reloading = tangent_stiffness(branch.approach, branch.force);

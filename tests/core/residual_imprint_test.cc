@@ -1,0 +1,31 @@
+#include "core/residual_imprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+
+TEST(ResidualImprint_analytic, a_hertzian_unloading_from_an_imprint_leaves_it_at_any_last_load) {
+  // Both branches F = (delta - delta0)^(3/2) in some unit; loading from 0, unloading from an imprint of 0.3.
+  const auto approach = [](double force) { return std::pow(force, 2.0 / 3); };
+  constexpr double imprint = 0.3;
+  std::vector<double> up, up_force, down, down_force;
+  for (const double f : {0.2, 0.5, 1.0, 2.0}) up.push_back(approach(f)), up_force.push_back(f);
+  for (const double f : {2.0, 1.0, 0.1}) {
+    down.push_back(approach(f) + imprint), down_force.push_back(f);
+    if (down.size() < 2) continue;
+    const ResidualImprint left = residual_imprint(up, up_force, down, down_force);
+    EXPECT_NEAR(left.depth, imprint, 1e-12) << f;
+    EXPECT_EQ(left.force, f);
+  }
+  down.push_back(imprint), down_force.push_back(0);
+  down.push_back(imprint - 1), down_force.push_back(0);  // drawn apart further
+  EXPECT_NEAR(residual_imprint(up, up_force, down, down_force).depth, imprint, 1e-12);
+}
+
+TEST(ResidualImprint_analytic, there_is_none_where_nothing_was_unloaded) {
+  EXPECT_TRUE(std::isnan(residual_imprint({1}, {1}, {1}, {1}).depth));
+}
+
+}  // namespace asperity
