@@ -33,6 +33,7 @@ ContactHistory read_history(const std::filesystem::path& file) {
   ContactHistory history;
   try {
     for (const auto& column : history_columns()) history.*column.values = table.numbers(column.name);
+    if (table.has("pressure_radius [m]")) history.pressure_radius = table.numbers("pressure_radius [m]");
   } catch (const InputError& error) {
     throw InputError(file.string() + ": " + error.what());
   }

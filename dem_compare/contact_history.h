@@ -19,12 +19,16 @@ struct ContactHistory {
   std::vector<double> rolling_moment;        ///< [N m]
   std::vector<double> torsion_angle;         ///< [rad]
   std::vector<double> torsion_moment;        ///< [N m]
-  std::vector<double> contact_radius;        ///< [m]
+  std::vector<double> contact_radius;        ///< of the circle with the contact area [m]
   std::vector<double> contact_area;          ///< real area [m^2]
   std::vector<double> max_pressure;          ///< [Pa]
   std::vector<double> plastic_volume;        ///< [m^3]
   std::vector<double> dissipated_energy;     ///< [J]
+  std::vector<double> pressure_radius;       ///< of the Hertzian pressure with the same second moment [m]; empty where it is not told
 
+  /// Radius [m] of the contact as a whole, which spots of a rough one spread over: that of the pressure. Where that is not told the
+  /// contact radius, which was it before results told both.
+  const std::vector<double>& radius_of_whole() const { return pressure_radius.empty() ? contact_radius : pressure_radius; }
   std::size_t size() const { return normal_force.size(); }
 };
 

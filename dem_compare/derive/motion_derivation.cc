@@ -64,10 +64,13 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   seen.is_dissipation = dissipated.has_value();
   seen.steady = dissipated ? *dissipated : steady_resistance(position, resistance, force);
   seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
-  seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
+  const auto& radii = history.radius_of_whole();
+  seen.contact_radius = *std::max_element(radii.begin(), radii.end());
   if (seen.steady.reached)
     seen.reversal = seen.is_dissipation ? rolling_stiffness(position, resistance, seen.steady.mean)
                                         : reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
+  if (seen.is_dissipation && seen.contact_radius > 0)
+    seen.reversal.error = std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() / seen.contact_radius * seen.reversal.value);
   if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
     const Json& entry = solved.result["effective"][mode.stiffness_key];
     if (entry.contains("value") && entry["value"].is_number())

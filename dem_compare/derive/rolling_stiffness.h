@@ -8,6 +8,10 @@
 
 namespace asperity {
 
+/// What the mesh leaves in doubt of it, relative, per spacing over the radius of the contact. An estimate from one measurement: it changed
+/// by 38 % from 40 to 20 nm, where the error of the line was 11 to 15 %; at a radius of 0.3 um this makes 20 % of spacings of 20 nm.
+constexpr double rolling_stiffness_mesh_error = 3.0;
+
 /// From a way back over the own track. Hills give the same moment on both ways: what the moment lacks on the way back is
 /// D = k delta at first, delta the angle since the turn, and twice the resistance once the contact rolls back. The slope is that
 /// of the least squares line through the turn over the rows up to where D has reached the resistance, half its width: a secant, for

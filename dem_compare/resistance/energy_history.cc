@@ -57,7 +57,7 @@ EnergyHistory energy_history(const SolvedCase& solved, const MotionMode& mode) {
   history.position = steps.*mode.position;
   history.resistance = steps.*mode.resistance;
   history.normal_force = steps.normal_force;
-  history.contact_radius = steps.contact_radius;
+  history.contact_radius = steps.radius_of_whole();
   history.contact_area = steps.contact_area;
   const CsvTable table = read_csv(solved.folder / "history.csv");
   history.has_energies = std::all_of(std::begin(energy_columns), std::end(energy_columns),

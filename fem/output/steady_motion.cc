@@ -41,7 +41,7 @@ void for_rolled_rows(const std::vector<StepRecord>& records, double radius, cons
     if (step * direction <= 0) since_reversal = 0;
     direction = step;
     since_reversal += std::abs(step);
-    visit(k, step, since_reversal * radius >= records[k].contact_radius);
+    visit(k, step, since_reversal * radius >= records[k].pressure_radius);
   }
 }
 

@@ -12,7 +12,7 @@ constexpr double radius = 1e-5, contact_radius = 1e-7, resistance = 3e-13;  // [
 /// Steps of a tenth of the contact radius; six of them are rolled before anything is dissipated, as after each turn.
 std::vector<StepRecord> rolled(int out, int back) {
   std::vector<StepRecord> records(1);
-  records.front().contact_radius = contact_radius;
+  records.front().pressure_radius = contact_radius;
   const double step = 0.1 * contact_radius / radius;
   for (const auto& [count, direction] : {std::pair{out, 1}, std::pair{back, -1}})
     for (int i = 1; i <= count; ++i) {
