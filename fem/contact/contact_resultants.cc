@@ -8,15 +8,21 @@
 namespace asperity::fem {
 namespace {
 
-/// Radius a of the Hertzian pressure with the same second moment, which is 2 a^2 / 5 under it.
-double hertzian_radius(const ContactSystem& system, const std::vector<double>& pressure) {
+struct PressureMoments {
+  std::array<double, 2> centre{};
+  double hertzian_radius = 0;  ///< of the Hertzian pressure with the same second moment, which is 2 a^2 / 5 under it
+};
+
+PressureMoments moments_of(const ContactSystem& system, const std::vector<double>& pressure) {
   double force = 0, x = 0, y = 0, square = 0;
   for (std::size_t r = 0; r < pressure.size(); ++r) {
     const double f = pressure[r] * system.areas()[r];
     const auto& p = system.row_points()[r];
     force += f, x += f * p[0], y += f * p[1], square += f * (p[0] * p[0] + p[1] * p[1]);
   }
-  return force > 0 ? std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force)) : 0.0;
+  if (force <= 0) return {};
+  const RigidMotion shift = system.coupling().surface();
+  return {{x / force + shift.x, y / force + shift.y}, std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force))};
 }
 
 }  // namespace
@@ -64,8 +70,10 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   }
   std::vector<std::array<double, 2>> points;
   for (const auto& p : system_.row_points()) points.push_back({p[0], p[1]});
-  result.area = contact_area(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
-  result.radius = hertzian_radius(system_, state.multiplier);
+  const ContactShape shape = contact_shape(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
+  result.area = shape.area, result.perimeter = shape.perimeter, result.spots = shape.spots;
+  const PressureMoments moments = moments_of(system_, state.multiplier);
+  result.centre = moments.centre, result.pressure_radius = moments.hertzian_radius;
   if (result.force > 0)
     result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
   Vector<double> force;

@@ -41,7 +41,10 @@ struct ContactResultants {
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]
   double moment_error = 0;    ///< |moment of tractions about the axes - moment of the same forces on the substrate| / (force, radius of the area)
   double area = 0;            ///< real contact area [m^2]
-  double radius = 0;          ///< of the Hertzian pressure with the same second moment [m]
+  double perimeter = 0;       ///< of its edge [m]
+  int spots = 0;              ///< contacts apart from each other
+  std::array<double, 2> centre{};  ///< of the contact pressure, in the substrate's frame [m]
+  double pressure_radius = 0; ///< of the Hertzian pressure with the same second moment [m]
   double largest_pressure = 0;
   int active = 0, sticking = 0;  ///< rows in contact, and those of them that stick
   bool reaches_rim = false;

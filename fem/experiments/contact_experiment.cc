@@ -15,6 +15,7 @@
 #include "core/wait_text.h"
 #include "fem/experiments/energy_balance.h"
 #include "fem/experiments/free_rolling.h"
+#include "fem/experiments/load_step_error.h"
 #include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
@@ -163,6 +164,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   std::vector<Target> pending{{target, motion}};
   int failures = 0;
   BodyEnergies energies;
+  LoadStepError step_error;
   double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
   double friction_work = records_.empty() ? 0 : records_.back().friction_work;
   double adhesion_loss = records_.empty() ? 0 : records_.back().adhesion_loss, adhesion_energy = 0;
@@ -182,6 +184,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
       pending.push_back({0.5 * (load_ + failed.load), between(state_.motion, failed.motion, 0.5)});
       continue;
     }
+    const double load_change = pending.back().load - load_;
     load_ = pending.back().load;
     pending.pop_back();
     state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
@@ -196,6 +199,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     adhesion_energy = report.adhesion_energy;
     energies = system_->bodies().accept(trial.displacement, state_.displacement);
     plastic_work += energies.plastic_work;
+    step_error.add(energies.flow_turn, load_change);
   }
   StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
   r.elastic_energy = energies.elastic;
@@ -206,8 +210,12 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   r.adhesion_loss = adhesion_loss;
   r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work + r.adhesion_loss;
   r.plastic_volume = energies.plastic_volume;
-  r.largest_plastic_strain = energies.largest_plastic_strain;
-  r.largest_von_mises = energies.largest_von_mises;
+  r.load_step_error = step_error.of_approach(r.normal_force - (records_.empty() ? 0.0 : records_.back().normal_force));
+  if (!records_.empty()) r.load_step_error += records_.back().load_step_error;
+  r.largest_plastic_strain = energies.largest_plastic_strain();
+  r.largest_von_mises = energies.largest_von_mises();
+  r.particle_plastic_strain = energies.plastic_strain[0], r.substrate_plastic_strain = energies.plastic_strain[1];
+  r.particle_von_mises = energies.von_mises[0], r.substrate_von_mises = energies.von_mises[1];
   records_.push_back(r);
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
 }
@@ -231,7 +239,12 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
   r.torsion_angle = state_.motion.spin;
   r.torsion_moment = c.torsion_moment;
   r.sticking_share = c.active > 0 ? static_cast<double>(c.sticking) / c.active : 0;
-  r.contact_radius = c.radius;
+  // First touch moves the particle by the offset: outwards, so negative, where asperities meet first.
+  r.mean_plane_approach = r.normal_displacement + solver_->touch_offset();
+  r.contact_radius = std::sqrt(c.area / M_PI);
+  r.pressure_radius = c.pressure_radius;
+  r.load_centre_x = c.centre[0], r.load_centre_y = c.centre[1];
+  r.spots = c.spots, r.contact_perimeter = c.perimeter;
   r.contact_area = c.area;
   r.max_pressure = c.largest_pressure;
   r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
@@ -296,6 +309,16 @@ void ContactExperiment::write_step(int index) {
   if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));
 }
 
+void ContactExperiment::say_load_steps() const {
+  constexpr double small = 0.005;  // of the approach, as much as a fine mesh leaves
+  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
+  const double share = peak.normal_displacement > 0 ? peak.load_step_error / peak.normal_displacement : 0;
+  if (share <= small) return;
+  const int enough = static_cast<int>(std::ceil(input_.experiment.load_steps * share / small));
+  say("the load steps leave the approach some " + std::to_string(std::lround(1000 * share) / 10.0).substr(0, 4) + " % too large; Experiment/Load steps = " +
+      std::to_string(enough) + " would leave half a per cent");
+}
+
 void ContactExperiment::write_result() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -314,6 +337,7 @@ void ContactExperiment::write_result() {
   summary.lateral_stiffness = lateral_stiffness_;
   summary.torsion_stiffness = torsion_stiffness_;
   if (speaks()) write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
+  say_load_steps();
   say("wrote " + (options_.output / "result.json").string());
 }
 

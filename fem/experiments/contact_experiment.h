@@ -29,6 +29,8 @@ class ContactExperiment {
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();
+  /// Says how many load steps would do where those made leave more than the mesh should.
+  void say_load_steps() const;
   void measure_stiffness();
   bool speaks() const { return rank_ == 0; }
   Provenance provenance() const;

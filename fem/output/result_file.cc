@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "core/residual_imprint.h"
+#include "fem/experiments/load_step_error.h"
+#include "fem/output/discretisation_error.h"
 #include "fem/output/steady_motion.h"
+#include "surfaces/topography_spec.h"
 
 namespace asperity::fem {
 namespace {
@@ -50,45 +55,132 @@ json resolved_roughness(const MeshedRoughness& r) {
           {"repeats_every", r.scales.period < r.region ? json(r.scales.period) : json(nullptr)}};
 }
 
+/// Largest size of a column.
+double largest_size(const std::vector<StepRecord>& records, double StepRecord::*column) {
+  double largest = 0;
+  for (const auto& r : records) largest = std::max(largest, std::abs(r.*column));
+  return largest;
+}
+
+double root_of_squares(std::initializer_list<double> errors) {
+  double sum = 0;
+  for (const double e : errors) sum += e * e;
+  return std::sqrt(sum);
+}
+
+/// Work that is not accounted for along the way rolled, per angle [N m].
+double unbalanced_per_angle(const std::vector<StepRecord>& records) {
+  double angle = 0, largest_work = 0;
+  for (std::size_t k = 1; k < records.size(); ++k) angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
+  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
+  return angle > 0 ? largest_size(records, &StepRecord::energy_error) * largest_work / angle : 0.0;
+}
+
+/// Approach that the first unloading leaves [m]; NaN without one.
+double imprint_of(const std::vector<StepRecord>& records, double largest_force) {
+  const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
+  std::size_t peak = 0;
+  while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise) ++peak;
+  std::size_t turn = peak;
+  while (turn + 1 < records.size() && std::abs(records[turn + 1].normal_force - records[turn].normal_force) <= noise) ++turn;
+  std::vector<double> up, up_force, down, down_force;
+  for (std::size_t k = 0; k <= peak; ++k)
+    if (records[k].normal_force > 0) up.push_back(records[k].normal_displacement), up_force.push_back(records[k].normal_force);
+  for (std::size_t k = turn; k < records.size(); ++k) {
+    if (k > turn && records[k].normal_force >= records[k - 1].normal_force - noise) break;
+    down.push_back(records[k].normal_displacement), down_force.push_back(records[k].normal_force);
+  }
+  return residual_imprint(up, up_force, down, down_force).depth;
+}
+
+/// Collects `effective`: values with their standard deviations.
+class Effective {
+ public:
+  /// errors: relative, added in squares.
+  void add(const char* name, double value, const char* unit, std::initializer_list<double> errors) {
+    add_absolute(name, value, unit, std::abs(value) * root_of_squares(errors));
+  }
+  void add_absolute(const char* name, double value, const char* unit, double sd) { values_[name] = number(value, unit, sd); }
+  const json& values() const { return values_; }
+
+ private:
+  json values_ = json::object();
+};
+
+/// The contact at the largest load.
+void add_contact(Effective& effective, const StepRecord& peak, const DiscretisationError& error, const ResultSummary& s) {
+  if (s.stiffness_at_peak > 0) effective.add("normal_stiffness", s.stiffness_at_peak, "N/m", {error.stiffness()});
+  if (s.lateral_stiffness > 0) effective.add("lateral_stiffness", s.lateral_stiffness, "N/m", {error.lateral_stiffness()});
+  if (s.torsion_stiffness > 0) effective.add("torsion_stiffness", s.torsion_stiffness, "N m/rad", {error.torsion_stiffness()});
+  effective.add("contact_radius", peak.contact_radius, "m", {0.5 * error.area()});
+  effective.add("contact_area", peak.contact_area, "m^2", {error.area()});
+  effective.add("mean_pressure", peak.mean_pressure, "Pa", {error.area()});
+  effective.add("max_pressure", peak.max_pressure, "Pa", {error.largest_pressure()});
+  effective.add("pressure_radius", peak.pressure_radius, "m", {error.stiffness()});
+  const double approach = root_of_squares({error.approach(), peak.load_step_error});
+  effective.add_absolute("approach", peak.mean_plane_approach, "m", approach);
+  effective.add_absolute("approach_from_first_touch", peak.normal_displacement, "m", root_of_squares({approach, error.first_touch()}));
+  effective.add_absolute("first_touch", peak.mean_plane_approach - peak.normal_displacement, "m", error.first_touch());
+  effective.add("spots", peak.spots, "", {error.spots()});
+  effective.add_absolute("load_centre_x", peak.load_centre_x, "m", error.load_centre());
+  effective.add_absolute("load_centre_y", peak.load_centre_y, "m", error.load_centre());
+}
+
+/// What yields, and what stays.
+void add_yielding(Effective& effective, const CaseInput& input, const StepRecord& peak, const std::vector<StepRecord>& records,
+                  const DiscretisationError& error) {
+  const StepRecord& last = records.back();
+  if (peak.normal_displacement > 0) {
+    const double steps = peak.load_step_error / peak.normal_displacement;
+    effective.add("load_step_error", steps, "", {LoadStepError::doubt});
+  }
+  if (const double imprint = imprint_of(records, peak.normal_force); input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint))
+    effective.add_absolute("residual_imprint", imprint, "m", root_of_squares({error.plasticity() * imprint, peak.load_step_error, error.unloading()}));
+  effective.add("particle_von_mises", largest_size(records, &StepRecord::particle_von_mises), "Pa", {error.largest_stress()});
+  effective.add("substrate_von_mises", largest_size(records, &StepRecord::substrate_von_mises), "Pa", {error.largest_stress()});
+  effective.add("particle_plastic_strain", last.particle_plastic_strain, "", {error.largest_plastic_strain()});
+  effective.add("substrate_plastic_strain", last.substrate_plastic_strain, "", {error.largest_plastic_strain()});
+  effective.add("plastic_volume", last.plastic_volume, "m^3", {error.plasticity()});
+  effective.add("dissipated_energy", last.dissipated_energy, "J", {error.plasticity()});
+}
+
+/// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
+void add_moving(Effective& effective, const CaseInput& input, const StepRecord& peak, const std::vector<StepRecord>& records,
+                const DiscretisationError& error) {
+  if (input.experiment.type == ExperimentInput::Type::program) {  // steady in nothing
+    effective.add("friction_work", records.back().friction_work, "J", {error.resistance(), records.back().energy_error});
+    return;
+  }
+  const auto add = [&](const char* name, const SteadyResistance& r, const char* unit, double mesh, double floor) {
+    effective.add_absolute(name, r.mean, unit, root_of_squares({r.sd, mesh * r.mean, floor}));
+  };
+  const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
+  if (const auto sliding = steady_sliding(records)) add("sliding_friction", *sliding, "", error.resistance(), 0);
+  if (const auto rolling = steady_rolling(records, input.radius)) add("rolling_moment", *rolling, "N m", error.rolling(), noise);
+  if (const auto dissipation = rolling_dissipation(records, input.radius)) {
+    effective.add_absolute("rolling_dissipation", *dissipation, "N m", root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
+    effective.add("rolling_noise_floor", noise, "N m", {0.5});
+  }
+  if (const auto torsion = steady_torsion(records)) add("torsion_moment", *torsion, "N m", error.torsion(), 0);
+}
+
 }  // namespace
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& s) {
-  const auto peak = std::max_element(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
-  const StepRecord& last = records.back();
+  const auto by_force = [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; };
+  const StepRecord& peak = *std::max_element(records.begin(), records.end(), by_force);
   const double spacing = setup.system.mesh.sizes.spacing_particle;
-  // Half a spacing of doubt in the contact radius, evenly distributed: relative standard deviation h / (2 sqrt(3) a).
-  const double radius_sd = spacing / (2 * std::sqrt(3.0)), relative = peak->contact_radius > 0 ? radius_sd / peak->contact_radius : 0;
-  double force = 0, moment = 0, energy = 0;
-  for (const auto& r : records) {
-    force = std::max(force, std::abs(r.force_error));
-    moment = std::max(moment, std::abs(r.moment_error));
-    energy = std::max(energy, std::abs(r.energy_error));
-  }
-  json effective;
-  if (s.stiffness_at_peak > 0) effective["normal_stiffness"] = number(s.stiffness_at_peak, "N/m", relative * s.stiffness_at_peak);
-  if (s.lateral_stiffness > 0) effective["lateral_stiffness"] = number(s.lateral_stiffness, "N/m", relative * s.lateral_stiffness);
-  if (s.torsion_stiffness > 0) effective["torsion_stiffness"] = number(s.torsion_stiffness, "N m/rad", 3 * relative * s.torsion_stiffness);
-  const bool moves_as_written = input.experiment.type == ExperimentInput::Type::program;  // steady in nothing
-  if (moves_as_written) effective["friction_work"] = number(last.friction_work, "J", NAN);
-  const std::vector<StepRecord> single = moves_as_written ? std::vector<StepRecord>{} : records;
-  if (const auto sliding = steady_sliding(single)) effective["sliding_friction"] = number(sliding->mean, "", sliding->sd);
-  if (const auto rolling = steady_rolling(single, input.radius)) effective["rolling_moment"] = number(rolling->mean, "N m", rolling->sd);
-  if (const auto dissipation = rolling_dissipation(single, input.radius)) {
-    effective["rolling_dissipation"] = number(*dissipation, "N m", NAN);
-    effective["rolling_noise_floor"] = number(rolling_noise * peak->normal_force * peak->contact_radius, "N m", NAN);
-  }
-  if (const auto torsion = steady_torsion(single)) effective["torsion_moment"] = number(torsion->mean, "N m", torsion->sd);
-  if (input.interface.work_of_adhesion > 0) {
-    const auto least = std::min_element(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
-    if (least->normal_force < 0) effective["pull_off_force"] = number(-least->normal_force, "N", NAN);
-  }
-  effective["contact_radius"] = number(peak->contact_radius, "m", radius_sd);
-  effective["contact_area"] = number(peak->contact_area, "m^2", 2 * relative * peak->contact_area);
-  effective["max_pressure"] = number(peak->max_pressure, "Pa", NAN);
-  effective["mean_pressure"] = number(peak->mean_pressure, "Pa", 2 * relative * peak->mean_pressure);
-  effective["approach"] = number(peak->normal_displacement, "m", NAN);
-  effective["plastic_volume"] = number(last.plastic_volume, "m^3", NAN);
-  effective["dissipated_energy"] = number(last.dissipated_energy, "J", NAN);
+  const double force = largest_size(records, &StepRecord::force_error), moment = largest_size(records, &StepRecord::moment_error),
+               energy = largest_size(records, &StepRecord::energy_error);
+  Effective effective;
+  const double wave = std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
+  const DiscretisationError error(peak, spacing, setup.reduced_modulus, wave);
+  add_contact(effective, peak, error, s);
+  add_yielding(effective, input, peak, records, error);
+  add_moving(effective, input, peak, records, error);
+  const StepRecord& least = *std::min_element(records.begin(), records.end(), by_force);
+  if (input.interface.work_of_adhesion > 0 && least.normal_force < 0)
+    effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
   const json result{
       {"format", "asperity-result/1"},
       {"title", input.title},
@@ -113,9 +205,13 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"adhesion_range", input.interface.adhesion_range},
         {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
                                 "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
-        {"contact_radius", "of the Hertzian pressure with the same second moment"},
-        {"sd", "from half an interface spacing in the contact radius; of sliding_friction, rolling_moment and torsion_moment the fluctuation along the "
-               "way; scatter over realisations is the study's"},
+        {"contact_radius", "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same second moment"},
+        {"approach", "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces touch first, which is at "
+                     "an approach of first_touch and moves with the spacing"},
+        {"load_step_error", "by which finite load steps make the approach of bodies that yield too large, over the approach from first touch; it "
+                            "falls with the number of steps"},
+        {"sd", "what the mesh and the load steps leave in doubt (docs/solver.md); of sliding_friction, rolling_moment and "
+               "torsion_moment with the fluctuation along the way; scatter over realisations is the study's"},
         {"rolling_moment", "about the contact, of a particle whose shift follows its rolling so that no lateral force builds up; "
                            "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of rough surfaces take and give back; "
                            "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth elastic bodies"},
@@ -130,7 +226,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"contact_nodes", s.contact_nodes},
         {"roughness", {{"particle", resolved_roughness(setup.roughness[0])}, {"substrate", resolved_roughness(setup.roughness[1])}}},
         {"contact_reaches_rim", std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
-      {"effective", effective},
+      {"effective", effective.values()},
       {"balance", {{"force", force}, {"moment", moment}, {"energy", energy}}},
       {"cost",
        {{"wall_time", s.wall_time}, {"peak_memory", s.peak_memory}, {"ranks", s.ranks}, {"threads", s.threads}, {"steps", records.size()}}},

@@ -44,7 +44,18 @@ const std::vector<std::pair<const char*, double StepRecord::*>>& StepRecord::col
       {"reaches_rim", &StepRecord::reaches_rim},
       {"sticking_share", &StepRecord::sticking_share},
       {"shift_across [m]", &StepRecord::shift_across},
-      {"lateral_force_across [N]", &StepRecord::lateral_force_across}};
+      {"lateral_force_across [N]", &StepRecord::lateral_force_across},
+      {"mean_plane_approach [m]", &StepRecord::mean_plane_approach},
+      {"pressure_radius [m]", &StepRecord::pressure_radius},
+      {"load_centre_x [m]", &StepRecord::load_centre_x},
+      {"load_centre_y [m]", &StepRecord::load_centre_y},
+      {"spots", &StepRecord::spots},
+      {"contact_perimeter [m]", &StepRecord::contact_perimeter},
+      {"particle_von_mises [Pa]", &StepRecord::particle_von_mises},
+      {"substrate_von_mises [Pa]", &StepRecord::substrate_von_mises},
+      {"particle_plastic_strain", &StepRecord::particle_plastic_strain},
+      {"substrate_plastic_strain", &StepRecord::substrate_plastic_strain},
+      {"load_step_error [m]", &StepRecord::load_step_error}};
   return columns;
 }
 

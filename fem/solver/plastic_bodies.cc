@@ -31,6 +31,31 @@ double von_mises(const SymmetricTensor<double>& s) {
   return std::sqrt(1.5 * (a * a + b * b + c * c + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])));
 }
 
+/// Where on the straight way from `start` by `way` (deviators relative to the back stress, one lane) a point comes to the yield surface
+/// |.| = limit, from inside or along it: the share of the way.
+double onset_of_yielding(const SymmetricTensor<V>& start, const SymmetricTensor<V>& way, int lane, double limit) {
+  const double a = double_contraction(way, way)[lane], b = double_contraction(start, way)[lane];
+  const double c = double_contraction(start, start)[lane] - limit * limit;
+  if (a <= 0) return 0;
+  return std::clamp((-b + std::sqrt(std::max(0.0, b * b - a * c))) / a, 0.0, 1.0);
+}
+
+/// BodyEnergies::flow_turn per volume of one lane: start, trial: deviators relative to the back stress; limit: of their norm.
+double flow_turn(const SymmetricTensor<V>& start, const SymmetricTensor<V>& trial, double limit, const SymmetricTensor<V>& increment,
+                 const SymmetricTensor<V>& change_of_stress, int lane) {
+  const double norm = std::sqrt(double_contraction(increment, increment)[lane]);
+  if (norm == 0) return 0;
+  SymmetricTensor<V> way;
+  for (int c = 0; c < 6; ++c) way[c] = trial[c] - start[c];
+  const double share = onset_of_yielding(start, way, lane, limit);
+  double sum = 0;
+  for (int c = 0; c < 6; ++c) {
+    const double turn = increment[c][lane] / norm - (start[c][lane] + share * way[c][lane]) / limit;
+    sum += (c < 3 ? 1 : 2) * turn * change_of_stress[c][lane];
+  }
+  return 0.5 * norm * sum;
+}
+
 }  // namespace
 
 PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
@@ -89,9 +114,10 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
 BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<double>& u) {
   BodyEnergies sum;
   const int count = static_cast<int>(level_.batches().size());
-  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_strain = 0, largest_stress = 0, largest_ratio = 0;
-#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume) \
-    reduction(max : largest_strain, largest_stress, largest_ratio)
+  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0;
+  double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
+#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned) \
+    reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
   for (int index = 0; index < count; ++index) {
     const CellBatch& batch = level_.batches()[index];
     const BatchMaterials material(batch, materials_);
@@ -106,11 +132,14 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
       const PlasticState<V> old = updated[q];
       for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
       yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent) || yields;
-      SymmetricTensor<V> increment, mean_stress, elastic_strain;
+      SymmetricTensor<V> increment, mean_stress, elastic_strain, change_of_stress, relative_before, trial;
       for (int c = 0; c < 6; ++c) {
         increment[c] = updated[q].strain[c] - old.strain[c];
         mean_stress[c] = 0.5 * (stress[c] + stress_before[c]);
         elastic_strain[c] = strain.deviator[q][c] - updated[q].strain[c];
+        change_of_stress[c] = stress[c] - stress_before[c];
+        for (int l = 0; l < lanes; ++l) relative_before[c][l] = stress_before[c][l] - material.lane[l]->kinematic_modulus * (2.0 / 3.0) * old.strain[c][l];
+        trial[c] = relative_before[c] + 2.0 * material.shear * (strain.deviator[q][c] - before.deviator[q][c]);
       }
       const V work = double_contraction(mean_stress, increment) * strain.volume[q];
       const V stored = 0.5 * (double_contraction(stress, elastic_strain) + material.bulk * strain.dilatation * strain.dilatation) * strain.volume[q];
@@ -120,14 +149,17 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
         const double alpha = updated[q].alpha[l];
         elastic += stored[l];
         plastic_work += work[l];
+        if (alpha > old.alpha[l])
+          turned += flow_turn(relative_before, trial, std::sqrt(2.0 / 3.0) * m.flow_stress(old.alpha[l]), increment, change_of_stress, l) * strain.volume[q][l];
         if (alpha > 0) {
           double square = 0;
           for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
           hardening += (m.isotropic_energy(alpha) + m.kinematic_modulus * square / 3) * strain.volume[q][l];
           plastic_volume += strain.volume[q][l];
         }
-        largest_strain = std::max(largest_strain, alpha);
-        largest_stress = std::max(largest_stress, mises[l]);
+        double &strain_of_body = largest_strain[batch.body[l]], &stress_of_body = largest_stress[batch.body[l]];
+        strain_of_body = std::max(strain_of_body, alpha);
+        stress_of_body = std::max(stress_of_body, mises[l]);
         largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
       }
     }
@@ -140,9 +172,12 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
   sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
   sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
   sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
+  sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
   sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
-  sum.largest_plastic_strain = dealii::Utilities::MPI::max(largest_strain, comm);
-  sum.largest_von_mises = dealii::Utilities::MPI::max(largest_stress, comm);
+  for (int body = 0; body < 2; ++body) {
+    sum.plastic_strain[body] = dealii::Utilities::MPI::max(largest_strain[body], comm);
+    sum.von_mises[body] = dealii::Utilities::MPI::max(largest_stress[body], comm);
+  }
   sum.largest_yield_ratio = dealii::Utilities::MPI::max(largest_ratio, comm);
   return sum;
 }

@@ -3,6 +3,8 @@
 // History is kept only for batches of cells that have yielded, and changes only in accept().
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -16,9 +18,14 @@ struct BodyEnergies {
   double plastic_work = 0;     ///< increment of the work of stress on plastic strain since the last accepted state
   double hardening = 0;        ///< stored by hardening (not dissipated)
   double plastic_volume = 0;   ///< volume of points with plastic strain [m^3]
-  double largest_plastic_strain = 0;
-  double largest_von_mises = 0;   ///< [Pa]
+  std::array<double, 2> plastic_strain{};  ///< largest of particle and substrate
+  std::array<double, 2> von_mises{};       ///< the same [Pa]
+  double largest_plastic_strain() const { return std::max(plastic_strain[0], plastic_strain[1]); }
+  double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
   double largest_yield_ratio = 0; ///< von Mises over initial yield stress
+  /// Of the last step, as wide as it was: half of (n at its end - n where yielding set in) : change of stress, times the plastic
+  /// strain's norm, over the volume [J]. See load_step_error.h.
+  double flow_turn = 0;
 };
 
 /// Stress and history of a cell, averages over its points (for output).

@@ -70,6 +70,30 @@ TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) 
   EXPECT_GT(s.at("normal_displacement [m]", 6), 0) << "yielding leaves an imprint";
 }
 
+TEST(NormalExperiment_analytic, history_and_result_say_area_approach_imprint_and_each_body) {
+  const test::TemporaryFolder folder;
+  const SolvedExperiment s = solve_experiment(coarse_case(), folder.path);
+  const auto& effective = s.result["effective"];
+  const auto value = [&](const char* name) { return effective[name]["value"].get<double>(); };
+  constexpr std::size_t peak = 3, last = 6;
+  EXPECT_NEAR(s.at("contact_radius [m]", peak) / std::sqrt(s.at("contact_area [m^2]", peak) / M_PI), 1, 1e-9);
+  EXPECT_GT(s.at("pressure_radius [m]", peak), s.at("contact_radius [m]", peak)) << "a rough contact spreads further than its area";
+  // Asperities meet before the mean planes do.
+  EXPECT_LT(value("first_touch"), 0);
+  EXPECT_NEAR(value("approach_from_first_touch") - value("approach"), -value("first_touch"), 1e-15);
+  EXPECT_NEAR(s.at("mean_plane_approach [m]", 0) - s.at("normal_displacement [m]", 0), value("first_touch"), 1e-15);
+  EXPECT_GT(value("residual_imprint"), 0);
+  EXPECT_LT(value("residual_imprint"), s.at("normal_displacement [m]", last)) << "what elastic bodies would keep of the last load is not of the imprint";
+  EXPECT_GE(s.at("spots", peak), 1);
+  EXPECT_GT(s.at("contact_perimeter [m]", peak), 2 * M_PI * s.at("contact_radius [m]", peak));
+  EXPECT_LT(std::hypot(s.at("load_centre_x [m]", peak), s.at("load_centre_y [m]", peak)), s.at("contact_radius [m]", peak));
+  // The particle yields at 1.2 GPa, the substrate at 2.5: each says its own.
+  EXPECT_NEAR(s.at("particle_von_mises [Pa]", peak), 1.2e9, 1e-3 * 1.2e9);
+  EXPECT_NEAR(std::max(s.at("particle_von_mises [Pa]", peak), s.at("substrate_von_mises [Pa]", peak)) / s.at("largest_von_mises [Pa]", peak), 1, 1e-9);
+  EXPECT_GT(s.at("particle_plastic_strain", peak), s.at("substrate_plastic_strain", peak));
+  EXPECT_GT(s.at("load_step_error [m]", peak), 0);
+}
+
 TEST(NormalExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
   const test::TemporaryFolder folder, halving;
   CaseInput c = coarse_case();

@@ -131,6 +131,32 @@ TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load
   EXPECT_GT(above.plastic_strain, 0);
 }
 
+/// Approach [m] and its stated error of load steps after `steps` equal ones to `f` F_c.
+std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f, int steps, double largest_area, double cells) {
+  const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
+  SmoothContact contact(body.options(largest_radius, largest_radius / cells));
+  ContactStep last;
+  for (int k = 1; k <= steps; ++k) last = reach(contact, body, f * k / steps).step;
+  return {last.approach, last.load_step_error};
+}
+
+/// The stated error of a few steps against what many steps on the same mesh, less their own stated error, say it is.
+void expect_load_step_error(double f, double largest_area, double cells, std::vector<int> few, int many) {
+  const YieldingHalfSpace body(0.03e-6);
+  const auto fine = approach_after(body, f, many, largest_area, cells);
+  const double limit = fine.first - fine.second;
+  std::printf("%d steps: stated %+.3f %%\n", many, 100 * fine.second / limit);
+  for (const int steps : few) {
+    const auto [approach, stated] = approach_after(body, f, steps, largest_area, cells);
+    std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps, 100 * (approach / limit - 1), 100 * stated / limit);
+    EXPECT_GT(stated, 0.5 * (approach - limit)) << steps;
+    EXPECT_LT(stated, 2 * (approach - limit)) << steps;
+  }
+}
+
+TEST(LoadSteps_analytic, stated_error_holds_within_a_factor_two) { expect_load_step_error(30, 28, 7, {3, 6}, 24); }
+TEST(LoadStepsNightly_analytic, stated_error_holds_within_a_factor_two_on_a_finer_mesh) { expect_load_step_error(30, 28, 12, {5, 10, 20}, 80); }
+
 /// Largest von Mises stress over p0 below Hertz' contact on the axis, and its depth over a, from the stresses on the axis
 /// (Johnson 1985 eq. 3.45).
 std::pair<double, double> largest_von_mises(double poisson) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fem/contact/contact_solver.h"
+#include "fem/experiments/load_step_error.h"
 
 namespace asperity::test {
 
@@ -99,7 +100,8 @@ struct SmoothContact::Implementation {
   fem::ContactSystem system;
   fem::ContactSolver solver;
   fem::ContactState state;
-  double far_field = 0;
+  double far_field = 0, force = 0;
+  fem::LoadStepError step_error;
 };
 
 SmoothContact::SmoothContact(const SmoothContactOptions& options) : it_(std::make_unique<Implementation>(options)) {}
@@ -118,7 +120,11 @@ ContactStep SmoothContact::load(double force) {
   const auto cells = it_->system.bodies().cell_states(state.displacement);
   const auto energies = it_->system.bodies().accept(before, state.displacement);
 
+  it_->step_error.add(energies.flow_turn, force - it_->force);
+  it_->force = force;
+
   ContactStep step;
+  step.load_step_error = it_->step_error.of_approach(force);
   step.force = resultants.force;
   step.raw_approach = state.approach;
   step.approach = state.approach - it_->far_field * force;
@@ -128,7 +134,7 @@ ContactStep SmoothContact::load(double force) {
   step.reaction_fixed = resultants.reaction_fixed;
   step.elastic_energy = energies.elastic;
   step.plastic_work = energies.plastic_work;
-  step.plastic_strain = energies.largest_plastic_strain;
+  step.plastic_strain = energies.largest_plastic_strain();
   step.yield_ratio = energies.largest_yield_ratio;
   step.newton = report.newton, step.linear = report.linear, step.updates = report.updates;
   step.converged = report.converged;

@@ -39,6 +39,7 @@ struct ContactStep {
   double von_mises = 0, von_mises_depth = 0;  ///< largest below the substrate's contact, on its axis, and its depth [m]
   double particle_von_mises = 0, particle_von_mises_depth = 0;
   double plastic_strain = 0;
+  double load_step_error = 0;  ///< as stated, of the approach [m]
   double yield_ratio = 0;
   int newton = 0, linear = 0, updates = 0;
   bool converged = false, reaches_rim = false;

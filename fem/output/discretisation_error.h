@@ -1,0 +1,49 @@
+// What the mesh leaves in doubt of the numbers of a single case, as standard deviations.
+//
+// How well a contact is resolved is told by its edge: kappa = perimeter * spacing / area, 2 h / a for a circle of radius a, four spacings
+// over the width of a square spot for kappa 1. It needs no knowledge of spectra and sees what has yielded. Errors of the area are those of
+// the edge, so of first order in kappa. The constants are root mean square errors, each from the cases that its comment names; where
+// they come from boundary elements, tests/fem/stated_errors_test.cc asserts that two standard deviations hold nine of ten.
+#pragma once
+
+#include "fem/output/step_record.h"
+
+namespace asperity::fem {
+
+class DiscretisationError {
+ public:
+  /// peak: the step at the largest load; spacing [m] of the interface; reduced_modulus: E* [Pa]; shortest_wave [m] of the surfaces,
+  /// infinite for smooth ones.
+  DiscretisationError(const StepRecord& peak, double spacing, double reduced_modulus, double shortest_wave);
+
+  double resolution() const { return resolution_; }  ///< kappa
+
+  // Relative:
+  double area() const;              ///< also of the mean pressure; twice that of the radius
+  double largest_pressure() const;
+  double stiffness() const;
+  double lateral_stiffness() const;
+  double torsion_stiffness() const;
+  double largest_stress() const;    ///< below the surface
+  double largest_plastic_strain() const;
+  double plasticity() const;        ///< yielded volume, dissipation, imprint
+  double resistance() const;        ///< of sliding
+  double torsion() const;           ///< moment
+  double rolling() const;           ///< moment, dissipation
+  double pull_off() const;
+  double spots() const;
+
+  // Lengths [m]:
+  double approach() const;          ///< of the mean planes
+  double first_touch() const;       ///< where the surfaces touch first
+  double unloading() const;         ///< difference of two approaches at small loads
+  double load_centre() const;
+
+ private:
+  double spacing_, resolution_;
+  double whole_;  ///< spacing over the radius of the contact as a whole
+  double wave_;   ///< spacing over the shortest wave
+  double dent_;   ///< what the mean pressure presses in over a spacing, h p / E* [m]
+};
+
+}  // namespace asperity::fem

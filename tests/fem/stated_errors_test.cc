@@ -1,0 +1,110 @@
+// Do the standard deviations that result.json states hold? Rough elastic contacts by finite elements against boundary elements of the
+// same surfaces at a fraction of the spacing (tests/fem/support/half_space.h), which know nothing of meshes, mortars or multipliers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <vector>
+
+#include "fem/case_setup.h"
+#include "tests/fem/support/half_space.h"
+#include "tests/fem/support/solved_experiment.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using namespace asperity;
+using namespace asperity::test;
+
+TEST(HalfSpace_analytic, hertz_contact_is_found_by_boundary_elements) {
+  const double R = 8.5e-6, E = 52.868e9, F = 100e-6, a = std::cbrt(3 * F * R / (4 * E));
+  const HalfSpaceContact c = half_space_contact([&](double x, double y) { return (x * x + y * y) / (2 * R); }, 1.3 * a, 128, E, F);
+  EXPECT_NEAR(c.approach / (a * a / R), 1, 1e-4);
+  EXPECT_NEAR(c.largest_pressure / (1.5 * F / (M_PI * a * a)), 1, 1e-3);
+  EXPECT_NEAR(c.area / (M_PI * a * a), 1, 0.006);
+}
+
+/// A rough silicon under the paper's smooth sphere, both elastic.
+struct RoughCase {
+  double rms, rolloff, cutoff;  ///< [nm]
+  int seed;
+  double load, spacing;  ///< [uN], [nm]
+};
+
+CaseInput input_of(const RoughCase& c) {
+  char text[200] = "smooth";
+  if (c.rms > 0)
+    std::snprintf(text, sizeof text, "generated(rms=%g nm, hurst=0.8, rolloff=%g nm, cutoff=%g nm, seed=%d)", c.rms, c.rolloff, c.cutoff, c.seed);
+  CaseInput input = sphere_on_silicon("smooth", text, c.spacing * 1e-9, 0);
+  input.experiment.normal_load = c.load * 1e-6;
+  input.experiment.unload = false;
+  input.experiment.load_steps = 2;
+  input.mesh.layers = 3;
+  input.solver.threads = 1;
+  input.output.fields = false;
+  return input;
+}
+
+/// The same contact by boundary elements in cells of `spacing` [nm] or a little less.
+HalfSpaceContact reference_of(const RoughCase& c, double spacing) {
+  const fem::CaseSetup setup = fem::set_up(input_of(c));
+  const double R = setup.system.mesh.sizes.radius, half = setup.system.mesh.sizes.region_particle;
+  const auto& height = setup.system.mesh.substrate_height;
+  const auto gap = [&](double x, double y) { return R - std::sqrt(R * R - x * x - y * y) - (height ? height(x, y) : 0.0); };
+  return half_space_contact(gap, half, 2 * static_cast<int>(std::ceil(half / (spacing * 1e-9))), setup.reduced_modulus, c.load * 1e-6);
+}
+
+/// Errors of one case over their stated standard deviations, by quantity.
+std::map<std::string, double> errors_over_sd(const RoughCase& c, double reference_spacing) {
+  const HalfSpaceContact expected = reference_of(c, reference_spacing);
+  const TemporaryFolder folder;
+  const auto effective = solve_experiment(input_of(c), folder.path).result["effective"];
+  const std::map<std::string, double> references{{"contact_area", expected.area},
+                                                 {"contact_radius", std::sqrt(expected.area / M_PI)},
+                                                 {"mean_pressure", c.load * 1e-6 / expected.area},
+                                                 {"max_pressure", expected.largest_pressure},
+                                                 {"approach", expected.approach}};
+  std::map<std::string, double> errors;
+  std::printf("rms %.1f roll-off %.0f cut-off %.0f seed %d load %.0f spacing %.0f:", c.rms, c.rolloff, c.cutoff, c.seed, c.load, c.spacing);
+  for (const auto& [name, reference] : references) {
+    const double value = effective[name]["value"], sd = effective[name]["sd"];
+    EXPECT_GT(sd, 0) << name;
+    errors[name] = (value - reference) / sd;
+    std::printf("  %s %+.2f %% (%.1f sd)", name.c_str(), 100 * (value / reference - 1), errors[name]);
+  }
+  std::printf("\n"), std::fflush(stdout);
+  return errors;
+}
+
+/// At least nine of ten errors of each quantity within two standard deviations, and these no wider than they need be: their mean square
+/// is not below a twentieth.
+void expect_coverage(const std::vector<RoughCase>& cases, double waves_per_reference_cell) {
+  std::map<std::string, std::vector<double>> errors;
+  for (const auto& c : cases)
+    for (const auto& [name, error] : errors_over_sd(c, c.rms > 0 ? c.cutoff / waves_per_reference_cell : 4)) errors[name].push_back(error);
+  for (const auto& [name, values] : errors) {
+    double within = 0, square = 0;
+    for (const double e : values) within += std::abs(e) <= 2, square += e * e / static_cast<double>(values.size());
+    std::printf("%-15s within two sd: %.0f of %zu, root mean square %.2f sd\n", name.c_str(), within, values.size(), std::sqrt(square));
+    EXPECT_GE(within, 0.9 * static_cast<double>(values.size())) << name;
+    EXPECT_GT(square, 0.05) << name;
+  }
+}
+
+TEST(StatedErrors_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {
+  expect_coverage({{0, 0, 0, 0, 100, 30}, {1.5, 300, 150, 1, 60, 37}, {0.7, 300, 150, 2, 60, 37}, {1.5, 200, 100, 3, 40, 25}, {2.7, 300, 150, 4, 60, 25}}, 16);
+}
+
+TEST(StatedErrorsNightly_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {
+  std::vector<RoughCase> cases;
+  for (const double spacing : {40.0, 20.0, 10.0}) cases.push_back({0, 0, 0, 0, 100, spacing});
+  for (const int seed : {1, 2, 3})
+    for (const double rms : {0.7, 1.5, 2.7})
+      for (const double cells : {2.0, 4.0, 8.0}) cases.push_back({rms, 200, 80, seed, 100, 80 / cells});
+  for (const double cells : {2.0, 4.0}) cases.push_back({1.5, 200, 40, 1, 50, 40 / cells});
+  expect_coverage(cases, 24);
+}
+
+}  // namespace
