@@ -40,7 +40,7 @@ TEST(LimitsOfJson_analytic, nesting_ends_at_64_levels_with_the_line_where_it_pas
   EXPECT_EQ(message_of<InputError>([&] { parse_json(deeper, "a.json"); }),
             "a.json:2: objects and lists are nested more than 64 deep; no file of asperity is: write it again");
   EXPECT_TRUE(json_if_valid(deeper).is_discarded());
-  const std::string objects = repeated("{\"a\":", 300000);
+  const std::string objects = repeated("{\"a\":", 300000) + "0" + repeated("}", 300000);
   EXPECT_THROW(parse_json(objects, "a.json"), InputError);
 }
 
@@ -61,7 +61,7 @@ TEST(LimitsOfJson_analytic, memory_stays_below_the_stated_multiple) {
 }
 
 TEST(LimitsOfParameterFiles_analytic, nesting_is_refused_in_both_forms) {
-  EXPECT_CONTAINS(settings_refusal(repeated("{\"a\":", 100000)), "case.prm:1: objects and lists are nested more than 64 deep");
+  EXPECT_CONTAINS(settings_refusal(repeated("{\"a\":", 100000) + "0" + repeated("}", 100000)), "case.prm:1: objects and lists are nested more than 64 deep");
   EXPECT_CONTAINS(settings_refusal(repeated("subsection a\n", 60000)), "case.prm:65: subsections stand in each other more than 64");
 }
 

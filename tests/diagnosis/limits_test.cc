@@ -19,6 +19,7 @@ TEST(LimitsOfRecordings_analytic, json_nested_300000_deep_is_refused) {
   const TemporaryFolder folder;
   std::string nested;
   for (int i = 0; i < 300000; ++i) nested += "{\"a\":";
+  nested += "0" + std::string(300000, '}');
   folder.write("recording.json", nested);
   EXPECT_EQ(test::in_child([&] { read_recording(folder.path); }).end, ChildOutcome::End::refused);
   EXPECT_NE(message_of<InputError>([&] { read_recording(folder.path); }).find("recording.json:1: objects and lists are nested"),
