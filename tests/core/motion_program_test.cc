@@ -49,7 +49,9 @@ TEST(MotionProgram, says_what_is_not_a_motion) {
   EXPECT_NE(message("roll 3 N").find("neither in rad nor in m"), std::string::npos) << message("roll 3 N");
   EXPECT_NE(message("slide").find("is not a motion"), std::string::npos);
   EXPECT_NE(message("slide 3 mrad").find("3 mrad"), std::string::npos);
-  EXPECT_NE(message("slide 3 nm in 0 steps").find("steps"), std::string::npos);
+  EXPECT_NE(message("slide 3 nm in 0 steps").find("between 1 and 100000 steps"), std::string::npos);
+  EXPECT_NE(message("slide 3 nm in 100001 steps").find("between 1 and 100000 steps"), std::string::npos);
+  EXPECT_EQ(message("slide 3 nm in 100000 steps"), "");
 }
 
 }  // namespace

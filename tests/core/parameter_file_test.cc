@@ -68,6 +68,8 @@ TEST(ParameterFile, is_written_so_that_it_reads_back_the_same) {
   const auto read = read_settings(folder.write("case.prm", format_settings(written)));
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].path() + read[1].path() + read[2].path(), "TitleParticle/RadiusStudy/Vary/A/B");
+  EXPECT_EQ(format_settings(written),
+            "set Title = x\nsubsection Particle\n  set Radius = 8.5 um\nend\nsubsection Study\n  subsection Vary\n    set A/B = 1, 2\n  end\nend\n");
 }
 
 TEST(ParameterFile, names_the_line_of_what_it_cannot_read) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 
@@ -15,6 +17,22 @@ TEST(Quantity, reads_a_number_with_its_unit_into_SI) {
   EXPECT_DOUBLE_EQ(parse_quantity("180 deg", Dimension::angle), M_PI);
   EXPECT_DOUBLE_EQ(parse_quantity("1e-6", Dimension::length), 1e-6);
   EXPECT_TRUE(std::isinf(parse_quantity("inf", Dimension::pressure)));
+}
+
+TEST(Quantity_analytic, each_unit_has_its_factor) {
+  const std::vector<std::pair<Dimension, std::vector<std::pair<const char*, double>>>> units{
+      {Dimension::none, {{"1", 1}, {"1 %", 0.01}}},
+      {Dimension::length, {{"1 m", 1}, {"1 cm", 1e-2}, {"1 mm", 1e-3}, {"1 um", 1e-6}, {"1 nm", 1e-9}, {"1 A", 1e-10}, {"1 pm", 1e-12}, {"1 km", 1e3}}},
+      {Dimension::force, {{"1 N", 1}, {"1 mN", 1e-3}, {"1 uN", 1e-6}, {"1 nN", 1e-9}, {"1 pN", 1e-12}, {"1 kN", 1e3}}},
+      {Dimension::pressure, {{"1 Pa", 1}, {"1 kPa", 1e3}, {"1 MPa", 1e6}, {"1 GPa", 1e9}, {"1 TPa", 1e12}}},
+      {Dimension::time, {{"1 s", 1}, {"1 ms", 1e-3}, {"1 us", 1e-6}, {"1 min", 60}, {"1 h", 3600}}},
+      {Dimension::angle, {{"1 rad", 1}, {"1 mrad", 1e-3}, {"1 urad", 1e-6}, {"1 deg", M_PI / 180}}},
+      {Dimension::speed, {{"1 m/s", 1}, {"1 mm/s", 1e-3}, {"1 um/s", 1e-6}, {"1 nm/s", 1e-9}}},
+      {Dimension::surface_energy, {{"1 J/m^2", 1}, {"1 mJ/m^2", 1e-3}, {"1 N/m", 1}, {"1 mN/m", 1e-3}}},
+      {Dimension::area, {{"1 m^2", 1}, {"1 mm^2", 1e-6}, {"1 um^2", 1e-12}, {"1 nm^2", 1e-18}}},
+      {Dimension::stiffness, {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}}};
+  for (const auto& [dimension, list] : units)
+    for (const auto& [text, value] : list) EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
 }
 
 TEST(Quantity, refuses_what_is_no_quantity_of_that_dimension) {
