@@ -10,6 +10,7 @@
 
 #include "core/output_folder.h"
 #include "dem_compare/derive/derivation.h"
+#include "dem_compare/engines/needed_cases.h"
 
 namespace asperity {
 namespace {
@@ -45,7 +46,9 @@ void run_derive(const DeriveArguments& arguments) {
   for (std::size_t i = 0; i < derivations.size(); ++i) {
     const fs::path file = file_of(output, i, derivations.size());
     write_contact_parameters(derivations[i].parameters, file);
-    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + "\nwrote " + file.string() + "\n";
+    const std::string needed = needed_cases_text(derivations[i].parameters);
+    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + (needed.empty() ? "" : "\n" + needed) + "\nwrote " +
+            file.string() + "\n";
     all.push_back(to_json(derivations[i].parameters));
   }
   for (const auto& report : over_radii) text += "\n" + to_text(report);

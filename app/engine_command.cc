@@ -12,6 +12,7 @@
 #include "core/quantity.h"
 #include "dem_compare/engines/engine.h"
 #include "dem_compare/engines/engine_input.h"
+#include "dem_compare/engines/needed_cases.h"
 
 namespace asperity {
 namespace {
@@ -61,11 +62,14 @@ struct InputArguments {
 void write_input(const InputArguments& arguments) {
   EngineInputOptions options;
   if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
-  const std::string text = engine_input(arguments.engine, read_contact_parameters(arguments.parameters), options);
+  const ContactParameters parameters = read_contact_parameters(arguments.parameters);
+  const std::string text = engine_input(arguments.engine, parameters, options);
   if (arguments.output.empty())
     std::cout << text << std::flush;
   else
     write_file_atomically(arguments.output, text);
+  for (const auto& missing : needed_cases(parameters))
+    std::cerr << "asperity: the record lacks " << to_text(missing) << "; that resistance is left out\n";
 }
 
 }  // namespace

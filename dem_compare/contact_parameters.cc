@@ -15,7 +15,9 @@ const EffectiveQuantity& need(const ContactParameters& parameters, OptionalQuant
   if (parameters.*member) return *(parameters.*member);
   for (const auto& entry : quantity_entries())
     if (entry.member == member)
-      throw InputError(parameters.file + ": 'quantities' has no '" + entry.key + "' (" + entry.meaning + "), which is needed here");
+      throw InputError(parameters.file + ": 'quantities' has no '" + entry.key + "' (" + entry.meaning +
+                       "), which is needed here; a solved case of this contact with Experiment/Type = " + entry.told_by +
+                       " tells it to 'asperity derive'");
   throw InputError(parameters.file + ": a quantity is missing");
 }
 
@@ -36,19 +38,19 @@ double torque_limit(const ContactParameters& parameters, OptionalQuantity Contac
 const std::vector<QuantityEntry>& quantity_entries() {
   using P = ContactParameters;
   static const std::vector<QuantityEntry> entries{
-      {"reduced_modulus", "Pa", "E* of F = (4/3) E* R^(1/2) delta^(3/2)", &P::reduced_modulus},
-      {"reduced_shear_modulus", "Pa", "G* of k_l = 8 G* a", &P::reduced_shear_modulus},
-      {"normal_stiffness", "N/m", "k_n at its at_load", &P::normal_stiffness},
-      {"lateral_stiffness", "N/m", "k_l at its at_load", &P::lateral_stiffness},
-      {"rolling_stiffness", "N m/rad", "k_ro at its at_load", &P::rolling_stiffness},
-      {"torsion_stiffness", "N m/rad", "k_to at its at_load", &P::torsion_stiffness},
-      {"sliding_friction", "", "mu_l of |f_l| <= mu_l (f + h_l)", &P::sliding_friction},
-      {"sliding_offset", "N", "h_l of |f_l| <= mu_l (f + h_l)", &P::sliding_offset},
-      {"rolling_friction", "", "mu_ro of |M| <= mu_ro lambda (f + h_ro)", &P::rolling_friction},
-      {"rolling_offset", "N", "h_ro of |M| <= mu_ro lambda (f + h_ro)", &P::rolling_offset},
-      {"torsion_friction", "", "mu_to of |M| <= mu_to lambda (f + h_to)", &P::torsion_friction},
-      {"torsion_offset", "N", "h_to of |M| <= mu_to lambda (f + h_to)", &P::torsion_offset},
-      {"pull_off_force", "N", "h_n, the force that parts the bodies", &P::pull_off_force},
+      {"reduced_modulus", "Pa", "E* of F = (4/3) E* R^(1/2) delta^(3/2)", "normal", &P::reduced_modulus},
+      {"reduced_shear_modulus", "Pa", "G* of k_l = 8 G* a", "sliding", &P::reduced_shear_modulus},
+      {"normal_stiffness", "N/m", "k_n at its at_load", "normal", &P::normal_stiffness},
+      {"lateral_stiffness", "N/m", "k_l at its at_load", "sliding", &P::lateral_stiffness},
+      {"rolling_stiffness", "N m/rad", "k_ro at its at_load", "rolling", &P::rolling_stiffness},
+      {"torsion_stiffness", "N m/rad", "k_to at its at_load", "torsion", &P::torsion_stiffness},
+      {"sliding_friction", "", "mu_l of |f_l| <= mu_l (f + h_l)", "sliding", &P::sliding_friction},
+      {"sliding_offset", "N", "h_l of |f_l| <= mu_l (f + h_l)", "sliding", &P::sliding_offset},
+      {"rolling_friction", "", "mu_ro of |M| <= mu_ro lambda (f + h_ro)", "rolling", &P::rolling_friction},
+      {"rolling_offset", "N", "h_ro of |M| <= mu_ro lambda (f + h_ro)", "rolling", &P::rolling_offset},
+      {"torsion_friction", "", "mu_to of |M| <= mu_to lambda (f + h_to)", "torsion", &P::torsion_friction},
+      {"torsion_offset", "N", "h_to of |M| <= mu_to lambda (f + h_to)", "torsion", &P::torsion_offset},
+      {"pull_off_force", "N", "h_n, the force that parts the bodies", "normal", &P::pull_off_force},
   };
   return entries;
 }

@@ -99,6 +99,7 @@ struct QuantityEntry {
   const char* key;
   const char* unit;
   const char* meaning;
+  const char* told_by;  ///< Experiment/Type of the cases that `asperity derive` finds it from
   std::optional<EffectiveQuantity> ContactParameters::*member;
 };
 const std::vector<QuantityEntry>& quantity_entries();

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/nearest_name.h"
+#include "core/printable.h"
 #include "core/quantity.h"
 #include "dem_compare/contact_parameters.h"
 
@@ -18,6 +19,9 @@ constexpr const char* format_name = "asperity-parameters/1";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) { throw InputError(file + ": " + what); }
 
+/// A text of the file as a message shows it: on one line.
+std::string quoted(const std::string& text) { return "'" + printable(text) + "'"; }
+
 /// Every key of an object must be one of `known`.
 void check_keys(const Json& object, const std::vector<std::string>& known, const std::string& where, const std::string& file) {
   if (!object.is_object()) refuse(file, "'" + where + "' is not an object { }");
@@ -26,7 +30,7 @@ void check_keys(const Json& object, const std::vector<std::string>& known, const
     const std::string meant = nearest_name(item.key(), known);
     std::string list;
     for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
-    refuse(file, "there is no '" + item.key() + "' in '" + where + "'; " +
+    refuse(file, "there is no " + quoted(item.key()) + " in '" + where + "'; " +
                      (meant.empty() ? "it may hold " + list : "did you mean '" + meant + "'?"));
   }
 }
@@ -78,7 +82,7 @@ ContactBody parse_body(const Json& json, const char* name, bool is_target, const
   if (geometry == "plane")
     body.radius = std::numeric_limits<double>::infinity();
   else if (geometry != "sphere")
-    refuse(file, std::string("'") + name + "/geometry' is '" + geometry + "'; it must be plane or sphere");
+    refuse(file, std::string("'") + name + "/geometry' is " + quoted(geometry) + "; it must be plane or sphere");
   else if (std::isnan(body.radius))
     refuse(file, std::string("'") + name + "/radius' is missing");
   return body;
@@ -92,7 +96,7 @@ EffectiveQuantity parse_quantity_entry(const Json& object, const QuantityEntry& 
   quantity.value = finite_number(object["value"], where + "/value", file);
   const std::string unit = text_of(object, "unit", where, file);
   if (unit != entry.unit)
-    refuse(file, "'" + where + "' has the unit '" + unit + "'; it must be in SI: '" + entry.unit + "'");
+    refuse(file, "'" + where + "' has the unit " + quoted(unit) + "; it must be in SI: '" + entry.unit + "'");
   if (object.contains("sd") && !object["sd"].is_null()) {
     quantity.sd = finite_number(object["sd"], where + "/sd", file);
     if (quantity.sd < 0) refuse(file, "'" + where + "/sd' is below zero");
@@ -108,7 +112,7 @@ EffectiveQuantity parse_quantity_entry(const Json& object, const QuantityEntry& 
   const std::string scale = text_of(object, "length_scale", where, file);
   if (scale == "r") quantity.length_scale = LengthScale::particle_radius;
   else if (scale == "a") quantity.length_scale = LengthScale::contact_radius;
-  else if (!scale.empty()) refuse(file, "'" + where + "/length_scale' is '" + scale + "'; it must be r (particle) or a (contact)");
+  else if (!scale.empty()) refuse(file, "'" + where + "/length_scale' is " + quoted(scale) + "; it must be r (particle) or a (contact)");
   if (object.contains("at_load")) quantity.at_load = finite_number(object["at_load"], where + "/at_load", file);
   quantity.provenance = text_of(object, "provenance", where, file);
   return quantity;
@@ -153,7 +157,7 @@ ContactParameters parse_contact_parameters(const Json& json, const std::string& 
   if (!json.is_object()) refuse(file, "it is not a JSON object { }");
   const std::string format = text_of(json, "format", "", file);
   if (format != format_name)
-    refuse(file, "its format is '" + format + "'; this program reads '" + format_name + "'");
+    refuse(file, "its format is " + quoted(format) + "; this program reads '" + format_name + "'");
   check_keys(json, {"format", "title", "particle", "target", "quantities", "derivation"}, "the record", file);
   ContactParameters parameters;
   parameters.file = file;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/printable.h"
 #include "dem_compare/engines/input_notes.h"
 #include "dem_compare/engines/text_number.h"
 
@@ -31,21 +32,23 @@ std::string kratos_input(InputNotes& notes) {
     notes.cannot("torsion: the rolling torque acts along the whole angular velocity, spin included, with rolling's coefficient");
   if (p.pull_off_force) notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) + " N: needs the DMT or JKR law of its own; left out");
   relation["DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME"] = "DEM_D_Hertz_viscous_Coulomb";
+  const std::string particle = notes.particle_name(), target = notes.target_name();
   nlohmann::ordered_json json;
-  json["asperity_notes"] = notes.lines();
+  for (const auto& line : notes.lines()) json["asperity_notes"].push_back(printable(line));
   json["asperity_notes"].push_back("'asperity_notes' is no key of Kratos: take it out where it is in the way.");
-  const auto material = [&](const char* name, int id, const ContactBody& body) {
+  const auto material = [&](const std::string& name, int id, const ContactBody& body) {
     nlohmann::ordered_json variables;
     if (body.density > 0) variables["PARTICLE_DENSITY"] = body.density;
     variables["YOUNG_MODULUS"] = elasticity.youngs_modulus[id - 1];
     variables["POISSON_RATIO"] = elasticity.poissons_ratio[id - 1];
     return nlohmann::ordered_json{{"material_name", name}, {"material_id", id}, {"Variables", variables}};
   };
-  json["materials"] = {material("particle", 1, p.particle), material("target", 2, p.target)};
+  json["materials"] = {material(particle, 1, p.particle), material(target, 2, p.target)};
   json["material_relations"] = nlohmann::ordered_json::array();
   json["material_relations"].push_back(
-      {{"material_names_list", {"particle", "target"}}, {"material_ids_list", {1, 2}}, {"Variables", relation}});
-  return json.dump(1) + "\n";
+      {{"material_names_list", {particle, target}}, {"material_ids_list", {1, 2}}, {"Variables", relation}});
+  constexpr bool ascii_only = true;  // whatever reads it, and in whatever encoding
+  return json.dump(1, ' ', ascii_only, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace asperity

@@ -32,12 +32,14 @@ std::string lammps_input(InputNotes& notes) {
     notes.cannot("pull-off force h_n = " + text_number(notes.record().pull_off_force->value) +
                  " N: dmt and jkr would add twice of it to the limits of all modes, and walls lose that of dmt up to 2024; left out");
   notes.meaning("normal damping", 0, "1/(m s)", "not in the record; choose it, half of critical is g = (k_n/m)^(1/2)/a");
-  const std::string law = lammps_text(contact, "mindlin/force");
-  const bool is_plane = notes.record().target.is_plane();
-  return notes.text("#") + "\n" +
-         (is_plane ? "fix contact all wall/gran granular " + law + " zplane 0 NULL contacts\n"
-                   : "pair_style granular\n# of types 1 and 2; give every pair of types, mixed ones silently become linear springs\npair_coeff 1 2 " +
-                         law + "\n");
+  // Without "rescale", a lateral force that is held while the contact unloads adds to the energy of a spinning impact.
+  const std::string law = lammps_text(contact, "mindlin_rescale/force");
+  const std::string header = notes.text(lammps_comment) + "\n";
+  if (notes.record().target.is_plane())
+    return header + "# type 1 is the particle's material; other types keep what they are given. Give this group again after creating atoms.\n"
+                    "group particle type 1\nfix contact particle wall/gran granular " + law + " zplane 0 NULL contacts\n";
+  return header + "pair_style granular  # once, before all pair_coeff\n"
+                  "# of types 1 and 2 alone; give every pair of types, mixed ones silently become linear springs\npair_coeff 1 2 " + law + "\n";
 }
 
 }  // namespace asperity

@@ -28,22 +28,28 @@ std::string liggghts_input(InputNotes& notes) {
     notes.cannot("torsion limit and stiffness: there is no torsion beside 'luding', which takes rolling's coefficient and history for it; -100.0 % at every load");
   if (p.pull_off_force)
     notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) + " N: cohesion sjkr is an area law of its own; left out");
-  const auto pair = [](const std::string& name, double value) {
+  notes.cannot("relaxation of the lateral spring as a contact unloads: without damping, a spinning impact gains up to a tenth of its "
+               "lateral energy; keep coefficientRestitution at 0.9 or below");
+  // Of types 1 and 2 with one another; with themselves they keep what the user chooses.
+  const auto pair = [](const std::string& name, const std::string& of_1, double value, const std::string& of_2) {
     const std::string v = text_number(value);
-    return " all property/global " + name + " peratomtypepair 2 " + v + " " + v + " " + v + " " + v + "\n";
+    return " all property/global " + name + " peratomtypepair 2 " + of_1 + " " + v + " " + v + " " + of_2 + "\n";
   };
   const std::string model = std::string("model hertz tangential history") + (rolling > 0 ? " rolling_friction epsd3" : "");
-  std::string text = notes.text("#") + "\nhard_particles yes  # before the box: moduli above 1e9 Pa are refused otherwise\n";
+  std::string text = notes.text(lammps_comment) + "\nhard_particles yes  # before the box: moduli above 1e9 Pa are refused otherwise\n";
+  text += "# type 1 is the particle's material, type 2 the target's. Each with itself is not in the record, nor is restitution: set these before, or here.\n"
+          "variable friction_11 index 0\nvariable friction_22 index 0\nvariable rolling_friction_11 index 0\n"
+          "variable rolling_friction_22 index 0\nvariable restitution index 0.5\n";
   text += "fix m1 all property/global youngsModulus peratomtype " + text_number(elasticity.youngs_modulus[0]) + " " +
           text_number(elasticity.youngs_modulus[1]) + "\nfix m2 all property/global poissonsRatio peratomtype " +
           text_number(elasticity.poissons_ratio[0]) + " " + text_number(elasticity.poissons_ratio[1]) + "\n";
-  text += "fix m3" + pair("coefficientFriction", mu);
+  text += "fix m3" + pair("coefficientFriction", "${friction_11}", mu, "${friction_22}");
   if (rolling > 0) {
-    text += "fix m4" + pair("coefficientRollingFriction", rolling);
-    text += "fix m5" + pair("coefficientRollingViscousDamping", 0);
-    text += "fix m6 all property/global rollingStiffness scalar " + text_number(prefactor) + "\n";
+    text += "fix m4" + pair("coefficientRollingFriction", "${rolling_friction_11}", rolling, "${rolling_friction_22}");
+    text += "fix m5" + pair("coefficientRollingViscousDamping", "0", 0, "0");
+    text += "fix m6 all property/global rollingStiffness scalar " + text_number(prefactor) + "  # one for all pairs of types\n";
   }
-  text += "# not in the record: choose it\nfix m7" + pair("coefficientRestitution", 0.5);
+  text += "fix m7 all property/global coefficientRestitution peratomtypepair 2 ${restitution} ${restitution} ${restitution} ${restitution}\n";
   text += "pair_style gran " + model + "\npair_coeff * *\n";
   if (p.target.is_plane()) text += "fix contact all wall/gran " + model + " primitive type 2 zplane 0.0\n";
   return text;

@@ -31,19 +31,23 @@ std::string mercurydpm_input(InputNotes& notes) {
   if (p.pull_off_force)
     notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) +
                  " N: a ReversibleAdhesive species takes it by setAdhesionForceMax, and then adds it to the limits of all modes; left out");
-  std::string text = notes.text("//") + R"(
+  std::string text = notes.text(cplusplus_comment) + R"(
 #include <Species/HertzianViscoelasticMindlinRollingTorsionSpecies.h>
 
-auto species = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindlinRollingTorsionSpecies());
+auto particle = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindlinRollingTorsionSpecies());
+auto target = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindlinRollingTorsionSpecies());
+// each with itself is not in the record: particle->setEffectiveElasticModulus(...) and so on
 )";
-  const auto set = [&](const std::string& what, double value) { text += "species->set" + what + "(" + text_number(value) + ");\n"; };
-  if (p.particle.density > 0) set("Density", p.particle.density);
+  if (p.particle.density > 0) text += "particle->setDensity(" + text_number(p.particle.density) + ");\n";
+  if (p.target.density > 0) text += "target->setDensity(" + text_number(p.target.density) + ");\n";
+  text += "auto contact = problem.speciesHandler.getMixedObject(particle, target);\n";
+  const auto set = [&](const std::string& what, double value) { text += "contact->set" + what + "(" + text_number(value) + ");\n"; };
   set("EffectiveElasticModulus", E);
   set("EffectiveShearModulus", G);
   set("SlidingFrictionCoefficient", mu);
   if (rolling > 0) set("RollingFrictionCoefficient", rolling);
   if (torsion > 0) set("TorsionFrictionCoefficient", torsion);
-  text += "// not in the record: species->setDissipation(...), by its own definition of damping\n";
+  text += "// not in the record: contact->setDissipation(...), by its own definition of damping\n";
   return text;
 }
 

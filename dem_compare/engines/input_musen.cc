@@ -1,4 +1,5 @@
 // MUSEN: the properties that its materials editor asks for, as a list to type in.
+#include "core/printable.h"
 #include "dem_compare/engines/input_notes.h"
 #include "dem_compare/engines/text_number.h"
 
@@ -20,9 +21,9 @@ std::string musen_input(InputNotes& notes) {
   if (p.pull_off_force)
     notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) +
                  " N: the model Popov-JKR makes it 1.5 pi gamma R_e with gamma the full work of adhesion; left out");
-  std::string text = notes.text("#") + "\n# Materials editor, compounds\n";
+  std::string text = notes.text(plain_comment) + "\n# Materials editor, compounds\n";
   for (int i = 0; i < 2; ++i)
-    text += std::string(i == 0 ? "particle" : "target") + ": Young modulus [Pa] " + text_number(elasticity.youngs_modulus[i]) +
+    text += printable(i == 0 ? notes.particle_name() : notes.target_name()) + ": Young modulus [Pa] " + text_number(elasticity.youngs_modulus[i]) +
             ", Poisson ratio [-] " + text_number(elasticity.poissons_ratio[i]) + "\n";
   text += "# Materials editor, interaction of both; contact model Hertz-Mindlin\nSliding friction [-] " + text_number(mu) + "\n";
   if (rolling > 0) text += "Rolling friction [-] " + text_number(rolling) + "\n";

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "dem_compare/engines/needed_cases.h"
 #include "dem_compare/engines/text_number.h"
 
 namespace asperity {
@@ -62,6 +63,16 @@ std::string engine_input(const std::string& engine, const ContactParameters& par
 InputNotes::InputNotes(const ContactParameters& parameters, const EngineInputOptions& options, std::string engine)
     : p_(parameters), options_(options), engine_(std::move(engine)) {
   if (options.load && !(*options.load > 0)) throw InputError("the load at which the limits are to be right must be above zero");
+  std::string needed;
+  bool is_refused = false;
+  for (const auto& missing : needed_cases(p_)) {
+    needed += (needed.empty() ? "" : "; ") + to_text(missing);
+    is_refused = is_refused || missing.is_required;
+    if (!missing.is_required) left_out_.push_back(to_text(missing));
+  }
+  if (is_refused)
+    throw InputError(p_.file + ": " + engine_ + " still needs " + needed +
+                     "; solve these for the same contact and run 'asperity derive' over their folders and those solved before");
 }
 
 LoadRange InputNotes::range(Member friction, Member offset) const {
@@ -97,7 +108,6 @@ double InputNotes::limit(const std::string& mode, Member friction, Member offset
 }
 
 double InputNotes::sliding() {
-  if (!p_.sliding_friction) p_.sliding_limit(1);  // says what is missing
   return limit("sliding", &ContactParameters::sliding_friction, &ContactParameters::sliding_offset,
                [&](double load) { return p_.sliding_limit(load); });
 }
@@ -170,6 +180,7 @@ std::vector<std::string> InputNotes::lines() const {
   std::vector<std::string> all;
   all.push_back("Written by asperity for " + engine_ + " from " + (p_.file.empty() ? "a record" : p_.file) +
                 (p_.title.empty() ? "" : ": " + p_.title));
+  all.push_back("Particle: " + particle_name() + "; target: " + target_name() + ".");
   all.push_back("SI units. Contact of a sphere, R = " + text_number(p_.particle.radius) + " m, with " +
                 (p_.target.is_plane() ? "a plane" : "a sphere, R = " + text_number(p_.target.radius) + " m") +
                 "; effective radius R_e = " + text_number(p_.effective_radius()) + " m. F is the normal force.");
@@ -177,6 +188,11 @@ std::vector<std::string> InputNotes::lines() const {
                               : "Limits that depend on the load are as much too large at one end of the fitted loads as too small at the other.");
   all.push_back("");
   for (const auto& line : meanings_) all.push_back("  " + line);
+  if (!left_out_.empty()) {
+    all.push_back("");
+    all.push_back("What the record does not hold and is left out, and the case that would tell 'asperity derive':");
+    for (const auto& line : left_out_) all.push_back("  " + line);
+  }
   all.push_back("");
   if (limits_.empty()) {
     all.push_back("All quantities of the record are expressed without error.");
@@ -187,9 +203,16 @@ std::vector<std::string> InputNotes::lines() const {
   return all;
 }
 
-std::string InputNotes::text(const std::string& comment) const {
+std::string InputNotes::particle_name() const { return p_.particle.material.empty() ? "particle" : p_.particle.material; }
+
+std::string InputNotes::target_name() const {
+  const std::string name = p_.target.material.empty() ? "target" : p_.target.material;
+  return name == particle_name() ? name + " (target)" : name;
+}
+
+std::string InputNotes::text(const CommentStyle& comment) const {
   std::string text;
-  for (const auto& line : lines()) text += line.empty() ? comment + "\n" : comment + " " + line + "\n";
+  for (const auto& line : lines()) text += comment.line(line) + "\n";
   return text;
 }
 

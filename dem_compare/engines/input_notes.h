@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem_compare/engines/engine_input.h"
+#include "dem_compare/engines/escaped_text.h"
 
 namespace asperity {
 
@@ -40,8 +41,13 @@ class InputNotes {
   /// Something the engine cannot do at all.
   void cannot(const std::string& what);
 
-  /// The header, each line behind `comment`.
-  std::string text(const std::string& comment) const;
+  /// "particle" and "target", or the materials' names where the record has them: two that differ.
+  std::string particle_name() const;
+  std::string target_name() const;
+
+  /// The header as comments of one language.
+  std::string text(const CommentStyle& comment) const;
+  /// Its lines as they are; texts of the record are in them.
   std::vector<std::string> lines() const;
 
  private:
@@ -53,7 +59,7 @@ class InputNotes {
   const ContactParameters& p_;
   const EngineInputOptions options_;
   std::string engine_;
-  std::vector<std::string> meanings_, limits_;
+  std::vector<std::string> meanings_, limits_, left_out_;
 };
 
 /// Young's modulus and Poisson's ratio for an engine that computes E* and G* from them.

@@ -34,21 +34,20 @@ std::vector<Plane> planes_of(const EngineExperiment& e) {
 
 /// The sphere's centre is at the origin at rest; each plane is a sphere `large` times as large below (or above) it.
 void write_bodies(std::ostream& out, const EngineExperiment& e, const std::vector<Plane>& planes) {
-  out << "large = 1e5*R\n"
-      << "material = O.materials.append(FrictMat(young=1e9, poisson=0.3, frictionAngle=0.1, density="
-      << number(e.substrate.particle.density) << "))  # replaced on each interaction below\n"
-      << "particle = O.bodies.append(utils.sphere((0, 0, 0), R, material=material))\nplanes = {}\n";
+  out << "large = 1e5*R\ndef material(label):\n"
+      << "    return O.materials.append(FrictMat(young=1e9, poisson=0.3, frictionAngle=0.1, density="
+      << number(e.substrate.particle.density) << ", label=label))  # moduli and friction: replaced on each contact\n"
+      << "particle = O.bodies.append(utils.sphere((0, 0, 0), R, material=material('particle')))\nplanes = {}\n"
+      << yade_functions;
   for (const Plane& plane : planes) {
-    const YadeContact contact = yade_contact(*plane.parameters, plane.load);
     out << "planes['" << plane.name << "'] = dict(y=" << number(plane.y) << ", z=" << number(plane.z)
-        << ", approach=" << number(plane.parameters->hertz().approach(plane.load)) << ",\n    numbers=dict(kno=" << number(contact.kno)
-        << ", kso=" << number(contact.kso) << ", tangensOfFrictionAngle=" << number(contact.friction) << ", kr=" << number(contact.kr)
-        << ", ktw=" << number(contact.ktw) << ", maxBendPl=" << number(contact.bend) << "), twist_limit=" << number(contact.twist)
-        << ")\n";
+        << ", approach=" << number(plane.parameters->hertz().approach(plane.load)) << ")\n"
+        << yade_contact_entry("'particle'", N("'") + plane.name + "'", plane.parameters->effective_radius(), yade_contact(*plane.parameters, plane.load));
   }
-  out << R"(for plane in planes.values():
+  out << R"(for name, plane in planes.items():
     reach = R - plane['approach'] + large
-    plane['id'] = O.bodies.append(utils.sphere((0, -plane['y']*reach, -plane['z']*reach), large, material=material, fixed=True))
+    centre = (0, -plane['y']*reach, -plane['z']*reach)
+    plane['id'] = O.bodies.append(utils.sphere(centre, large, material=material(name), fixed=True))
 )";
 }
 
@@ -62,19 +61,6 @@ def force_on_particle(name):
     force = i.phys.normalForce + i.phys.shearForce
     away = i.phys.normalForce.dot(Vector3(0, planes[name]['y'], planes[name]['z']))
     return force if away > 0 else -force
-
-def set_numbers():
-    for name, plane in planes.items():
-        for key, value in plane['numbers'].items():
-            setattr(contact(name).phys, key, value)
-
-def limit_torsion():
-    # MindlinPhys has a spring of torsion without a limit: |M| <= limit F
-    for name, plane in planes.items():
-        phys = contact(name).phys
-        most, moment = plane['twist_limit']*phys.normalForce.norm(), phys.momentTwist.norm()
-        if plane['twist_limit'] > 0 and moment > most:
-            phys.momentTwist = phys.momentTwist*(most/moment)
 
 leg = drive = speed = leg_start = 0
 
@@ -144,16 +130,16 @@ std::string Yade::input(const EngineExperiment& e, const MotionPlan& plan) const
           << "def response(): return force_on_particle('plate')[0]\n";
       break;
   }
-  out << "recorder = PyRunner(command='row()', iterPeriod=1, initRun=True, dead=True)\n"
+  out << "contacts = PyRunner(command='asperity_step()', iterPeriod=1, initRun=True)\n"
+      << "recorder = PyRunner(command='row()', iterPeriod=1, initRun=True, dead=True)\n"
       << "O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()]),\n"
       << "    InteractionLoop([Ig2_Sphere_Sphere_ScGeom()],\n"
-      << "        [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5, betas=" << (is_free ? "0.5" : "0") << ", krot=1, ktwist=1, eta=1)],\n"
-      << "        [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),\n";
-  if (twists) out << "    PyRunner(command='limit_torsion()', iterPeriod=1),\n";
-  out << "    recorder, NewtonIntegrator(damping=0)]\n"
+      << "        [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5, betas=" << (is_free ? "0.5" : "0") << ")],\n"
+      << "        [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),\n"
+      << "    contacts, recorder, NewtonIntegrator(damping=0)]\n"
       << "try:\n"
-      << "    O.run(1, True)  # the interactions come into being\n    set_numbers()\n"
-      << "    for body in O.bodies: body.state.vel = body.state.angVel = (0, 0, 0)\n"
+      << "    O.run(1, True)  # the contacts come into being\n"
+      << (twists ? "" : "    contacts.dead = True  # nothing twists under a constant load\n")
       << "    with open('trace.csv', 'w') as trace:\n        print('" << trace_header() << "', file=trace)\n"
       << "        recorder.dead = False\n";
   for (const Leg& leg : plan.legs)

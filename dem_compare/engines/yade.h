@@ -1,14 +1,15 @@
 // YADE, Law2_ScGeom_MindlinPhys_Mindlin (2023.02a).
 //   F = kno delta^(3/2), kno = 4/3 E* R_e^(1/2);   k_l = kso delta^(1/2), kso = 8 G* R_e^(1/2);   |f_l| <= tan(angle) F;
 //   rolling: spring kr, |M| <= maxBendPl F (maxBendPl = eta times the mean of both radii, a length);
-//   torsion: spring ktw that never yields; the limit is laid on it by a function that YADE calls each step.
+//   torsion: spring ktw that never yields; the limit is laid on it by a function that YADE calls each step (yade_contacts.h).
 // Walls and facets count as spheres of the particle's own size there (R_e = R/2 and 2/3 R): a plane is made of a sphere
-// 100 000 times as large, and all numbers are set on the interaction itself.
+// 100 000 times as large, and all numbers are set on the contact itself.
 #pragma once
 
 #include <string>
 
 #include "dem_compare/engines/engine.h"
+#include "dem_compare/engines/yade_contacts.h"
 
 namespace asperity {
 
@@ -23,15 +24,6 @@ class Yade : public Engine {
   std::string error_message(const std::string& log) const override;
   std::string remedy(const std::string& error_message) const override;
   std::string version(const std::string& log) const override;
-};
-
-/// Numbers of one contact as attributes of MindlinPhys.
-struct YadeContact {
-  double kno = 0;       ///< [N/m^(3/2)]
-  double kso = 0;       ///< [N/m^(3/2)]
-  double friction = 0;  ///< tangensOfFrictionAngle
-  double kr = 0, bend = 0;    ///< [N m/rad], maxBendPl [m]; zero: no rolling resistance
-  double ktw = 0, twist = 0;  ///< [N m/rad], torsion limit over normal force [m]; zero: none
 };
 
 /// At one load: friction limits with their offsets folded in.

@@ -8,18 +8,11 @@
 namespace asperity {
 namespace {
 
+using test::Liggghts;
 using test::number_after;
 using test::run_script;
 
 constexpr double radius = 8.5e-6, overlap = 100e-9;  // deep enough to tell R from R - delta/2
-
-/// LIGGGHTS takes scripts as LAMMPS does.
-class Liggghts : public Lammps {
- public:
-  std::string name() const override { return "LIGGGHTS"; }
-  std::string executable() const override { return "liggghts"; }
-  std::string package() const override { return "liggghts"; }
-};
 
 TEST(EngineConventions_other_code, torque_of_lammps_has_the_arm_r_at_walls_and_r_less_half_the_overlap_between_spheres) {
   const Lammps lammps;

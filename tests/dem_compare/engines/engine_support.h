@@ -22,6 +22,14 @@
 
 namespace asperity::test {
 
+/// LIGGGHTS takes scripts as LAMMPS does.
+class Liggghts : public Lammps {
+ public:
+  std::string name() const override { return "LIGGGHTS"; }
+  std::string executable() const override { return "liggghts"; }
+  std::string package() const override { return "liggghts"; }
+};
+
 /// The canonical contact (100 uN, mu = 0.23) in one of the experiments.
 inline EngineExperiment canonical_experiment(EngineExperiment::Type type) {
   EngineExperiment e;
