@@ -4,6 +4,7 @@
 #include "dem_compare/resistance/findings.h"
 #include "dem_compare/resistance/length_sentences.h"
 #include "dem_compare/resistance/sentences.h"
+#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

@@ -1,9 +1,11 @@
 // asperity engine and engine-input as a person calls them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "core/atomic_file.h"
 #include "dem_compare/engines/run_program.h"
@@ -51,6 +53,65 @@ TEST(EngineCommand, refuses_wrong_input_with_status_2) {
   const TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\"format\": \"asperity-parameters/1\"}");
   EXPECT_EQ(call("engine-input " + file.string() + " --engine lammps").output, "asperity: " + file.string() + ": 'particle' is missing\n");
+}
+
+/// The paper's record without some of its quantities.
+std::filesystem::path record_without(const TemporaryFolder& folder, const std::string& name, const std::vector<std::string>& motions) {
+  auto json = nlohmann::ordered_json::parse(read_file(silicon));
+  nlohmann::ordered_json kept = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : json["quantities"].items())
+    if (std::none_of(motions.begin(), motions.end(), [&, k = key](const std::string& motion) { return k.rfind(motion, 0) == 0; })) kept[key] = value;
+  json["quantities"] = kept;
+  return folder.write(name, json.dump());
+}
+
+TEST(EngineCommand, says_which_cases_an_engine_still_needs) {
+  const TemporaryFolder folder;
+  const auto normal = record_without(folder, "normal.json", {"sliding_", "rolling_", "torsion_"});
+  const Outcome refused = call("engine-input " + normal.string() + " --engine lammps");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.output,
+            "asperity: " + normal.string() + ": LAMMPS still needs sliding_friction (a case with Experiment/Type = sliding); rolling_friction and "
+            "rolling_stiffness (a case with Experiment/Type = rolling); torsion_friction and torsion_stiffness (a case with Experiment/Type = torsion); "
+            "solve these for the same contact and run 'asperity derive' over their folders and those solved before\n");
+  EXPECT_CONTAINS(call("engine " + normal.string() + " --engine lammps --experiment glued --output x").output,
+                  "a solved case of this contact with Experiment/Type = sliding tells it to 'asperity derive'");
+
+  // What an engine can do without is left out, and said to be: on the terminal and in the file.
+  const auto sliding = record_without(folder, "sliding.json", {"rolling_", "torsion_"});
+  const auto input = folder.path / "in.contact";
+  const Outcome written = call("engine-input " + sliding.string() + " --engine lammps --output " + input.string());
+  EXPECT_EQ(written.status, 0);
+  for (const std::string& text : {written.output, read_file(input)}) {
+    EXPECT_CONTAINS(text, "rolling_friction and rolling_stiffness (a case with Experiment/Type = rolling)");
+    EXPECT_CONTAINS(text, "torsion_friction and torsion_stiffness (a case with Experiment/Type = torsion)");
+  }
+}
+
+TEST(EngineCommand_analytic, name_of_a_file_with_a_line_break_stays_in_the_comment) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"p\nshell touch pwned.json", "p\r\xff &.json"}) {
+    const auto file = folder.write(name, read_file(silicon));
+    for (const std::string engine : {"lammps", "yade", "liggghts", "mercurydpm", "kratos", "musen"}) {
+      const Outcome outcome = call("engine-input '" + file.string() + "' --engine " + engine);
+      EXPECT_EQ(outcome.status, 0) << outcome.output;
+      EXPECT_EQ(outcome.output.find("\nshell"), std::string::npos) << engine;
+      EXPECT_EQ(outcome.output.find_first_of("\r\xff"), std::string::npos) << engine;
+      EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), [&] {
+        const std::string harmless = call("engine-input " + silicon + " --engine " + engine).output;
+        return std::count(harmless.begin(), harmless.end(), '\n');
+      }()) << engine;
+    }
+  }
+}
+
+TEST(EngineCommand, unit_is_quoted_on_one_line) {
+  const TemporaryFolder folder;
+  auto json = nlohmann::json::parse(read_file(silicon));
+  json["quantities"]["reduced_modulus"]["unit"] = "G\n\x1b[31mPa";
+  const auto file = folder.write("p.json", json.dump());
+  EXPECT_EQ(call("engine-input " + file.string() + " --engine lammps").output,
+            "asperity: " + file.string() + ": 'quantities/reduced_modulus' has the unit 'G\\n\\x1b[31mPa'; it must be in SI: 'Pa'\n");
 }
 
 TEST(EngineCommand, writes_an_input_for_every_engine) {
