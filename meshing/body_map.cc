@@ -1,7 +1,6 @@
 #include "meshing/body_map.h"
 
 #include <cmath>
-#include <limits>
 
 namespace asperity::meshing {
 namespace {
@@ -12,8 +11,10 @@ Point3 blend(const Point3& a, const Point3& b, double t) {
 
 /// Level at which 2^level cells over `width` are at least as wide as `spacing`; the stretch makes up the rest. Where these are too few
 /// to reach over the uniform part, or the last one is more than `widest` times as wide as these, one level more, with cells that are
-/// narrower than asked.
-int level_for(double width, double spacing, double uniform_half_width, double widest) {
+/// narrower than asked. Hanging nodes lie in the middle of wide faces, where the nodes of a grading do not: on the cap scaled Jacobians
+/// fall below 0.2 at a widening of 9.5, in the block at 10.2.
+int level_for(double width, double spacing, double uniform_half_width) {
+  constexpr double widest = 8;
   const int level = std::max(2, static_cast<int>(std::floor(std::log2(width / spacing * (1 + 1e-9)))));
   const double slope = spacing * std::pow(2.0, level - 1);
   const bool reaches = uniform_half_width <= Stretch::largest_uniform_part * slope;
@@ -34,16 +35,14 @@ BodyMap::BodyMap(const BodySizes& sizes) : sizes_(sizes) {
   const double cap_half = cap_fraction * sizes.radius;
   const double cap_thickness = (1 - core_height_fraction) * sizes.radius;
   const double uniform_particle = 1.5 * sizes.region_particle + sizes.reach_particle;
-  // Wide last cells of the cap distort its neighbours: at 9.5 times the first ones scaled Jacobians fall below 0.2.
-  constexpr double widest_of_cap = 8, any = std::numeric_limits<double>::infinity();
-  level_particle_ = level_for(2 * cap_half, sizes.spacing_particle, uniform_particle, widest_of_cap);
+  level_particle_ = level_for(2 * cap_half, sizes.spacing_particle, uniform_particle);
   const double cells_particle = std::pow(2.0, level_particle_);
   cap_lateral_ = Stretch(cap_half, sizes.spacing_particle * cells_particle / 2, uniform_particle);
   cap_depth_ = Stretch(cap_thickness, sizes.spacing_particle * cells_particle, sizes.region_particle);
 
   const double half = sizes.block_half_width;
   const double uniform_substrate = 1.5 * sizes.region_substrate + sizes.reach_substrate;
-  level_substrate_ = level_for(2 * half, sizes.spacing_substrate, uniform_substrate, any);
+  level_substrate_ = level_for(2 * half, sizes.spacing_substrate, uniform_substrate);
   const double cells_substrate = std::pow(2.0, level_substrate_);
   block_lateral_ = Stretch(half, sizes.spacing_substrate * cells_substrate / 2, uniform_substrate);
   block_depth_ = Stretch(2 * half, sizes.spacing_substrate * cells_substrate, sizes.region_substrate);
@@ -56,6 +55,11 @@ Point3 BodyMap::cap_surface(double x, double y) const {
 
 double BodyMap::depth(int tree, const Point3& logical) const {
   return tree == block ? block_depth_(1 - logical[2]) : cap_depth_(logical[2]);
+}
+
+std::array<double, 2> BodyMap::aside(int tree, const Point3& logical) const {
+  const Stretch& lateral = tree == block ? block_lateral_ : cap_lateral_;
+  return {lateral(2 * logical[0] - 1), lateral(2 * logical[1] - 1)};
 }
 
 Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {

@@ -43,6 +43,8 @@ class BodyMap {
   Point3 position(int tree, const Point3& logical) const;
   /// Depth below the contact surface [m] along the grading, 0 at the surface; only for the trees cap and block.
   double depth(int tree, const Point3& logical) const;
+  /// Place along x and y [m] of a line of the surface's lattice, from the middle of its body's; only for the trees cap and block.
+  std::array<double, 2> aside(int tree, const Point3& logical) const;
   /// Refinement level at which the spacing at the interface is the requested one.
   int finest_level(Body body) const { return body == Body::particle ? level_particle_ : level_substrate_; }
   const BodySizes& sizes() const { return sizes_; }

@@ -53,13 +53,13 @@ void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
   }
 }
 
-/// How far a cell is from the contact region: 0 where it touches the uniformly meshed square.
+/// How far a cell is from the contact region: 0 where it touches the uniformly meshed square. Aside by the lattice of the surface, though
+/// the cap's lattice is narrower below: a cell is never farther than those below it, which would hang their nodes on its wide faces.
 double distance_to_region(const BodyMap& map, const LogicalBox& box, double region) {
-  Point3 low = map.position(box.tree, box.vertex(0)), high = map.position(box.tree, box.vertex(7));
+  const std::array<double, 2> low = map.aside(box.tree, box.vertex(0)), high = map.aside(box.tree, box.vertex(7));
   double lateral = 0;
   for (int d = 0; d < 2; ++d) {
-    const double offset = box.tree != block ? 0 : d == 0 ? map.sizes().offset_substrate_x : map.sizes().offset_substrate_y;
-    const double nearest = std::max({0.0, low[d] - offset, offset - high[d]});
+    const double nearest = std::max({0.0, low[d], -high[d]});
     const double reach = box.tree == block ? map.sizes().reach_substrate : map.sizes().reach_particle;
     lateral = std::max(lateral, nearest - region - (d == 0 ? reach : 0.0));
   }

@@ -141,6 +141,25 @@ TEST(MeshQuality, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_
   EXPECT_LT(widest, 1.01 * sizes.spacing_particle);
 }
 
+CaseInput rolling(double spacing, double distance, double region) {
+  CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, region);
+  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.normal_load = 300e-6;
+  input.experiment.distance = distance;
+  return input;
+}
+
+TEST(MeshQuality, no_cell_of_the_cap_is_wider_than_those_below_it) {
+  constexpr double gentle = 0.28;  // as above; 0.045 at 31 nm where finer cells below hung their nodes on a wide one
+  for (const double spacing : {30e-9, 31e-9, 32e-9, 33e-9, 34e-9})
+    EXPECT_GT(Meshed(rolling(spacing, 450e-9, 585e-9)).quality().smallest_scaled_jacobian[0], gentle) << spacing;
+}
+
+TEST(MeshQuality, a_block_finely_meshed_far_from_the_contact_keeps_good_cells) {
+  constexpr double gentle = 0.28;  // 0.185 where the last cells were 10.2 times as wide as the first
+  EXPECT_GT(Meshed(rolling(46.6e-9, 2.2e-6, 0)).quality().smallest_scaled_jacobian[1], gentle);
+}
+
 TEST(MeshQuality, bad_cells_of_a_smooth_body_are_not_blamed_on_roughness) {
   HexMeshQuality quality;
   quality.smallest_scaled_jacobian = {0.1, 0.9};
