@@ -51,5 +51,35 @@ TEST(MeshCase, roughness_too_steep_for_hexahedra_is_refused_with_a_remedy_and_le
   EXPECT_FALSE(std::filesystem::exists(folder.path / "meshes"));
 }
 
+/// A smooth sphere that adheres and rolls.
+CaseInput rolling(double spacing, double distance) {
+  CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, 0);
+  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.normal_load = 300e-6;
+  input.experiment.distance = distance;
+  input.interface.work_of_adhesion = 77e-3;
+  input.interface.opening_work = 154e-3;
+  input.interface.adhesion_law = "exponential";
+  input.interface.adhesion_range = 1e-9;
+  return input;
+}
+
+void expect_meshes(const CaseInput& input) {
+  const test::TemporaryFolder folder;
+  try {
+    mesh_case(input, folder.path / "meshes", [](const std::string&) {});
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "meshes/substrate_tetrahedra.msh"));
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << "spacing " << input.mesh.interface_spacing << " m, distance " << input.experiment.distance << " m: " << error.what();
+  }
+}
+
+TEST(MeshCase, points_of_a_smooth_body_that_lie_on_one_sphere_do_not_stop_CGAL) { expect_meshes(rolling(34e-9, 450e-9)); }
+
+TEST(MeshSweepNightly_regression, no_spacing_and_distance_is_refused) {
+  for (int s = 0; s < 20; ++s)
+    for (int d = 0; d < 10; ++d) expect_meshes(rolling((25 + 1.7 * s) * 1e-9, (0.15 + 0.31 * d) * 1e-6));
+}
+
 }  // namespace
 }  // namespace asperity
