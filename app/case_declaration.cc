@@ -109,6 +109,12 @@ CaseEntry choice(std::string section, std::string name, Member<T> member,
           }};
 }
 
+/// How finely something is solved, how or where it is written: not what is solved.
+CaseEntry not_physical(CaseEntry entry) {
+  entry.is_physical = false;
+  return entry;
+}
+
 CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
                std::string documentation) {
   return choice<bool>(std::move(section), std::move(name), std::move(member), {{"true", true}, {"false", false}},
@@ -219,14 +225,14 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                              "0 N", "1 mN", "Largest normal force (control by force)."));
   entries.push_back(quantity(section, "Normal approach", at(&ExperimentInput::normal_approach), Dimension::length,
                              not_negative, "0 m", "", "Largest approach of the bodies (control by displacement)."));
-  entries.push_back(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load."));
+  entries.push_back(not_physical(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load.")));
   entries.push_back(flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
   entries.push_back(quantity(section, "Retract", at(&ExperimentInput::retract), Dimension::length, not_negative, "0 m", "",
                              "How far beyond first touch unloading goes on under control by displacement: for pull-off."));
-  entries.push_back(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1, "10", "Steps from the largest load to zero."));
+  entries.push_back(not_physical(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1, "10", "Steps from the largest load to zero.")));
   entries.push_back(whole_number(section, "Cycles", at(&ExperimentInput::cycles), 1, "1",
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
-  entries.push_back(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading."));
+  entries.push_back(not_physical(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading.")));
   entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
                              "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, two contact diameters of them steady."));
   entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
@@ -236,12 +242,13 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                              "How far sliding and rolling come back with Reverse = true; 0: to where they began. A contact radius tells the stiffness "
                              "of rolling: over the same track hills drop out."));
   entries.push_back(motion_program(section));
-  entries.push_back(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
+  entries.push_back(not_physical(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
                                  "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
-                                 "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at the rim of a contact that spins."));
+                                 "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at the rim of a contact that spins.")));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
+  const auto first = static_cast<std::ptrdiff_t>(entries.size());
   entries.push_back(quantity("Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
                              Dimension::length, not_negative, "0 m", "",
                              "Distance of nodes where contact can come; 0: a twelfth of Hertz' contact radius or a quarter of the roughness' shortest wave, "
@@ -272,12 +279,13 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
                          "Write the fields for ParaView (VTU and PVD of the bodies, VTP of the interface)."));
   entries.push_back(whole_number("Output", "Fields every", [](CaseInput& c) -> int& { return c.output.fields_every; }, 0, "0",
                                  "Steps between files of fields; 0: at the largest load and at the last step."));
+  for (auto entry = entries.begin() + first; entry != entries.end(); ++entry) entry->is_physical = false;
 }
 
 std::vector<CaseEntry> declare_entries() {
   std::vector<CaseEntry> entries;
-  entries.push_back({"", "Title", "untitled", "", "a text", "Name of the case in reports.",
-                     [](CaseInput& input, const std::string& text) { input.title = text == "untitled" ? "" : text; }});
+  entries.push_back(not_physical({"", "Title", "untitled", "", "a text", "Name of the case in reports.",
+                                  [](CaseInput& input, const std::string& text) { input.title = text == "untitled" ? "" : text; }}));
   entries.push_back(quantity("Particle", "Radius", [](CaseInput& c) -> double& { return c.radius; }, Dimension::length,
                              positive, "", "8.5 um", "Radius R of the sphere."));
   add_body(entries, "Particle", &CaseInput::particle, "71 GPa", "0.17");

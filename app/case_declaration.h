@@ -20,6 +20,9 @@ struct CaseEntry {
   std::function<void(CaseInput&, const std::string&)> store;
   /// One text for all ways to write a value: a quantity in SI, with 14 digits. Expects a value that `store` accepts.
   std::function<std::string(const std::string&)> canonical = [](const std::string& text) { return text; };
+  /// Decides the answer, so that cases which differ in it are of different contacts or experiments. A new entry does unless it says
+  /// otherwise (mesh, solver, steps, output, title).
+  bool is_physical = true;
 
   bool required() const { return default_text.empty(); }
 };

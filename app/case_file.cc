@@ -8,6 +8,7 @@
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "core/written_apart.h"
 #include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
@@ -91,11 +92,10 @@ class Checker {
              "Experiment/Normal load is given but Control is displacement; remove it or set Control = force");
     if (experiment.cycles > 1 && !experiment.unload)
       refuse("Experiment/Cycles", "Experiment/Cycles above 1 needs unloading; set Unload = true");
+    const auto [contact, half] = quantities_apart(hertz_radius(), input_.radius / 2, Dimension::length);
     if (hertz_radius() > input_.radius / 2)
       refuse(by_force ? "Experiment/Normal load" : "Experiment/Normal approach",
-             "this load would press the sphere flat over a contact radius of " +
-                 format_quantity(hertz_radius(), Dimension::length) + " (Hertz), more than half its radius of " +
-                 format_quantity(input_.radius, Dimension::length) + "; small strain does not hold there: lower it");
+             "this load would press the sphere flat over a contact radius of " + contact + " (Hertz), more than half its radius, " + half + "; small strain does not hold there: lower it");
   }
 
   void check_mesh() const {
@@ -105,9 +105,10 @@ class Checker {
                                         ", must be less than half the Radius of " +
                                         format_quantity(input_.radius, Dimension::length) + "; lower it, or 0 derives it");
     if (mesh.contact_region > 0 && mesh.contact_region < hertz_radius())
-      refuse("Mesh/Contact region", "Mesh/Contact region, " + format_quantity(mesh.contact_region, Dimension::length) +
+      refuse("Mesh/Contact region", "Mesh/Contact region, " +
+                                        quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).first +
                                         ", does not hold the contact radius of " +
-                                        format_quantity(hertz_radius(), Dimension::length) +
+                                        quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).second +
                                         " (Hertz); raise it, or 0 derives it");
     const double extent = mesh.contact_region > 0 ? mesh.contact_region : hertz_radius();
     if (mesh.interface_spacing > extent / 2)
@@ -156,6 +157,26 @@ void find_scan(std::string& topography, const std::string& section, const Settin
                    (meant.empty() ? "; write smooth, a file, or generated(rms=1.5 nm, rolloff=200 nm, seed=3)"
                     : meant == "smooth" ? "; did you mean smooth?"
                                         : "; did you mean generated(rms=1.5 nm, rolloff=200 nm, seed=3)?"));
+}
+
+/// Text of an entry: the last one given, or its default.
+Setting setting_of(const CaseEntry& entry, const Settings& settings, const fs::path& file) {
+  Setting setting{entry.section, entry.name, entry.default_text, file.string()};
+  for (const auto& given : settings)
+    if (given.section == entry.section && given.entry == entry.name) setting = given;
+  return setting;
+}
+
+/// Of the entries that decide the answer, scans named in full.
+void remember_physical_entries(const Settings& settings, const fs::path& file, CaseInput& input) {
+  for (const auto& entry : case_entries())
+    if (entry.is_physical) {
+      const Setting setting = setting_of(entry, settings, file);
+      input.physical_entries[setting.path()] = setting.value;
+    }
+  for (const auto& [section, body] : {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
+    if (is_scan(body->topography))
+      input.physical_entries[std::string(section) + "Topography"] = with_absolute_scan(body->topography, {});
 }
 
 }  // namespace
@@ -221,6 +242,7 @@ CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
   find_scan(input.particle.topography, "Particle", settings, file);
   find_scan(input.substrate.topography, "Substrate", settings, file);
   Checker(input, settings, file).check();
+  remember_physical_entries(settings, file, input);
   return input;
 }
 
@@ -228,9 +250,7 @@ Settings complete_settings(const Settings& settings, const fs::path& file) {
   const CaseInput input = case_from_settings(settings, file);
   Settings complete;
   for (const auto& entry : case_entries()) {
-    Setting setting{entry.section, entry.name, entry.default_text, file.string()};
-    for (const auto& given : settings)
-      if (given.section == entry.section && given.entry == entry.name) setting = given;
+    Setting setting = setting_of(entry, settings, file);
     if (entry.name == "Topography") {
       const std::string& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
       if (is_scan(found)) setting.value = with_absolute_scan(found, {});

@@ -13,6 +13,7 @@
 #include "core/output_folder.h"
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
+#include "dem_compare/energy_balance.h"
 #include "report/comparison_page.h"
 
 namespace asperity {
@@ -34,6 +35,8 @@ void run_compare(const CompareArguments& arguments) {
   if (!arguments.indenter.empty() && arguments.parameters.empty())
     throw InputError(
         "--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
+  for (const auto& folder : arguments.folders)
+    if (is_case_folder(folder) && !is_study_folder(folder)) refuse_open_energy(read_solved_case(folder));
   const CaseCollection collection = collect_cases({arguments.folders.begin(), arguments.folders.end()});
   const Comparison comparison = compare_with_hertz(collection, arguments.tolerance);
   const fs::path output = arguments.output.empty() ? arguments.folders.front() : arguments.output;

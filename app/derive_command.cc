@@ -76,7 +76,7 @@ void add_derive_command(CLI::App& app) {
   command->footer(
       "Example: asperity derive output/sliding output/torsion --output parameters.json\n"
       "Cases of one set share bodies, roughness (but for its seed) and interface; they may differ by load, "
-      "experiment, mesh.");
+      "experiment, mesh. The order of the folders changes nothing.");
   command->callback([arguments] { run_derive(*arguments); });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 
 namespace asperity {
@@ -79,6 +80,9 @@ struct CaseInput {
   MeshInput mesh;
   SolverInput solver;
   OutputInput output;
+  /// "Section/Entry" and text, defaults written out, of all entries that decide the answer and not how well or where it is computed:
+  /// for result.json, where cases of the same contact are known by them. Empty for a case that no file was read for.
+  std::map<std::string, std::string> physical_entries;
 };
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dem_compare/contact_key.h"
 #include "dem_compare/normal_numbers.h"
 #include "dem_compare/solved_case.h"
 
@@ -16,7 +17,7 @@ struct CollectionAxis {
   std::vector<std::string> labels;
 };
 
-/// Cases that differ by the seeds of their surfaces alone.
+/// Cases of the same contact and experiment (contact_key.h) on the same mesh: they differ by the seeds of their surfaces alone.
 struct CaseGroup {
   std::string label;                ///< "1 mN, untreated 0.3 nm"
   std::vector<std::string> values;  ///< one of each axis; empty outside of a study
@@ -25,10 +26,10 @@ struct CaseGroup {
 
   const SolvedCase& first() const { return cases.front(); }
   /// What is the same in all groups that differ by mesh alone.
-  std::string physics() const;
+  ContactInputs physics() const { return case_inputs(first()); }
 };
 
-/// A case of a study that has no complete result.
+/// A case that has no complete result, or one that is not used.
 struct MissingCase {
   std::string name, state, message;
 };
@@ -38,6 +39,7 @@ struct CaseCollection {
   std::vector<CollectionAxis> axes;  ///< of a study; empty where several folders were named
   std::vector<CaseGroup> groups;     ///< those with at least one solved case
   std::vector<MissingCase> missing;
+  std::vector<std::string> remarks;  ///< sentences on cases whose numbers are in doubt, by folder
   std::size_t planned = 0;           ///< cases, solved or not
 
   std::size_t solved() const { return planned - missing.size(); }
@@ -45,7 +47,9 @@ struct CaseCollection {
 
 bool is_study_folder(const std::filesystem::path& folder);
 
-/// Throws InputError for a folder that is neither a case nor a study.
-CaseCollection collect_cases(const std::vector<std::filesystem::path>& folders);
+/// A case whose balance of energy is refused (energy_balance.h) counts among the missing. The order in which folders are named changes
+/// nothing, and one that is named twice counts once. Throws InputError for a folder that is neither a case nor a study.
+enum class RefusedCases { left_out, shown };
+CaseCollection collect_cases(const std::vector<std::filesystem::path>& folders, RefusedCases refused = RefusedCases::left_out);
 
 }  // namespace asperity

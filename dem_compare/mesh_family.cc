@@ -26,7 +26,7 @@ ByRealisation by_realisation(const CaseGroup& group, const std::function<double(
 }  // namespace
 
 MeshFamily::MeshFamily(const CaseCollection& collection, const CaseGroup& own) : own_(own) {
-  const std::string physics = own.physics();
+  const ContactInputs physics = own.physics();
   std::vector<double> spacings{own.first().interface_spacing()};
   if (std::isnan(spacings.front())) return;
   for (const auto& group : collection.groups) {

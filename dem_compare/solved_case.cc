@@ -1,6 +1,7 @@
 #include "dem_compare/solved_case.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -37,7 +38,22 @@ void add_result_inputs(const Json& result, Entries& entries) {
   if (inputs.contains("radius")) entries["Particle/Radius"] = entry_text(inputs["radius"]);
   if (inputs.contains("largest_load")) entries["Experiment/Normal load"] = entry_text(inputs["largest_load"]);
   if (inputs.contains("control")) entries["Experiment/Control"] = entry_text(inputs["control"]);
+  for (const auto& [name, entry] : {std::pair{"friction_coefficient", "Friction coefficient"}, std::pair{"shear_strength", "Shear strength"},
+                                    std::pair{"work_of_adhesion", "Work of adhesion"}, std::pair{"opening_work", "Opening work"},
+                                    std::pair{"adhesion_law", "Adhesion law"}, std::pair{"adhesion_range", "Adhesion range"}})
+    if (inputs.contains(name)) entries[std::string("Interface/") + entry] = entry_text(inputs[name]);
   if (!result.value("title", "").empty()) entries["Title"] = result["title"].get<std::string>();
+}
+
+/// What was solved, as it was written: case.prm beside it may have been changed since.
+std::vector<std::string> add_listed_entries(const Json& result, Entries& entries) {
+  std::vector<std::string> listed;
+  if (!result.contains("inputs") || !result["inputs"].contains("entries") || !result["inputs"]["entries"].is_object()) return listed;
+  for (const auto& [path, text] : result["inputs"]["entries"].items()) {
+    entries[path] = entry_text(text);
+    listed.push_back(path);
+  }
+  return listed;
 }
 
 Json read_result(const fs::path& file) {
@@ -109,6 +125,21 @@ double SolvedCase::interface_spacing() const {
   return asked > 0 ? asked : std::numeric_limits<double>::quiet_NaN();
 }
 
+double SolvedCase::open_energy() const {
+  if (!finished() || !result.contains("balance") || !result["balance"].contains("energy")) return std::numeric_limits<double>::quiet_NaN();
+  const Json& energy = result["balance"]["energy"];
+  const Json& value = energy.is_object() && energy.contains("value") ? energy["value"] : energy;
+  return value.is_number() ? std::abs(value.get<double>()) : std::numeric_limits<double>::quiet_NaN();
+}
+
+EffectiveNumber SolvedCase::effective(const char* name) const {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  if (!finished() || !result.contains("effective") || !result["effective"].contains(name)) return {none, none};
+  const Json& entry = result["effective"][name];
+  const auto number = [&](const char* key) { return entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : none; };
+  return {number("value"), number("sd")};
+}
+
 bool is_case_folder(const fs::path& folder) { return fs::exists(folder / "history.csv"); }
 
 SolvedCase read_solved_case(const fs::path& folder) {
@@ -123,6 +154,7 @@ SolvedCase read_solved_case(const fs::path& folder) {
   // What people wrote reads better than SI numbers, and says more.
   if (fs::exists(folder / "case.prm"))
     for (const auto& setting : read_settings(folder / "case.prm")) entries[setting.path()] = setting.value;
+  if (solved.finished()) solved.physical_entries = add_listed_entries(solved.result, entries);
   solved.entries = CaseEntries(std::move(entries));
   try {
     solved.hertz();

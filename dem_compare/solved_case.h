@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/quantity.h"
 #include "dem_compare/contact_history.h"
@@ -30,14 +31,25 @@ class CaseEntries {
   std::map<std::string, std::string> entries_;
 };
 
+/// A number of `effective` in result.json; NaN where it is not there.
+struct EffectiveNumber {
+  double value, sd;
+};
+
 struct SolvedCase {
   std::filesystem::path folder;
   CaseEntries entries;
   nlohmann::ordered_json result;  ///< null as long as the case is not finished
   ContactHistory history;
+  /// "Section/Entry" of the entries that decide the answer, as result.json lists them; empty for a result of an earlier version.
+  std::vector<std::string> physical_entries;
 
   std::string title() const;
   bool finished() const { return !result.is_null(); }
+  bool lists_physical_entries() const { return !physical_entries.empty(); }
+  /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it does not.
+  double open_energy() const;
+  EffectiveNumber effective(const char* name) const;
   ElasticBody particle() const { return body("Particle"); }
   ElasticBody substrate() const { return body("Substrate"); }
   /// Both bodies smooth and elastic.
@@ -57,7 +69,8 @@ struct SolvedCase {
 /// True if the folder holds a history.csv.
 bool is_case_folder(const std::filesystem::path& folder);
 
-/// Inputs come from case.prm and, where it lacks them, from `inputs` of result.json. A case that is not finished has a
+/// Inputs come from the entries that result.json lists, else from case.prm and, where it lacks them, from the numbers of `inputs` of
+/// result.json. A case that is not finished has a
 /// history as far as it came. Throws InputError naming the file that is missing or wrong.
 SolvedCase read_solved_case(const std::filesystem::path& folder);
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/written_apart.h"
 #include "fem/experiments/combined_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "surfaces/sampler.h"
@@ -221,10 +222,12 @@ CaseSetup set_up_sizes(const CaseInput& input) {
     while (hertz_separation(r, a, R) < reach) r *= 1.02;
     region = r + 2 * spacing;
   }
-  if (region > 0.5 * meshing::BodyMap::cap_fraction * R)
-    throw InputError(input.file + ": the contact region of " + format_quantity(region, Dimension::length) + " is more than " +
-                     format_quantity(0.5 * meshing::BodyMap::cap_fraction * R, Dimension::length) +
+  const double largest_region = 0.5 * meshing::BodyMap::cap_fraction * R;
+  if (region > largest_region) {
+    const auto [found, allowed] = quantities_apart(region, largest_region, Dimension::length);
+    throw InputError(input.file + ": the contact region of " + found + " is more than " + allowed +
                      ", where small strain and slopes end; lower Experiment/Normal load or set a smaller Mesh/Contact region");
+  }
   if (region < 4 * spacing)
     throw InputError(input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
                      " leaves fewer than eight cells across the contact region of " + format_quantity(2 * region, Dimension::length) +

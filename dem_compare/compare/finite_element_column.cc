@@ -11,25 +11,25 @@
 namespace asperity {
 namespace {
 
-/// Steady lateral force or moment over its divisor, both ways: there and back the slopes of asperities push in opposite
-/// directions. Where the history has no steady stretch, what the solver says.
-ComparedValue steady(const SolvedCase& solved, std::vector<double> ContactHistory::*position,
-                     std::vector<double> ContactHistory::*resistance, double divisor, const ComparedValue& otherwise) {
-  if (solved.history.size() == 0 || !otherwise.known()) return otherwise;
-  const SteadyResistance found =
-      steady_resistance(solved.history.*position, solved.history.*resistance, solved.history.normal_force);
-  if (!found.reached) return otherwise;
-  return {found.mean / divisor, found.standard_error / divisor};
+/// Absent where the case has none.
+ComparedValue effective(const SolvedCase& solved, const char* name) {
+  const EffectiveNumber number = solved.effective(name);
+  return {number.value, number.sd};
 }
 
-/// An entry of "effective" in result.json; absent where the case has none.
-ComparedValue effective(const SolvedCase& solved, const char* name) {
-  if (!solved.finished() || !solved.result.contains("effective") || !solved.result["effective"].contains(name)) return {};
-  const auto& entry = solved.result["effective"][name];
-  const auto number = [&](const char* key) {
-    return entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : NAN;
-  };
-  return {number("value"), number("sd")};
+ComparedValue scaled(ComparedValue value, double factor) {
+  value.value *= factor;
+  value.sd *= std::abs(factor);
+  return value;
+}
+
+/// Steady resistance over load and `length`; where the history has no steady way, what the solver says.
+ComparedValue steady_over_load(const SolvedCase& solved, const MotionMode& mode, double length, const ComparedValue& otherwise) {
+  if (experiment_of(solved) != mode.experiment || solved.history.size() == 0) return otherwise;
+  const MovingCase moving = moving_case(solved, mode);
+  if (!moving.reached()) return moving.has_energies() ? ComparedValue{} : otherwise;
+  const Uncertain resistance = moving.resistance();
+  return scaled({resistance.value, resistance.sd}, 1 / (moving.load * length));
 }
 
 FiniteElementValue value_of(const std::vector<ComparedValue>& cases) {
@@ -84,12 +84,6 @@ void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup
   if (value.known()) points.push_back({g, quantity, load, value});
 }
 
-ComparedValue scaled(ComparedValue value, double factor) {
-  value.value *= factor;
-  value.sd *= std::abs(factor);
-  return value;
-}
-
 }  // namespace
 
 double stiffness_to_sliding(const ContactHistory& history, double sliding_force) {
@@ -132,29 +126,21 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
       return {k, k * tangent.sd / tangent.value};
     });
     add(points, g, group, Quantity::sliding_friction, load, [&](const SolvedCase& solved) {
-      return steady(solved, &ContactHistory::lateral_displacement, &ContactHistory::lateral_force, load,
-                    effective(solved, "sliding_friction"));
+      return steady_over_load(solved, sliding_mode(), 1, effective(solved, "sliding_friction"));
     });
     add(points, g, group, Quantity::rolling_stiffness, load, [](const SolvedCase& solved) -> ComparedValue {
-      const auto rolled = rolled_with_energies(solved);
-      if (!rolled || !rolled->first.reached()) return effective(solved, "rolling_stiffness");
+      const auto moving = experiment_of(solved) == "rolling" ? moving_case(solved, rolling_mode()) : MovingCase{};
+      if (!moving.reached() || !moving.has_energies()) return effective(solved, "rolling_stiffness");
       const ReversalStiffness back =
-          rolling_stiffness(solved.history.rolling_angle, solved.history.rolling_moment, rolled->first.resistance().value);
+          rolling_stiffness(solved.history.rolling_angle, solved.history.rolling_moment, moving.resistance().value);
       return {back.value, back.error};
     });
-    add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) -> ComparedValue {
-      if (const auto rolled = rolled_with_energies(solved)) {
-        if (!rolled->first.reached()) return {};
-        const Uncertain moment = rolled->first.resistance();
-        return {moment.value / (load * radius), moment.sd / (load * radius)};
-      }
-      return steady(solved, &ContactHistory::rolling_angle, &ContactHistory::rolling_moment, load * radius,
-                    scaled(effective(solved, "rolling_moment"), 1 / (load * radius)));
+    add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) {
+      return steady_over_load(solved, rolling_mode(), radius, scaled(effective(solved, "rolling_dissipation"), 1 / (load * radius)));
     });
     add(points, g, group, Quantity::torsion_stiffness, load, plain("torsion_stiffness"));
     add(points, g, group, Quantity::torsion_friction, load, [&](const SolvedCase& solved) {
-      return steady(solved, &ContactHistory::torsion_angle, &ContactHistory::torsion_moment, load * radius,
-                    scaled(effective(solved, "torsion_moment"), 1 / (load * radius)));
+      return steady_over_load(solved, torsion_mode(), radius, scaled(effective(solved, "torsion_moment"), 1 / (load * radius)));
     });
   }
   return points;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "dem_compare/common_label.h"
 #include "dem_compare/compare/finite_element_column.h"
@@ -25,15 +24,6 @@ std::vector<double> distinct(std::vector<double> loads) {
 /// Both ends of a range, and their geometric mean, so that a border between loads is not drawn over the whole range.
 std::vector<double> with_middle(const LoadRange& range) { return {range.low, std::sqrt(range.low * range.high), range.high}; }
 
-/// All that decides a group's contact, without its experiment.
-std::string contact_key(const CaseGroup& group) {
-  std::istringstream lines(group.physics());
-  std::string key;
-  for (std::string line; std::getline(lines, line);)
-    if (line.rfind("Experiment/", 0) != 0) key += line + "\n";
-  return key;
-}
-
 /// A contact whose numbers were given.
 struct Record {
   ComparedContact contact;
@@ -50,10 +40,10 @@ class Assembly {
         published_(published),
         engine_(engine),
         points_(finite_element_points(input.collection, input.with_hertz)) {
-    std::map<std::string, std::vector<std::string>> labels;
+    std::map<ContactInputs, std::vector<std::string>> labels;
     for (const auto& group : input.collection.groups) {
       contacts_.push_back(contact_of(group));
-      keys_.push_back(contact_key(group));
+      keys_.push_back(contact_inputs(group.first()));
       labels[keys_.back()].push_back(group.label);
     }
     for (const auto& key : keys_) labels_.push_back(common_label(labels[key]));
@@ -218,7 +208,7 @@ class Assembly {
   EngineColumn& engine_;
   std::vector<FiniteElementPoint> points_;
   std::vector<ComparedContact> contacts_;  ///< of each group
-  std::vector<std::string> keys_;          ///< of each group's contact: the same where only the experiment differs
+  std::vector<ContactInputs> keys_;        ///< of each group's contact: the same where only the experiment differs
   std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
   std::vector<Record> records_;
   std::vector<ComparisonRow> rows_;

@@ -8,6 +8,7 @@
 #include "dem_compare/compare/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
+#include "dem_compare/energy_balance.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 
@@ -41,6 +42,7 @@ Json cases_json(const ParameterSet& set) {
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
     if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
       entry["asperity"] = solved.result["versions"]["asperity"];
+    if (std::isfinite(solved.open_energy())) entry["open_energy"] = solved.open_energy();
     cases.push_back(std::move(entry));
   }
   return cases;
@@ -105,7 +107,7 @@ Derivation derive_parameters(const ParameterSet& set) {
                      " on plane (" + elastic_text(first.substrate()) + ")";
   derivation.heading = parameters.title;
   for (const auto& [entry, value] : set.inputs) {
-    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "inf Pa" ||
+    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "dugdale" ||
                               value == "inf" || value.rfind("0", 0) == 0;
     const bool is_said = entry.find("Radius") != std::string::npos ||
                          entry.find("Young") != std::string::npos ||
@@ -127,6 +129,8 @@ Derivation derive_parameters(const ParameterSet& set) {
   Json& record = parameters.derivation;
   for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(set);
+  for (const auto& solved : set.cases)
+    if (is_energy_flagged(solved)) record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
   const char* names[] = {"normal", "sliding", "torsion", "rolling"};
   for (std::size_t i = 0; i < derivation.laws.size(); ++i) {
     Json law = derivation.laws[i].details;

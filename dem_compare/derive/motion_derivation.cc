@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
@@ -19,64 +18,36 @@ using Json = nlohmann::ordered_json;
 /// One case of the mode.
 struct MotionCase {
   const SolvedCase* solved = nullptr;
+  MovingCase moving;  ///< its steady resistance
   double load = 0, contact_radius = unknown;
-  SteadyResistance steady;
-  bool is_dissipation = false;  ///< steady is energy dissipated per angle
   ReversalStiffness reversal;
   double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
 
+  Uncertain resistance() const { return moving.resistance(); }
+  double way() const { return moving.first.way + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.way); }
   CaseNumber number(double value, double sd) const {
     return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
   }
 };
 
-/// As `steady_resistance` tells of a moment; none where the history holds no energies.
-std::optional<SteadyResistance> dissipated_in_rolling(const SolvedCase& solved) {
-  const auto moving = rolled_with_energies(solved);
-  if (!moving) return std::nullopt;
-  SteadyResistance steady;
-  const SteadyWay& way = moving->first;
-  if (!way.reached() || !std::isfinite(way.dissipated.total.value)) return steady;
-  steady.reached = true;
-  steady.mean = way.resistance().value;
-  steady.standard_error = way.resistance().sd;
-  steady.independent = way.stretches;
-  steady.fluctuation = way.dissipated.total.sd * std::sqrt(static_cast<double>(way.stretches));
-  steady.way = way.way;
-  if (std::isfinite(way.drift + way.drift_error)) steady.drift = way.drift, steady.drift_error = way.drift_error;
-  steady.load = moving->load;
-  return steady;
-}
-
 MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   MotionCase seen;
   seen.solved = &solved;
-  const ContactHistory& history = solved.history;
-  std::vector<double> position, resistance, force;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double x = (history.*mode.position)[i], y = (history.*mode.resistance)[i],
-                 f = history.normal_force[i];
-    if (!std::isfinite(x + y + f)) continue;  // cells that are not known
-    position.push_back(x), resistance.push_back(y), force.push_back(f);
+  const EnergyHistory history = energy_history(solved, mode);
+  if (history.size() == 0) return seen;
+  seen.moving = moving_case(solved, history, way_of(mode, solved.hertz().radius));
+  seen.load = seen.moving.reached() ? seen.moving.load : *std::max_element(history.normal_force.begin(), history.normal_force.end());
+  seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
+  if (seen.moving.reached()) {
+    const double steady = seen.resistance().value;
+    const bool by_hills = &mode == &rolling_mode() && seen.moving.has_energies();
+    seen.reversal = by_hills ? rolling_stiffness(history.position, history.resistance, steady)
+                             : reversal_stiffness(history.position, history.resistance, steady, mode.partial_slip);
+    if (by_hills && seen.contact_radius > 0)
+      seen.reversal.error = std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() / seen.contact_radius * seen.reversal.value);
   }
-  if (force.empty()) return seen;
-  const auto dissipated = &mode == &rolling_mode() ? dissipated_in_rolling(solved) : std::nullopt;
-  seen.is_dissipation = dissipated.has_value();
-  seen.steady = dissipated ? *dissipated : steady_resistance(position, resistance, force);
-  seen.load = seen.steady.reached ? seen.steady.load : *std::max_element(force.begin(), force.end());
-  const auto& radii = history.radius_of_whole();
-  seen.contact_radius = *std::max_element(radii.begin(), radii.end());
-  if (seen.steady.reached)
-    seen.reversal = seen.is_dissipation ? rolling_stiffness(position, resistance, seen.steady.mean)
-                                        : reversal_stiffness(position, resistance, seen.steady.mean, mode.partial_slip);
-  if (seen.is_dissipation && seen.contact_radius > 0)
-    seen.reversal.error = std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() / seen.contact_radius * seen.reversal.value);
-  if (solved.result.contains("effective") && solved.result["effective"].contains(mode.stiffness_key)) {
-    const Json& entry = solved.result["effective"][mode.stiffness_key];
-    if (entry.contains("value") && entry["value"].is_number())
-      seen.probed_stiffness = entry["value"].get<double>();
-    if (entry.contains("sd") && entry["sd"].is_number()) seen.probed_sd = entry["sd"].get<double>();
-  }
+  const EffectiveNumber probed = solved.effective(mode.stiffness_key);
+  seen.probed_stiffness = probed.value, seen.probed_sd = probed.sd;
   return seen;
 }
 
@@ -111,7 +82,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   }
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
   const PowerLaw law = law_of(written);
-  const bool rolled = std::any_of(seen.begin(), seen.end(), [](const auto& item) { return item.is_dissipation; });
+  const bool rolled = &mode == &rolling_mode() && std::any_of(seen.begin(), seen.end(), [](const auto& item) { return item.moving.has_energies(); });
   const char* source = !probed.empty() ? "without slip" : rolled ? "of rolling back over the own track, to half the loop's width" : "slope after the reversal";
   report.findings.push_back(std::string("stiffness ") + source + ": " +
                             with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
@@ -152,11 +123,11 @@ void tell_resistances(const MotionMode& mode, const std::vector<const MotionCase
     while (end < used.size() && same_load(used[end]->load, used[i]->load)) ++end;
     const auto count = static_cast<double>(end - i);
     for (std::size_t k = i; k < end; ++k) {
-      const SteadyResistance& steady = used[k]->steady;
-      mean += steady.mean / count;
-      variance += steady.standard_error * steady.standard_error / (count * count);
-      fluctuation += steady.fluctuation / steady.mean / count;
-      independent += steady.independent;
+      const Uncertain resistance = used[k]->resistance();
+      mean += resistance.value / count;
+      variance += resistance.sd * resistance.sd / (count * count);
+      fluctuation += used[k]->moving.first.fluctuation / resistance.value / count;
+      independent += used[k]->moving.first.independent;
     }
     report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " +
                               with_error(mean, std::sqrt(variance), mode.resistance_unit) +
@@ -178,10 +149,10 @@ void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& use
   std::vector<const MotionCase*> changing;
   double shortest = std::numeric_limits<double>::infinity(), largest_drift = 0;
   for (const MotionCase* item : used) {
-    shortest = std::min(shortest, item->steady.way / (2 * item->contact_radius));
-    if (!item->steady.still_changes()) continue;
+    shortest = std::min(shortest, item->way() / (2 * item->contact_radius));
+    if (!item->moving.first.still_changes()) continue;
     changing.push_back(item);
-    largest_drift = std::max(largest_drift, std::abs(item->steady.drift));
+    largest_drift = std::max(largest_drift, std::abs(item->moving.first.drift));
   }
   if (!changing.empty())
     report.not_told.push_back("where the resistance ends: it still changes, by up to " +
@@ -189,7 +160,7 @@ void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& use
                               folders_of(changing) + "); set " + mode.way_entry + " to more");
   constexpr double diameters_wanted = 2;
   if (mode.way_is_length && shortest < diameters_wanted)
-    report.not_told.push_back("fluctuation over long ways: the shortest steady way, there and back, is " +
+    report.not_told.push_back("fluctuation over long ways: the shortest steady way is " +
                               with_error(std::round(10 * shortest) / 10, unknown, "") +
                               " contact diameters, two or more are wanted; set " + mode.way_entry +
                               " to more");
@@ -198,12 +169,13 @@ void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& use
 Json moved_case_json(const MotionCase& item) {
   return {{"folder", item.solved->folder.string()},
           {"load", item.load},
-          {"mean", item.steady.mean},
-          {"standard_error", item.steady.standard_error},
-          {"fluctuation", item.steady.fluctuation},
-          {"independent_stretches", item.steady.independent},
-          {"way", item.steady.way},
-          {"drift", item.steady.drift}};
+          {"mean", item.resistance().value},
+          {"standard_error", item.resistance().sd},
+          {"is_dissipation", item.moving.has_energies()},
+          {"fluctuation", item.moving.first.fluctuation},
+          {"independent_stretches", item.moving.first.independent},
+          {"way", item.way()},
+          {"drift", item.moving.first.drift}};
 }
 
 void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen,
@@ -211,8 +183,8 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   std::vector<CaseNumber> all;
   std::vector<const MotionCase*> steady, sticking, used;
   for (const auto& item : seen) {
-    (item.steady.reached ? steady : sticking).push_back(&item);
-    if (item.steady.reached) all.push_back(item.number(item.steady.mean, item.steady.standard_error));
+    (item.moving.reached() ? steady : sticking).push_back(&item);
+    if (item.moving.reached()) all.push_back(item.number(item.resistance().value, item.resistance().sd));
   }
   if (!sticking.empty())
     report.not_told.push_back(
@@ -231,9 +203,10 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
-  const bool is_dissipation = std::all_of(used.begin(), used.end(), [](const MotionCase* item) { return item->is_dissipation; });
-  const std::string provenance = (is_dissipation ? "energy dissipated per angle by slip, yielding and bonds, after one contact radius; " : "steady resistance after full slip; ") + source_of(all);
-  if (is_dissipation) report.findings.push_back("The resistance is the energy dissipated per angle: what hills of the surfaces take and give back is not in it.");
+  const bool is_dissipation = std::all_of(used.begin(), used.end(), [](const MotionCase* item) { return item->moving.has_energies(); });
+  const char* per = &mode == &sliding_mode() ? "way" : "angle";
+  const std::string provenance = (is_dissipation ? std::string("energy dissipated per ") + per + " by slip, yielding and bonds on the steady first way; " : "steady resistance after full slip; ") + source_of(all);
+  if (is_dissipation) report.findings.push_back(std::string("The resistance is the energy dissipated per ") + per + ": what hills of the surfaces take and give back is not in it.");
   if (mode.has_length) {
     const LengthChoice choice = choose_length(points);
     law = choice.law();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "core/error.h"
 #include "dem_compare/derive/power_law.h"
@@ -182,6 +184,34 @@ void derive_normal_stiffness(const ParameterSet& set, ContactParameters& paramet
   tell_exponent(law, 1, "k_n", report);
 }
 
+/// Plastic flow makes the first loading another law than all that follow: it must not go unsaid.
+void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
+  double largest = 0, from = std::numeric_limits<double>::infinity();
+  int yielded = 0;
+  for (const auto& solved : set.cases) {
+    const ContactHistory& history = solved.history;
+    bool here = false;
+    for (std::size_t i = 0; i < history.size(); ++i) {
+      if (!(history.plastic_volume[i] > 0)) continue;
+      if (!here) from = std::min(from, history.normal_force[i]);
+      here = true;
+      largest = std::max(largest, history.plastic_volume[i]);
+    }
+    yielded += here;
+  }
+  report.details["yielded"] = {{"cases", yielded}, {"largest_plastic_volume", largest}};
+  if (yielded == 0) return;
+  report.details["yielded"]["from_load"] = from;
+  constexpr double um3 = 1e-18;
+  char volume[32];
+  std::snprintf(volume, sizeof volume, "%.2g um^3", largest / um3);
+  report.findings.push_back("material yielded in " + std::to_string(yielded) + " of " + std::to_string(set.cases.size()) +
+                            " cases, seen first at " + format_quantity(from, Dimension::force) + " (plastic volume up to " + volume +
+                            "): E* and its exponent are those of the first loading; unloading and reloading are stiffer, and k_n is theirs");
+  for (auto* quantity : {&parameters.reduced_modulus, &parameters.normal_stiffness})
+    if (*quantity) (*quantity)->provenance += "; material yielded";
+}
+
 void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
   std::vector<double> pulls;
   bool adhesive = false;
@@ -223,6 +253,7 @@ LawReport derive_normal(const ParameterSet& set, ContactParameters& parameters) 
   report.title = "Normal";
   derive_modulus(set, parameters, report);
   derive_normal_stiffness(set, parameters, report);
+  tell_yielding(set, parameters, report);
   derive_pull_off(set, parameters, report);
   return report;
 }

@@ -1,101 +1,58 @@
 #include "dem_compare/derive/parameter_sets.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "core/error.h"
 #include "dem_compare/case_collection.h"
-#include "dem_compare/surface_text.h"
+#include "dem_compare/energy_balance.h"
 
 namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Inputs that a parameter set belongs to, and what a case file means where it does not say them.
-struct Input {
-  const char* entry;
-  Dimension dimension;
-  const char* otherwise;
+/// Sentences on cases end up in the order of the folders, however they were named.
+struct FoundCase {
+  std::string place;  ///< canonical
+  SolvedCase solved;
 };
-
-const std::vector<Input>& number_inputs() {
-  static const std::vector<Input> inputs{{"Particle/Radius", Dimension::length, ""},
-                                         {"Particle/Young modulus", Dimension::pressure, ""},
-                                         {"Particle/Poisson ratio", Dimension::none, ""},
-                                         {"Particle/Yield stress", Dimension::pressure, "inf"},
-                                         {"Particle/Hardening modulus", Dimension::pressure, "0"},
-                                         {"Particle/Voce saturation", Dimension::pressure, "0"},
-                                         {"Particle/Voce rate", Dimension::none, "0"},
-                                         {"Substrate/Young modulus", Dimension::pressure, ""},
-                                         {"Substrate/Poisson ratio", Dimension::none, ""},
-                                         {"Substrate/Yield stress", Dimension::pressure, "inf"},
-                                         {"Substrate/Hardening modulus", Dimension::pressure, "0"},
-                                         {"Substrate/Voce saturation", Dimension::pressure, "0"},
-                                         {"Substrate/Voce rate", Dimension::none, "0"},
-                                         {"Interface/Friction coefficient", Dimension::none, "0"},
-                                         {"Interface/Shear strength", Dimension::pressure, "0"},
-                                         {"Interface/Work of adhesion", Dimension::surface_energy, "0"}};
-  return inputs;
-}
-
-/// Name of an entry of the interface among the inputs of result.json.
-std::string result_text(const SolvedCase& solved, const std::string& entry) {
-  if (!solved.finished() || !solved.result.contains("inputs")) return "";
-  const auto& inputs = solved.result["inputs"];
-  for (const auto& [path, name] : {std::pair{"Interface/Friction coefficient", "friction_coefficient"},
-                                   std::pair{"Interface/Shear strength", "shear_strength"},
-                                   std::pair{"Interface/Work of adhesion", "work_of_adhesion"}})
-    if (entry == path && inputs.contains(name)) return inputs[name].dump();
-  return "";
-}
-
-std::string without_blanks(std::string text) {
-  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }),
-             text.end());
-  return text;
-}
-
-std::vector<std::pair<std::string, std::string>> inputs_without_seeds(const SolvedCase& solved) {
-  std::vector<std::pair<std::string, std::string>> inputs;
-  for (const auto& input : number_inputs()) {
-    std::string text = solved.entries.text(input.entry, result_text(solved, input.entry));
-    if (text.empty()) text = input.otherwise;
-    try {
-      constexpr int digits = 6;
-      inputs.emplace_back(input.entry,
-                          format_quantity(parse_quantity(text, input.dimension), input.dimension, digits));
-    } catch (const InputError& error) {
-      throw InputError(solved.folder.string() + ": " + input.entry + ": " + error.what());
-    }
-  }
-  for (const char* body : {"Particle", "Substrate"}) {
-    const std::string section = body;
-    inputs.emplace_back(section + "/Hardening", solved.entries.text(section + "/Hardening", "isotropic"));
-    inputs.emplace_back(section + "/Topography", surface_without_seed(without_blanks(solved.entries.text(section + "/Topography", "smooth"))));
-  }
-  return inputs;
-}
 
 class Collector {
  public:
-  void add(const fs::path& folder) {
+  void add(const fs::path& folder, bool is_named = true) {
     if (is_study_folder(folder)) {
       CaseCollection study = collect_cases({folder});
       for (const auto& missing : study.missing)
-        found_.remarks.push_back((folder / missing.name).string() + ": not solved (" + missing.state +
-                                 "); left out");
+        remark((folder / missing.name).string() + ": " + missing.state + (missing.message.empty() ? "" : " (" + missing.message + ")") +
+               "; left out");
       for (auto& group : study.groups)
-        for (auto& solved : group.cases) add_case(std::move(solved));
+        for (auto& solved : group.cases) keep(std::move(solved));
     } else if (is_case_folder(folder)) {
-      add_case(read_solved_case(folder));
+      SolvedCase solved = read_solved_case(folder);
+      if (is_named) refuse_open_energy(solved);
+      keep(std::move(solved));
     } else {
       add_folders_within(folder);
     }
   }
 
   ParameterSets finish() {
+    std::sort(cases_.begin(), cases_.end(), [](const FoundCase& a, const FoundCase& b) { return a.place < b.place; });
+    const auto same = [](const FoundCase& a, const FoundCase& b) { return a.place == b.place; };
+    std::vector<std::string> twice;
+    for (std::size_t i = 1; i < cases_.size(); ++i)
+      if (same(cases_[i - 1], cases_[i])) twice.push_back(cases_[i].solved.folder.string() + ": named twice; counted once");
+    cases_.erase(std::unique(cases_.begin(), cases_.end(), same), cases_.end());
+    for (auto& found : cases_) sort_in(std::move(found.solved));
+    for (const auto& sentence : twice) remark(sentence);
+    if (unlisted_ > 0)
+      remark(std::to_string(unlisted_) +
+             " case(s) were solved by a version whose result.json does not list the entries that make a contact; those of case.prm and of "
+             "its numbers are taken");
+    std::sort(remarks_.begin(), remarks_.end());
+    remarks_.erase(std::unique(remarks_.begin(), remarks_.end()), remarks_.end());
+    found_.remarks = remarks_;
     if (found_.sets.empty()) {
       std::string reasons;
       for (const auto& sentence : found_.remarks) reasons += (reasons.empty() ? "" : "; ") + sentence;
@@ -111,9 +68,8 @@ class Collector {
     return entry == "Interface/Friction coefficient" || entry == "Interface/Shear strength";
   }
   static bool same_but_for_friction(const ParameterSet& one, const ParameterSet& other) {
-    for (std::size_t i = 0; i < one.inputs.size(); ++i)
-      if (!is_friction(one.inputs[i].first) && one.inputs[i] != other.inputs[i]) return false;
-    return true;
+    const auto differ = differing_entries(one.inputs, other.inputs);
+    return std::all_of(differ.begin(), differ.end(), is_friction);
   }
   static bool is_frictionless_loading(const ParameterSet& set) {
     for (const auto& [entry, value] : set.inputs)
@@ -154,24 +110,24 @@ class Collector {
           ": holds neither a solved case (history.csv), nor a study (study.json), nor folders of "
           "such; name folders that 'asperity solve' or 'asperity study' wrote");
     std::sort(inside.begin(), inside.end());
-    for (const auto& path : inside) add(path);
+    for (const auto& path : inside) add(path, false);
   }
 
-  void add_case(SolvedCase solved) {
+  void remark(const std::string& sentence) { remarks_.push_back(sentence); }
+
+  void keep(SolvedCase solved) {
+    const std::string place = fs::canonical(solved.folder).string();
+    cases_.push_back({place, std::move(solved)});
+  }
+
+  void sort_in(SolvedCase solved) {
     const std::string name = solved.folder.string();
-    if (!known_.insert(fs::canonical(solved.folder).string()).second) {
-      found_.remarks.push_back(name + ": named twice; counted once");
-      return;
-    }
-    if (!solved.finished()) {
-      found_.remarks.push_back(name + ": not finished (result.json is missing or not complete); left out");
-      return;
-    }
-    if (solved.history.size() == 0) {
-      found_.remarks.push_back(name + ": its history.csv has no rows; left out");
-      return;
-    }
-    auto inputs = inputs_without_seeds(solved);
+    if (!solved.finished()) return remark(name + ": not finished (result.json is missing or not complete); left out");
+    if (solved.history.size() == 0) return remark(name + ": its history.csv has no rows; left out");
+    if (is_energy_flagged(solved)) remark(name + ": " + open_energy_words(solved) + (is_energy_refused(solved) ? "; left out" : ""));
+    if (is_energy_refused(solved)) return;
+    if (!solved.lists_physical_entries()) ++unlisted_;
+    ContactInputs inputs = contact_inputs(solved);
     for (auto& set : found_.sets)
       if (set.inputs == inputs) {
         set.cases.push_back(std::move(solved));
@@ -182,7 +138,9 @@ class Collector {
   }
 
   ParameterSets found_;
-  std::set<std::string> known_;
+  std::vector<FoundCase> cases_;
+  std::vector<std::string> remarks_;
+  int unlisted_ = 0;
 };
 
 }  // namespace
@@ -194,14 +152,18 @@ ParameterSets collect_parameter_sets(const std::vector<fs::path>& folders) {
 }
 
 std::string differences(const std::vector<ParameterSet>& sets) {
+  std::set<std::string> entries;
+  for (const auto& set : sets)
+    for (const auto& entry : differing_entries(sets.front().inputs, set.inputs)) entries.insert(entry);
   std::string text;
-  for (std::size_t i = 0; i < sets.front().inputs.size(); ++i) {
+  for (const auto& entry : entries) {
     std::vector<std::string> values;
-    for (const auto& set : sets)
-      if (std::find(values.begin(), values.end(), set.inputs[i].second) == values.end())
-        values.push_back(set.inputs[i].second);
-    if (values.size() < 2) continue;
-    text += (text.empty() ? "" : "; ") + sets.front().inputs[i].first + ": ";
+    for (const auto& set : sets) {
+      const auto found = set.inputs.find(entry);
+      const std::string value = found == set.inputs.end() ? "not said" : found->second;
+      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    }
+    text += (text.empty() ? "" : "; ") + entry + ": ";
     for (std::size_t k = 0; k < values.size(); ++k) text += (k ? ", " : "") + values[k];
   }
   return text;
@@ -211,11 +173,6 @@ std::string experiment_of(const SolvedCase& solved) {
   return solved.finished() && solved.result.contains("experiment") && solved.result["experiment"].is_string()
              ? solved.result["experiment"].get<std::string>()
              : solved.entries.text("Experiment/Type", "normal");
-}
-
-std::string realisation_of(const SolvedCase& solved) {
-  return without_blanks(solved.entries.text("Particle/Topography", "smooth") + " on " +
-                        solved.entries.text("Substrate/Topography", "smooth"));
 }
 
 }  // namespace asperity

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "dem_compare/derive/derivation.h"
@@ -8,9 +9,8 @@ namespace asperity {
 namespace {
 
 bool same_but_for_radius(const ParameterSet& one, const ParameterSet& other) {
-  for (std::size_t i = 0; i < one.inputs.size(); ++i)
-    if (one.inputs[i] != other.inputs[i] && one.inputs[i].first != "Particle/Radius") return false;
-  return true;
+  const auto differ = differing_entries(one.inputs, other.inputs);
+  return std::all_of(differ.begin(), differ.end(), [](const std::string& entry) { return entry == "Particle/Radius"; });
 }
 
 /// Contacts of several sets.

@@ -10,27 +10,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Slope that counts as none, over the first one of the leg.
-constexpr double flat_share = 0.02;
-/// Steps that a steady stretch must have for a mean with an error.
-constexpr std::size_t fewest_steady_rows = 3;
-
-double slope_to(const Values& x, const Values& y, std::size_t row) {
-  return (y[row] - y[row - 1]) / (x[row] - x[row - 1]);
-}
-
-/// First row of a leg after full slip; one past its last if there is none.
-std::size_t full_slip_row(const Values& x, const Values& y, const MotionLeg& leg) {
-  constexpr std::size_t first_steps = 3;
-  double steepest = 0;
-  for (std::size_t i = leg.first + 1; i <= std::min(leg.first + first_steps, leg.last); ++i)
-    steepest = std::max(steepest, std::abs(slope_to(x, y, i)));
-  const auto flat = [&](std::size_t i) { return std::abs(slope_to(x, y, i)) < flat_share * steepest; };
-  for (std::size_t i = leg.first + 2; i < leg.last; ++i)
-    if (flat(i) && flat(i + 1)) return i;
-  return leg.last + 1;
-}
-
 double interpolated(const Values& x, const Values& y, std::size_t first, std::size_t last, double at) {
   std::size_t i = first;
   const bool rising = x[last] > x[first];
@@ -54,23 +33,6 @@ Values resampled(const Values& x, const Values& y, std::size_t first, std::size_
 }
 
 }  // namespace
-
-std::vector<MotionLeg> motion_legs(const Values& x) {
-  std::vector<MotionLeg> legs;
-  if (x.empty()) return legs;
-  const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  // Loading moves a rough contact sideways by less than this share of any way that is meant.
-  constexpr double rest_share = 2e-5;
-  const double rest = rest_share * (*high - *low);
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    const double step = x[i] - x[i - 1];
-    if (std::abs(step) <= rest) continue;
-    const int direction = step > 0 ? 1 : -1;
-    if (legs.empty() || legs.back().direction != direction) legs.push_back({i - 1, i, direction});
-    legs.back().last = i;
-  }
-  return legs;
-}
 
 CorrelatedMean correlated_mean(const Values& values) {
   const auto n = static_cast<double>(values.size());
@@ -96,47 +58,8 @@ CorrelatedMean correlated_mean(const Values& values) {
   return result;
 }
 
-bool SteadyResistance::still_changes() const {
-  constexpr double errors_that_tell = 3, relative_change_that_matters = 0.01;
-  return std::abs(drift) > relative_change_that_matters && std::abs(drift) > errors_that_tell * drift_error;
-}
-
-SteadyResistance steady_resistance(const Values& x, const Values& y, const Values& load) {
-  SteadyResistance steady;
-  double weights = 0, mean = 0, square = 0, error = 0, drift = 0, drift_square = 0;
-  for (const auto& leg : motion_legs(x)) {
-    const std::size_t from = full_slip_row(x, y, leg);
-    if (from + fewest_steady_rows > leg.last + 1) continue;
-    const Values values = resampled(x, y, from, leg.last);
-    const CorrelatedMean here = correlated_mean(values);
-    const double way = std::abs(x[leg.last] - x[from]);
-    const auto half = static_cast<long>(values.size() / 2);
-    const CorrelatedMean first = correlated_mean({values.begin(), values.begin() + half});
-    const CorrelatedMean second = correlated_mean({values.begin() + half, values.end()});
-    weights += way;
-    mean += way * here.mean * leg.direction;
-    square += way * here.sd * here.sd;
-    error += way * way * here.standard_error * here.standard_error;
-    drift += way * (second.mean - first.mean) * leg.direction;
-    drift_square +=
-        way * way *
-        (first.standard_error * first.standard_error + second.standard_error * second.standard_error);
-    double force = 0;
-    for (std::size_t i = from; i <= leg.last; ++i)
-      force += load[i] / static_cast<double>(leg.last - from + 1);
-    steady.load += way * force;
-    steady.independent += here.independent;
-  }
-  steady.way = weights;
-  steady.reached = weights > 0 && std::isfinite(mean) && mean != 0;
-  if (!steady.reached) return steady;
-  steady.mean = std::abs(mean) / weights;  // whichever sign the column counts as against the motion
-  steady.fluctuation = std::sqrt(square / weights);
-  steady.standard_error = std::sqrt(error) / weights;
-  steady.drift = drift / mean;
-  steady.drift_error = std::sqrt(drift_square) / std::abs(mean);
-  steady.load /= weights;
-  return steady;
+Values resampled_along(const Values& position, const Values& values, std::size_t first, std::size_t last) {
+  return resampled(position, values, first, last);
 }
 
 double sliding_partial_slip(double share) {
@@ -159,7 +82,7 @@ ReversalStiffness reversal_stiffness(const Values& x, const Values& y, double fu
   const auto legs = motion_legs(x);
   for (std::size_t l = 1; l < legs.size(); ++l) {
     const std::size_t turn = legs[l].first;
-    if (full_slip_row(x, y, legs[l - 1]) > legs[l - 1].last || legs[l].last < turn + 2) continue;
+    if (steady_onset({x, y, {}, {}, 0}, legs[l - 1]) > legs[l - 1].last || legs[l].last < turn + 2) continue;
     double change[2], stiffness[2];
     for (std::size_t i = 0; i < 2; ++i) {
       change[i] = std::abs(y[turn + 1 + i] - y[turn]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/csv.h"
 
@@ -59,6 +60,10 @@ EnergyHistory energy_history(const SolvedCase& solved, const MotionMode& mode) {
   history.normal_force = steps.normal_force;
   history.contact_radius = steps.radius_of_whole();
   history.contact_area = steps.contact_area;
+  if (!std::filesystem::exists(solved.folder / "history.csv")) {  // a history that was made, not read
+    leave_out_unknown_rows(history);
+    return history;
+  }
   const CsvTable table = read_csv(solved.folder / "history.csv");
   history.has_energies = std::all_of(std::begin(energy_columns), std::end(energy_columns),
                                      [&](const char* name) { return table.has(name); });

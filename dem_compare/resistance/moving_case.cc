@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <regex>
 
 #include "dem_compare/derive/parameter_sets.h"
+#include "core/steady_motion.h"
 #include "dem_compare/derive/steady_motion.h"
 #include "dem_compare/resistance/stretches.h"
 #include "dem_compare/statistics.h"
@@ -15,9 +15,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Nodes that have just closed, or lie at the axis of a spin, may stick while the contact slips as a whole.
-constexpr double few_sticking = 0.02;
-constexpr std::size_t fewest_stretches = 4, fewest_rows = 3;
+constexpr std::size_t fewest_stretches = 4;
 
 double mean_of(const Values& values, std::size_t first, std::size_t last) {
   double sum = 0;
@@ -25,28 +23,8 @@ double mean_of(const Values& values, std::size_t first, std::size_t last) {
   return sum / static_cast<double>(last - first + 1);
 }
 
-/// First row of a leg that is steady; one past its last if there is none.
-std::size_t onset(const EnergyHistory& history, const MotionLeg& leg, const WayOfMotion& motion) {
-  const auto none = leg.last + 1;
-  constexpr double nearly = 0.95;
-  const double later = mean_of(history.resistance, (leg.first + leg.last + 1) / 2, leg.last);
-  for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
-    const double way = std::abs(history.position[i] - history.position[leg.first]);
-    const bool steady = motion.rolls()              ? way * motion.arm >= history.contact_radius[i]
-                        : !history.sticking.empty() ? history.sticking[i] <= few_sticking
-                                                    : history.resistance[i] / later >= nearly;
-    if (steady) return i;
-  }
-  return none;
-}
-
-/// Running integral of the resistance against the motion.
-Values work_against_motion(const EnergyHistory& history) {
-  Values work(history.size(), 0.0);
-  for (std::size_t i = 1; i < history.size(); ++i)
-    work[i] = work[i - 1] + 0.5 * (history.resistance[i] + history.resistance[i - 1]) *
-                                (history.position[i] - history.position[i - 1]);
-  return work;
+MotionRows rows_of(const EnergyHistory& history, const WayOfMotion& motion) {
+  return {history.position, history.resistance, history.contact_radius, history.sticking, motion.rolls() ? motion.arm : 0};
 }
 
 Values sum_of(const Values& a, const Values& b, const Values& c) {
@@ -62,6 +40,14 @@ void add_drift(const Values& rates, SteadyWay& steady) {
   const double mean = mean_of_stretches(rates).value;
   steady.drift = change.value / mean;
   steady.drift_error = change.sd / std::abs(mean);
+}
+
+/// Without energies, from the force at equal distances: a way has many of them, and few stretches.
+void add_drift_of_force(const Values& forces, double direction, SteadyWay& steady) {
+  const auto half = static_cast<long>(forces.size() / 2);
+  const CorrelatedMean first = correlated_mean({forces.begin(), forces.begin() + half}), second = correlated_mean({forces.begin() + half, forces.end()});
+  steady.drift = direction * (second.mean - first.mean) / steady.force.value;
+  steady.drift_error = std::hypot(first.standard_error, second.standard_error) / std::abs(steady.force.value);
 }
 
 std::string seeds_of(const SolvedCase& solved) {
@@ -98,7 +84,7 @@ Uncertain SteadyWay::of(WayPart part) const {
 }
 
 bool SteadyWay::still_changes() const {
-  constexpr double errors_that_tell = 3, change_that_matters = 0.05;
+  constexpr double errors_that_tell = 3, change_that_matters = 0.02;
   return std::abs(drift) > change_that_matters && std::abs(drift) > errors_that_tell * drift_error;
 }
 
@@ -111,9 +97,9 @@ double WayOfMotion::stretch_length(double contact_radius) const { return kind ==
 
 SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch) {
   SteadyWay steady;
-  if (last < first + fewest_rows - 1) return steady;
+  if (last < first + fewest_steady_rows - 1) return steady;
   const Values& x = history.position;
-  const Values work = work_against_motion(history);
+  const Values work = work_against_motion(history.position, history.resistance);
   const Values total = history.has_energies ? sum_of(history.friction, history.plastic, history.adhesion) : work;
   const auto keep = [&](WayPart part, const Values& sum) {
     if (!sum.empty())
@@ -124,24 +110,38 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   keep(WayPart::total, total), keep(WayPart::force, work);
   steady.way = std::abs(x[last] - x[first]);
   // A stretch has a step at least: no more of them than steps.
-  const auto wanted = static_cast<std::size_t>(std::max<long>(std::lround(steady.way / stretch), fewest_stretches));
+  const auto wanted = stretch > 0 ? static_cast<std::size_t>(std::max<long>(std::lround(steady.way / stretch), fewest_stretches)) : fewest_stretches;
   const std::size_t count = std::min(wanted, last - first);
   steady.stretches = static_cast<int>(count);
   const auto mean_rate = [&](const Values& sum) {
     return mean_of_stretches(rates_of_stretches(x, sum, first, last, count));
   };
-  steady.force = mean_rate(work);
+  const Values forces = resampled_along(x, history.resistance, first, last);
+  const CorrelatedMean force = correlated_mean(forces);
+  steady.force = {per_way(x, work, first, last), force.standard_error * student_factor(force.independent - 1)};
+  steady.independent = force.independent;
+  const Values rates = rates_of_stretches(x, total, first, last, count);
+  if (!history.has_energies && forces.size() >= 4) add_drift_of_force(forces, x[last] > x[first] ? 1 : -1, steady);
+  if (history.has_energies && count >= fewest_stretches) add_drift(rates, steady);
   steady.fluctuation = scatter_of({history.resistance.begin() + static_cast<long>(first), history.resistance.begin() + static_cast<long>(last) + 1}).sd;
   if (!history.has_energies) return steady;
   keep(WayPart::friction, history.friction), keep(WayPart::plastic, history.plastic), keep(WayPart::adhesion, history.adhesion);
   steady.dissipated.friction = mean_rate(history.friction);
   steady.dissipated.plastic = mean_rate(history.plastic);
   steady.dissipated.adhesion = mean_rate(history.adhesion);
-  const Values rates = rates_of_stretches(x, total, first, last, count);
   steady.dissipated.total = mean_of_stretches(rates);
+  steady.independent = correlated_mean(rates).independent;
   steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.way;
-  if (count >= fewest_stretches) add_drift(rates, steady);
   return steady;
+}
+
+Uncertain MovingCase::resistance() const {
+  if (has_energies() || !first.reached()) return first.resistance();
+  if (!back.reached()) return {std::abs(first.force.value), first.force.sd};
+  // Whichever sign the column counts as against the motion.
+  const double way = first.way + back.way;
+  return {std::abs(first.force.value * first.way + back.force.value * back.way) / way,
+          std::hypot(first.force.sd * first.way, back.force.sd * back.way) / way};
 }
 
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
@@ -155,10 +155,11 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
   moving.spacing = solved.interface_spacing();
   if (history.size() == 0) return moving;
   moving.load = *std::max_element(history.normal_force.begin(), history.normal_force.end());
+  const MotionRows rows = rows_of(history, motion);
   bool is_first = true;
   for (const auto& leg : motion_legs(history.position)) {
-    const std::size_t from = onset(history, leg, motion);
-    const bool reached = from + fewest_rows <= leg.last + 1;
+    const std::size_t from = steady_onset(rows, leg);
+    const bool reached = from <= leg.last;
     SteadyWay& way = is_first ? moving.first : moving.back;
     if (reached && !way.reached()) {
       const double radius = mean_of(history.contact_radius, from, leg.last),
@@ -176,11 +177,6 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
     is_first = false;
   }
   return moving;
-}
-
-std::optional<MovingCase> rolled_with_energies(const SolvedCase& solved) {
-  if (!std::filesystem::exists(solved.folder / "history.csv") || !energy_history(solved, rolling_mode()).has_energies) return std::nullopt;
-  return moving_case(solved, rolling_mode());
 }
 
 const MotionMode* mode_of(const SolvedCase& solved) {

@@ -2,16 +2,14 @@
 // per way by mechanism. The second is far better known: hills of rough surfaces give back what they take, so that the
 // force of a short way is mostly theirs, while dissipated energy only ever grows. Over a long way both agree. SI units.
 //
-// Steady is the first way, over surfaces that the contact has not yet passed, after the onset:
-// - sliding, torsion: from the first step with at most 2 % of the closed nodes sticking. Where the history does not
-// say, from where
-//   the resistance has reached 95 % of its mean over the second half of the way.
-// - rolling: after one contact radius of way, so that the contact that was pressed has been left.
+// Where a way is steady, and that the first one counts, core/steady_motion.h defines; derive, compare and the study of resistances
+// all take what is said here.
 // It is cut into stretches of about a contact radius, four at least; how they differ gives the uncertainty
 // (stretches.h). The way back, over the own track, is told apart: what has yielded there need not yield again.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +42,8 @@ struct SteadyWay {
   double unbalanced = nan("");        ///< energy per way that the balance of the computation leaves open
   double way = 0;                     ///< [m] or [rad]
   int stretches = 0;
-  double drift = nan("");  ///< dissipation of the second half less that of the first, over the mean
+  double independent = 0;  ///< stretches that count as independent: of the dissipation, else of the force
+  double drift = nan("");  ///< resistance of the second half less that of the first, over the mean
   double drift_error = nan("");
 
   bool reached() const { return stretches > 0; }
@@ -53,7 +52,7 @@ struct SteadyWay {
   Uncertain resistance() const;
   /// Of `total` the resistance.
   Uncertain of(WayPart part) const;
-  /// By three standard errors and more than 5 %.
+  /// By three standard errors and more than 2 %.
   bool still_changes() const;
 };
 
@@ -64,6 +63,11 @@ struct MovingCase {
   double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady way [m], [m^2]
   double way_in_radii = 0;                      ///< steady first way; of torsion that of the rim
   SteadyWay first, back;
+
+  bool reached() const { return first.reached(); }
+  bool has_energies() const { return std::isfinite(first.dissipated.total.value); }
+  /// The steady resistance: what is dissipated on the first way; without energies the mean force of both ways.
+  Uncertain resistance() const;
 };
 
 /// What the position in a history means.
@@ -84,10 +88,6 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode);
 /// Of a motion that is told by a history of its own.
 MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const WayOfMotion& motion);
-
-/// A rolling case whose history tells energies: the moment of rough bodies is mostly that of hills, which give back what they take; what
-/// is dissipated per angle is what resists. None where the history holds no energies.
-std::optional<MovingCase> rolled_with_energies(const SolvedCase& solved);
 
 /// The mode of motion of a case; nullptr for one that is only pressed.
 const MotionMode* mode_of(const SolvedCase& solved);

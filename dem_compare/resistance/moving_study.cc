@@ -47,7 +47,7 @@ class Sorter {
   }
 
   MovingContact& contact_of_group(const CaseGroup& group) {
-    const ContactInputs inputs = inputs_of(group.first());  // realisations of one cell of a study are one contact
+    const ContactInputs inputs = contact_inputs(group.first());  // realisations of one cell of a study are one contact
     std::size_t at = 0;
     while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
     if (at == study_.contacts.size()) {
@@ -55,7 +55,7 @@ class Sorter {
       contact.inputs = inputs;
       contact.bodies = contact_of(group);
       contact.can_yield = yields(inputs, "Particle") || yields(inputs, "Substrate");
-      contact.adheres = inputs.count("Interface/Work of adhesion") > 0;
+      contact.adheres = adheres(inputs);
       study_.contacts.push_back(std::move(contact));
       groups_.emplace_back();
     }
@@ -197,7 +197,7 @@ class Sorter {
     state.parts.plastic = mean([](const MovingCase& c) { return c.first.dissipated.plastic; });
     state.parts.adhesion = mean([](const MovingCase& c) { return c.first.dissipated.adhesion; });
     state.parts.total = mean([](const MovingCase& c) { return c.first.dissipated.total; });
-    state.resistance = mean([](const MovingCase& c) { return c.first.resistance(); });
+    state.resistance = mean([](const MovingCase& c) { return c.resistance(); });
     state.force = mean([](const MovingCase& c) { return c.first.force; });
     state.back_over_first = mean([](const MovingCase& c) {
       return c.back.reached() ? ratio(c.back.resistance(), c.first.resistance()) : Uncertain{NAN, NAN};

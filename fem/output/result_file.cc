@@ -189,6 +189,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
       {"commit", s.provenance.commit},
       {"inputs",
        {{"case", input.file},
+        {"entries", input.physical_entries},
         {"particle", body_inputs(input.particle)},
         {"radius", input.radius},
         {"substrate", body_inputs(input.substrate)},

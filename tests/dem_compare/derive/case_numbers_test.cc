@@ -80,5 +80,13 @@ TEST(PowerLaw_analytic, finds_stiffness_and_power_of_torsion_without_slip) {
               3, 1e-9);
 }
 
+TEST(PowerLaw_analytic, knows_its_value_as_well_as_the_mean_over_cases) {
+  const Hertz hertz{52.87e9, 8.5e-6};
+  const auto radius = [&](double load) { return hertz.contact_radius(load); };
+  // One load, stiffnesses of exp(-+0.1): their logarithms scatter by 0.1 sqrt(2), and their mean is known to 0.1.
+  EXPECT_NEAR(fit_power({{1e-3, "a", 0, std::exp(-0.1), 0}, {1e-3, "b", 0, std::exp(0.1), 0}}, radius, 1).sd, 0.1, 1e-12);
+  EXPECT_NEAR(fit_power({{1e-3, "a", 0, 2, 0.06}}, radius, 1).sd, 0.06, 1e-12);
+}
+
 }  // namespace
 }  // namespace asperity

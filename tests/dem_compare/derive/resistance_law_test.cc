@@ -61,6 +61,33 @@ TEST(ResistanceLaw, from_one_load_has_no_offset) {
               1e-4);  // of the way, and of any solved case
 }
 
+/// Through two points the law is exact algebra: mu = (v2 - v1)/(f2 - f1), h = v1/mu - f1.
+TEST(ResistanceLaw_analytic, of_two_loads_has_the_errors_of_a_straight_line_through_two_points) {
+  constexpr double f1 = 1e-4, f2 = 1e-3, mu = 0.2, h = 3e-5, thousandth = 1e-3;
+  const double v1 = mu * (f1 + h), v2 = mu * (f2 + h), of_way = 0.02;
+  std::vector<ResistancePoint> points(2);
+  points[0] = {f1, v1, of_way * v1, "a", hertz.radius, hertz.contact_radius(f1)};
+  points[1] = {f2, v2, of_way * v2, "a", hertz.radius, hertz.contact_radius(f2)};
+  const ResistanceLaw law = fit_resistance(points, none);
+  const double relative = std::hypot(of_way, thousandth), s1 = relative * v1, s2 = relative * v2, width = f2 - f1;
+  EXPECT_NEAR(law.coefficient, mu, 1e-9);
+  EXPECT_NEAR(law.coefficient_sd() / (std::hypot(s1, s2) / width), 1, 1e-3);
+  // h = (v1 f2 - v2 f1)/(v2 - v1)
+  const double by_v1 = v2 * width / std::pow(v2 - v1, 2), by_v2 = v1 * width / std::pow(v2 - v1, 2);
+  EXPECT_NEAR(law.offset / h, 1, 1e-6);
+  EXPECT_NEAR(law.offset_sd() / std::hypot(by_v1 * s1, by_v2 * s2), 1, 1e-3);
+}
+
+TEST(ResistanceLaw_analytic, finds_the_scatter_over_cases_that_they_were_made_with) {
+  std::mt19937 random(9);
+  const Truth truth{0.11, 2e-5, 1e-4, 0.03, 0};
+  constexpr int repetitions = 40;
+  double squares = 0;
+  for (int i = 0; i < repetitions; ++i)
+    squares += std::pow(fit_resistance(measure(truth, wide, 6, none, random), none).case_scatter, 2) / repetitions;
+  EXPECT_NEAR(std::sqrt(squares) / truth.case_scatter, 1, 0.1);
+}
+
 /// Share of many repetitions in which a fitted number lies within its sd of the truth.
 struct Coverage {
   double coefficient = 0, offset = 0;

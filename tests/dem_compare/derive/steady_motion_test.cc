@@ -1,4 +1,4 @@
-#include "dem_compare/derive/steady_motion.h"
+#include "dem_compare/resistance/moving_case.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,16 @@ Loop loop(const Virgin& virgin, double first_step, double way, double growth = 1
   return result;
 }
 
+/// Of a history that tells neither energies nor what sticks.
+MovingCase steady(const Loop& data) {
+  EnergyHistory history;
+  history.position = data.position, history.resistance = data.resistance, history.normal_force = data.load;
+  history.contact_radius = history.contact_area = std::vector<double>(data.position.size(), 1e-7);
+  SolvedCase solved;
+  solved.folder = "made";
+  return moving_case(solved, history, {});
+}
+
 /// Mindlin & Deresiewicz: Q = mu P (1 - (1 - x/x_slip)^(3/2)), initial slope 3 mu P/(2 x_slip).
 struct Sliding {
   double limit = 3e-5, stiffness = 17200;
@@ -46,31 +56,31 @@ struct Sliding {
 TEST(SteadyMotion_analytic, of_sliding_with_partial_slip_gives_the_limit_and_the_stiffness_without_slip) {
   const Sliding law;
   const Loop data = loop(law, law.slip_way() / 10, 60e-9);
-  const SteadyResistance steady = steady_resistance(data.position, data.resistance, data.load);
-  ASSERT_TRUE(steady.reached);
-  EXPECT_NEAR(steady.mean / law.limit, 1, 1e-6);
-  EXPECT_LT(steady.fluctuation, 1e-6 * law.limit);
-  EXPECT_DOUBLE_EQ(steady.load, 1e-4);
+  const MovingCase moving = steady(data);
+  ASSERT_TRUE(moving.reached());
+  EXPECT_NEAR(moving.resistance().value / law.limit, 1, 1e-6);
+  EXPECT_LT(moving.first.fluctuation, 1e-6 * law.limit);
+  EXPECT_NEAR(moving.load, 1e-4, 1e-15);
   const ReversalStiffness reversal =
-      reversal_stiffness(data.position, data.resistance, steady.mean, sliding_partial_slip);
+      reversal_stiffness(data.position, data.resistance, moving.resistance().value, sliding_partial_slip);
   EXPECT_NEAR(reversal.value / law.stiffness, 1, 1e-6);
 }
 
 TEST(SteadyMotion_analytic, of_torsion_with_partial_slip_gives_full_slip_and_the_stiffness_without_slip) {
   const LubkinTorsion law{15e9, 0.3, 1e-4, 0.26e-6};
   const Loop data = loop([&](double angle) { return law.moment(angle); }, 1e-3, 0.08);
-  const SteadyResistance steady = steady_resistance(data.position, data.resistance, data.load);
-  ASSERT_TRUE(steady.reached);
-  EXPECT_NEAR(steady.mean / law.full_slip_moment(), 1, 2e-3);  // full slip takes an infinite angle
+  const MovingCase moving = steady(data);
+  ASSERT_TRUE(moving.reached());
+  EXPECT_NEAR(moving.resistance().value / law.full_slip_moment(), 1, 2e-3);  // full slip takes an infinite angle
   const ReversalStiffness reversal =
-      reversal_stiffness(data.position, data.resistance, steady.mean, torsion_partial_slip);
+      reversal_stiffness(data.position, data.resistance, moving.resistance().value, torsion_partial_slip);
   EXPECT_NEAR(reversal.value / no_slip_torsion_stiffness(15e9, 0.26e-6), 1, 2e-3);
 }
 
 TEST(SteadyMotion, that_never_slips_fully_has_no_steady_resistance) {
   const Sliding law;
   const Loop data = loop(law, law.slip_way() / 20, 0.5 * law.slip_way(), 1);
-  EXPECT_FALSE(steady_resistance(data.position, data.resistance, data.load).reached);
+  EXPECT_FALSE(steady(data).reached());
   EXPECT_TRUE(
       std::isnan(reversal_stiffness(data.position, data.resistance, law.limit, sliding_partial_slip).value));
 }
@@ -90,9 +100,9 @@ TEST(SteadyMotion, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
 TEST(SteadyMotion, that_counts_resistance_with_the_other_sign_has_the_same_mean) {
   const Sliding law;
   Loop data = loop(law, law.slip_way() / 10, 60e-9);
-  const double mean = steady_resistance(data.position, data.resistance, data.load).mean;
+  const double mean = steady(data).resistance().value;
   for (double& value : data.resistance) value = -value;
-  EXPECT_DOUBLE_EQ(steady_resistance(data.position, data.resistance, data.load).mean, mean);
+  EXPECT_DOUBLE_EQ(steady(data).resistance().value, mean);
 }
 
 TEST(SteadyMotion, that_still_rises_is_said_to_change) {
@@ -103,9 +113,9 @@ TEST(SteadyMotion, that_still_rises_is_said_to_change) {
   for (std::size_t i = 0; i <= data.position.size() / 2; ++i)
     forward.position.push_back(data.position[i]), forward.resistance.push_back(data.resistance[i]),
         forward.load.push_back(1e-4);
-  const SteadyResistance steady = steady_resistance(forward.position, forward.resistance, forward.load);
-  EXPECT_TRUE(steady.still_changes());
-  EXPECT_NEAR(steady.drift, 0.05, 0.01);
+  const SteadyWay way = steady(forward).first;
+  EXPECT_TRUE(way.still_changes());
+  EXPECT_NEAR(way.drift, 0.05, 0.01);
 }
 
 /// First-order autoregression, rho the correlation of neighbours.

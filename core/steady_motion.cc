@@ -1,0 +1,78 @@
+#include "core/steady_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double few_sticking = 0.02, flat_share = 0.02;
+
+double slope_to(const Values& x, const Values& y, std::size_t row) { return (y[row] - y[row - 1]) / (x[row] - x[row - 1]); }
+
+/// Where the resistance has stopped to grow.
+std::size_t first_flat_row(const Values& x, const Values& y, const MotionLeg& leg) {
+  constexpr std::size_t first_steps = 3;
+  double steepest = 0;
+  for (std::size_t i = leg.first + 1; i <= std::min(leg.first + first_steps, leg.last); ++i)
+    steepest = std::max(steepest, std::abs(slope_to(x, y, i)));
+  const auto flat = [&](std::size_t i) { return std::abs(slope_to(x, y, i)) < flat_share * steepest; };
+  for (std::size_t i = leg.first + 2; i < leg.last; ++i)
+    if (flat(i) && flat(i + 1)) return i;
+  return leg.last + 1;
+}
+
+std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
+  if (rows.rolling_radius == 0 && rows.sticking.empty()) return first_flat_row(rows.position, rows.resistance, leg);
+  for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
+    const double way = std::abs(rows.position[i] - rows.position[leg.first]);
+    if (rows.rolling_radius > 0 ? way * rows.rolling_radius >= rows.contact_radius[i] : rows.sticking[i] <= few_sticking) return i;
+  }
+  return leg.last + 1;
+}
+
+}  // namespace
+
+std::vector<MotionLeg> motion_legs(const Values& x) {
+  std::vector<MotionLeg> legs;
+  if (x.empty()) return legs;
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  // Loading moves a rough contact sideways by less than this share of any way that is meant.
+  constexpr double rest_share = 2e-5;
+  const double rest = rest_share * (*high - *low);
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double step = x[i] - x[i - 1];
+    if (std::abs(step) <= rest) continue;
+    const int direction = step > 0 ? 1 : -1;
+    if (legs.empty() || legs.back().direction != direction) legs.push_back({i - 1, i, direction});
+    legs.back().last = i;
+  }
+  return legs;
+}
+
+std::size_t steady_onset(const MotionRows& rows, const MotionLeg& leg) {
+  const std::size_t from = first_steady_row(rows, leg);
+  return from + fewest_steady_rows <= leg.last + 1 ? from : leg.last + 1;
+}
+
+SteadyRows steady_rows_of_first_leg(const MotionRows& rows) {
+  const auto legs = motion_legs(rows.position);
+  if (legs.empty()) return {};
+  const std::size_t from = steady_onset(rows, legs.front());
+  return from <= legs.front().last ? SteadyRows{from, legs.front().last} : SteadyRows{};
+}
+
+double per_way(const Values& position, const Values& sum, std::size_t first, std::size_t last) {
+  return (sum[last] - sum[first]) / std::abs(position[last] - position[first]);
+}
+
+Values work_against_motion(const Values& position, const Values& resistance) {
+  Values work(position.size(), 0.0);
+  for (std::size_t i = 1; i < position.size(); ++i)
+    work[i] = work[i - 1] + 0.5 * (resistance[i] + resistance[i - 1]) * (position[i] - position[i - 1]);
+  return work;
+}
+
+}  // namespace asperity

@@ -1,0 +1,141 @@
+#include "dem_compare/contact_key.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "dem_compare/surface_text.h"
+
+namespace asperity {
+namespace {
+
+/// Entries that results had before they listed them.
+struct KnownEntry {
+  const char* path;
+  Dimension dimension;
+  const char* otherwise;  ///< where a case does not say it; empty: it must
+};
+
+const std::vector<KnownEntry>& known_quantities() {
+  static const std::vector<KnownEntry> entries{{"Particle/Radius", Dimension::length, ""},
+                                               {"Particle/Young modulus", Dimension::pressure, ""},
+                                               {"Particle/Poisson ratio", Dimension::none, ""},
+                                               {"Particle/Yield stress", Dimension::pressure, "inf"},
+                                               {"Particle/Hardening modulus", Dimension::pressure, "0"},
+                                               {"Particle/Voce saturation", Dimension::pressure, "0"},
+                                               {"Particle/Voce rate", Dimension::none, "0"},
+                                               {"Substrate/Young modulus", Dimension::pressure, ""},
+                                               {"Substrate/Poisson ratio", Dimension::none, ""},
+                                               {"Substrate/Yield stress", Dimension::pressure, "inf"},
+                                               {"Substrate/Hardening modulus", Dimension::pressure, "0"},
+                                               {"Substrate/Voce saturation", Dimension::pressure, "0"},
+                                               {"Substrate/Voce rate", Dimension::none, "0"},
+                                               {"Interface/Friction coefficient", Dimension::none, "0"},
+                                               {"Interface/Shear strength", Dimension::pressure, "0"},
+                                               {"Interface/Work of adhesion", Dimension::surface_energy, "0"},
+                                               {"Interface/Opening work", Dimension::surface_energy, "0"},
+                                               {"Interface/Adhesion range", Dimension::length, "0"}};
+  return entries;
+}
+
+const ContactInputs& known_words() {
+  static const ContactInputs words{{"Particle/Hardening", "isotropic"}, {"Particle/Topography", "smooth"},
+                                   {"Substrate/Hardening", "isotropic"}, {"Substrate/Topography", "smooth"},
+                                   {"Interface/Adhesion law", "dugdale"}};
+  return words;
+}
+
+std::string key_without_blanks(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }), text.end());
+  return text;
+}
+
+constexpr int digits_of_key = 9;  // more than any two inputs that are meant to be the same differ by
+
+/// In one way of writing, whatever the entry measures.
+std::string canonical(const std::string& path, const std::string& text) {
+  for (const auto& known : known_quantities())
+    if (path == known.path) return format_quantity(parse_quantity(text, known.dimension), known.dimension, digits_of_key);
+  const bool is_number = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.');
+  if (is_number)
+    for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
+                                      Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness}) {
+      try {
+        return format_quantity(parse_quantity(text, dimension), dimension, digits_of_key);
+      } catch (const InputError&) {  // of another dimension
+      }
+    }
+  const std::string topography = "/Topography";
+  const bool is_surface = path.size() > topography.size() && path.compare(path.size() - topography.size(), topography.size(), topography) == 0;
+  return surface_without_seed(is_surface ? key_without_blanks(text) : text);
+}
+
+void add_canonical(const SolvedCase& solved, const std::string& path, const std::string& text, ContactInputs& inputs) {
+  try {
+    inputs[path] = canonical(path, text);
+  } catch (const InputError& error) {
+    throw InputError(solved.folder.string() + ": " + path + ": " + error.what());
+  }
+}
+
+bool is_of_section(const std::string& path, const std::string& section) { return path.rfind(section + "/", 0) == 0; }
+
+/// Of a result that does not list them.
+ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
+  ContactInputs inputs = known_words();
+  for (const auto& known : known_quantities())
+    if (*known.otherwise) add_canonical(solved, known.path, known.otherwise, inputs);
+  for (const auto& [path, text] : solved.entries.all())
+    if (is_of_section(path, "Particle") || is_of_section(path, "Substrate") || is_of_section(path, "Interface"))
+      add_canonical(solved, path, text, inputs);
+  return inputs;
+}
+
+}  // namespace
+
+ContactInputs contact_inputs(const SolvedCase& solved) {
+  if (!solved.lists_physical_entries()) return inputs_of_earlier_version(solved);
+  ContactInputs inputs;
+  for (const auto& path : solved.physical_entries)
+    if (!is_of_section(path, "Experiment")) add_canonical(solved, path, solved.entries.text(path), inputs);
+  return inputs;
+}
+
+ContactInputs case_inputs(const SolvedCase& solved) {
+  ContactInputs inputs = contact_inputs(solved);
+  for (const auto& [path, text] : solved.entries.all())
+    if (is_of_section(path, "Experiment")) add_canonical(solved, path, text, inputs);
+  return inputs;
+}
+
+bool yields(const ContactInputs& inputs, const std::string& body) {
+  const auto found = inputs.find(body + "/Yield stress");
+  return found != inputs.end() && std::isfinite(parse_quantity(found->second, Dimension::pressure));
+}
+
+bool adheres(const ContactInputs& inputs) {
+  const auto found = inputs.find("Interface/Work of adhesion");
+  return found != inputs.end() && parse_quantity(found->second, Dimension::surface_energy) > 0;
+}
+
+std::vector<std::string> differing_entries(const ContactInputs& one, const ContactInputs& other) {
+  std::set<std::string> entries;
+  for (const auto* inputs : {&one, &other})
+    for (const auto& [entry, text] : *inputs) entries.insert(entry);
+  std::vector<std::string> names;
+  for (const auto& entry : entries) {
+    const auto a = one.find(entry), b = other.find(entry);
+    if (a == one.end() || b == other.end() || a->second != b->second) names.push_back(entry);
+  }
+  return names;
+}
+
+std::string realisation_of(const SolvedCase& solved) {
+  return key_without_blanks(surface_in_one_writing(solved.entries.text("Particle/Topography", "smooth")) + " on " +
+                            surface_in_one_writing(solved.entries.text("Substrate/Topography", "smooth")));
+}
+
+}  // namespace asperity
