@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "dem_compare/hertz_verdict.h"
 #include "dem_compare/mesh_family.h"
+#include "dem_compare/resistance/stretches.h"
 #include "dem_compare/statistics.h"
 
 namespace asperity {
@@ -42,7 +43,27 @@ GroupNumbers numbers_of(const CaseGroup& group, const MeshFamily& family) {
   return result;
 }
 
-LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& family) {
+/// Two relative standard deviations of the stiffness as `solve` states them for its mesh, the largest of the cases; NaN without any.
+double discretisation_doubt(const CaseGroup& group) {
+  double largest = unknown;
+  for (const auto& solved : group.cases) {
+    const auto stiffness = solved.effective("normal_stiffness");
+    if (stiffness.value > 0 && stiffness.sd >= 0) largest = std::fmax(largest, 2 * stiffness.sd / stiffness.value);
+  }
+  return largest;
+}
+
+/// Half width of the interval of a ratio: the scatter of its mean, what the mesh leaves open (from several spacings, else as `solve`
+/// states it), and a relative bound from the steps. NaN where neither scatter nor mesh is known.
+double doubt_of(const Estimate& ratio, double own_mesh_doubt, double step_error) {
+  const double of_mean = ratio.count > 1 ? 2 * student_factor(ratio.count - 1) * ratio.standard_error : unknown;
+  const double of_mesh = std::abs(ratio.mean) * (ratio.mesh ? std::abs(ratio.mesh->relative_error) : own_mesh_doubt);
+  if (!std::isfinite(of_mean) && !std::isfinite(of_mesh)) return step_error > 0 ? step_error * std::abs(ratio.mean) : unknown;
+  const auto known = [](double doubt) { return std::isfinite(doubt) ? doubt : 0; };
+  return known(of_mean) + known(of_mesh) + step_error * std::abs(ratio.mean);
+}
+
+LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& family, double tolerance) {
   const auto estimate = [&](double LoadPoint::*member) {
     return family.estimate([=](const NormalNumbers& n) { return n.at_load(force, member); });
   };
@@ -64,95 +85,32 @@ LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& f
     const double error = numbers.at_load(force, &LoadPoint::step_error) / numbers.at_load(force, &LoadPoint::stiffness);
     if (std::isfinite(error)) load.step_error = std::max(load.step_error, error);
   }
+  const double own = discretisation_doubt(group);
+  load.stiffness_doubt = doubt_of(load.stiffness_ratio, own, load.step_error);
+  load.unloading_doubt = doubt_of(load.unloading_ratio, own, load.step_error);
+  load.force_doubt = doubt_of(load.force_ratio, unknown, 0);
+  load.stiffness_judged = judged(load.stiffness_ratio.mean - 1, load.stiffness_doubt, tolerance);
   return load;
 }
 
-double hertzian_from(const std::vector<LoadComparison>& loads, double tolerance) {
-  const auto departure = [&](std::size_t i) { return std::abs(loads[i].stiffness_ratio.mean - 1); };
-  std::size_t first_within = loads.size();
-  while (first_within > 0 && departure(first_within - 1) <= tolerance) --first_within;
-  if (first_within == loads.size()) return unknown;
-  if (first_within == 0) return loads.front().force;
-  // Between the last load outside and the first within: linear in the logarithm of load.
-  const double outside = departure(first_within - 1), within = departure(first_within);
-  const double share = (outside - tolerance) / (outside - within);
-  return loads[first_within - 1].force * std::pow(loads[first_within].force / loads[first_within - 1].force, share);
+void judge_all_loads(GroupComparison& group) {
+  const auto is = [](Judged judged) { return [judged](const LoadComparison& load) { return load.stiffness_judged == judged; }; };
+  const auto& loads = group.loads;
+  group.judged_at_all_loads = std::any_of(loads.begin(), loads.end(), is(Judged::outside))                     ? Judged::outside
+                              : !loads.empty() && std::all_of(loads.begin(), loads.end(), is(Judged::within)) ? Judged::within
+                                                                                                              : Judged::not_known;
+  group.hertzian_from = unknown;
+  for (auto load = loads.rbegin(); load != loads.rend() && load->stiffness_judged == Judged::within; ++load) group.hertzian_from = load->force;
 }
 
-/// Of a ratio, how far it is from 1.
-std::string percent_off_one(double ratio) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g %%", 100 * std::abs(ratio - 1));
-  return buffer;
-}
-
-std::string rounded_force(double force) { return format_quantity(force, Dimension::force, 3); }
-
-std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
-  if (group.loads.empty() || std::isnan(group.loads.back().stiffness_ratio.mean))
-    return "too few load steps to judge (three are needed).";
-  const auto& low = group.loads.front();
-  const auto& high = group.loads.back();
-  const auto softer = [](double ratio) { return ratio < 1 ? std::string("softer") : std::string("stiffer"); };
-  const std::string within = percent_off_one(1 + tolerance);
-  if (std::isnan(group.hertzian_from))
-    return softer(high.stiffness_ratio.mean) + " than Hertz by " + percent_off_one(high.stiffness_ratio.mean) +
-           " still at " + rounded_force(high.force) + " (" + percent_off_one(low.stiffness_ratio.mean) + " " +
-           softer(low.stiffness_ratio.mean) + " at " + rounded_force(low.force) + ").";
-  if (group.hertzian_from <= low.force)
-    return "as stiff as Hertz within " + within + " from " + rounded_force(low.force) + " to " + rounded_force(high.force) + ".";
-  return softer(low.stiffness_ratio.mean) + " than Hertz by " + percent_off_one(low.stiffness_ratio.mean) + " at " +
-         rounded_force(low.force) + ", within " + within + " from " + rounded_force(group.hertzian_from) + " on.";
-}
-
-/// The verdict is on means: says so where single surfaces scatter by more than the tolerance.
-std::string scatter_sentence(const GroupComparison& group, double tolerance) {
-  const LoadComparison* worst = nullptr;
-  for (const auto& load : group.loads)
-    if (load.stiffness_ratio.sd > (worst ? worst->stiffness_ratio.sd : tolerance)) worst = &load;
-  if (!worst) return "";
-  return " That is the mean; single realisations scatter about it by up to " + percent_off_one(1 + worst->stiffness_ratio.sd) +
-         " (at " + rounded_force(worst->force) + ").";
-}
-
-/// Not so if it is negative: the extrapolation of the first loading to zero is no better than that.
-bool is_told_from_its_errors(const Estimate& imprint) {
-  const double mesh = imprint.mesh ? std::abs(imprint.mean - imprint.mesh->extrapolated) : 0;
-  return imprint.mean > 0 && !(imprint.mean <= imprint.sd) && imprint.mean > mesh;
-}
-
-std::string verdict_of(const GroupComparison& group, double tolerance) {
-  std::string words = "Loading: " + stiffness_sentence(group, tolerance) + scatter_sentence(group, tolerance);
-  const GroupNumbers& numbers = group.numbers;
-  if (!group.loads.empty()) {
-    const double ratio = group.loads.back().force_ratio.mean;
-    words += " Force at the same approach is " +
-             (std::abs(ratio - 1) <= tolerance ? "Hertz's within " + percent_off_one(1 + tolerance)
-                                               : percent_off_one(ratio) + (ratio < 1 ? " below" : " above") + " Hertz's") +
-             " at " + rounded_force(numbers.force) + ".";
-  }
-  const double unloading = numbers.unloading_stiffness.mean / numbers.hertz.normal_stiffness(numbers.force);
-  if (std::isfinite(unloading))
-    words += " Unloading starts " +
-             (std::abs(unloading - 1) <= tolerance ? "as stiff as Hertz within " + percent_off_one(1 + tolerance)
-                                                   : percent_off_one(unloading) + (unloading < 1 ? " softer" : " stiffer") +
-                                                         " than Hertz") +
-             ".";
-  if (numbers.plastic_volume.mean > 0) {
-    words += " Material yielded";
-    if (std::isfinite(numbers.residual_imprint.mean))
-      words += is_told_from_its_errors(numbers.residual_imprint)
-                   ? "; an imprint of " + format_quantity(numbers.residual_imprint.mean, Dimension::length, 3) + " stays"
-                   : "; its imprint is too small to be told from scatter and mesh error";
-    words += ".";
-  }
-  return words;
+bool is_smooth_control(const CaseGroup& group, double force) {
+  return !group.first().is_rough() && force < group.first().first_yield_force();
 }
 
 }  // namespace
 
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance) {
-  Comparison comparison{collection.title, tolerance, {}, collection.missing, collection.planned};
+  Comparison comparison{collection.title, tolerance, {}, collection.missing, collection.remarks, collection.planned};
   for (const auto& group : collection.groups) {
     GroupComparison result;
     result.label = group.label;
@@ -163,9 +121,10 @@ Comparison compare_with_hertz(const CaseCollection& collection, double tolerance
     result.other_spacings = family.other_spacings();
     result.is_finest = family.own_is_finest();
     result.numbers = numbers_of(group, family);
-    for (const auto& point : group.numbers.front().loads) result.loads.push_back(at_load(point.force, group, family));
-    result.hertzian_from = hertzian_from(result.loads, tolerance);
-    result.verdict = verdict_of(result, tolerance);
+    for (const auto& point : group.numbers.front().loads) result.loads.push_back(at_load(point.force, group, family, tolerance));
+    judge_all_loads(result);
+    result.is_control = is_smooth_control(group, result.numbers.force);
+    result.verdict = verdict_against_hertz(result, tolerance);
     comparison.groups.push_back(std::move(result));
   }
   return comparison;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem_compare/case_collection.h"
+#include "dem_compare/judged.h"
 #include "dem_compare/statistics.h"
 
 namespace asperity {
@@ -26,6 +27,10 @@ struct LoadComparison {
   Estimate area_ratio;           ///< real contact area over Hertz's at the same load
   Estimate pressure_ratio;       ///< largest pressure over Hertz's at the same load
   double step_error = 0;         ///< largest relative bound on the loading stiffness from the finite load steps
+  /// Half widths of the intervals that hold the true means 19 times in 20: scatter of the mean (Student), mesh error and step error;
+  /// NaN where nothing is known of it.
+  double stiffness_doubt = 0, unloading_doubt = 0, force_doubt = 0;
+  Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
 };
 
 /// Numbers of a group at its largest load.
@@ -56,8 +61,12 @@ struct GroupComparison {
   /// Spacings the same contact was solved on too [m]; the mesh errors come from them.
   std::vector<double> other_spacings;
   bool is_finest = true;            ///< no smaller one is among them: this is the result, the others judge it
-  /// Load from which on the stiffness stays within the tolerance; NaN if it does not at the largest load.
+  /// The least compared load from which on the stiffness is within the tolerance, errors included; NaN without one.
   double hertzian_from = 0;
+  /// Smooth bodies that stay elastic: what departs from Hertz is the error of the computation, and says nothing of roughness.
+  bool is_control = false;
+  /// At every load: within; at one load at least: outside; else not known.
+  Judged judged_at_all_loads = Judged::not_known;
   std::string verdict;
 };
 
@@ -66,6 +75,7 @@ struct Comparison {
   double tolerance = 0;
   std::vector<GroupComparison> groups;
   std::vector<MissingCase> missing;
+  std::vector<std::string> remarks;  ///< on cases whose numbers are in doubt
   std::size_t planned = 0;
 };
 

@@ -73,6 +73,10 @@ Json numbers_json(const GroupNumbers& numbers) {
           {"load_step_error_of_stiffness", number_or_null(numbers.differencing_error)}};
 }
 
+const char* word_of(Judged judged) {
+  return judged == Judged::within ? "within" : judged == Judged::outside ? "outside" : "not known";
+}
+
 Json group_json(const GroupComparison& group) {
   Json object{{"label", group.label},
               {"realisations", group.realisations},
@@ -80,6 +84,8 @@ Json group_json(const GroupComparison& group) {
               {"is_finest_spacing", group.is_finest},
               {"other_spacings_m", group.other_spacings},
               {"verdict", group.verdict},
+              {"is_smooth_control", group.is_control},
+              {"as_stiff_as_hertz_at_all_loads", word_of(group.judged_at_all_loads)},
               {"hertzian_from_N", number_or_null(group.hertzian_from)},
               {"at_largest_load", numbers_json(group.numbers)}};
   object["loads"] = Json::array();
@@ -87,6 +93,8 @@ Json group_json(const GroupComparison& group) {
     Json at{{"normal_force_N", load.force}};
     for (const auto& column : load_columns()) at[column.name] = estimate_json(load.*column.estimate, column.unit);
     at["load_step_error_of_stiffness"] = number_or_null(load.step_error);
+    at["stiffness_ratio_half_width"] = number_or_null(load.stiffness_doubt);
+    at["as_stiff_as_hertz"] = word_of(load.stiffness_judged);
     object["loads"].push_back(at);
   }
   return object;
@@ -167,6 +175,7 @@ Json to_json(const Comparison& comparison) {
   object["missing"] = Json::array();
   for (const auto& missing : comparison.missing)
     object["missing"].push_back({{"name", missing.name}, {"state", missing.state}, {"message", missing.message}});
+  object["in_doubt"] = comparison.remarks;
   object["groups"] = Json::array();
   for (const auto& group : comparison.groups) object["groups"].push_back(group_json(group));
   return object;
@@ -186,6 +195,8 @@ std::string to_markdown(const Comparison& comparison) {
     for (const auto& missing : comparison.missing)
       text += "- " + missing.name + ": " + missing.state + (missing.message.empty() ? "" : ", " + missing.message) + "\n";
   }
+  if (!comparison.remarks.empty()) text += "\nIn doubt:\n";
+  for (const auto& remark : comparison.remarks) text += "- " + remark + "\n";
   for (const auto& group : comparison.groups) {
     // Coarser spacings judge the finest; their own numbers are in the JSON and CSV.
     if (!group.is_finest) continue;

@@ -135,6 +135,8 @@ Json verdict_json(const LawVerdict& verdict) {
               {"text", verdict.text},
               {"compared_from_N", verdict.compared.low},
               {"compared_to_N", verdict.compared.high}};
+  object["loads_outside"] = verdict.outside;
+  object["loads_not_known"] = verdict.not_known;
   object["good_enough"] = Json::array();
   for (const auto& range : verdict.good)
     object["good_enough"].push_back({{"from_N", range.low},

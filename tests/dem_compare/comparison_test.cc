@@ -157,6 +157,62 @@ TEST_F(ComparedFolders, the_path_of_one_case_gives_stiffness_area_and_pressure_a
   EXPECT_NE(csv.find("stiffness [N/m],stiffness_sd [N/m],stiffness_mesh_error"), std::string::npos);
 }
 
+/// Three realisations of 0.99 +- 0.22: the mean lies within 5 %, its interval does not.
+TEST_F(ComparedFolders, a_mean_whose_interval_reaches_beyond_the_tolerance_is_not_known_to_be_within) {
+  const std::vector<double> ratios{0.77, 0.99, 1.21};
+  std::vector<fs::path> folders;
+  for (std::size_t i = 0; i < ratios.size(); ++i)
+    folders.push_back(write_case("r" + std::to_string(i), std::pow(ratios[i], 3), 0, std::to_string(i + 1)));
+  const Comparison comparison = compare_with_hertz(collect_cases(folders), 0.05);
+  ASSERT_EQ(comparison.groups.size(), 1u);
+  const GroupComparison& group = comparison.groups[0];
+  EXPECT_NEAR(group.loads.back().stiffness_ratio.mean, 0.99, 1e-6);
+  EXPECT_NEAR(group.loads.back().stiffness_ratio.sd, 0.22, 1e-6);
+  // Student's t with two degrees of freedom: 4.53 standard errors hold as much as two standard deviations of a normal distribution.
+  EXPECT_NEAR(group.loads.back().stiffness_doubt, 4.527 * 0.22 / std::sqrt(3.0), 2e-3);
+  EXPECT_EQ(group.judged_at_all_loads, Judged::not_known);
+  EXPECT_TRUE(std::isnan(group.hertzian_from));
+  EXPECT_NE(group.verdict.find("is not known at 1 mN: softer by 1 % (-58 to +56 %)"), std::string::npos) << group.verdict;
+}
+
+TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open) {
+  const Comparison comparison = compare_with_hertz(
+      collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.331, 0, "1", "10 nm")}), 0.05);
+  EXPECT_EQ(comparison.groups[0].judged_at_all_loads, Judged::not_known);
+  EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_doubt, 0.1, 1e-3);
+}
+
+/// Stiffer with the load: from 0.9499 of Hertz's to Hertz's.
+TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance_is_crossed) {
+  const fs::path folder = write_case("crossing", 1);
+  ContactHistory history = read_history(folder / "history.csv");
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  for (std::size_t i = 0; i < history.size(); ++i)
+    history.normal_displacement[i] = hertz.approach(history.normal_force[i]) + 1.1e-9 * std::log(history.normal_force[i] / 1e-3);
+  write_file_atomically(folder / "history.csv", format_history(history));
+  for (const double tolerance : {0.02, 0.03, 0.04, 0.05, 0.06}) {
+    const GroupComparison group = compare_with_hertz(collect_cases({folder}), tolerance).groups[0];
+    const std::string by = "by " + std::to_string(static_cast<int>(std::lround(100 * tolerance))) + " %";
+    EXPECT_EQ(group.verdict.find(by), std::string::npos) << group.verdict;
+    if (std::isnan(group.hertzian_from)) continue;
+    bool is_a_load = false;
+    for (const auto& load : group.loads) is_a_load = is_a_load || load.force == group.hertzian_from;
+    EXPECT_TRUE(is_a_load);
+    const std::string from = format_quantity(group.hertzian_from, Dimension::force, 3);
+    if (group.hertzian_from > group.loads.front().force)
+      EXPECT_EQ(group.verdict.find("at " + from + ", within"), std::string::npos) << group.verdict;
+  }
+}
+
+TEST_F(ComparedFolders, a_smooth_elastic_contact_is_a_control) {
+  const fs::path folder = write_case("smooth", 1);
+  EXPECT_FALSE(compare_with_hertz(collect_cases({folder}), 0.05).groups[0].is_control);  // rough, as the other tests have it
+  std::string text = read_file(folder / "case.prm");
+  text.erase(text.find(" set Topography"), text.find(")", text.find(" set Topography")) + 2 - text.find(" set Topography"));
+  write_file_atomically(folder / "case.prm", text);
+  EXPECT_TRUE(compare_with_hertz(collect_cases({folder}), 0.05).groups[0].is_control);
+}
+
 TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing) {
   write_case("rough-r1", 0.9);
   write_case("rough-r2", 0.9, 0, "2", "10 nm", false);

@@ -77,8 +77,8 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
     return verdict.law == "Coulomb without offset" && verdict.reference == "measurement";
   });
   ASSERT_NE(good_without_offset, compared.result.verdicts.end());
-  // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding.
-  EXPECT_EQ(good_words(*good_without_offset).rfind("at no load compared", 0), 0u) << good_words(*good_without_offset);
+  // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding; at the largest of them the measurement's error leaves it open.
+  EXPECT_EQ(good_words(*good_without_offset).rfind("at no load for which it is known", 0), 0u) << good_words(*good_without_offset);
   for (const ComparedMode mode : {ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion, ComparedMode::rail})
     EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(), [&](const LawVerdict& verdict) {
       return display_of(verdict.quantity).mode == mode && verdict.reference == "measurement" && !verdict.is_own_fit;
@@ -95,23 +95,22 @@ TEST(SideBySide_analytic, the_no_slip_law_overstates_partial_slip_by_a_fifth) {
       verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
       "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN.");
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Deresiewicz"),
-            "Mindlin-Deresiewicz with equal work gives the lateral stiffness up to sliding of the finite elements within 5 % "
-            "at 100 uN.");
+            "Mindlin-Deresiewicz with equal work may or may not give the lateral stiffness up to sliding of the finite elements within 5 % "
+            "at 100 uN (too little by 0.0 ± 3.0 %).");
 }
 
-TEST(SideBySide, cases_at_several_loads_make_one_verdict_with_the_load_from_which_on_a_law_holds) {
+TEST(SideBySide, cases_at_several_loads_make_one_verdict) {
   SolvedFolder low, high;
   low.roughness = high.roughness = "smooth";
   low.stiffness = 1 / 1.12;
   high.load = 4e-4;
   Compared compared;
   compare(compared, {low, high}, {});
-  // 12 % at 100 uN, none at 400 uN: 5 % at 100 * 4^(7/12) = 224 uN.
+  // 12 % at 100 uN, none at 400 uN, each known to 3 %.
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness, "Mindlin"),
-            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % below 224 uN; "
-            "within 5 % "
-            "above 224 uN.");
-  EXPECT_NE(to_markdown(compared.result).find("from 224 uN on (compared: 100 uN to 400 uN)"), std::string::npos);
+            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % at 100 uN; "
+            "whether within 5 % is not known at 400 uN (too much by 0.0 ± 3.0 %).");
+  EXPECT_NE(to_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"), std::string::npos);
 }
 
 TEST(SideBySide, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
