@@ -5,9 +5,11 @@
 #include <ctime>
 
 #include "dem_compare/comparison.h"
+#include "dem_compare/energy_balance.h"
 #include "report/axis.h"
 #include "report/curves.h"
 #include "report/motion_figures.h"
+#include "report/motion_lead.h"
 #include "report/page.h"
 #include "report/result_tables.h"
 #include "report/surface_maps.h"
@@ -56,6 +58,11 @@ std::string state_warning(const SolvedCase& solved) {
          std::to_string(force.size()) + " steps, the last at " +
          (force.empty() ? "no load" : in_units(force.back(), Dimension::force)) +
          ". <code>asperity solve … --resume</code> goes on with it.</div>\n";
+}
+
+std::string energy_warning(const SolvedCase& solved) {
+  if (!is_energy_flagged(solved)) return "";
+  return "<div class='warning'><b>The energy of this case does not balance.</b> " + escaped(open_energy_words(solved)) + ".</div>\n";
 }
 
 std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupComparison& group) {
@@ -109,6 +116,24 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
                            "stays larger where asperities were flattened.")}));
 }
 
+std::vector<std::string> joined(std::vector<std::string> sentences, const std::vector<std::string>& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
+  return sentences;
+}
+
+std::string tables_of(const SolvedCase& solved, const GroupComparison& group, const NormalNumbers& numbers) {
+  std::string body = section_html("Against Hertz, load by load",
+                                  ratio_table(group) +
+                                      note("Each number is the computed value over Hertz's for the same smooth, elastic bodies: 1 is Hertz. "
+                                           "The force ratio at equal approach depends on where approach is counted from; "
+                                           "the stiffness ratio at equal load does not."));
+  body += section_html("What a fit would report", fit_table(numbers, solved.hertz().radius));
+  const std::string effective = effective_table(solved);
+  if (!effective.empty()) body += section_html("Effective quantities in result.json", effective);
+  body += section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
+  return body + section_html("What went in", inputs_table(solved));
+}
+
 }  // namespace
 
 std::string subtitle_of(const fs::path& folder, const nlohmann::ordered_json& result) {
@@ -123,31 +148,33 @@ std::string subtitle_of(const fs::path& folder, const nlohmann::ordered_json& re
 }
 
 std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
-  const CaseCollection collection = collect_cases({folder});
+  const CaseCollection collection = collect_cases({folder}, RefusedCases::shown);
   const Comparison comparison = compare_with_hertz(collection, tolerance);
   const SolvedCase& solved = collection.groups.front().first();
   const NormalNumbers& numbers = collection.groups.front().numbers.front();
   const GroupComparison& group = comparison.groups.front();
 
   std::string body = paragraph(what_was_asked(solved));
-  body += state_warning(solved);
-  body += verdict_html(capitalised(readable(group.verdict)), trust_sentences(solved, group));
-  body += tiles_html(tiles_of(group.numbers));
+  body += state_warning(solved) + energy_warning(solved);
+  const std::vector<std::string> trust = trust_sentences(solved, group);
+  const std::string pressed = capitalised(readable(group.verdict));
+  const std::optional<MotionLead> motion = motion_lead(solved);
+  if (is_energy_refused(solved)) {
+    body += verdict_html("No verdict: its energy does not balance. What follows shows where it went wrong", {});
+  } else if (motion) {
+    body += verdict_html(motion->headline, joined(motion->sentences, trust)) + tiles_html(motion->tiles);
+  } else {
+    body += verdict_html(pressed, trust) + tiles_html(tiles_of(group.numbers));
+  }
+  if (motion) body += motion_figure(solved);
+  if (motion && !is_energy_refused(solved))
+    body += section_html("Pressed, before it moved", paragraph(pressed) + tiles_html(tiles_of(group.numbers)));
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);
-  body += motion_figure(solved);
+  if (!motion) body += motion_figure(solved);
   body += section_html("Pressure and gap in the contact", contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
-  body += section_html("Against Hertz, load by load",
-                       ratio_table(group) +
-                           note("Each number is the computed value over Hertz's for the same smooth, elastic bodies: 1 is Hertz. "
-                                "The force ratio at equal approach depends on where approach is counted from; "
-                                "the stiffness ratio at equal load does not."));
-  body += section_html("What a fit would report", fit_table(numbers, solved.hertz().radius));
-  const std::string effective = effective_table(solved);
-  if (!effective.empty()) body += section_html("Effective quantities in result.json", effective);
-  body += section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
-  body += section_html("What went in", inputs_table(solved));
+  body += tables_of(solved, group, numbers);
   return page_html(solved.title(), subtitle_of(folder, solved.result), body);
 }
 

@@ -40,6 +40,15 @@ std::string missing_html(const CaseCollection& collection) {
          "). Means and scatter are over those that are; <code>asperity study … --resume</code> goes on with the rest." + list + "</div>\n";
 }
 
+/// Cases whose energy does not balance to a hundredth.
+std::string doubt_html(const CaseCollection& collection) {
+  if (collection.remarks.empty()) return "";
+  std::string list;
+  for (const auto& remark : collection.remarks) list += "<li>" + escaped(remark) + "</li>";
+  return "<div class='warning'><b>The energy of " + std::to_string(collection.remarks.size()) +
+         " of the cases does not balance:</b><ul>" + list + "</ul></div>\n";
+}
+
 std::string what_is_varied(const CaseCollection& collection) {
   std::string varied;
   for (const auto& axis : collection.axes) {
@@ -97,7 +106,7 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
   StudyReport report;
   std::string body;
   if (!collection.groups.empty()) body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
-  body += missing_html(collection);
+  body += missing_html(collection) + doubt_html(collection);
   if (collection.groups.empty()) {
     report.page = page_html(title, subtitle_of(folder, nullptr), body);
     return report;

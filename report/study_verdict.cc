@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "dem_compare/energy_balance.h"
+#include "dem_compare/hertz_verdict.h"
 #include "report/axis.h"
 #include "report/page.h"
 #include "report/result_tables.h"
@@ -12,14 +14,33 @@
 namespace asperity::report {
 namespace {
 
+/// "2 of 5 contacts are as stiff as Hertz within 5 % at every load, 2 are not, of 1 it is not known".
+std::string counts_in_words(const std::map<Judged, std::size_t>& counts, std::size_t contacts) {
+  const auto count = [&](Judged judged) { return counts.count(judged) ? counts.at(judged) : 0; };
+  const std::string within = " as stiff as Hertz within " + percent_text(tolerance) + " at every load";
+  const auto numbered = [](std::size_t n, const char* one, const char* several) { return std::to_string(n) + (n == 1 ? one : several); };
+  if (count(Judged::within) == contacts) return contacts == 1 ? "The contact is" + within : "All " + std::to_string(contacts) + " contacts are" + within;
+  std::string text = contacts == 1 ? "The contact " : numbered(count(Judged::within), " of ", " of ") + std::to_string(contacts) + " contacts ";
+  if (contacts == 1)
+    return text + (count(Judged::outside) ? "is not" + within : "is not known to be" + within + ", as far as its errors tell");
+  text += (count(Judged::within) == 1 ? "is" : "are") + within;
+  if (count(Judged::outside)) text += ", " + numbered(count(Judged::outside), " is not", " are not");
+  if (count(Judged::not_known)) text += ", of " + std::to_string(count(Judged::not_known)) + " it is not known, as far as their errors tell";
+  return text;
+}
+
+/// The smooth control, which must follow Hertz, is not counted: it judges the computation.
 std::string study_headline(const std::vector<StudyCurve>& curves) {
-  std::size_t hertzian = 0;
+  std::map<Judged, std::size_t> counts;
+  std::size_t contacts = 0, single = 0;
   const StudyCurve* worst = nullptr;
   const LoadComparison* worst_load = nullptr;
   double departure = -1;
   for (const auto& curve : curves) {
     const GroupComparison& group = curve.last();
-    if (!group.loads.empty() && group.hertzian_from <= group.loads.front().force) ++hertzian;
+    if (group.is_control || group.loads.empty()) continue;
+    ++contacts, ++counts[group.judged_at_all_loads];
+    single += group.realisations == 1 && curve.largest->first().is_rough();
     for (const auto& load : group.loads)
       if (std::abs(load.stiffness_ratio.mean - 1) > departure) {
         departure = std::abs(load.stiffness_ratio.mean - 1);
@@ -27,19 +48,17 @@ std::string study_headline(const std::vector<StudyCurve>& curves) {
         worst_load = &load;
       }
   }
-  if (!worst) return "There is nothing to judge yet.";
-  std::string text = (hertzian == curves.size() ? std::string("All ") + std::to_string(curves.size())
-                                                : std::to_string(hertzian) + " of " + std::to_string(curves.size())) +
-                     " contacts are as stiff as Hertz within " + percent_text(tolerance) + " at every load";
-  return text + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) + " (" + readable(worst->label) +
-         ", at " + in_units(worst_load->force, Dimension::force) + ").";
+  if (!worst) return contacts == 0 && !curves.empty() ? "Only smooth elastic bodies were solved: they judge the computation, not Hertz" : "There is nothing to judge yet.";
+  return counts_in_words(counts, contacts) + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) +
+         interval_words(worst_load->stiffness_ratio.mean - 1, worst_load->stiffness_doubt) + " (" + readable(worst->label) + ", at " +
+         in_units(worst_load->force, Dimension::force) + ")." +
+         (single > 0 ? " Of " + std::to_string(single) + " a single realisation was solved: that surface is judged, others may differ." : "");
 }
 
 std::string numerical_error_sentence(const std::vector<StudyCurve>& curves) {
   for (const auto& curve : curves) {
-    const SolvedCase& solved = curve.largest->first();
     const GroupComparison& group = curve.last();
-    if (solved.is_rough() || group.numbers.force >= solved.first_yield_force() || group.loads.empty()) continue;
+    if (!group.is_control || group.loads.empty()) continue;
     const auto& top = group.loads.back();
     return "Error of the computation, where the truth is known: the smooth contact (" + readable(curve.label) +
            ") must follow Hertz and departs by " + departure_text(top.stiffness_ratio.mean) + " in stiffness, " +
