@@ -298,7 +298,7 @@ TEST(Derivation, is_read_back_as_it_was_written) {
   }
   EXPECT_EQ(read.derivation["cases"].size(), 8u);
   EXPECT_EQ(read.torsion_limit(1e-3), written.torsion_limit(1e-3));
-  EXPECT_NE(engine_input("lammps", read, {}).find("mindlin/force"), std::string::npos);
+  EXPECT_NE(engine_input("lammps", read, {}).find("tangential mindlin_rescale/force"), std::string::npos);
 }
 
 /// A folder as `solve` leaves it.
