@@ -182,6 +182,20 @@ TEST(J2_analytic, radial_return_converges_to_krieg_and_krieg_on_a_turning_path) 
   }
 }
 
+TEST(J2_analytic, energy_stored_by_hardening_is_the_integral_of_the_flow_stress_above_the_first) {
+  for (const double rate : {0.0, 40.0})
+    for (const double saturation : {0.0, 0.5e9}) {
+      J2Material m = J2Material::elastic(71e9, 0.17);
+      m.yield_stress = 1e9, m.isotropic_modulus = 2e9, m.voce_saturation = saturation, m.voce_rate = rate;
+      for (const double alpha : {0.0, 0.01, 0.1}) {
+        constexpr int n = 2000;
+        double integral = 0;
+        for (int i = 0; i < n; ++i) integral += (m.flow_stress((i + 0.5) * alpha / n) - m.yield_stress) * alpha / n;
+        EXPECT_NEAR(m.isotropic_energy(alpha), integral, 1e-6 * integral + 1e-9) << rate << " " << saturation << " " << alpha;
+      }
+    }
+}
+
 TEST(J2_other_code, krieg_and_krieg_angles_agree_with_the_stored_ones) {
   const auto path = asperity::test::reference_table("08_fe_verification.csv");
   const auto table = asperity::read_csv(path);
