@@ -95,7 +95,8 @@ class Checker {
     const auto [contact, half] = quantities_apart(hertz_radius(), input_.radius / 2, Dimension::length);
     if (hertz_radius() > input_.radius / 2)
       refuse(by_force ? "Experiment/Normal load" : "Experiment/Normal approach",
-             "this load would press the sphere flat over a contact radius of " + contact + " (Hertz), more than half its radius, " + half + "; small strain does not hold there: lower it");
+             "this load would press the sphere flat over a contact radius of " + contact + " (Hertz), more than half its radius, " + half +
+                 "; small strain does not hold there: lower it");
   }
 
   void check_mesh() const {

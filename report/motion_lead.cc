@@ -16,15 +16,21 @@
 namespace asperity::report {
 namespace {
 
+/// As number_text; an sd below a thousandth, less than any solved case is good for, is left out.
+std::string lead_number(const Uncertain& number) {
+  constexpr double good_for = 1e-3;
+  return number_text({number.value, number.sd < good_for * std::abs(number.value) ? NAN : number.sd});
+}
+
 /// "23.4 ± 0.3 µN" or "pN m".
 std::string resistance_text(const Uncertain& number, const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode();
-  return answer_html(number_text(number * (1 / (slides ? uN : pN_m)))) + (slides ? " µN" : " pN m");
+  return answer_html(lead_number(number * (1 / (slides ? uN : pN_m)))) + (slides ? " µN" : " pN m");
 }
 
 std::string share_text(const Uncertain& part, const Uncertain& whole) {
   constexpr double per_cent = 100;
-  return answer_html(number_text(ratio(part, {whole.value, 0}) * per_cent)) + " %";
+  return answer_html(lead_number(ratio(part, {whole.value, 0}) * per_cent)) + " %";
 }
 
 /// By mechanism; what takes nothing is named too.
@@ -45,13 +51,13 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const SteadyWay& way = moving.first;
   const Uncertain resistance = way.resistance();
   std::vector<Tile> tiles{
-      {answer_html(number_text(coefficient_of(moving, mode, solved.hertz().radius))),
+      {answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))),
        slides ? "effective friction coefficient" : motion_name(mode) + " moment over load and radius",
        "steady resistance at " + in_units(moving.load, Dimension::force)},
       {resistance_text(resistance, mode), slides ? "lateral resistance" : motion_name(mode) + " resistance",
        "fluctuates along the way by " + resistance_text({way.fluctuation, NAN}, mode)}};
   if (!slides)
-    tiles.push_back({answer_html(number_text(resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load))))),
+    tiles.push_back({answer_html(lead_number(resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load))))),
                      "the same over load and contact radius", "that of Hertz"});
   const ResistanceParts& parts = way.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
@@ -62,7 +68,7 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const EffectiveNumber stiffness = solved.effective(mode.stiffness_key);
   constexpr double kN_per_m = 1e3, nN_m = 1e-9;
   if (std::isfinite(stiffness.value))
-    tiles.push_back({answer_html(number_text(Uncertain{stiffness.value, stiffness.sd} * (1 / (slides ? kN_per_m : nN_m)))) +
+    tiles.push_back({answer_html(lead_number(Uncertain{stiffness.value, stiffness.sd} * (1 / (slides ? kN_per_m : nN_m)))) +
                          (slides ? " kN/m" : " nN m/rad"),
                      motion_name(mode) + " stiffness", "without slip"});
   return tiles;
@@ -73,7 +79,7 @@ std::string against_local_friction(const SolvedCase& solved, const MovingCase& m
   if (!(mu > 0) || &mode == &rolling_mode()) return "";
   const double full = &mode == &sliding_mode() ? mu * moving.load : 3 * M_PI / 16 * mu * moving.load * solved.hertz().contact_radius(moving.load);
   return "Smooth elastic bodies with the local friction that went in, " + format_quantity(mu, Dimension::none) + ", resist with " +
-         resistance_text({full, NAN}, mode) + "; this contact with " + answer_html(number_text(moving.first.resistance() * (1 / full))) +
+         resistance_text({full, NAN}, mode) + "; this contact with " + answer_html(lead_number(moving.first.resistance() * (1 / full))) +
          " times that.";
 }
 
@@ -95,7 +101,7 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
   }
   const bool slides = &mode == &sliding_mode();
   lead.headline = name + " under " + in_units(moving.load, Dimension::force) + " takes " + resistance_text(moving.first.resistance(), mode) + ", " +
-                  answer_html(number_text(coefficient_of(moving, mode, solved.hertz().radius))) + " of the load" +
+                  answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))) + " of the load" +
                   (slides ? "" : " times the particle’s radius") + ". " + mechanisms_sentence(moving.first.dissipated);
   for (const auto& sentence : {against_local_friction(solved, moving, mode), noise_sentence(solved, mode)})
     if (!sentence.empty()) lead.sentences.push_back(sentence);
@@ -103,7 +109,7 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
     lead.sentences.push_back("It still changes along the way, by " + percent_text(std::abs(moving.first.drift)) + " from its first half to its second.");
   if (moving.back.reached())
     lead.sentences.push_back("On the way back, over the own track, it is " +
-                             answer_html(number_text(ratio(moving.back.resistance(), moving.first.resistance()))) + " times that.");
+                             answer_html(lead_number(ratio(moving.back.resistance(), moving.first.resistance()))) + " times that.");
   lead.tiles = tiles_of_motion(solved, moving, mode);
   return lead;
 }
