@@ -3,7 +3,7 @@
 // The pressure of a node is that of its hat function, which reaches a spacing beyond it: nodes up to some way outside of the edge carry a
 // little and are closed. The area is found in two ways that both come out too large by a part of perimeter times spacing:
 // - patches of the closed nodes: by 0.32 +- 0.08 against Hertz (a/h 6 to 11), 0.33, 0.365 +- 0.026, 0.44 +- 0.05 in rough elastic contacts
-//   with eight, four and two spacings in the shortest wave (3, 18 and 18 contacts, solved by boundary elements, too);
+//   with eight, four and two spacings in the shortest wave (3, 20 and 18 contacts, solved by boundary elements, too);
 // - within an edge that runs between closed and open nodes. Near it the pressure of an elastic contact falls as p = A sqrt(d) inside and
 //   the gap grows as g = 4 A / (3 E*) d^(3/2) outside (Johnson 1985 eqs. 4.44 and 4.6; d: distance to the edge). This takes the
 //   pressures of nodes for those of points: by 0.11 +- 0.03 against Hertz, 0.14, 0.125 +- 0.045, 0.16 +- 0.08 in the rough contacts.

@@ -12,7 +12,7 @@ DiscretisationError::DiscretisationError(const StepRecord& peak, double spacing,
       wave_(spacing / shortest_wave),
       dent_(reduced_modulus > 0 ? spacing * peak.mean_pressure / reduced_modulus : 0) {}
 
-// Hertz at a/h 6 to 18, 39 rough elastic contacts with 8, 4 and 2 spacings in the shortest wave, against boundary elements: what the
+// Hertz at a/h 6 to 18, 41 rough elastic contacts with 8, 4 and 2 spacings in the shortest wave, against boundary elements: what the
 // correction of the edge (contact_area.h) leaves.
 double DiscretisationError::area() const { return resolution_ * std::hypot(0.05, 0.05 * resolution_); }
 
