@@ -51,7 +51,7 @@ std::string signed_text(nlohmann::json manifest) {
 /// An empty object if the manifest is damaged or of another version.
 nlohmann::json read_manifest(const fs::path& folder) {
   const std::string text = read_file(folder / "latest.json");
-  auto manifest = json_if_valid(text);
+  nlohmann::json manifest = json_if_valid(text);
   if (!manifest.is_object() || !manifest.contains("sha256")) return nlohmann::json::object();
   manifest.erase("sha256");
   const bool whole = signed_text(manifest) == text && manifest.value("format", "") == format &&
