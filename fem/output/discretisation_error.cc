@@ -18,7 +18,7 @@ double DiscretisationError::area() const { return resolution_ * std::hypot(0.05,
 
 // The same contacts: -10 to -25 % at kappa 0.5 to 1.5 and four spacings, -25 to -60 % with two, -2 % with eight. Where spots have grown
 // together the edge says little of the waves within.
-double DiscretisationError::largest_pressure() const { return std::hypot(0.13 * std::pow(resolution_, 1.5), 0.5 * wave_ * wave_); }
+double DiscretisationError::largest_pressure() const { return std::hypot(0.13 * std::pow(resolution_, 1.5), wave_ * wave_); }
 
 // The same contacts: 0.1 of the dent at kappa 0.5, up to all of it at kappa 2.
 double DiscretisationError::approach() const { return dent_ * std::hypot(0.1, 0.15 * resolution_ * resolution_); }

@@ -76,7 +76,7 @@ TEST(NormalExperiment_analytic, history_and_result_say_area_approach_imprint_and
   const auto& effective = s.result["effective"];
   const auto value = [&](const char* name) { return effective[name]["value"].get<double>(); };
   constexpr std::size_t peak = 3, last = 6;
-  EXPECT_NEAR(s.at("contact_radius [m]", peak) / std::sqrt(s.at("contact_area [m^2]", peak) / M_PI), 1, 1e-9);
+  EXPECT_NEAR(s.at("contact_radius [m]", peak) / std::sqrt(s.at("contact_area [m^2]", peak) / M_PI), 1, 1e-8) << "nine digits are written";
   EXPECT_GT(s.at("pressure_radius [m]", peak), s.at("contact_radius [m]", peak)) << "a rough contact spreads further than its area";
   // Asperities meet before the mean planes do.
   EXPECT_LT(value("first_touch"), 0);
@@ -89,7 +89,7 @@ TEST(NormalExperiment_analytic, history_and_result_say_area_approach_imprint_and
   EXPECT_LT(std::hypot(s.at("load_centre_x [m]", peak), s.at("load_centre_y [m]", peak)), s.at("contact_radius [m]", peak));
   // The particle yields at 1.2 GPa, the substrate at 2.5: each says its own.
   EXPECT_NEAR(s.at("particle_von_mises [Pa]", peak), 1.2e9, 1e-3 * 1.2e9);
-  EXPECT_NEAR(std::max(s.at("particle_von_mises [Pa]", peak), s.at("substrate_von_mises [Pa]", peak)) / s.at("largest_von_mises [Pa]", peak), 1, 1e-9);
+  EXPECT_NEAR(std::max(s.at("particle_von_mises [Pa]", peak), s.at("substrate_von_mises [Pa]", peak)) / s.at("largest_von_mises [Pa]", peak), 1, 1e-8);
   EXPECT_GT(s.at("particle_plastic_strain", peak), s.at("substrate_plastic_strain", peak));
   EXPECT_GT(s.at("load_step_error [m]", peak), 0);
 }
