@@ -33,7 +33,7 @@ std::string refusal_of_override(const std::vector<std::string>& overrides) { ret
 
 }  // namespace
 
-TEST(CaseFile, is_read_into_SI_units) {
+TEST(CaseFile_analytic, is_read_into_SI_units) {
   const TemporaryFolder folder;
   const auto input = read_case(folder.write("case.prm", smooth_case()));
   EXPECT_DOUBLE_EQ(input.radius, 8.5e-6);
@@ -43,7 +43,7 @@ TEST(CaseFile, is_read_into_SI_units) {
   EXPECT_DOUBLE_EQ(input.experiment.normal_load, 1e-3);
 }
 
-TEST(CaseFile, has_the_defaults_of_the_type_it_is_read_into) {
+TEST(CaseFile_behaviour, has_the_defaults_of_the_type_it_is_read_into) {
   const TemporaryFolder folder;
   const auto input = read_case(folder.write("case.prm", smooth_case()));
   const CaseInput fresh;
@@ -59,7 +59,7 @@ TEST(CaseFile, has_the_defaults_of_the_type_it_is_read_into) {
   EXPECT_EQ(input.output.fields, fresh.output.fields);
 }
 
-TEST(CaseFile, overrides_replace_entries_and_add_them) {
+TEST(CaseFile_behaviour, overrides_replace_entries_and_add_them) {
   const TemporaryFolder folder;
   const auto input = read_case(folder.write("case.prm", smooth_case()),
                                {"Experiment/Normal load=300 uN", "Particle/Yield stress=3 GPa", "Particle/Hardening=kinematic"});
@@ -68,7 +68,7 @@ TEST(CaseFile, overrides_replace_entries_and_add_them) {
   EXPECT_EQ(input.particle.hardening, BodyInput::Hardening::kinematic);
 }
 
-TEST(CaseFile, a_wrong_name_is_refused_with_its_line_and_the_nearest_right_one) {
+TEST(CaseFile_behaviour, a_wrong_name_is_refused_with_its_line_and_the_nearest_right_one) {
   const std::string wrong_entry = refusal("set Radius", "set Radus");
   EXPECT_CONTAINS(wrong_entry, "case.prm:2:");
   EXPECT_CONTAINS(wrong_entry, "did you mean 'Radius'?");
@@ -80,7 +80,7 @@ TEST(CaseFile, a_wrong_name_is_refused_with_its_line_and_the_nearest_right_one) 
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Normal laod=1 mN"}), "--set \"Experiment/Normal laod=1 mN\"");
 }
 
-TEST(CaseFile, a_wrong_unit_or_value_is_refused_with_its_line) {
+TEST(CaseFile_behaviour, a_wrong_unit_or_value_is_refused_with_its_line) {
   const std::string unit = refusal("8.5 um", "8.5 GPa");
   EXPECT_CONTAINS(unit, "case.prm:2: Particle/Radius:");
   EXPECT_CONTAINS(unit, "um");
@@ -92,11 +92,11 @@ TEST(CaseFile, a_wrong_unit_or_value_is_refused_with_its_line) {
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Unload=yes"}), "true | false");
 }
 
-TEST(CaseFile, a_missing_entry_is_named_with_an_example) {
+TEST(CaseFile_behaviour, a_missing_entry_is_named_with_an_example) {
   EXPECT_CONTAINS(refusal("  set Radius = 8.5 um\n", ""), "Particle/Radius is missing; add 'set Radius = 8.5 um'");
 }
 
-TEST(CaseFile, what_contradicts_physics_is_refused_in_a_sentence) {
+TEST(CaseFile_behaviour, what_contradicts_physics_is_refused_in_a_sentence) {
   EXPECT_CONTAINS(refusal("1 mN", "0 N"), "case.prm:11: Experiment/Normal load must be above 0");
   EXPECT_CONTAINS(refusal("1 mN", "10 N"), "more than half its radius");
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Control=displacement"}), "Normal approach must be above 0");
@@ -111,7 +111,7 @@ TEST(CaseFile, what_contradicts_physics_is_refused_in_a_sentence) {
                   "another seed");
 }
 
-TEST(CaseFile, a_topography_that_cannot_be_meant_is_refused) {
+TEST(CaseFile_behaviour, a_topography_that_cannot_be_meant_is_refused) {
   EXPECT_CONTAINS(refusal_of_override({"Particle/Topography=smoth"}), "did you mean smooth?");
   EXPECT_CONTAINS(refusal_of_override({"Particle/Topography=scan.gsf"}), "there is no file");
   EXPECT_CONTAINS(refusal_of_override({"Particle/Topography=generatd(rms=1 nm)"}), "did you mean generated(");
@@ -120,14 +120,14 @@ TEST(CaseFile, a_topography_that_cannot_be_meant_is_refused) {
   EXPECT_CONTAINS(refusal_of_override({"Particle/Topography=generated(rms=1 nm, rollof=2 nm)"}), "rollof");
 }
 
-TEST(CaseFile, a_scan_is_looked_for_beside_the_case_file) {
+TEST(CaseFile_behaviour, a_scan_is_looked_for_beside_the_case_file) {
   const TemporaryFolder folder;
   folder.write("scan.gsf", "x");
   const auto file = folder.write("case.prm", smooth_case());
   EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography, (folder.path / "scan.gsf").string());
 }
 
-TEST(CaseFile, completed_it_says_the_same_from_any_folder) {
+TEST(CaseFile_behaviour, completed_it_says_the_same_from_any_folder) {
   const TemporaryFolder folder;
   folder.write("cases/scan.gsf", "x");
   const auto file = folder.write("cases/case.prm", smooth_case() + "subsection Mesh\n set Layers = 6\nend\n");
@@ -142,7 +142,7 @@ TEST(CaseFile, completed_it_says_the_same_from_any_folder) {
   EXPECT_EQ(again.title, "");
 }
 
-TEST(CaseFile, the_template_is_a_case_file_and_holds_the_defaults) {
+TEST(CaseFile_behaviour, the_template_is_a_case_file_and_holds_the_defaults) {
   const TemporaryFolder folder;
   const auto settings = read_settings(folder.write("case.prm", case_template()));
   const auto& entries = case_entries();
@@ -155,12 +155,12 @@ TEST(CaseFile, the_template_is_a_case_file_and_holds_the_defaults) {
   EXPECT_DOUBLE_EQ(case_from_settings(settings, "case.prm").radius, 8.5e-6);
 }
 
-TEST(CaseFile, the_manual_in_the_repository_is_the_one_the_program_prints) {
+TEST(CaseFile_behaviour, the_manual_in_the_repository_is_the_one_the_program_prints) {
   EXPECT_EQ(read_file(ASPERITY_SOURCE_DIR "/docs/case_reference.md"), case_reference())
       << "run: asperity case-reference > docs/case_reference.md";
 }
 
-TEST(NearestName, counts_a_swap_of_neighbours_as_one_edit) {
+TEST(NearestName_behaviour, counts_a_swap_of_neighbours_as_one_edit) {
   EXPECT_EQ(edit_distance("load", "laod"), 1);
   EXPECT_EQ(edit_distance("Radius", "radius"), 0);
   EXPECT_EQ(edit_distance("", "abc"), 3);

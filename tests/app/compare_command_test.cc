@@ -26,7 +26,7 @@ Outcome compare(const std::string& arguments) { return test::call("compare " + a
 
 const std::string with_parameters = " --parameters " + std::string(ASPERITY_SOURCE_DIR) + "/runs/paper/parameters_silicon.json";
 
-TEST(CompareCommand, keeps_the_comparison_with_hertz_and_adds_the_columns) {
+TEST(CompareCommand_behaviour, keeps_the_comparison_with_hertz_and_adds_the_columns) {
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
   const Outcome outcome = compare(solved.string() + with_parameters);
@@ -55,7 +55,7 @@ TEST(CompareCommand_other_code, sets_lammps_beside_the_laws) {
   EXPECT_TRUE(std::filesystem::exists(solved / "engine"));
 }
 
-TEST(CompareCommand, keeps_the_other_columns_where_the_engine_is_missing_and_ends_with_status_1) {
+TEST(CompareCommand_behaviour, keeps_the_other_columns_where_the_engine_is_missing_and_ends_with_status_1) {
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
   const Outcome outcome = compare(solved.string() + with_parameters + " --engine lammps --program no-such-lmp");
@@ -68,7 +68,7 @@ TEST(CompareCommand, keeps_the_other_columns_where_the_engine_is_missing_and_end
   EXPECT_CONTAINS(json["side_by_side"]["engine_failure"].get<std::string>(), "apt-get install lammps");
 }
 
-TEST(CompareCommand, refuses_wrong_input_with_status_2) {
+TEST(CompareCommand_behaviour, refuses_wrong_input_with_status_2) {
   const TemporaryFolder folder;
   const std::string solved = write_solved(folder.path / "case", SolvedFolder{}).string();
   EXPECT_EQ(compare(solved + " --engine lamps").status, 2);

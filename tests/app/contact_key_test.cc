@@ -33,7 +33,7 @@ std::string another(const CaseEntry& entry) {
   return text == "inf" || std::isdigit(static_cast<unsigned char>(text[0])) ? "0.123" : "another";
 }
 
-TEST(ContactKey, holds_every_physical_entry_of_the_declaration) {
+TEST(ContactKey_behaviour, holds_every_physical_entry_of_the_declaration) {
   const SolvedCase base = solved_with("", "", true);
   for (const auto& entry : case_entries()) {
     const std::string path = path_of(entry);
@@ -45,7 +45,7 @@ TEST(ContactKey, holds_every_physical_entry_of_the_declaration) {
 }
 
 /// Results that do not list their entries are known by the sections of their case files.
-TEST(ContactKey, of_earlier_results_holds_every_physical_entry_too) {
+TEST(ContactKey_behaviour, of_earlier_results_holds_every_physical_entry_too) {
   const SolvedCase base = solved_with("", "", false);
   for (const auto& entry : case_entries())
     EXPECT_EQ(contact_inputs(solved_with(path_of(entry), another(entry), false)) != contact_inputs(base),
@@ -53,7 +53,7 @@ TEST(ContactKey, of_earlier_results_holds_every_physical_entry_too) {
         << path_of(entry);
 }
 
-TEST(ContactKey, leaves_out_title_mesh_solver_output_and_steps_alone) {
+TEST(ContactKey_behaviour, leaves_out_title_mesh_solver_output_and_steps_alone) {
   for (const auto& entry : case_entries()) {
     const std::string steps = "steps";
     const bool ends_with_steps = entry.name.size() > steps.size() && entry.name.compare(entry.name.size() - steps.size(), steps.size(), steps) == 0;
@@ -63,7 +63,7 @@ TEST(ContactKey, leaves_out_title_mesh_solver_output_and_steps_alone) {
   }
 }
 
-TEST(CaseFile, remembers_its_physical_entries_for_result_json) {
+TEST(CaseFile_behaviour, remembers_its_physical_entries_for_result_json) {
   const test::TemporaryFolder folder;
   const CaseInput input = read_case(folder.write("case.prm", test::smooth_case()), {"Interface/Opening work=0.2 J/m^2", "Mesh/Layers=3"});
   std::size_t physical = 0;

@@ -78,7 +78,7 @@ TEST(DeriveCommand_analytic, writes_parameters_with_uncertainty_loads_and_proven
   EXPECT_EQ(parameters.derivation["cases"].size(), 3u);
 }
 
-TEST(DeriveCommand, says_which_cases_an_engine_still_needs) {
+TEST(DeriveCommand_behaviour, says_which_cases_an_engine_still_needs) {
   const TemporaryFolder folder;
   write_sliding_case(folder.path / "sliding", 8.5e-6, 1e-4);
   const Outcome outcome = call("derive " + (folder.path / "sliding").string() + " --output " + (folder.path / "p.json").string());
@@ -94,7 +94,7 @@ TEST(DeriveCommand, says_which_cases_an_engine_still_needs) {
         << needed;
 }
 
-TEST(DeriveCommand, writes_one_file_for_each_radius_and_says_so) {
+TEST(DeriveCommand_behaviour, writes_one_file_for_each_radius_and_says_so) {
   const TemporaryFolder folder;
   write_sliding_case(folder.path / "small", 5e-6, 1e-4);
   write_sliding_case(folder.path / "large", 8.5e-6, 1e-4);
@@ -109,7 +109,7 @@ TEST(DeriveCommand, writes_one_file_for_each_radius_and_says_so) {
   EXPECT_FALSE(fs::exists(folder.path / "p.json"));
 }
 
-TEST(DeriveCommand, refuses_folders_without_cases_and_broken_results_in_one_sentence) {
+TEST(DeriveCommand_behaviour, refuses_folders_without_cases_and_broken_results_in_one_sentence) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path / "empty");
   const Outcome empty =

@@ -37,7 +37,7 @@ TEST(EngineCommand_other_code, runs_lammps_and_keeps_input_trace_and_numbers) {
     EXPECT_NEAR(measurement["ratio"].get<double>(), 1, 0.01) << measurement["name"];
 }
 
-TEST(EngineCommand, that_finds_no_engine_ends_with_status_1_and_what_to_install) {
+TEST(EngineCommand_behaviour, that_finds_no_engine_ends_with_status_1_and_what_to_install) {
   const TemporaryFolder folder;
   const Outcome outcome = call("engine " + silicon + " --engine yade --program no-such-yade --experiment glued --output " + folder.path.string());
   EXPECT_EQ(outcome.status, 1);
@@ -45,7 +45,7 @@ TEST(EngineCommand, that_finds_no_engine_ends_with_status_1_and_what_to_install)
                             "'./quickstart --engines', or name it with --program\n");
 }
 
-TEST(EngineCommand, refuses_wrong_input_with_status_2) {
+TEST(EngineCommand_behaviour, refuses_wrong_input_with_status_2) {
   EXPECT_EQ(call("engine " + silicon + " --engine lamps --experiment glued --output x").status, 2);
   EXPECT_EQ(call("engine " + silicon + " --engine lammps --experiment glued --amplitude '1 nm' --output x").status, 2);
   EXPECT_EQ(call("engine " + silicon + " --engine lammps --experiment rail --rail-angle '95 deg' --output x").status, 2);
@@ -65,7 +65,7 @@ std::filesystem::path record_without(const TemporaryFolder& folder, const std::s
   return folder.write(name, json.dump());
 }
 
-TEST(EngineCommand, says_which_cases_an_engine_still_needs) {
+TEST(EngineCommand_behaviour, says_which_cases_an_engine_still_needs) {
   const TemporaryFolder folder;
   const auto normal = record_without(folder, "normal.json", {"sliding_", "rolling_", "torsion_"});
   const Outcome refused = call("engine-input " + normal.string() + " --engine lammps");
@@ -105,7 +105,7 @@ TEST(EngineCommand_analytic, name_of_a_file_with_a_line_break_stays_in_the_comme
   }
 }
 
-TEST(EngineCommand, unit_is_quoted_on_one_line) {
+TEST(EngineCommand_behaviour, unit_is_quoted_on_one_line) {
   const TemporaryFolder folder;
   auto json = nlohmann::json::parse(read_file(silicon));
   json["quantities"]["reduced_modulus"]["unit"] = "G\n\x1b[31mPa";
@@ -114,7 +114,7 @@ TEST(EngineCommand, unit_is_quoted_on_one_line) {
             "asperity: " + file.string() + ": 'quantities/reduced_modulus' has the unit 'G\\n\\x1b[31mPa'; it must be in SI: 'Pa'\n");
 }
 
-TEST(EngineCommand, writes_an_input_for_every_engine) {
+TEST(EngineCommand_behaviour, writes_an_input_for_every_engine) {
   const TemporaryFolder folder;
   for (const std::string engine : {"lammps", "yade", "liggghts", "mercurydpm", "kratos", "musen"}) {
     const auto file = folder.path / engine;

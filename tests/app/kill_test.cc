@@ -62,7 +62,7 @@ void flip_a_bit(const fs::path& file) {
 
 std::size_t rows(const fs::path& history) { return fs::exists(history) ? read_csv(history).rows.size() : 0; }
 
-TEST(Killed, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
+TEST(Killed_behaviour, solve_leaves_valid_files_and_resumes_to_the_same_answer) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("rough.prm", rough_case).string();
   const fs::path whole = folder.path / "whole", killed = folder.path / "killed";

@@ -16,7 +16,7 @@ using test::call;
 using test::Outcome;
 using test::TemporaryFolder;
 
-TEST(PaperCommand, prints_tables_and_writes_numbers_and_curves) {
+TEST(PaperCommand_behaviour, prints_tables_and_writes_numbers_and_curves) {
   const TemporaryFolder folder;
   const Outcome outcome = call("paper --output " + folder.path.string());
   EXPECT_EQ(outcome.status, 0);
@@ -27,13 +27,13 @@ TEST(PaperCommand, prints_tables_and_writes_numbers_and_curves) {
   EXPECT_TRUE(std::filesystem::exists(folder.path / "paper.json"));
 }
 
-TEST(PaperCommand, prints_json) {
+TEST(PaperCommand_behaviour, prints_json) {
   const Outcome outcome = call("paper --json");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["format"], "asperity-paper/1");
 }
 
-TEST(PaperCommand, fits_a_series_of_ones_own) {
+TEST(PaperCommand_behaviour, fits_a_series_of_ones_own) {
   const TemporaryFolder folder;
   const auto file = folder.write("series.csv", "normal_force [uN],lateral_force [uN]\n100,0.5304\n1000,1.2414\n3000,2.8214\n");
   const Outcome outcome = call("paper --json --series " + file.string());
@@ -44,7 +44,7 @@ TEST(PaperCommand, fits_a_series_of_ones_own) {
   EXPECT_EQ(call("paper --series " + wrong.string()).status, 2);
 }
 
-TEST(PaperCommand, refuses_a_folder_without_the_published_numbers) {
+TEST(PaperCommand_behaviour, refuses_a_folder_without_the_published_numbers) {
   const Outcome outcome = call("paper --data /nowhere");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.output.find("bodies.csv"), std::string::npos) << outcome.output;

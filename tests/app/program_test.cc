@@ -24,7 +24,7 @@ using test::TemporaryFolder;
 
 }  // namespace
 
-TEST(Program, helps_and_says_its_version) {
+TEST(Program_behaviour, helps_and_says_its_version) {
   EXPECT_EQ(call("--help").status, 0);
   EXPECT_CONTAINS(call("--help").output, "study");
   EXPECT_EQ(call("study --help").status, 0);
@@ -32,7 +32,7 @@ TEST(Program, helps_and_says_its_version) {
   EXPECT_EQ(call("--version").output.rfind("asperity ", 0), 0u);
 }
 
-TEST(Program, refuses_a_wrong_call_with_status_2) {
+TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {
   EXPECT_EQ(call("").status, 2);
   EXPECT_EQ(call("study").status, 2);
   const Outcome wrong = call("sutdy x.prm");
@@ -41,7 +41,7 @@ TEST(Program, refuses_a_wrong_call_with_status_2) {
   EXPECT_EQ(call("study nothing.prm --output nowhere").status, 2);
 }
 
-TEST(Program, refuses_a_wrong_study_with_status_2_and_one_sentence) {
+TEST(Program_behaviour, refuses_a_wrong_study_with_status_2_and_one_sentence) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", "subsection Particle\n set Radus = 1 um\nend\n");
   const Outcome outcome = call("study " + file.string() + " --output " + (folder.path / "results").string());
@@ -49,7 +49,7 @@ TEST(Program, refuses_a_wrong_study_with_status_2_and_one_sentence) {
   EXPECT_EQ(outcome.output, "asperity: " + file.string() + ":2: there is no entry 'Radus' in subsection Particle; did you mean 'Radius'?\n");
 }
 
-TEST(Program, ends_with_status_1_when_a_case_of_a_study_fails) {
+TEST(Program_behaviour, ends_with_status_1_when_a_case_of_a_study_fails) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case());
   const auto arguments = "study " + file.string() + " --output " + (folder.path / "results").string() + " --solver ";
@@ -59,7 +59,7 @@ TEST(Program, ends_with_status_1_when_a_case_of_a_study_fails) {
   EXPECT_CONTAINS(failed.output, "--resume");
 }
 
-TEST(Program, refuses_a_study_with_a_case_that_the_bodies_have_no_room_for) {
+TEST(Program_behaviour, refuses_a_study_with_a_case_that_the_bodies_have_no_room_for) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case() + "subsection Experiment\n set Type = rolling\nend\nsubsection Study\n subsection Vary\n"
                                               "  set Experiment/Distance = short: 1 um, long: 40 um\n end\nend\n");
@@ -71,7 +71,7 @@ TEST(Program, refuses_a_study_with_a_case_that_the_bodies_have_no_room_for) {
   EXPECT_FALSE(std::filesystem::exists(output));
 }
 
-TEST(Program, solves_over_no_finished_result_unless_told_and_leaves_case_and_result_of_one_input) {
+TEST(Program_behaviour, solves_over_no_finished_result_unless_told_and_leaves_case_and_result_of_one_input) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case() + "subsection Experiment\n set Normal load = 20 uN\n set Load steps = 1\n set Unload = false\nend\n"
                                              "subsection Mesh\n set Interface spacing = 30 nm\n set Layers = 1\nend\nsubsection Output\n set Fields = false\nend\n"
@@ -97,7 +97,7 @@ TEST(Program, solves_over_no_finished_result_unless_told_and_leaves_case_and_res
   EXPECT_EQ(read_case(output / "case.prm").substrate.youngs_modulus, 150e9);
 }
 
-TEST(Program, checks_a_case_and_a_study_without_solving) {
+TEST(Program_behaviour, checks_a_case_and_a_study_without_solving) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case());
   const Outcome accepted = call("solve " + file.string() + " --check"), refused = call("solve " + file.string() + " --check --set 'Experiment/Normal load=-1 mN'");
@@ -109,7 +109,7 @@ TEST(Program, checks_a_case_and_a_study_without_solving) {
   EXPECT_CONTAINS(study.output, "all 1 cases of");
 }
 
-TEST(Program, says_when_what_it_prints_does_not_arrive) {
+TEST(Program_behaviour, says_when_what_it_prints_does_not_arrive) {
   const TemporaryFolder folder;
   const auto device = folder.path / "full";
   constexpr unsigned memory_devices = 1, full = 7;  // a device of this test's own that is as /dev/full
@@ -123,7 +123,7 @@ TEST(Program, says_when_what_it_prints_does_not_arrive) {
   EXPECT_TRUE(std::filesystem::is_character_file(device));
 }
 
-TEST(Program, writes_through_links_and_fifos_and_takes_no_file_for_a_folder) {
+TEST(Program_behaviour, writes_through_links_and_fifos_and_takes_no_file_for_a_folder) {
   const TemporaryFolder folder;
   const auto fifo = folder.path / "fifo", link = folder.path / "link", target = folder.path / "target.gsf";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
@@ -138,7 +138,7 @@ TEST(Program, writes_through_links_and_fifos_and_takes_no_file_for_a_folder) {
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
 }
 
-TEST(Program, solves_chosen_cases_of_a_study) {
+TEST(Program_behaviour, solves_chosen_cases_of_a_study) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case() + "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
   const auto output = folder.path / "results";

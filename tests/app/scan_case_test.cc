@@ -29,7 +29,7 @@ std::string wavy_matrix() {
   return text.str();
 }
 
-class ScanCase : public testing::Test {
+class ScanCase_behaviour : public testing::Test {
  protected:
   /// Solves the case with this topography of the substrate; returns the exit status.
   int solve(const std::string& topography, const std::string& spacing = "30 nm") {
@@ -50,7 +50,7 @@ class ScanCase : public testing::Test {
 
 }  // namespace
 
-TEST_F(ScanCase, a_bare_matrix_beside_the_case_file_is_solved_once_its_size_and_unit_are_given) {
+TEST_F(ScanCase_behaviour, a_bare_matrix_beside_the_case_file_is_solved_once_its_size_and_unit_are_given) {
   ASSERT_EQ(solve("scan(scans/wavy.txt, size=1.6 um, unit=nm)"), 0) << log;
   const auto result = nlohmann::json::parse(read_file(folder.path / "result" / "result.json"));
   // Whole periods of 200 nm do not fit the region exactly: 5 %.
@@ -61,13 +61,13 @@ TEST_F(ScanCase, a_bare_matrix_beside_the_case_file_is_solved_once_its_size_and_
   EXPECT_NEAR(history.normal_force.back(), 30e-6, 1e-6 * 30e-6);
 }
 
-TEST_F(ScanCase, one_without_size_is_refused_by_the_line_of_the_case_file) {
+TEST_F(ScanCase_behaviour, one_without_size_is_refused_by_the_line_of_the_case_file) {
   EXPECT_EQ(solve("scans/wavy.txt"), 2);
   EXPECT_NE(log.find("case.prm:2: Substrate/Topography: "), std::string::npos) << log;
   EXPECT_NE(log.find("scan(FILE, size=2.5 um"), std::string::npos) << log;
 }
 
-TEST_F(ScanCase, one_smaller_than_the_contact_is_refused_by_line_and_solved_when_mirrored) {
+TEST_F(ScanCase_behaviour, one_smaller_than_the_contact_is_refused_by_line_and_solved_when_mirrored) {
   EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean)"), 2);
   EXPECT_NE(log.find("case.prm:2: Substrate/Topography: "), std::string::npos) << log;
   EXPECT_NE(log.find("outside=mirror"), std::string::npos) << log;
@@ -75,7 +75,7 @@ TEST_F(ScanCase, one_smaller_than_the_contact_is_refused_by_line_and_solved_when
 }
 
 /// Eight periods over 400 nm, crossed, are waves of 35 nm; a twelfth of Hertz' contact radius is 13 nm whatever the roughness.
-TEST_F(ScanCase, without_a_spacing_is_meshed_by_its_own_waves_and_says_what_is_resolved) {
+TEST_F(ScanCase_behaviour, without_a_spacing_is_meshed_by_its_own_waves_and_says_what_is_resolved) {
   ASSERT_EQ(solve("scan(scans/wavy.txt, size=0.4 um, unit=nm, outside=mirror)", "0 m"), 0) << log;
   const auto result = nlohmann::json::parse(read_file(folder.path / "result" / "result.json"));
   const auto& roughness = result["mesh"]["roughness"]["substrate"];

@@ -16,9 +16,9 @@ const std::filesystem::path runs = std::filesystem::path(ASPERITY_SOURCE_DIR) / 
 
 }  // namespace
 
-TEST(ShippedRuns, the_quick_case_is_accepted) { EXPECT_GT(read_case(runs / "quick" / "case.prm").experiment.normal_load, 0); }
+TEST(ShippedRuns_behaviour, the_quick_case_is_accepted) { EXPECT_GT(read_case(runs / "quick" / "case.prm").experiment.normal_load, 0); }
 
-TEST(ShippedRuns, the_main_job_holds_three_surfaces_two_more_spectra_and_the_smooth_yardstick) {
+TEST(ShippedRuns_behaviour, the_main_job_holds_three_surfaces_two_more_spectra_and_the_smooth_yardstick) {
   const Study study = read_study(runs / "paper" / "surfaces.prm");
   ASSERT_FALSE(study.axes.empty());
   EXPECT_EQ(study.axes.back().name, "Surface");
@@ -29,7 +29,7 @@ TEST(ShippedRuns, the_main_job_holds_three_surfaces_two_more_spectra_and_the_smo
   EXPECT_EQ(study.cases.size(), settings * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
 }
 
-TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_switches_yielding_and_adhesion_off) {
+TEST(ShippedRuns_behaviour, the_study_of_motions_varies_roughness_load_and_radius_and_switches_yielding_and_adhesion_off) {
   const Study study = read_study(runs / "paper" / "motions.prm");
   ASSERT_EQ(study.axes.size(), 2u);
   EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"rolling", "sliding", "torsion"}));
@@ -38,7 +38,7 @@ TEST(ShippedRuns, the_study_of_motions_varies_roughness_load_and_radius_and_swit
     EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), contact), 1) << contact;
 }
 
-TEST(ShippedRuns, the_study_of_motions_has_every_load_with_every_roughness_and_both_spectra) {
+TEST(ShippedRuns_behaviour, the_study_of_motions_has_every_load_with_every_roughness_and_both_spectra) {
   const Study study = read_study(runs / "paper" / "motions.prm");
   for (const std::string rms : {"0.3 nm", "1.5 nm", "2.7 nm"})
     for (const std::string spectrum : {"", " long waves"})
@@ -47,7 +47,7 @@ TEST(ShippedRuns, the_study_of_motions_has_every_load_with_every_roughness_and_b
   EXPECT_GE(study.realisations, 2);
 }
 
-TEST(ShippedRuns, the_papers_rolling_and_rails_roll_wafers_and_indenter_and_spin_by_the_tangent) {
+TEST(ShippedRuns_behaviour, the_papers_rolling_and_rails_roll_wafers_and_indenter_and_spin_by_the_tangent) {
   const Study rolling = read_study(runs / "paper" / "rolling_loads.prm");
   ASSERT_EQ(rolling.axes.size(), 2u);
   EXPECT_EQ(rolling.axes[0].labels, (std::vector<std::string>{"100 uN", "1 mN", "3 mN"}));
@@ -58,7 +58,7 @@ TEST(ShippedRuns, the_papers_rolling_and_rails_roll_wafers_and_indenter_and_spin
   EXPECT_EQ(rails.cases.size(), 15u);
 }
 
-TEST(ShippedRuns, single_motions_and_the_benchmark_are_accepted) {
+TEST(ShippedRuns_behaviour, single_motions_and_the_benchmark_are_accepted) {
   EXPECT_GT(read_case(runs / "paper" / "sliding.prm").experiment.distance, 0);
   EXPECT_EQ(read_case(runs / "paper" / "program.prm").experiment.type, ExperimentInput::Type::program);
   EXPECT_GT(read_case(runs / "paper" / "rolling.prm").interface.opening_work, 0);

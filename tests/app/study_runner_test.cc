@@ -80,7 +80,7 @@ bool is_running(pid_t process) {
 
 }  // namespace
 
-TEST_F(StudyRunner, a_failing_case_is_reported_and_the_others_go_on) {
+TEST_F(StudyRunner, a_failing_case_is_reported_and_the_others_go_on_behaviour) {
   const auto progress = run_study(two_loads(), options_);
   ASSERT_EQ(progress.size(), 2u);
   EXPECT_EQ(progress[0].state, State::done);
@@ -92,7 +92,7 @@ TEST_F(StudyRunner, a_failing_case_is_reported_and_the_others_go_on) {
   EXPECT_DOUBLE_EQ(table.numbers("normal_stiffness [N/m]")[0], 7);
 }
 
-TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_again) {
+TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_again_behaviour) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
   options_.resume = true;
@@ -105,7 +105,7 @@ TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_agai
   EXPECT_EQ(first.find("--resume"), std::string::npos);
 }
 
-TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on) {
+TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on_behaviour) {
   options_.chosen = [](const std::string& name) { return name == "1_mN"; };
   auto progress = run_study(two_loads(), options_);
   EXPECT_EQ(progress[0].state, State::done);
@@ -121,7 +121,7 @@ TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on) {
   EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 1);
 }
 
-TEST_F(StudyRunner, a_case_whose_checkpoint_cannot_be_gone_on_with_is_solved_anew) {
+TEST_F(StudyRunner, a_case_whose_checkpoint_cannot_be_gone_on_with_is_solved_anew_behaviour) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
   options_.objection_to_resume = [](const fs::path& folder, const std::string&) { return folder.filename() == "2_mN" ? "is damaged" : ""; };
@@ -132,7 +132,7 @@ TEST_F(StudyRunner, a_case_whose_checkpoint_cannot_be_gone_on_with_is_solved_ane
   EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: solved anew, for its checkpoint is damaged"), said_.end());
 }
 
-TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete) {
+TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete_behaviour) {
   run_study(two_loads(), options_);
   folder_.write("results/1_mN/result.json", "{\"format\": \"asperity-res");
   options_.resume = true;
@@ -141,7 +141,7 @@ TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete) {
   EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 2);
 }
 
-TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_asked) {
+TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_asked_behaviour) {
   run_study(study("subsection Study\nend\n"), options_);
   options_.resume = true;
   const Study changed = study("subsection Mesh\n set Layers = 6\nend\n");
@@ -160,7 +160,7 @@ TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_aske
   EXPECT_TRUE(std::filesystem::exists(options_.output / "earlier" / "case" / "result.json"));
 }
 
-TEST_F(StudyRunner, a_complete_case_is_not_kept_if_its_scan_changed_or_it_does_not_say_its_inputs) {
+TEST_F(StudyRunner, a_complete_case_is_not_kept_if_its_scan_changed_or_it_does_not_say_its_inputs_behaviour) {
   folder_.write("scan.txt", "0 1\n1 0\n");
   const Study rough = study("subsection Substrate\n set Topography = scan(scan.txt, size=1 um, unit=nm)\nend\n");
   run_study(rough, options_);
@@ -175,7 +175,7 @@ TEST_F(StudyRunner, a_complete_case_is_not_kept_if_its_scan_changed_or_it_does_n
   EXPECT_EQ(run_study(rough, options_)[0].state, State::waiting);
 }
 
-TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept) {
+TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept_behaviour) {
   run_study(study("subsection Study\nend\n"), options_);
   const auto file = options_.output / "case" / "case.prm";
   std::string text = read_file(file);
@@ -189,12 +189,12 @@ TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept) {
   EXPECT_EQ(std::count(only.begin(), only.end(), '\n'), 1);
 }
 
-TEST_F(StudyRunner, an_earlier_study_is_not_overwritten_unasked) {
+TEST_F(StudyRunner, an_earlier_study_is_not_overwritten_unasked_behaviour) {
   run_study(two_loads(), options_);
   EXPECT_NE(message_of<InputError>([&] { run_study(two_loads(), options_); }).find("add --resume"), std::string::npos);
 }
 
-TEST_F(StudyRunner, the_scatter_over_realisations_is_the_sample_standard_deviation) {
+TEST_F(StudyRunner, the_scatter_over_realisations_is_the_sample_standard_deviation_analytic) {
   run_study(study("subsection Study\n set Realisations = 3\n subsection Vary\n"
                   "  set Substrate/Topography = generated(rms=1 nm, seed=5)\n end\nend\n"),
             options_);
@@ -205,14 +205,14 @@ TEST_F(StudyRunner, the_scatter_over_realisations_is_the_sample_standard_deviati
   EXPECT_DOUBLE_EQ(stiffness["case_sd"].get<double>(), 0.5);
 }
 
-TEST_F(StudyRunner, each_case_runs_from_a_complete_case_file_with_its_share_of_the_cores) {
+TEST_F(StudyRunner, each_case_runs_from_a_complete_case_file_with_its_share_of_the_cores_behaviour) {
   options_.cores = 4;
   run_study(two_loads(), options_);
   EXPECT_NE(calls("1_mN").find("Solver/Threads=2"), std::string::npos);
   EXPECT_NE(read_file(options_.output / "2_mN" / "case.prm").find("set Normal load = 2 mN"), std::string::npos);
 }
 
-TEST_F(StudyRunner, a_signal_stops_the_running_cases_and_resuming_finishes_them) {
+TEST_F(StudyRunner, a_signal_stops_the_running_cases_and_resuming_finishes_them_behaviour) {
   const Study both = two_loads();
   const fs::path slow = folder_.write("slow", ""), mended = folder_.write("mended", "");
   const pid_t child = ::fork();
@@ -234,7 +234,7 @@ TEST_F(StudyRunner, a_signal_stops_the_running_cases_and_resuming_finishes_them)
   for (const auto& progress : run_study(both, options_)) EXPECT_EQ(progress.state, State::done);
 }
 
-TEST_F(StudyRunner, a_killed_study_leaves_valid_files_and_no_running_solver) {
+TEST_F(StudyRunner, a_killed_study_leaves_valid_files_and_no_running_solver_behaviour) {
   const Study both = two_loads();
   const fs::path slow = folder_.write("slow", ""), mended = folder_.write("mended", "");
   const pid_t child = ::fork();

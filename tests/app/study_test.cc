@@ -34,7 +34,7 @@ std::string value_of(const StudyCase& cell, const std::string& path) {
 
 }  // namespace
 
-TEST(Study, is_every_combination_of_the_varied_values) {
+TEST(Study_behaviour, is_every_combination_of_the_varied_values) {
   const Study study = study_of(
       "subsection Study\n subsection Vary\n"
       "  set Experiment/Normal load = 300 uN, 1 mN, 2 mN\n"
@@ -52,7 +52,7 @@ TEST(Study, is_every_combination_of_the_varied_values) {
   EXPECT_EQ(value_of(study.cases[3], "Substrate/Topography"), "generated(rms=1.5 nm, rolloff=200 nm, seed=3)");
 }
 
-TEST(Study, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
+TEST(Study_behaviour, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
   const Study study = study_of(
       "subsection Study\n set Realisations = 3\n subsection Vary\n"
       "  set Substrate/Topography = flat: smooth, rough: generated(rms=1.5 nm, rolloff=200 nm, seed=3)\n"
@@ -72,7 +72,7 @@ TEST(Study, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
   EXPECT_EQ(seeds.count(3), 1u);
 }
 
-TEST(Study, variants_set_several_entries_together) {
+TEST(Study_behaviour, variants_set_several_entries_together) {
   const Study study = study_of(
       "subsection Study\n set Name of variants = Material\n subsection Variants\n"
       "  set elastic =\n"
@@ -85,7 +85,7 @@ TEST(Study, variants_set_several_entries_together) {
   EXPECT_EQ(value_of(study.cases[1], "Substrate/Yield stress"), "4 GPa");
 }
 
-TEST(Study, a_varied_value_may_bring_further_entries) {
+TEST(Study_behaviour, a_varied_value_may_bring_further_entries) {
   const Study study = study_of(
       "subsection Study\n subsection Vary\n"
       "  set Experiment/Type = sliding, turned: torsion; Experiment/Reverse = false; Experiment/Load steps=3\n"
@@ -98,7 +98,7 @@ TEST(Study, a_varied_value_may_bring_further_entries) {
   EXPECT_EQ(value_of(study.cases[1], "Experiment/Load steps"), "3");
 }
 
-TEST(Study, an_entry_set_on_the_command_line_replaces_it_or_the_values_it_is_varied_by) {
+TEST(Study_behaviour, an_entry_set_on_the_command_line_replaces_it_or_the_values_it_is_varied_by) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case() + "subsection Study\n subsection Vary\n  set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
   const Study study = read_study(file, {"Experiment/Normal load=10 uN", "Mesh/Layers=2", "Study/Parallel cases=3"});
@@ -109,7 +109,7 @@ TEST(Study, an_entry_set_on_the_command_line_replaces_it_or_the_values_it_is_var
   EXPECT_EQ(study.parallel_cases, 3);
 }
 
-TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
+TEST(Study_behaviour, takes_a_base_case_from_another_file_and_overrides_it) {
   const TemporaryFolder folder;
   folder.write("cases/scan.gsf", "x");
   folder.write("cases/base.prm", smooth_case() + "subsection Mesh\n set Layers = 6\nend\n");
@@ -123,7 +123,7 @@ TEST(Study, takes_a_base_case_from_another_file_and_overrides_it) {
   EXPECT_EQ(value_of(study.cases[1], "Substrate/Topography"), (folder.path / "cases/scan.gsf").string());
 }
 
-TEST(Study, what_it_cannot_mean_is_refused_with_its_line) {
+TEST(Study_behaviour, what_it_cannot_mean_is_refused_with_its_line) {
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "study.prm:14:");
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "did you mean 'Realisations'?");
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisations = 0\nend\n"), "whole number, 1 or more");

@@ -20,7 +20,7 @@ std::string generate(const std::string& file, const std::string& seed) {
 
 }  // namespace
 
-TEST(SurfaceCommand, generates_what_it_then_measures) {
+TEST(SurfaceCommand_behaviour, generates_what_it_then_measures) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path / "surface.gsf").string();
   ASSERT_EQ(surface(generate(file, "3")).status, 0);
@@ -36,7 +36,7 @@ TEST(SurfaceCommand, generates_what_it_then_measures) {
   EXPECT_NE(spoken.output.find("Sq (RMS height)"), std::string::npos);
 }
 
-TEST(SurfaceCommand, refuses_with_status_2) {
+TEST(SurfaceCommand_behaviour, refuses_with_status_2) {
   const test::TemporaryFolder folder;
   const std::string file = (folder.path / "surface.gsf").string();
   EXPECT_EQ(surface("measure " + file).status, 2);  // not there
@@ -47,7 +47,7 @@ TEST(SurfaceCommand, refuses_with_status_2) {
   EXPECT_EQ(surface("afm --rms \"1.5 nm\"").status, 2);  // neither peak to valley nor roll-off
 }
 
-TEST(SurfaceCommand, scales_a_spectrum_so_that_scans_show_the_rms) {
+TEST(SurfaceCommand_analytic, scales_a_spectrum_so_that_scans_show_the_rms) {
   const Outcome outcome = surface("afm --rms \"1.5 nm\" --rolloff \"1 um\" --hurst 0.8 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const auto json = nlohmann::json::parse(outcome.output);

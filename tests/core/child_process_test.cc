@@ -38,7 +38,7 @@ std::string content(const std::filesystem::path& file) {
 
 std::vector<std::string> shell(const std::string& commands) { return {"/bin/sh", "-c", commands}; }
 
-TEST(ChildProcess, runs_in_its_folder_and_appends_output_and_errors_to_the_log) {
+TEST(ChildProcess_behaviour, runs_in_its_folder_and_appends_output_and_errors_to_the_log) {
   const TemporaryFolder folder;
   const auto log = folder.write("log", "before\n");
   std::filesystem::create_directory(folder.path / "inside");
@@ -47,7 +47,7 @@ TEST(ChildProcess, runs_in_its_folder_and_appends_output_and_errors_to_the_log) 
   EXPECT_EQ(content(log), "before\ninside\nwrong\n");
 }
 
-TEST(ChildProcess, gets_the_replaced_environment_without_what_an_mpi_launcher_left) {
+TEST(ChildProcess_behaviour, gets_the_replaced_environment_without_what_an_mpi_launcher_left) {
   const TemporaryFolder folder;
   ::setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   ::setenv("ASPERITY_TEST_ENTRY", "old", 1);
@@ -58,7 +58,7 @@ TEST(ChildProcess, gets_the_replaced_environment_without_what_an_mpi_launcher_le
   ::unsetenv("ASPERITY_TEST_ENTRY");
 }
 
-TEST(ChildProcess, tells_a_signal_and_a_program_that_cannot_be_started) {
+TEST(ChildProcess_behaviour, tells_a_signal_and_a_program_that_cannot_be_started) {
   const TemporaryFolder folder;
   ChildProcess killed(shell("kill -SEGV $$"), folder.path / "log");
   EXPECT_EQ(status_of(killed), 128 + SIGSEGV);
@@ -68,14 +68,14 @@ TEST(ChildProcess, tells_a_signal_and_a_program_that_cannot_be_started) {
   EXPECT_THROW(ChildProcess(shell("true"), folder.path / "no" / "log"), WorkError);
 }
 
-TEST(ChildProcess, is_asked_to_stop_together_with_what_it_started) {
+TEST(ChildProcess_behaviour, is_asked_to_stop_together_with_what_it_started) {
   const TemporaryFolder folder;
   ChildProcess process(shell("sleep 60 & wait"), folder.path / "log");
   process.ask_to_stop();
   EXPECT_EQ(status_of(process), 128 + SIGTERM);
 }
 
-TEST(ChildProcess, does_not_outlive_its_owner) {
+TEST(ChildProcess_behaviour, does_not_outlive_its_owner) {
   const TemporaryFolder folder;
   const auto began = std::chrono::steady_clock::now();
   { const ChildProcess process(shell("sleep 60"), folder.path / "log"); }

@@ -18,19 +18,19 @@ CsvTable read_text(const std::string& text) {
 
 }  // namespace
 
-TEST(Csv, gives_back_what_was_written) {
+TEST(Csv_behaviour, gives_back_what_was_written) {
   const auto table = read_text(format_csv({"load [N]", "approach [m]"}, {{1, 2}, {1e-9, 2.5e-9}}));
   EXPECT_EQ(table.numbers("load [N]"), (std::vector<double>{1, 2}));
   EXPECT_EQ(table.numbers("approach [m]"), (std::vector<double>{1e-9, 2.5e-9}));
 }
 
-TEST(Csv, keeps_commas_in_quotes_and_reads_empty_cells_as_missing) {
+TEST(Csv_behaviour, keeps_commas_in_quotes_and_reads_empty_cells_as_missing) {
   const auto table = read_text("# comment\na,b\n\"x,y\",\n");
   EXPECT_EQ(table.rows[0][0], "x,y");
   EXPECT_TRUE(std::isnan(table.numbers("b")[0]));
 }
 
-TEST(Csv, names_file_and_line_of_a_short_row) {
+TEST(Csv_behaviour, names_file_and_line_of_a_short_row) {
   try {
     read_text("a,b\n1,2\n3\n");
     FAIL();

@@ -9,7 +9,7 @@ namespace {
 
 using namespace asperity;
 
-TEST(MotionProgram, parts_follow_each_other_and_motions_of_a_part_go_together) {
+TEST(MotionProgram_behaviour, parts_follow_each_other_and_motions_of_a_part_go_together) {
   const auto parts = parse_motion_program("slide 200 nm and spin 20 mrad; press 50 uN in 3 steps; roll -30 mrad in 1 step; slide across 1e-7 ;");
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_DOUBLE_EQ(parts[0].slide, 200e-9);
@@ -24,7 +24,7 @@ TEST(MotionProgram, parts_follow_each_other_and_motions_of_a_part_go_together) {
   EXPECT_TRUE(parse_motion_program("  ").empty());
 }
 
-TEST(MotionProgram, a_length_that_is_pressed_is_an_approach_and_one_that_is_rolled_an_arc) {
+TEST(MotionProgram_behaviour, a_length_that_is_pressed_is_an_approach_and_one_that_is_rolled_an_arc) {
   const auto parts = parse_motion_program("press 5 nm; roll 100 nm; indenter 400 nm; roll 1 mrad and slide 1 nm");
   EXPECT_DOUBLE_EQ(*parts[0].approach, 5e-9);
   EXPECT_FALSE(parts[0].load);
@@ -36,7 +36,7 @@ TEST(MotionProgram, a_length_that_is_pressed_is_an_approach_and_one_that_is_roll
   EXPECT_FALSE(parts[3].rolls_freely());
 }
 
-TEST(MotionProgram, says_what_is_not_a_motion) {
+TEST(MotionProgram_behaviour, says_what_is_not_a_motion) {
   const auto message = [](const std::string& text) {
     try {
       parse_motion_program(text);

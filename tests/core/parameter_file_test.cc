@@ -19,7 +19,7 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST(ParameterFile, reads_nested_subsections_comments_and_continued_lines) {
+TEST(ParameterFile_behaviour, reads_nested_subsections_comments_and_continued_lines) {
   const TemporaryFolder folder;
   const auto settings = read_settings(folder.write("case.prm",
                                                    "# a case\nset Title = two words # and a comment\n\nsubsection Study\r\n"
@@ -33,7 +33,7 @@ TEST(ParameterFile, reads_nested_subsections_comments_and_continued_lines) {
   EXPECT_EQ(settings[1].where, (folder.path / "case.prm").string() + ":6");
 }
 
-TEST(ParameterFile, reads_the_same_from_JSON_with_the_line_of_each_entry) {
+TEST(ParameterFile_behaviour, reads_the_same_from_JSON_with_the_line_of_each_entry) {
   const TemporaryFolder folder;
   const auto settings = read_settings(folder.write(
       "case.json", "{\n \"Particle\": {\"Radius\": \"8.5 um\",\n  \"Poisson ratio\": 0.17},\n \"Output\": {\"Fields\": true}}\n"));
@@ -44,7 +44,7 @@ TEST(ParameterFile, reads_the_same_from_JSON_with_the_line_of_each_entry) {
   EXPECT_EQ(settings[2].value, "true");
 }
 
-TEST(ParameterFile, reads_the_JSON_that_deal_II_writes) {
+TEST(ParameterFile_behaviour, reads_the_JSON_that_deal_II_writes) {
   const TemporaryFolder folder;
   const auto settings = read_settings(folder.write(
       "case.json", R"({"Particle": {"Young_20modulus": {"value": "70 GPa", "default_value": "71 GPa", "pattern": "0"}}})"));
@@ -53,7 +53,7 @@ TEST(ParameterFile, reads_the_JSON_that_deal_II_writes) {
   EXPECT_EQ(settings[0].value, "70 GPa");
 }
 
-TEST(ParameterFile, an_included_file_can_be_overridden_where_it_is_included) {
+TEST(ParameterFile_behaviour, an_included_file_can_be_overridden_where_it_is_included) {
   const TemporaryFolder folder;
   folder.write("base.prm", "subsection Particle\n set Radius = 8.5 um\nend\n");
   const auto settings =
@@ -62,7 +62,7 @@ TEST(ParameterFile, an_included_file_can_be_overridden_where_it_is_included) {
   EXPECT_EQ(settings[0].value, "9 um");
 }
 
-TEST(ParameterFile, is_written_so_that_it_reads_back_the_same) {
+TEST(ParameterFile_behaviour, is_written_so_that_it_reads_back_the_same) {
   const TemporaryFolder folder;
   const Settings written{{"Particle", "Radius", "8.5 um", ""}, {"", "Title", "x", ""}, {"Study/Vary", "A/B", "1, 2", ""}};
   const auto read = read_settings(folder.write("case.prm", format_settings(written)));
@@ -72,7 +72,7 @@ TEST(ParameterFile, is_written_so_that_it_reads_back_the_same) {
             "set Title = x\nsubsection Particle\n  set Radius = 8.5 um\nend\nsubsection Study\n  subsection Vary\n    set A/B = 1, 2\n  end\nend\n");
 }
 
-TEST(ParameterFile, names_the_line_of_what_it_cannot_read) {
+TEST(ParameterFile_behaviour, names_the_line_of_what_it_cannot_read) {
   EXPECT_CONTAINS(refusal("subsection Particle\n sett Radius = 1 um\nend\n"), "case.prm:2: a line begins with");
   EXPECT_CONTAINS(refusal("subsection Particle\n sett Radius = 1 um\nend\n"), "did you mean 'set'?");
   EXPECT_CONTAINS(refusal("\nset Title\n"), "case.prm:2: 'set Title' lacks '='");
@@ -87,7 +87,7 @@ TEST(ParameterFile, names_the_line_of_what_it_cannot_read) {
   EXPECT_CONTAINS(refusal("{\"Particle\":\n {\"Radius\": [1]}}"), "case.prm:2: 'Radius' holds array");
 }
 
-TEST(ParameterFile, takes_apart_an_override) {
+TEST(ParameterFile_behaviour, takes_apart_an_override) {
   const auto setting = parse_override("Experiment/Normal load = 2 mN");
   EXPECT_EQ(setting.section, "Experiment");
   EXPECT_EQ(setting.entry, "Normal load");

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-TEST(Quantity, reads_a_number_with_its_unit_into_SI) {
+TEST(Quantity_analytic, reads_a_number_with_its_unit_into_SI) {
   EXPECT_DOUBLE_EQ(parse_quantity("2.5 um", Dimension::length), 2.5e-6);
   EXPECT_DOUBLE_EQ(parse_quantity(" 3000uN ", Dimension::force), 3e-3);
   EXPECT_DOUBLE_EQ(parse_quantity("71 GPa", Dimension::pressure), 71e9);
@@ -35,7 +35,7 @@ TEST(Quantity_analytic, each_unit_has_its_factor) {
     for (const auto& [text, value] : list) EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
 }
 
-TEST(Quantity, refuses_what_is_no_quantity_of_that_dimension) {
+TEST(Quantity_behaviour, refuses_what_is_no_quantity_of_that_dimension) {
   EXPECT_THROW(parse_quantity("", Dimension::length), InputError);
   EXPECT_THROW(parse_quantity("um", Dimension::length), InputError);
   EXPECT_THROW(parse_quantity("2.5 GPa", Dimension::length), InputError);
@@ -43,7 +43,7 @@ TEST(Quantity, refuses_what_is_no_quantity_of_that_dimension) {
   EXPECT_THROW(parse_quantity("nan", Dimension::length), InputError);
 }
 
-TEST(Quantity, is_written_with_a_readable_prefix) {
+TEST(Quantity_behaviour, is_written_with_a_readable_prefix) {
   EXPECT_EQ(format_quantity(2.5e-6, Dimension::length), "2.5 um");
   EXPECT_EQ(format_quantity(1e-3, Dimension::force), "1 mN");
   EXPECT_EQ(format_quantity(71e9, Dimension::pressure), "71 GPa");
@@ -51,7 +51,7 @@ TEST(Quantity, is_written_with_a_readable_prefix) {
   EXPECT_EQ(format_quantity(849e-12, Dimension::length), "849 pm");
 }
 
-TEST(Quantity, what_rounds_to_a_thousand_takes_the_next_prefix) {
+TEST(Quantity_behaviour, what_rounds_to_a_thousand_takes_the_next_prefix) {
   EXPECT_EQ(format_quantity(0.99999e-9, Dimension::length), "1 nm");
   EXPECT_EQ(format_quantity(-999.9e-6, Dimension::force), "-1 mN");
   EXPECT_EQ(format_quantity(999.4e-12, Dimension::length), "999 pm");

@@ -52,7 +52,7 @@ class ComparedFolders : public testing::Test {
   fs::path root;
 };
 
-TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load) {
+TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load_analytic) {
   const Comparison comparison = compare_with_hertz(collect_cases({write_case("smooth", 1)}), 0.05);
   ASSERT_EQ(comparison.groups.size(), 1u);
   const GroupComparison& group = comparison.groups[0];
@@ -68,7 +68,7 @@ TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load) {
   EXPECT_FALSE(group.numbers.loading_stiffness.mesh.has_value());
 }
 
-TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_root_of_its_radius) {
+TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_root_of_its_radius_analytic) {
   const Comparison comparison = compare_with_hertz(collect_cases({write_case("soft", 0.512)}), 0.05);
   // k = 2 E* (R delta)^(1/2) at given load scales with R^(1/3): 0.512^(1/3) = 0.8
   EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_ratio.mean, 0.8, 1e-6);
@@ -77,7 +77,7 @@ TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_ro
       << comparison.groups[0].verdict;
 }
 
-TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said_to_be) {
+TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said_to_be_behaviour) {
   const fs::path folder = write_case("short", 1);
   ContactHistory history = read_history(folder / "history.csv");
   for (const auto& column : history_columns()) (history.*column.values).resize(2);
@@ -87,7 +87,7 @@ TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said
   EXPECT_EQ(to_markdown(comparison).find("nan"), std::string::npos);
 }
 
-TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_contact) {
+TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_contact_behaviour) {
   const Comparison comparison =
       compare_with_hertz(collect_cases({write_case("a", 0.9, 0, "1"), write_case("b", 1.1, 0, "2")}), 0.05);
   ASSERT_EQ(comparison.groups.size(), 1u);
@@ -101,7 +101,7 @@ TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_
   EXPECT_NE(strict.groups[0].verdict.find("scatter about it by up to 4.7 %"), std::string::npos) << strict.groups[0].verdict;
 }
 
-TEST_F(ComparedFolders, cases_that_differ_by_their_spacing_give_the_mesh_error_and_stay_apart_from_the_scatter) {
+TEST_F(ComparedFolders, cases_that_differ_by_their_spacing_give_the_mesh_error_and_stay_apart_from_the_scatter_analytic) {
   const Comparison comparison = compare_with_hertz(
       collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.1, 0, "1", "10 nm")}), 0.05);
   ASSERT_EQ(comparison.groups.size(), 2u);
@@ -118,7 +118,7 @@ TEST_F(ComparedFolders, cases_that_differ_by_their_spacing_give_the_mesh_error_a
   EXPECT_TRUE(std::isnan(comparison.groups[0].loads.back().stiffness_ratio.sd));
 }
 
-TEST_F(ComparedFolders, realisations_that_one_spacing_lacks_do_not_pass_for_a_mesh_error) {
+TEST_F(ComparedFolders, realisations_that_one_spacing_lacks_do_not_pass_for_a_mesh_error_behaviour) {
   // Two realisations that differ by far and do not depend on the mesh; the coarse spacing has but one of them.
   const std::vector<fs::path> folders{write_case("fine-1", 0.8, 0, "1", "5 nm"), write_case("fine-2", 1.2, 0, "2", "5 nm"),
                                       write_case("coarse-1", 0.8, 0, "1", "10 nm")};
@@ -130,7 +130,7 @@ TEST_F(ComparedFolders, realisations_that_one_spacing_lacks_do_not_pass_for_a_me
   EXPECT_NEAR(fine.mesh->relative_error, 0, 1e-9);
 }
 
-TEST_F(ComparedFolders, a_mesh_error_carries_the_scatter_that_realisations_give_it) {
+TEST_F(ComparedFolders, a_mesh_error_carries_the_scatter_that_realisations_give_it_analytic) {
   const std::vector<fs::path> folders{write_case("fine-1", 1, 0, "1", "5 nm"), write_case("fine-2", 1, 0, "2", "5 nm"),
                                       write_case("coarse-1", 1.331, 0, "1", "10 nm"), write_case("coarse-2", 0.729, 0, "2", "10 nm")};
   const Comparison comparison = compare_with_hertz(collect_cases(folders), 0.05);
@@ -141,7 +141,7 @@ TEST_F(ComparedFolders, a_mesh_error_carries_the_scatter_that_realisations_give_
   EXPECT_EQ(mesh_error_text(comparison.groups[0].loads.back().stiffness), "0 ± 10 %");
 }
 
-TEST_F(ComparedFolders, the_path_of_one_case_gives_stiffness_area_and_pressure_at_each_of_its_loads) {
+TEST_F(ComparedFolders, the_path_of_one_case_gives_stiffness_area_and_pressure_at_each_of_its_loads_analytic) {
   const Comparison comparison = compare_with_hertz(collect_cases({write_case("smooth", 1)}), 0.05);
   const GroupComparison& group = comparison.groups[0];
   ASSERT_EQ(group.loads.size(), 8u);
@@ -158,7 +158,7 @@ TEST_F(ComparedFolders, the_path_of_one_case_gives_stiffness_area_and_pressure_a
 }
 
 /// Three realisations of 0.99 +- 0.22: the mean lies within 5 %, its interval does not.
-TEST_F(ComparedFolders, a_mean_whose_interval_reaches_beyond_the_tolerance_is_not_known_to_be_within) {
+TEST_F(ComparedFolders, a_mean_whose_interval_reaches_beyond_the_tolerance_is_not_known_to_be_within_behaviour) {
   const std::vector<double> ratios{0.77, 0.99, 1.21};
   std::vector<fs::path> folders;
   for (std::size_t i = 0; i < ratios.size(); ++i)
@@ -175,7 +175,7 @@ TEST_F(ComparedFolders, a_mean_whose_interval_reaches_beyond_the_tolerance_is_no
   EXPECT_NE(group.verdict.find("is not known at 1 mN: softer by 1 % (-58 to +56 %)"), std::string::npos) << group.verdict;
 }
 
-TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open) {
+TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open_behaviour) {
   const Comparison comparison = compare_with_hertz(
       collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.331, 0, "1", "10 nm")}), 0.05);
   EXPECT_EQ(comparison.groups[0].judged_at_all_loads, Judged::not_known);
@@ -183,7 +183,7 @@ TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open)
 }
 
 /// Stiffer with the load: from 0.9499 of Hertz's to Hertz's.
-TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance_is_crossed) {
+TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance_is_crossed_behaviour) {
   const fs::path folder = write_case("crossing", 1);
   ContactHistory history = read_history(folder / "history.csv");
   const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
@@ -204,7 +204,7 @@ TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance
   }
 }
 
-TEST_F(ComparedFolders, a_smooth_elastic_contact_is_a_control) {
+TEST_F(ComparedFolders, a_smooth_elastic_contact_is_a_control_behaviour) {
   const fs::path folder = write_case("smooth", 1);
   EXPECT_FALSE(compare_with_hertz(collect_cases({folder}), 0.05).groups[0].is_control);  // rough, as the other tests have it
   std::string text = read_file(folder / "case.prm");
@@ -213,7 +213,7 @@ TEST_F(ComparedFolders, a_smooth_elastic_contact_is_a_control) {
   EXPECT_TRUE(compare_with_hertz(collect_cases({folder}), 0.05).groups[0].is_control);
 }
 
-TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing) {
+TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing_behaviour) {
   write_case("rough-r1", 0.9);
   write_case("rough-r2", 0.9, 0, "2", "10 nm", false);
   const auto entry = [](const std::string& name, const std::string& state) {
@@ -234,11 +234,11 @@ TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing) {
   EXPECT_EQ(to_json(comparison)["missing"].size(), 2u);
 }
 
-TEST_F(ComparedFolders, a_folder_that_is_neither_case_nor_study_is_refused) {
+TEST_F(ComparedFolders, a_folder_that_is_neither_case_nor_study_is_refused_behaviour) {
   EXPECT_THROW(collect_cases({root}), InputError);
 }
 
-TEST(PlusMinus, shows_as_many_digits_as_the_scatter_deserves) {
+TEST(PlusMinus_behaviour, shows_as_many_digits_as_the_scatter_deserves) {
   EXPECT_EQ(plus_minus({3, 0.93123, 0.0213, 0.01}), "0.931 ± 0.021");
   EXPECT_EQ(plus_minus({3, 24321.0, 512.0, 300}, 1000), "24.32 ± 0.51");
   EXPECT_EQ(plus_minus({3, 0, 0, 0}), "0");

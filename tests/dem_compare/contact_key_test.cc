@@ -35,9 +35,9 @@ std::vector<std::string> derived(const std::vector<fs::path>& folders) {
   return all;
 }
 
-class OneEntryApart : public testing::TestWithParam<const char*> {};
+class OneEntryApart_behaviour : public testing::TestWithParam<const char*> {};
 
-TEST_P(OneEntryApart, two_cases_are_two_contacts_whatever_their_order) {
+TEST_P(OneEntryApart_behaviour, two_cases_are_two_contacts_whatever_their_order) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, ""), b = write_adhesive(root.path / "b", 3e-13, 2, GetParam());
   const auto sets = collect_parameter_sets({a, b});
@@ -53,11 +53,11 @@ TEST_P(OneEntryApart, two_cases_are_two_contacts_whatever_their_order) {
   EXPECT_EQ(collect_cases({b, a}).groups.front().label, collection.groups.front().label);
 }
 
-INSTANTIATE_TEST_SUITE_P(ContactKey, OneEntryApart,
+INSTANTIATE_TEST_SUITE_P(ContactKey, OneEntryApart_behaviour,
                          testing::Values("set Opening work = 100 mJ/m^2", "set Adhesion law = van_der_waals", "set Adhesion range = 2 nm",
                                          "set Shear strength = 1 GPa"));
 
-TEST(ContactKey, of_realisations_is_the_same_and_their_order_changes_nothing) {
+TEST(ContactKey_behaviour, of_realisations_is_the_same_and_their_order_changes_nothing) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, "set Opening work = 0.1 J/m^2"),
                  b = write_adhesive(root.path / "b", 1.1e-13, 2, "set Opening work = 100 mJ/m^2");
@@ -78,7 +78,7 @@ void list_entries(const fs::path& folder, const std::string& film) {
   write_file_atomically(folder / "result.json", result.dump());
 }
 
-TEST(ContactKey, holds_an_entry_that_only_result_json_knows) {
+TEST(ContactKey_behaviour, holds_an_entry_that_only_result_json_knows) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, ""), b = write_adhesive(root.path / "b", 3e-13, 2, "");
   list_entries(a, "1 nm"), list_entries(b, "1000 pm");
@@ -90,7 +90,7 @@ TEST(ContactKey, holds_an_entry_that_only_result_json_knows) {
   EXPECT_EQ(differences(sets.sets), "Interface/Film thickness: 1 nm, 2 nm");
 }
 
-TEST(ContactKey, is_of_what_was_solved_where_the_case_file_was_changed_since) {
+TEST(ContactKey_behaviour, is_of_what_was_solved_where_the_case_file_was_changed_since) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, "");
   list_entries(a, "0 m");
@@ -101,7 +101,7 @@ TEST(ContactKey, is_of_what_was_solved_where_the_case_file_was_changed_since) {
   EXPECT_EQ(contact_inputs(read_solved_case(a)), before);
 }
 
-TEST(ContactKey, of_a_result_of_an_earlier_version_is_taken_from_what_it_holds_and_said_to_be) {
+TEST(ContactKey_behaviour, of_a_result_of_an_earlier_version_is_taken_from_what_it_holds_and_said_to_be) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, "");
   const auto sets = collect_parameter_sets({a});
@@ -120,7 +120,7 @@ TEST(ContactKey, of_a_result_of_an_earlier_version_is_taken_from_what_it_holds_a
 }
 
 /// Two studies may have a cell of the same name.
-TEST(CaseCollection, tells_contacts_of_several_studies_apart_that_bear_one_name) {
+TEST(CaseCollection_behaviour, tells_contacts_of_several_studies_apart_that_bear_one_name) {
   const test::TemporaryFolder root;
   for (const auto& [name, law] : {std::pair{"one", "set Opening work = 60 mJ/m^2"}, std::pair{"two", "set Opening work = 90 mJ/m^2"}}) {
     write_adhesive(root.path / name / "case", 1e-13, 1, law);
@@ -132,7 +132,7 @@ TEST(CaseCollection, tells_contacts_of_several_studies_apart_that_bear_one_name)
   EXPECT_NE(both.groups[0].label, both.groups[1].label);
 }
 
-TEST(CaseCollection, does_not_take_a_case_that_was_solved_twice_for_two_realisations) {
+TEST(CaseCollection_behaviour, does_not_take_a_case_that_was_solved_twice_for_two_realisations) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, ""), b = write_adhesive(root.path / "b", 1e-13, 1, "");
   const CaseCollection collection = collect_cases({a, b, a});

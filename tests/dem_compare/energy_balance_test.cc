@@ -29,7 +29,7 @@ bool any_has(const std::vector<std::string>& sentences, const std::string& part)
   return false;
 }
 
-TEST(EnergyBalance, open_by_more_than_one_per_cent_is_said_by_derive_and_compare) {
+TEST(EnergyBalance_analytic, open_by_more_than_one_per_cent_is_said_by_derive_and_compare) {
   const test::TemporaryFolder root;
   const fs::path folder = write_open(root.path / "a", "-0.023");
   const ParameterSets found = collect_parameter_sets({folder});
@@ -42,7 +42,7 @@ TEST(EnergyBalance, open_by_more_than_one_per_cent_is_said_by_derive_and_compare
   EXPECT_TRUE(collect_cases({write_open(root.path / "b", "0.0099")}).remarks.empty());
 }
 
-TEST(EnergyBalance, open_by_more_than_five_per_cent_is_refused_where_it_is_named_and_left_out_where_it_is_not) {
+TEST(EnergyBalance_analytic, open_by_more_than_five_per_cent_is_refused_where_it_is_named_and_left_out_where_it_is_not) {
   const test::TemporaryFolder root;
   const fs::path bad = write_open(root.path / "bad", "0.16");
   write_open(root.path / "good", "0.002", 2);
@@ -60,7 +60,7 @@ TEST(EnergyBalance, open_by_more_than_five_per_cent_is_refused_where_it_is_named
   EXPECT_EQ(collect_cases({bad}, RefusedCases::shown).groups.size(), 1u);
 }
 
-TEST(EnergyBalance, just_beyond_a_limit_is_written_so_that_it_can_be_seen) {
+TEST(EnergyBalance_analytic, just_beyond_a_limit_is_written_so_that_it_can_be_seen) {
   const test::TemporaryFolder root;
   EXPECT_NE(open_energy_words(read_solved_case(write_open(root.path / "a", "0.010001"))).find("1.0001 % of its energy"), std::string::npos);
 }

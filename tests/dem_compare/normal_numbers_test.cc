@@ -127,14 +127,14 @@ TEST(NormalNumbers_analytic, standard_errors_of_a_fit_cover_the_truth_as_often_a
   EXPECT_NEAR(covered / double(trials), 0.67, 3 * 0.023);
 }
 
-TEST(NormalNumbers, stiffness_between_steps_is_interpolated_and_outside_unknown) {
+TEST(NormalNumbers_analytic, stiffness_between_steps_is_interpolated_and_outside_unknown) {
   const auto numbers = normal_numbers(loading_and_unloading(0, 0), hertz);
   EXPECT_NEAR(stiffness_at(numbers.loading, 4.4e-4) / hertz.normal_stiffness(4.4e-4), 1, 1e-9);
   EXPECT_TRUE(std::isnan(stiffness_at(numbers.loading, 2e-3)));
   EXPECT_TRUE(std::isnan(stiffness_at({}, 1e-4)));
 }
 
-TEST(NormalNumbers, an_empty_or_barely_begun_history_gives_no_numbers_and_no_error) {
+TEST(NormalNumbers_behaviour, an_empty_or_barely_begun_history_gives_no_numbers_and_no_error) {
   EXPECT_TRUE(normal_numbers({}, hertz).loads.empty());
   ContactHistory one;
   add_step(one, hertz.approach(1e-4), 1e-4);
@@ -144,7 +144,7 @@ TEST(NormalNumbers, an_empty_or_barely_begun_history_gives_no_numbers_and_no_err
   EXPECT_TRUE(std::isnan(numbers.unloading_stiffness()));
 }
 
-TEST(ContactHistory, branches_share_their_turning_points_and_holds_stand_alone) {
+TEST(ContactHistory_behaviour, branches_share_their_turning_points_and_holds_stand_alone) {
   ContactHistory history;
   for (const double force : {1.0, 2.0, 3.0, 3.0, 2.0, 0.0, 1.5, 3.0}) add_step(history, force, force);
   const auto branches = history_branches(history);

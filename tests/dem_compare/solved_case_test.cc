@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SolvedCaseFolder : public testing::Test {
+class SolvedCaseFolder_behaviour : public testing::Test {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / ("asperity-solved-case-" + std::to_string(::getpid()));
@@ -30,12 +30,12 @@ class SolvedCaseFolder : public testing::Test {
   fs::path folder;
 };
 
-TEST_F(SolvedCaseFolder, a_history_is_read_as_it_was_written) {
+TEST_F(SolvedCaseFolder_behaviour, a_history_is_read_as_it_was_written) {
   const ContactHistory history = read_history(folder / "history.csv");
   for (const auto& column : history_columns()) EXPECT_EQ(history.*column.values, (std::vector<double>{1.5, 2.5}));
 }
 
-TEST_F(SolvedCaseFolder, a_history_without_a_column_is_refused_by_file_and_column) {
+TEST_F(SolvedCaseFolder_behaviour, a_history_without_a_column_is_refused_by_file_and_column) {
   write_file_atomically(folder / "history.csv", "step,time [s]\n1,2\n");
   try {
     read_history(folder / "history.csv");
@@ -46,7 +46,7 @@ TEST_F(SolvedCaseFolder, a_history_without_a_column_is_refused_by_file_and_colum
   }
 }
 
-TEST_F(SolvedCaseFolder, an_unfinished_case_is_known_from_its_case_file) {
+TEST_F(SolvedCaseFolder_behaviour, an_unfinished_case_is_known_from_its_case_file) {
   write_prm();
   const SolvedCase solved = read_solved_case(folder);
   EXPECT_FALSE(solved.finished());
@@ -58,7 +58,7 @@ TEST_F(SolvedCaseFolder, an_unfinished_case_is_known_from_its_case_file) {
   EXPECT_TRUE(std::isfinite(solved.first_yield_force()));
 }
 
-TEST_F(SolvedCaseFolder, without_its_case_file_a_result_knows_its_inputs) {
+TEST_F(SolvedCaseFolder_behaviour, without_its_case_file_a_result_knows_its_inputs) {
   write_file_atomically(folder / "result.json",
                         R"json({"format": "asperity-result/1", "title": "From the result", "inputs": {
                             "particle": {"youngs_modulus": 71e9, "poissons_ratio": 0.17, "yield_stress": "inf",
@@ -75,7 +75,7 @@ TEST_F(SolvedCaseFolder, without_its_case_file_a_result_knows_its_inputs) {
   EXPECT_FALSE(solved.can_yield());
 }
 
-TEST_F(SolvedCaseFolder, a_folder_without_inputs_or_with_a_broken_result_is_refused) {
+TEST_F(SolvedCaseFolder_behaviour, a_folder_without_inputs_or_with_a_broken_result_is_refused) {
   EXPECT_THROW(read_solved_case(folder), InputError);
   write_prm();
   write_file_atomically(folder / "result.json", "{\"format\": ");

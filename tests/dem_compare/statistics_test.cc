@@ -18,7 +18,7 @@ TEST(Scatter_analytic, mean_standard_deviation_and_standard_error_of_known_numbe
   EXPECT_DOUBLE_EQ(scatter.standard_error, std::sqrt(32.0 / 7 / 8));
 }
 
-TEST(Scatter, a_single_realisation_has_a_mean_but_no_scatter_and_unknown_values_are_left_out) {
+TEST(Scatter_analytic, a_single_realisation_has_a_mean_but_no_scatter_and_unknown_values_are_left_out) {
   const Scatter scatter = scatter_of({3, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_EQ(scatter.count, 1);
   EXPECT_EQ(scatter.mean, 3);
@@ -49,11 +49,11 @@ TEST(MeshError_analytic, an_order_above_that_of_the_elements_is_not_believed) {
   EXPECT_GT(std::abs(error.relative_error), 0.5);  // at order 6 it would be 0.09
 }
 
-TEST(MeshError, values_that_do_not_converge_monotonically_fall_back_on_the_assumed_order) {
+TEST(MeshError_analytic, values_that_do_not_converge_monotonically_fall_back_on_the_assumed_order) {
   EXPECT_TRUE(mesh_error({1, 2, 4}, {1.0, 1.1, 1.0}).order_is_assumed);
 }
 
-TEST(MeshError, one_spacing_is_refused) { EXPECT_THROW(mesh_error({1e-9}, {1}), InputError); }
+TEST(MeshError_behaviour, one_spacing_is_refused) { EXPECT_THROW(mesh_error({1e-9}, {1}), InputError); }
 
 }  // namespace
 }  // namespace asperity

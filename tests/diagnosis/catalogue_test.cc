@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-TEST(Catalogue, holds_every_effect_of_the_format_by_its_name) {
+TEST(Catalogue_behaviour, holds_every_effect_of_the_format_by_its_name) {
   for (const auto& id : {"instrument_compliance", "contact_point_offset", "thermal_drift", "adhesion", "effective_radius", "bulk_plasticity",
                          "roughness_compliance", "creep", "lateral_compliance", "adhesion_offset", "static_friction_peak",
                          "velocity_dependence", "partial_slip", "surface_tilt", "lateral_zero_offset", "area_proportional_friction",
@@ -20,7 +20,7 @@ TEST(Catalogue, holds_every_effect_of_the_format_by_its_name) {
     EXPECT_EQ(effect_of(id).id(), id);
 }
 
-TEST(Catalogue, every_effect_says_what_it_is_and_keeps_its_starts_within_its_bounds) {
+TEST(Catalogue_behaviour, every_effect_says_what_it_is_and_keeps_its_starts_within_its_bounds) {
   std::set<std::string> ids;
   for (const auto& effect : effect_catalogue()) {
     const EffectDescription& d = effect->description();
@@ -39,7 +39,7 @@ TEST(Catalogue, every_effect_says_what_it_is_and_keeps_its_starts_within_its_bou
   }
 }
 
-TEST(Catalogue, an_effect_is_shown_only_by_as_many_values_as_it_needs) {
+TEST(Catalogue_behaviour, an_effect_is_shown_only_by_as_many_values_as_it_needs) {
   const Effect& effect = effect_of("roughness_dependent_rolling");
   Samples samples = test::row(test::experiment(Mode::rolling), 1e-3);
   Recording recording;
@@ -61,7 +61,7 @@ TEST(Catalogue, an_effect_is_shown_only_by_as_many_values_as_it_needs) {
   EXPECT_FALSE(effect.is_shown_by(test::experiment(Mode::sliding)));
 }
 
-TEST(Catalogue, manual_page_is_current) {
+TEST(Catalogue_behaviour, manual_page_is_current) {
   std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/effects.md");
   std::ostringstream text;
   text << file.rdbuf();

@@ -17,7 +17,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-TEST(Challenge, has_every_effect_at_three_levels_of_noise_and_all_families) {
+TEST(Challenge_behaviour, has_every_effect_at_three_levels_of_noise_and_all_families) {
   std::map<std::string, std::set<double>> noise;
   std::map<std::string, int> families;
   std::set<std::string> names;
@@ -37,11 +37,11 @@ TEST(Challenge, has_every_effect_at_three_levels_of_noise_and_all_families) {
   EXPECT_LT(challenge_matrix(true).size(), challenge_matrix(false).size() / 2);
 }
 
-TEST(Challenge, all_its_recordings_can_be_made) {
+TEST(Challenge_behaviour, all_its_recordings_can_be_made) {
   for (const auto& item : challenge_matrix(true)) EXPECT_NO_THROW(conceal(item)) << item.name;
 }
 
-TEST(Challenge, histories_of_finite_elements_are_the_truth_of_their_own_family) {
+TEST(Challenge_behaviour, histories_of_finite_elements_are_the_truth_of_their_own_family) {
   for (const auto& item : challenge_matrix(true)) {
     if (item.family != "finite_elements") continue;
     const ConcealedRecording concealed = conceal(item);
@@ -60,7 +60,7 @@ ChallengeScore scored(const std::string& family, const std::vector<std::string>&
   return score;
 }
 
-TEST(Challenge, an_answer_that_lists_more_or_less_than_the_truth_is_wrong) {
+TEST(Challenge_behaviour, an_answer_that_lists_more_or_less_than_the_truth_is_wrong) {
   EXPECT_TRUE(scored("single", {"a"}, "explained", {"a"}).is_right());
   EXPECT_TRUE(scored("single", {"a"}, "partly_explained", {"a"}).is_right());
   EXPECT_FALSE(scored("single", {"a"}, "explained", {"a", "b"}).is_right());
@@ -69,7 +69,7 @@ TEST(Challenge, an_answer_that_lists_more_or_less_than_the_truth_is_wrong) {
   EXPECT_FALSE(scored("single", {"a"}, "unexplained", {}).is_right());
 }
 
-TEST(Challenge, nulls_outsiders_and_look_alikes_have_right_answers_of_their_own) {
+TEST(Challenge_behaviour, nulls_outsiders_and_look_alikes_have_right_answers_of_their_own) {
   EXPECT_TRUE(scored("null", {}, "no_mismatch", {}).is_right());
   EXPECT_FALSE(scored("null", {}, "unexplained", {}).is_right());
   EXPECT_TRUE(scored("finite_elements", {}, "no_mismatch", {}).is_right());
@@ -82,7 +82,7 @@ TEST(Challenge, nulls_outsiders_and_look_alikes_have_right_answers_of_their_own)
   EXPECT_TRUE(alike.is_right());
 }
 
-TEST(Challenge, location_agrees_fully_where_the_region_is_the_effects_own) {
+TEST(Challenge_analytic, location_agrees_fully_where_the_region_is_the_effects_own) {
   const ConcealedRecording concealed = conceal({Mode::normal, {"contact_point_offset"}, 0.01, 2, ""});
   Diagnosis diagnosis;
   EXPECT_EQ(location_overlap(concealed.recording, concealed.truth, diagnosis), 0);
@@ -97,7 +97,7 @@ TEST(Challenge, location_agrees_fully_where_the_region_is_the_effects_own) {
   EXPECT_EQ(location_overlap(null.recording, null.truth, diagnosis), -1);
 }
 
-TEST(Challenge, users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_and_leave_noise_alone) {
+TEST(Challenge_behaviour, users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_and_leave_noise_alone) {
   const UserBaselines offset = user_baselines(conceal({Mode::rolling, {"rolling_adhesion_offset"}, 0.01, 3, ""}).recording);
   EXPECT_LT(offset.sparse_regression, 0.5 * offset.simulation);
   EXPECT_LT(offset.gaussian_process, 0.5 * offset.simulation);
@@ -107,7 +107,7 @@ TEST(Challenge, users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_an
   EXPECT_LT(null.gaussian_process, 1.3 * null.simulation);
 }
 
-TEST(Challenge, goes_on_where_it_was_interrupted_and_begins_anew_for_another_program) {
+TEST(Challenge_behaviour, goes_on_where_it_was_interrupted_and_begins_anew_for_another_program) {
   const TemporaryFolder folder;
   ChallengeOptions options;
   options.output = folder.path;
@@ -130,7 +130,7 @@ TEST(Challenge, goes_on_where_it_was_interrupted_and_begins_anew_for_another_pro
   EXPECT_NE(test::message_of<InputError>([&] { run_challenge(options); }).find("has 'no such thing' in its name"), std::string::npos);
 }
 
-TEST(Challenge, text_tells_rates_confusion_and_wrong_answers) {
+TEST(Challenge_behaviour, text_tells_rates_confusion_and_wrong_answers) {
   ChallengeScore right = scored("single", {"lateral_compliance"}, "explained", {"lateral_compliance"});
   right.name = "001-right";
   right.parameters = {{"lateral_compliance/compliance", 2, 2.1, 1.9, 2.3}};

@@ -15,7 +15,7 @@ namespace {
 using test::message_of;
 using test::TemporaryFolder;
 
-TEST(ConcealedRecording, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
+TEST(ConcealedRecording_behaviour, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
   for (const Mode mode : all_modes())
     for (const auto* list : {"catalogue", "outsiders"})
       for (const auto& effect : list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
@@ -29,7 +29,7 @@ TEST(ConcealedRecording, every_effect_stands_out_of_its_noise_in_its_own_experim
         }
 }
 
-TEST(ConcealedRecording, null_has_no_contribution_and_no_effects) {
+TEST(ConcealedRecording_behaviour, null_has_no_contribution_and_no_effects) {
   for (const Mode mode : all_modes()) {
     const ConcealedRecording concealed = conceal({mode, {}, 0.01, 4, ""});
     EXPECT_EQ(concealed.truth.family, "null");
@@ -38,7 +38,7 @@ TEST(ConcealedRecording, null_has_no_contribution_and_no_effects) {
   }
 }
 
-TEST(ConcealedRecording, is_the_same_for_the_same_seed_and_another_for_another) {
+TEST(ConcealedRecording_behaviour, is_the_same_for_the_same_seed_and_another_for_another) {
   const ConcealOptions options{Mode::sliding, {"surface_tilt"}, 0.02, 7, ""};
   ConcealOptions other = options;
   other.seed = 8;
@@ -47,7 +47,7 @@ TEST(ConcealedRecording, is_the_same_for_the_same_seed_and_another_for_another) 
   EXPECT_NE(force(options), force(other));
 }
 
-TEST(ConcealedRecording, says_nothing_of_its_truth_but_in_the_sealed_file) {
+TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_file) {
   const TemporaryFolder folder;
   const ConcealedRecording concealed = conceal({Mode::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
   write_concealed(concealed, folder.path);
@@ -63,13 +63,13 @@ TEST(ConcealedRecording, says_nothing_of_its_truth_but_in_the_sealed_file) {
   EXPECT_EQ(read.tables[0].rows(), concealed.recording.tables[0].rows());
 }
 
-TEST(ConcealedRecording, settings_that_cannot_tell_effects_apart_say_so) {
+TEST(ConcealedRecording_behaviour, settings_that_cannot_tell_effects_apart_say_so) {
   EXPECT_EQ(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from, std::vector<std::string>{"lateral_zero_offset"});
   EXPECT_EQ(conceal({Mode::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from, std::vector<std::string>{"instrument_compliance"});
   EXPECT_TRUE(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, ""}).truth.cannot_be_told_from.empty());
 }
 
-TEST(ConcealedRecording, refuses_what_is_unknown_or_excludes_each_other) {
+TEST(ConcealedRecording_behaviour, refuses_what_is_unknown_or_excludes_each_other) {
   const auto message = [](const ConcealOptions& options) { return message_of<InputError>([&] { conceal(options); }); };
   EXPECT_NE(message({Mode::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"), std::string::npos);
   EXPECT_NE(message({Mode::normal, {"surface_tilt"}, 0.01, 1, ""}).find("no effect 'surface_tilt' can be concealed in mode normal"), std::string::npos);

@@ -93,7 +93,7 @@ double hertz(double d) {
 
 const auto no_change = [](double, double, int) { return 0.0; };
 
-TEST(Diagnose, hertz_and_noise_is_no_mismatch) {
+TEST(Diagnose_analytic, hertz_and_noise_is_no_mismatch) {
   const Diagnosis d = diagnose(indentation([](double x, double) { return hertz(x); }, 20 * uN, 1));
   EXPECT_EQ(d.verdict, Verdict::no_mismatch);
   EXPECT_TRUE(d.left_out.empty());
@@ -101,7 +101,7 @@ TEST(Diagnose, hertz_and_noise_is_no_mismatch) {
   EXPECT_NEAR(d.noise.at("normal_force").value, 20 * uN, 2 * uN);
 }
 
-TEST(Diagnose, friction_loops_of_mindlin_and_coulomb_are_no_mismatch) {
+TEST(Diagnose_analytic, friction_loops_of_mindlin_and_coulomb_are_no_mismatch) {
   EXPECT_EQ(diagnose(loops(0, no_change, 4 * uN, 2)).verdict, Verdict::no_mismatch);
 }
 
@@ -159,7 +159,7 @@ TEST(Diagnose_analytic, a_pair_is_named_as_a_pair) {
   EXPECT_NEAR(d.left_out[1].parameters[0].value, 0.05, 0.002);
 }
 
-TEST(Diagnose, what_no_effect_can_do_stays_unexplained_and_is_located) {
+TEST(Diagnose_analytic, what_no_effect_can_do_stays_unexplained_and_is_located) {
   const auto ripple = [](double x, double load, int way) { return way * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1); };
   const Diagnosis d = diagnose(loops(0, ripple, 4 * uN, 6));
   EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
@@ -167,7 +167,7 @@ TEST(Diagnose, what_no_effect_can_do_stays_unexplained_and_is_located) {
   EXPECT_FALSE(d.mismatch.empty());
 }
 
-TEST(Diagnose, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_named) {
+TEST(Diagnose_analytic, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_named) {
   // Rolling in one direction: an offset of the sensor and adhesion add the same force.
   Recording r;
   r.mode = Mode::rolling;
@@ -225,7 +225,7 @@ Recording rolling_on(const std::vector<double>& roughnesses) {
   return r;
 }
 
-TEST(Diagnose, a_law_of_three_constants_is_not_named_from_three_roughnesses_but_from_four) {
+TEST(Diagnose_analytic, a_law_of_three_constants_is_not_named_from_three_roughnesses_but_from_four) {
   const auto names = [](const Diagnosis& d) {
     std::vector<std::string> ids;
     for (const auto& effect : d.left_out) ids.push_back(effect.id);
@@ -244,7 +244,7 @@ TEST(Diagnose, a_law_of_three_constants_is_not_named_from_three_roughnesses_but_
   EXPECT_EQ(names(four), std::vector<std::string>{"roughness_dependent_rolling"});
 }
 
-TEST(Diagnose, outliers_are_left_out_and_said) {
+TEST(Diagnose_behaviour, outliers_are_left_out_and_said) {
   Recording r = indentation([](double x, double) { return hertz(x); }, 20 * uN, 8);
   for (const int i : {100, 333, 555, 777}) r.tables[0].columns["normal_force"][static_cast<std::size_t>(i)] += 800 * uN;
   const Diagnosis d = diagnose(r);
@@ -253,7 +253,7 @@ TEST(Diagnose, outliers_are_left_out_and_said) {
   EXPECT_NE(d.remarks[0].find("4 samples lie far off"), std::string::npos) << d.remarks[0];
 }
 
-TEST(Diagnose, json_has_the_formats_entries) {
+TEST(Diagnose_behaviour, json_has_the_formats_entries) {
   const Diagnosis d = diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
   const auto json = nlohmann::json::parse(diagnosis_json(d));
   EXPECT_EQ(json["format"], "asperity-diagnosis/1");
@@ -270,7 +270,7 @@ TEST(Diagnose, json_has_the_formats_entries) {
   EXPECT_TRUE(json["alternatives"].is_array() && json["remaining"].is_array());
 }
 
-TEST(Diagnose, refuses_a_recording_in_which_nothing_presses) {
+TEST(Diagnose_behaviour, refuses_a_recording_in_which_nothing_presses) {
   Recording r = indentation([](double x, double) { return -hertz(x); }, 0, 1);
   EXPECT_NE(test::message_of<InputError>([&] { diagnose(r); }).find("compression is positive"), std::string::npos);
 }

@@ -27,7 +27,7 @@ FrictionFit line_of(const Recording& recording) {
   return fit_friction(points, [](double) { return 1.0; });
 }
 
-TEST(PaperRecordings, every_folder_reads_and_its_tables_begin_with_where_the_numbers_come_from) {
+TEST(PaperRecordings_behaviour, every_folder_reads_and_its_tables_begin_with_where_the_numbers_come_from) {
   int folders = 0;
   for (const auto& folder : fs::directory_iterator(paper("recordings"))) {
     const Recording recording = read_recording(folder.path());

@@ -33,7 +33,7 @@ std::map<std::string, int> counts(const std::vector<std::string>& segments) {
   return result;
 }
 
-TEST(Import, finds_load_hold_and_unload_in_a_noisy_signal) {
+TEST(Import_analytic, finds_load_hold_and_unload_in_a_noisy_signal) {
   std::vector<double> signal;
   const auto wobble = [&] { return 0.3 * std::sin(static_cast<double>(signal.size()) * 37.0); };
   for (int i = 0; i < 200; ++i) signal.push_back(0.5 * i + wobble());
@@ -48,7 +48,7 @@ TEST(Import, finds_load_hold_and_unload_in_a_noisy_signal) {
   EXPECT_EQ(found.cycle.back(), 0);
 }
 
-TEST(Import, counts_cycles_of_partial_unloading) {
+TEST(Import_analytic, counts_cycles_of_partial_unloading) {
   std::vector<double> signal;
   for (int cycle = 1; cycle <= 8; ++cycle) {
     for (int i = 0; i < 50; ++i) signal.push_back(cycle * 10 * (0.3 + 0.7 * i / 50.0));
@@ -57,7 +57,7 @@ TEST(Import, counts_cycles_of_partial_unloading) {
   EXPECT_EQ(find_segments(signal).cycle.back(), 7);
 }
 
-TEST(Import, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
+TEST(Import_behaviour, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
   const TemporaryFolder folder;
   std::string text = "FS1.hap\tName\r\nBlock : 1   Value : 1\nHIT\t[N/mm\xB2]\t8553,6\n\nF\th\tt\r\n";
   for (int i = 0; i <= 40; ++i) text += std::to_string(i) + ",5\t0,0" + std::to_string(10 + i) + "\t0," + std::to_string(100 + i) + "\r\n";
@@ -75,7 +75,7 @@ TEST(Import, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
   EXPECT_NE(message_of<InputError>([&] { import_recording(folder.path / "FS.txt", first); }).find("has no run 5; there are 2"), std::string::npos);
 }
 
-TEST(Import, maps_columns_with_factors_products_and_constants) {
+TEST(Import_behaviour, maps_columns_with_factors_products_and_constants) {
   const TemporaryFolder folder;
   std::string text = "t;x;mu;stress\n";
   for (int i = 0; i < 30; ++i) text += std::to_string(i) + ";" + std::to_string(2 * i) + ",5;0,6;20\n";
@@ -116,7 +116,7 @@ TEST(Import_analytic, zeros_that_a_hysitron_header_states_are_taken_off) {
   }
 }
 
-TEST(Import, puts_both_ways_of_a_scan_line_together_as_a_loop) {
+TEST(Import_behaviour, puts_both_ways_of_a_scan_line_together_as_a_loop) {
   const TemporaryFolder folder;
   std::string text = "line,x,fwd,bwd\n";
   for (int line = 1; line <= 2; ++line)
@@ -133,7 +133,7 @@ TEST(Import, puts_both_ways_of_a_scan_line_together_as_a_loop) {
   EXPECT_EQ(table.column("run")[24], 2);
 }
 
-TEST(Import, refuses_with_one_sentence) {
+TEST(Import_behaviour, refuses_with_one_sentence) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text, const ImportOptions& options) {
     const std::string message = message_of<InputError>([&] { import_recording(folder.write("file.txt", text), options); });
@@ -154,7 +154,7 @@ TEST(Import, refuses_with_one_sentence) {
 
 // ---- what real instruments wrote ------------------------------------------------------------------------------------------------
 
-TEST(ImportedFiles, hysitron_hld_has_its_test_table_and_four_stretches) {
+TEST(ImportedFiles_other_code, hysitron_hld_has_its_test_table_and_four_stretches) {
   ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/hysitron_50mN.hld");
   const RecordingTable table = import_recording(file, with_bodies()).tables[0];
   EXPECT_EQ(table.rows(), 1068u);
@@ -165,7 +165,7 @@ TEST(ImportedFiles, hysitron_hld_has_its_test_table_and_four_stretches) {
   EXPECT_NEAR(count.at("unload"), 200, 10);
 }
 
-TEST(ImportedFiles, hysitron_text_of_steel_has_ten_seconds_up_five_of_hold_ten_down) {
+TEST(ImportedFiles_other_code, hysitron_text_of_steel_has_ten_seconds_up_five_of_hold_ten_down) {
   ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/hysitron_steel_3mN_hold.txt");
   const RecordingTable table = import_recording(file, with_bodies()).tables[0];
   EXPECT_EQ(table.rows(), 5304u);
@@ -181,7 +181,7 @@ TEST(ImportedFiles, hysitron_text_of_steel_has_ten_seconds_up_five_of_hold_ten_d
   EXPECT_NEAR(unload, 10, 0.7);
 }
 
-TEST(ImportedFiles, optics11_says_radius_modulus_and_pulls_off) {
+TEST(ImportedFiles_other_code, optics11_says_radius_modulus_and_pulls_off) {
   for (const char* name : {"recordings/sphere_R8um_PEG_X1Y1.txt", "recordings/sphere_R8um_PEG_X2Y2.txt"}) {
     ASPERITY_SHARED_FILE_OR_SKIP(file, name);
     const Recording recording = import_recording(file, {});
@@ -198,7 +198,7 @@ TEST(ImportedFiles, optics11_says_radius_modulus_and_pulls_off) {
   }
 }
 
-TEST(ImportedFiles, fischerscope_has_ten_runs_of_eight_cycles) {
+TEST(ImportedFiles_other_code, fischerscope_has_ten_runs_of_eight_cycles) {
   ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/fischerscope_fusedsilica_8cycles.txt");
   const RecordingTable table = import_recording(file, with_bodies()).tables[0];
   const auto &run = table.column("run"), &cycle = table.column("cycle"), &force = table.column("normal_force");
@@ -207,7 +207,7 @@ TEST(ImportedFiles, fischerscope_has_ten_runs_of_eight_cycles) {
   EXPECT_NEAR(*std::max_element(force.begin(), force.end()), 0.3, 0.003);
 }
 
-TEST(ImportedFiles, tables_of_other_programs_come_in_by_a_map_of_their_columns) {
+TEST(ImportedFiles_other_code, tables_of_other_programs_come_in_by_a_map_of_their_columns) {
   struct Table {
     const char* name;
     Mode mode;

@@ -37,12 +37,12 @@ TEST(LawError_analytic, without_any_the_cost_is_that_of_the_residuals) {
   EXPECT_NEAR(m.cost(m.white, {LawError(400, 0.0)}), sum, 1e-9);
 }
 
-TEST(LawError, room_that_is_not_needed_costs_evidence) {
+TEST(LawError_behaviour, room_that_is_not_needed_costs_evidence) {
   const Made m;
   EXPECT_GT(m.cost(m.white, {m.error}), m.cost(m.white, {}) + 10);
 }
 
-TEST(LawError, takes_up_what_varies_slowly_within_it_and_no_more) {
+TEST(LawError_behaviour, takes_up_what_varies_slowly_within_it_and_no_more) {
   const Made m;
   auto slow = m.white, fast = m.white, far = m.white;
   for (std::size_t i = 0; i < 400; ++i) {

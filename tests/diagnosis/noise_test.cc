@@ -68,7 +68,7 @@ TEST(SharedNoise_analytic, deviation_share_and_memory_are_measured_from_noise) {
   }
 }
 
-TEST(SharedNoise, residuals_that_hold_structure_do_not_change_the_noise) {
+TEST(SharedNoise_behaviour, residuals_that_hold_structure_do_not_change_the_noise) {
   const Samples samples = test::approach_and_back(0, 1e-8, 500);
   auto residual = shared_noise(1000, {}, 4);
   Noise noise;
@@ -89,7 +89,7 @@ TEST(OneWay_analytic, pools_what_falls_and_leaves_what_rises) {
   EXPECT_EQ(nearest_rising({3, 2, 1}), (std::vector<double>{2, 2, 2}));
 }
 
-TEST(OneWay, takes_the_jitter_of_a_sensor_out_of_a_stroke_and_keeps_a_reversal) {
+TEST(OneWay_behaviour, takes_the_jitter_of_a_sensor_out_of_a_stroke_and_keeps_a_reversal) {
   std::vector<double> path;
   for (int i = 0; i < 200; ++i) path.push_back(i + (i % 2 ? 0.7 : 0));
   const auto smooth = one_way(path, 1);

@@ -37,7 +37,7 @@ std::string refusal(const std::string& json, const std::string& csv) {
 
 #define EXPECT_IN(part, whole) EXPECT_NE((whole).find(part), std::string::npos) << (whole)
 
-TEST(Recording, is_read_in_SI_units_with_missing_cells_as_nan) {
+TEST(Recording_behaviour, is_read_in_SI_units_with_missing_cells_as_nan) {
   const test::TemporaryFolder folder;
   folder.write("recording.json", head(R"("noise": {"lateral_force": "0.2 uN"}, "simulation": {"parameters": {"sliding_friction": {"value": 0.23, "calibrate": true}}},)"));
   folder.write("loops.csv", "# a remark\n" + rows(header, "0.45,4.5,100,,hold", 5));
@@ -55,7 +55,7 @@ TEST(Recording, is_read_in_SI_units_with_missing_cells_as_nan) {
   EXPECT_EQ(table.segment[5], "hold");
 }
 
-TEST(Recording, comes_back_from_its_file_as_it_was) {
+TEST(Recording_behaviour, comes_back_from_its_file_as_it_was) {
   const test::TemporaryFolder folder;
   folder.write("recording.json", head(R"("noise": {"lateral_force": "0.2 uN"},)"));
   folder.write("loops.csv", rows(header, "0.45,4.5,100,,hold", 5));
@@ -74,23 +74,23 @@ TEST(Recording, comes_back_from_its_file_as_it_was) {
     }
 }
 
-TEST(Recording, refuses_a_text_where_a_number_belongs_naming_the_line) {
+TEST(Recording_behaviour, refuses_a_text_where_a_number_belongs_naming_the_line) {
   const std::string message = refusal(head(), rows(header, "0.45,4.5,much,2,forward", 5));
   EXPECT_IN("loops.csv:7", message);
   EXPECT_IN("'much'", message);
 }
 
-TEST(Recording, refuses_nan_and_infinity) {
+TEST(Recording_behaviour, refuses_nan_and_infinity) {
   EXPECT_IN("not finite", refusal(head(), rows(header, "0.45,4.5,nan,2,forward", 5)));
   EXPECT_IN("not finite", refusal(head(), rows(header, "0.45,4.5,inf,2,forward", 5)));
 }
 
-TEST(Recording, refuses_time_that_does_not_grow) {
+TEST(Recording_behaviour, refuses_time_that_does_not_grow) {
   const std::string message = refusal(head(), rows(header, "0.3,4.5,100,2,forward", 5));
   EXPECT_IN("time does not grow from row 5 to row 6", message);
 }
 
-TEST(Recording, takes_time_that_starts_again_in_another_run) {
+TEST(Recording_behaviour, takes_time_that_starts_again_in_another_run) {
   const test::TemporaryFolder folder;
   folder.write("recording.json", head());
   std::string text = "run," + header + "\n";
@@ -100,43 +100,43 @@ TEST(Recording, takes_time_that_starts_again_in_another_run) {
   EXPECT_EQ(read_recording(folder.path).tables[0].rows(), 24u);
 }
 
-TEST(Recording, refuses_a_unit_that_does_not_fit) {
+TEST(Recording_behaviour, refuses_a_unit_that_does_not_fit) {
   const std::string message = refusal(head(), rows("time [s],lateral_displacement [nm],normal_force [nm],lateral_force [uN],segment"));
   EXPECT_IN("normal_force [nm]", message);
   EXPECT_IN("uN", message);
 }
 
-TEST(Recording, refuses_a_misspelt_column_with_the_nearest_name) {
+TEST(Recording_behaviour, refuses_a_misspelt_column_with_the_nearest_name) {
   EXPECT_IN("did you mean 'normal_force'", refusal(head(), rows("time [s],lateral_displacement [nm],normal_foce [uN],lateral_force [uN],segment")));
 }
 
-TEST(Recording, refuses_a_missing_response) {
+TEST(Recording_behaviour, refuses_a_missing_response) {
   const std::string message = refusal(head(), rows("time [s],lateral_displacement [nm],normal_force [uN],normal_displacement [nm],segment"));
   EXPECT_IN("no column 'lateral_force'", message);
 }
 
-TEST(Recording, refuses_too_few_samples) {
+TEST(Recording_behaviour, refuses_too_few_samples) {
   EXPECT_IN("3 samples", refusal(head(), header + "\n0,0,1,1,forward\n1,1,1,1,forward\n2,2,1,1,forward\n"));
 }
 
-TEST(Recording, refuses_a_control_with_gaps) {
+TEST(Recording_behaviour, refuses_a_control_with_gaps) {
   EXPECT_IN("drives the simulation", refusal(head(), rows(header, "0.45,,100,2,forward", 5)));
 }
 
-TEST(Recording, refuses_rows_of_another_length_and_files_of_another_format) {
+TEST(Recording_behaviour, refuses_rows_of_another_length_and_files_of_another_format) {
   EXPECT_IN("loops.csv:7", refusal(head(), rows(header, "0.45,4.5,100", 5)));
   EXPECT_IN("asperity-recording/1", refusal(R"({"format": "other"})", rows(header)));
   EXPECT_IN("not JSON", refusal("{", rows(header)));
 }
 
-TEST(Recording, refuses_a_file_of_a_gigabyte_without_reading_it) {
+TEST(Recording_behaviour, refuses_a_file_of_a_gigabyte_without_reading_it) {
   const test::TemporaryFolder folder;
   folder.write("recording.json", head());
   std::filesystem::resize_file(folder.write("loops.csv", header + "\n"), std::uintmax_t(1) << 30);  // sparse: no space is taken
   EXPECT_IN("1024 MB", test::message_of<InputError>([&] { read_recording(folder.path); }));
 }
 
-TEST(Recording, refuses_an_unknown_law_and_a_body_without_modulus) {
+TEST(Recording_behaviour, refuses_an_unknown_law_and_a_body_without_modulus) {
   EXPECT_IN("there is no law 'magic'", refusal(head(R"("simulation": {"sliding": "magic"},)"), rows(header)));
   std::string json = head();
   json.replace(json.find("\"youngs_modulus\": \"71 GPa\", "), 28, "");

@@ -39,7 +39,7 @@ Vector<double> response(ContactSystem& system, int& iterations) {
   return x;
 }
 
-TEST(Backend, assembled_matrix_is_the_matrix_free_operator) {
+TEST(Backend_behaviour, assembled_matrix_is_the_matrix_free_operator) {
   for (const Control control : {Control::force, Control::displacement}) {
     ContactSystem free(MPI_COMM_WORLD, options_with_backend("matrix-free", control)),
         assembled(MPI_COMM_WORLD, options_with_backend("assembled", control));
@@ -55,7 +55,7 @@ TEST(Backend, assembled_matrix_is_the_matrix_free_operator) {
   }
 }
 
-TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
+TEST(Backend_behaviour, both_give_the_same_states_of_yielding_bodies) {
   struct Outcome {
     double approach, peak, plastic;
   };
@@ -84,7 +84,7 @@ TEST(Backend, both_give_the_same_states_of_yielding_bodies) {
   EXPECT_GT(free.plastic, 0);
 }
 
-TEST(Backend, both_give_the_same_shear_of_a_sliding_contact) {
+TEST(Backend_behaviour, both_give_the_same_shear_of_a_sliding_contact) {
   const auto run = [](const std::string& backend) {
     ContactSystemOptions o = options_with_backend(backend);
     o.tilted_normals = true;
@@ -112,7 +112,7 @@ TEST(Backend, both_give_the_same_shear_of_a_sliding_contact) {
   for (int k = 0; k < 2; ++k) EXPECT_NEAR(assembled[k] / free[k], 1, 1e-4);
 }
 
-TEST(Backend, an_unknown_name_is_refused) {
+TEST(Backend_behaviour, an_unknown_name_is_refused) {
   EXPECT_THROW(ContactSystem(MPI_COMM_WORLD, options_with_backend("direct")), asperity::InputError);
 }
 

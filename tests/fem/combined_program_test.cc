@@ -53,7 +53,7 @@ fem::MotionScales scales() {
   return s;
 }
 
-TEST(CombinedProgram, moves_part_by_part_with_steps_no_wider_than_those_of_a_single_motion) {
+TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_those_of_a_single_motion) {
   ExperimentInput e;
   e.type = ExperimentInput::Type::program;
   e.normal_load = 2, e.load_steps = 4, e.unload = false;
@@ -79,7 +79,7 @@ TEST(CombinedProgram, moves_part_by_part_with_steps_no_wider_than_those_of_a_sin
   EXPECT_FALSE(last.rolls_freely);
 }
 
-TEST(CombinedProgram, unloads_from_the_load_it_ends_with) {
+TEST(CombinedProgram_behaviour, unloads_from_the_load_it_ends_with) {
   ExperimentInput e;
   e.type = ExperimentInput::Type::program;
   e.normal_load = 2, e.load_steps = 2, e.unload_steps = 2, e.program = "press 1 in 1 step";
@@ -166,7 +166,7 @@ TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_s
 }
 
 /// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle without drive could hold.
-TEST(CombinedProgram, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
+TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case(test::generated(1.0, 160, 3), 34e-9,
                                  "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
@@ -197,7 +197,7 @@ TEST(CombinedProgram, of_rough_yielding_bodies_balances_its_energy_and_resumes_w
   }
 }
 
-TEST(CombinedProgram, is_refused_with_what_would_do) {
+TEST(CombinedProgram_behaviour, is_refused_with_what_would_do) {
   const auto message = [](const std::string& program, auto&& change) {
     CaseInput input = program_case("smooth", 25e-9, program);
     change(input);

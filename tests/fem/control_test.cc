@@ -37,7 +37,7 @@ struct Driver {
   ContactState state;
 };
 
-TEST(DisplacementControl, an_elastic_contact_unloads_on_its_loading_path) {
+TEST(DisplacementControl_analytic, an_elastic_contact_unloads_on_its_loading_path) {
   Driver run(Control::displacement);
   const auto up = run.to(4e-9);
   run.to(8e-9);
@@ -50,7 +50,7 @@ TEST(DisplacementControl, an_elastic_contact_unloads_on_its_loading_path) {
   EXPECT_NEAR(down.reaction_fixed / down.force, 1, 1e-6);
 }
 
-TEST(DisplacementControl, gives_the_states_of_force_control_of_yielding_bodies) {
+TEST(DisplacementControl_behaviour, gives_the_states_of_force_control_of_yielding_bodies) {
   Driver given(Control::force, 2e9), driven(Control::displacement, 2e9);
   EXPECT_NEAR(driven.solver.far_field_compliance(150e-9) / given.solver.far_field_compliance(150e-9), 1, 1e-4);
   given.solver.push_rigidly(given.state, 2e-9);
@@ -63,7 +63,7 @@ TEST(DisplacementControl, gives_the_states_of_force_control_of_yielding_bodies) 
   }
 }
 
-TEST(DisplacementControl, separates_without_losing_the_particle) {
+TEST(DisplacementControl_behaviour, separates_without_losing_the_particle) {
   Driver run(Control::displacement, 2e9);
   run.to(6e-9);
   const auto apart = run.to(-1e-9);

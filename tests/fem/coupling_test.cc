@@ -42,7 +42,7 @@ TEST(MeanSurfaceDisplacement_analytic, leaves_of_other_displacements_no_mean_and
   EXPECT_NEAR(turning, 0, 1e-13);
 }
 
-TEST(MeanSurfaceDisplacement, needs_weight_and_for_a_turn_more_than_one_point) {
+TEST(MeanSurfaceDisplacement_behaviour, needs_weight_and_for_a_turn_more_than_one_point) {
   const auto along = displaced(0.3, -0.7, 0.02);
   EXPECT_EQ(mean_surface_displacement(places, {0, 0, 0, 0, 0}, along), SurfaceDisplacement{});
   const auto mean = mean_surface_displacement(places, {0, 0, 1, 0, 0}, along);
@@ -51,7 +51,7 @@ TEST(MeanSurfaceDisplacement, needs_weight_and_for_a_turn_more_than_one_point) {
   EXPECT_EQ(mean.turn, 0);
 }
 
-TEST(Coupling, moves_the_surface_by_the_frames_and_by_what_is_elastic) {
+TEST(Coupling_analytic, moves_the_surface_by_the_frames_and_by_what_is_elastic) {
   const RigidMotion surface = Coupling{{1, 2, 0.5, 0.3}, {0.25, -0.5, 0.125}}.surface();
   EXPECT_EQ(surface, (RigidMotion{1.25, 1.5, 0.625, 0.3}));
 }

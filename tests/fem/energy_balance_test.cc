@@ -72,7 +72,7 @@ TEST(EnergyBalance_analytic, rolling_without_slip_takes_no_work_from_a_lateral_f
   EXPECT_NEAR(records.back().work - work, 4e-12 * angle, 1e-9 * work);
 }
 
-TEST(EnergyBalance, of_attraction_is_not_taken_for_the_load_s) {
+TEST(EnergyBalance_analytic, of_attraction_is_not_taken_for_the_load_s) {
   // A constant attraction, there before first touch: it stores -A delta and adds to the pressure that the bodies feel.
   constexpr double attraction = 5e-5;
   auto records = pressed_along_hertz(6);

@@ -35,7 +35,7 @@ long unknowns_with_a_cell(const MeshLevel& level) {
 }
 
 /// A neighbour that p4est misses leaves unknowns that no cell of their rank has: the mesh is torn between ranks.
-TEST(ParallelForest, of_every_level_has_the_cells_and_unknowns_of_one_rank) {
+TEST(ParallelForest_behaviour, of_every_level_has_the_cells_and_unknowns_of_one_rank) {
   for (const bool full : {false, true})
     for (const double spacing : {40e-9, 60e-9})
       for (int coarsenings = 0; coarsenings < 6; ++coarsenings) {
@@ -59,7 +59,7 @@ int torn_cells(const ContactMeshOptions& options, int coarsenings) {
   return torn;
 }
 
-TEST(Forest, of_each_level_is_the_next_coarser_one_refined_once_at_most) {
+TEST(Forest_behaviour, of_each_level_is_the_next_coarser_one_refined_once_at_most) {
   for (const double region : {0.41e-6, 0.46e-6, 0.512e-6, 0.561e-6})
     for (const double reach : {0.2e-6, 0.384e-6, 0.5e-6}) {
       auto options = sphere_of_8p5_um(32e-9, false);
@@ -72,7 +72,7 @@ TEST(Forest, of_each_level_is_the_next_coarser_one_refined_once_at_most) {
 }
 
 /// p4est takes it for granted, and deal.II does not check it.
-TEST(CoarseMesh, has_edges_of_the_same_direction_in_all_trees_that_share_them) {
+TEST(CoarseMesh_behaviour, has_edges_of_the_same_direction_in_all_trees_that_share_them) {
   const BodyMap map(sphere_of_8p5_um(40e-9, true).sizes);
   const auto name = [&](int tree, int v) {
     const Point3 p = map.position(tree, {double(v & 1), double((v >> 1) & 1), double(v >> 2)});

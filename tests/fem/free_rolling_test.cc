@@ -21,18 +21,18 @@ StepRecord rolled_to(double angle, double shift, double lateral_force, double ap
   return r;
 }
 
-TEST(FreeRolling, without_friction_goes_by_the_radius) {
+TEST(FreeRolling_analytic, without_friction_goes_by_the_radius) {
   const RollingStep step = free_rolling(free_from({false, true}), {rolled_to(0, 0, 3e-6)}, {rolling_contact.radius, rolling_contact.hertz_radius, 0});
   EXPECT_EQ(step.way_per_angle, rolling_contact.radius);
   EXPECT_EQ(step.back, 0);
 }
 
-TEST(FreeRolling, gives_way_to_the_force_that_is_left) {
+TEST(FreeRolling_behaviour, gives_way_to_the_force_that_is_left) {
   const RollingStep step = free_rolling(free_from({false, true}), {rolled_to(0, 0, 1e-6)}, rolling_contact);
   EXPECT_DOUBLE_EQ(step.back, 1e-6 / rolling_contact.lateral_stiffness);
 }
 
-TEST(FreeRolling, learns_the_way_per_angle_that_leaves_no_force) {
+TEST(FreeRolling_analytic, learns_the_way_per_angle_that_leaves_no_force) {
   constexpr double true_way = 7.9e-6, angle = 1e-3;
   // A step by the radius, longer than the true way, has left the spring's force.
   const double left = rolling_contact.lateral_stiffness * (rolling_contact.radius - true_way) * angle;
@@ -53,7 +53,7 @@ TEST(FreeRolling, learns_the_way_per_angle_that_leaves_no_force) {
   EXPECT_NEAR(records.back().lateral_force, 0, 1e-3 * left);
 }
 
-TEST(FreeRolling, after_sliding_does_not_learn_until_it_has_left_the_contact_behind) {
+TEST(FreeRolling_behaviour, after_sliding_does_not_learn_until_it_has_left_the_contact_behind) {
   const auto program = free_from({false, true, true, true});
   const StepRecord slid = rolled_to(0, 1e-7, 3e-5);
   const RollingStep soon = free_rolling(program, {slid, rolled_to(0.01, 1.8e-7, 1e-5)}, rolling_contact);

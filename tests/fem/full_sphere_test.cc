@@ -39,7 +39,7 @@ Pressed press(bool full) {
   return p;
 }
 
-TEST(FullSphere, contact_is_that_of_the_hemisphere_once_the_far_field_is_taken_out) {
+TEST(FullSphere_behaviour, contact_is_that_of_the_hemisphere_once_the_far_field_is_taken_out) {
   const Pressed half = press(false), full = press(true);
   EXPECT_NE(full.far_field, half.far_field);
   EXPECT_NEAR(full.approach / half.approach, 1, 2e-3);

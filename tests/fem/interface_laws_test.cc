@@ -24,7 +24,7 @@ TEST(FrictionLaws_analytic, limit_the_shear_as_their_equations_say) {
   EXPECT_DOUBLE_EQ(CappedCoulomb(0.3, 0.5e9).limit(2e9), 0.5e9);
 }
 
-TEST(FrictionLaws, are_chosen_by_the_entries_of_a_case) {
+TEST(FrictionLaws_behaviour, are_chosen_by_the_entries_of_a_case) {
   EXPECT_EQ(make_friction_law({}), nullptr);
   const auto limit = [](double coefficient, double strength) {
     InterfaceInput input;
@@ -144,7 +144,7 @@ TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_o
   }
 }
 
-TEST(AdhesionLaws, an_unknown_name_is_refused_with_those_there_are) {
+TEST(AdhesionLaws_behaviour, an_unknown_name_is_refused_with_those_there_are) {
   try {
     fem::make_adhesion_law("glue", 0.1, 1e-9);
     FAIL();

@@ -17,20 +17,20 @@ struct Energy {
   }
 };
 
-TEST(LineSearch, takes_the_whole_step_of_newton_where_it_does_not_overshoot_far) {
+TEST(LineSearch_analytic, takes_the_whole_step_of_newton_where_it_does_not_overshoot_far) {
   Energy e{0.8};
   EXPECT_EQ(LineSearch(1, 3).step(0.64, [&](double s) { return e(s); }), 1);
   EXPECT_EQ(e.asked, 1);
 }
 
-TEST(LineSearch, cuts_a_step_far_beyond_the_lowest_energy_only_in_part) {
+TEST(LineSearch_analytic, cuts_a_step_far_beyond_the_lowest_energy_only_in_part) {
   Energy e{0.1};
   const double step = LineSearch(1, 3).step(0.01, [&](double s) { return e(s); });
   EXPECT_LT(step, 0.4);
   EXPECT_GT(step, 0.1);
 }
 
-TEST(LineSearch, goes_on_where_a_whole_step_leads_far_short_of_the_lowest_energy) {
+TEST(LineSearch_analytic, goes_on_where_a_whole_step_leads_far_short_of_the_lowest_energy) {
   Energy far{6};
   EXPECT_EQ(LineSearch(1, 0).step(36, [&](double s) { return far(s); }), 2);
   EXPECT_EQ(far.asked, 2);
@@ -40,7 +40,7 @@ TEST(LineSearch, goes_on_where_a_whole_step_leads_far_short_of_the_lowest_energy
   EXPECT_EQ(LineSearch(1, 3).step(1e12, [&](double s) { return endless(s); }), 32);
 }
 
-TEST(LineSearch, finds_the_lowest_energy_closely_after_steps_without_progress) {
+TEST(LineSearch_analytic, finds_the_lowest_energy_closely_after_steps_without_progress) {
   LineSearch search(1, 3);
   for (int k = 0; k < 3; ++k) search.reached(1.5);
   Energy e{0.1};

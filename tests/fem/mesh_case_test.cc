@@ -16,7 +16,7 @@ namespace {
 using test::generated;
 using test::sphere_on_silicon;
 
-TEST(MeshCase, writes_hexahedra_surfaces_and_tetrahedra_and_says_what_they_are_worth) {
+TEST(MeshCase_behaviour, writes_hexahedra_surfaces_and_tetrahedra_and_says_what_they_are_worth) {
   const test::TemporaryFolder folder;
   std::string said;
   mesh_case(sphere_on_silicon(generated(1.5, 80, 1), "smooth", 20e-9, 250e-9), folder.path / "meshes",
@@ -40,7 +40,7 @@ TEST(MeshCase, writes_hexahedra_surfaces_and_tetrahedra_and_says_what_they_are_w
   EXPECT_NE(vtu.find("NumberOfCells=\"" + std::to_string(cells) + "\""), std::string::npos);
 }
 
-TEST(MeshCase, roughness_too_steep_for_hexahedra_is_refused_with_a_remedy_and_leaves_no_files) {
+TEST(MeshCase_behaviour, roughness_too_steep_for_hexahedra_is_refused_with_a_remedy_and_leaves_no_files) {
   const test::TemporaryFolder folder;
   const auto steep = sphere_on_silicon("smooth", generated(60, 20, 1), 5e-9, 250e-9);
   const auto message =
@@ -74,7 +74,7 @@ void expect_meshes(const CaseInput& input) {
   }
 }
 
-TEST(MeshCase, points_of_a_smooth_body_that_lie_on_one_sphere_do_not_stop_CGAL) { expect_meshes(rolling(34e-9, 450e-9)); }
+TEST(MeshCase_behaviour, points_of_a_smooth_body_that_lie_on_one_sphere_do_not_stop_CGAL) { expect_meshes(rolling(34e-9, 450e-9)); }
 
 TEST(MeshSweepNightly_regression, no_spacing_and_distance_is_refused) {
   for (int s = 0; s < 20; ++s)

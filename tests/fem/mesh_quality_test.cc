@@ -50,7 +50,7 @@ void expect_good(const HexMeshQuality& quality) {
   }
 }
 
-TEST(MeshQuality, smooth_bodies_have_well_shaped_hexahedra) {
+TEST(MeshQuality_behaviour, smooth_bodies_have_well_shaped_hexahedra) {
   const Meshed mesh(sphere_on_silicon("smooth", "smooth", 20e-9, 400e-9));
   const auto quality = mesh.quality();
   expect_good(quality);
@@ -73,7 +73,7 @@ TEST(MeshQuality_analytic, facets_miss_of_a_wave_what_linear_interpolation_misse
 }
 
 /// A mesh of a twelfth of the contact radius on waves of its own spacing keeps the nodes' Sq and misses half of the slope variance.
-TEST(MeshQuality, a_mesh_whose_facets_miss_the_slopes_is_refused_though_its_nodes_keep_the_Sq) {
+TEST(MeshQuality_behaviour, a_mesh_whose_facets_miss_the_slopes_is_refused_though_its_nodes_keep_the_Sq) {
   const Meshed mesh(sphere_on_silicon("smooth", generated(1.5, 40, 3), 40e-9, 700e-9));
   HexMeshQuality quality = mesh.quality();
   EXPECT_GT(quality.roughness[1].missed_slope_share(), 0.4);
@@ -85,7 +85,7 @@ TEST(MeshQuality, a_mesh_whose_facets_miss_the_slopes_is_refused_though_its_node
   EXPECT_NO_THROW(require_quality(fine.quality(), fine.options, "test.prm"));
 }
 
-TEST(MeshQuality, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_for_any_distance_rolled) {
+TEST(MeshQuality_behaviour, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_for_any_distance_rolled) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
   input.experiment.type = ExperimentInput::Type::rolling;
   input.experiment.normal_load = 200e-6;
@@ -109,7 +109,7 @@ double longest_way(CaseInput input) {
   return 0;
 }
 
-TEST(MeshQuality, cells_are_good_for_the_longest_way_that_a_contact_may_roll) {
+TEST(MeshQuality_behaviour, cells_are_good_for_the_longest_way_that_a_contact_may_roll) {
   struct Contact {
     double load, spacing, way;
   };
@@ -123,7 +123,7 @@ TEST(MeshQuality, cells_are_good_for_the_longest_way_that_a_contact_may_roll) {
   }
 }
 
-TEST(MeshQuality, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_good_cells) {
+TEST(MeshQuality_behaviour, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_good_cells) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
   input.experiment.type = ExperimentInput::Type::rolling;
   input.experiment.normal_load = 200e-6;
@@ -149,18 +149,18 @@ CaseInput rolling(double spacing, double distance, double region) {
   return input;
 }
 
-TEST(MeshQuality, no_cell_of_the_cap_is_wider_than_those_below_it) {
+TEST(MeshQuality_behaviour, no_cell_of_the_cap_is_wider_than_those_below_it) {
   constexpr double gentle = 0.28;  // as above; 0.045 at 31 nm where finer cells below hung their nodes on a wide one
   for (const double spacing : {30e-9, 31e-9, 32e-9, 33e-9, 34e-9})
     EXPECT_GT(Meshed(rolling(spacing, 450e-9, 585e-9)).quality().smallest_scaled_jacobian[0], gentle) << spacing;
 }
 
-TEST(MeshQuality, a_block_finely_meshed_far_from_the_contact_keeps_good_cells) {
+TEST(MeshQuality_behaviour, a_block_finely_meshed_far_from_the_contact_keeps_good_cells) {
   constexpr double gentle = 0.28;  // 0.185 where the last cells were 10.2 times as wide as the first
   EXPECT_GT(Meshed(rolling(46.6e-9, 2.2e-6, 0)).quality().smallest_scaled_jacobian[1], gentle);
 }
 
-TEST(MeshQuality, bad_cells_of_a_smooth_body_are_not_blamed_on_roughness) {
+TEST(MeshQuality_behaviour, bad_cells_of_a_smooth_body_are_not_blamed_on_roughness) {
   HexMeshQuality quality;
   quality.smallest_scaled_jacobian = {0.1, 0.9};
   try {
@@ -172,9 +172,9 @@ TEST(MeshQuality, bad_cells_of_a_smooth_body_are_not_blamed_on_roughness) {
   }
 }
 
-class RoughMesh : public testing::TestWithParam<double> {};
+class RoughMesh_behaviour : public testing::TestWithParam<double> {};
 
-TEST_P(RoughMesh, of_4p8_nm_rms_keeps_its_shape_and_follows_the_topography) {
+TEST_P(RoughMesh_behaviour, of_4p8_nm_rms_keeps_its_shape_and_follows_the_topography) {
   const Meshed mesh(sphere_on_silicon(generated(4.8, GetParam(), 1), generated(4.8, GetParam(), 2), 5e-9, 250e-9));
   const auto quality = mesh.quality();
   expect_good(quality);
@@ -186,9 +186,9 @@ TEST_P(RoughMesh, of_4p8_nm_rms_keeps_its_shape_and_follows_the_topography) {
     EXPECT_EQ(meshing::check_surface(mesh.surface(body)).defects(), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(shortest_wave_in_nm, RoughMesh, testing::Values(40.0, 20.0));
+INSTANTIATE_TEST_SUITE_P(shortest_wave_in_nm, RoughMesh_behaviour, testing::Values(40.0, 20.0));
 
-TEST(MeshQuality, waves_that_fall_between_the_nodes_are_refused) {
+TEST(MeshQuality_behaviour, waves_that_fall_between_the_nodes_are_refused) {
   Meshed mesh(sphere_on_silicon("smooth", "smooth", 20e-9, 200e-9));
   const double spacing = mesh.options.sizes.spacing_substrate;
   mesh.options.substrate_height = [spacing](double x, double) { return 1e-9 * std::cos(2 * M_PI * x / spacing); };
@@ -199,7 +199,7 @@ TEST(MeshQuality, waves_that_fall_between_the_nodes_are_refused) {
   EXPECT_THROW(require_quality(quality, mesh.options, "test.prm"), InputError);
 }
 
-TEST(MeshQuality, slopes_too_steep_for_a_mesh_are_refused) {
+TEST(MeshQuality_behaviour, slopes_too_steep_for_a_mesh_are_refused) {
   HexMeshQuality quality;
   quality.smallest_scaled_jacobian = {0.9, 0.2};
   EXPECT_THROW(require_quality(quality, meshing::ContactMeshOptions{}, "test.prm"), InputError);

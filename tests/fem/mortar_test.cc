@@ -153,7 +153,7 @@ TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spaci
   }
 }
 
-TEST(Mortar, substrate_that_does_not_cover_the_contact_region_is_refused) {
+TEST(Mortar_behaviour, substrate_that_does_not_cover_the_contact_region_is_refused) {
   const Lattice particle(4, 4, 0, 1, 0, 1, 0, 0), small(4, 4, 0, 0.9, 0, 1, 0, 100);
   EXPECT_THROW(couple_interfaces(quads(particle.faces), small.faces), asperity::WorkError);
 }

@@ -48,7 +48,7 @@ void expect_same(const SolvedExperiment& a, const SolvedExperiment& b, double to
               tolerance);
 }
 
-TEST(NormalExperiment, rough_yielding_contact_balances_energy_force_and_moment) {
+TEST(NormalExperiment_analytic, rough_yielding_contact_balances_energy_force_and_moment) {
   const test::TemporaryFolder folder;
   const SolvedExperiment s = solve_experiment(coarse_case(), folder.path);
   ASSERT_EQ(s.history.rows.size(), 7u);
@@ -94,7 +94,7 @@ TEST(NormalExperiment_analytic, history_and_result_say_area_approach_imprint_and
   EXPECT_GT(s.at("load_step_error [m]", peak), 0);
 }
 
-TEST(NormalExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
+TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_states) {
   const test::TemporaryFolder folder, halving;
   CaseInput c = coarse_case();
   c.experiment.unload = false;
@@ -113,7 +113,7 @@ TEST(NormalExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
 }
 
-TEST(NormalExperiment, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {
+TEST(NormalExperiment_behaviour, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {
   const test::TemporaryFolder folder;
   CaseInput c = coarse_case();
   c.experiment.cycles = 2;
@@ -128,7 +128,7 @@ TEST(NormalExperiment, a_second_cycle_repeats_the_unloading_path_and_holding_cha
   EXPECT_LT(s.result["balance"]["energy"].get<double>(), 0.01);
 }
 
-TEST(NormalExperiment, under_displacement_control_passes_through_the_same_states) {
+TEST(NormalExperiment_behaviour, under_displacement_control_passes_through_the_same_states) {
   const test::TemporaryFolder given, driven;
   CaseInput c = coarse_case();
   c.experiment.load_steps = 2, c.experiment.unload = false;
@@ -145,7 +145,7 @@ TEST(NormalExperiment, under_displacement_control_passes_through_the_same_states
                   force.result["effective"]["normal_stiffness"]["value"].get<double>(), 1, 0.02);
 }
 
-TEST(NormalExperiment, stopped_after_any_step_resumes_to_the_same_answer) {
+TEST(NormalExperiment_behaviour, stopped_after_any_step_resumes_to_the_same_answer) {
   const test::TemporaryFolder whole, halved;
   const CaseInput c = coarse_case();
   const SolvedExperiment expected = solve_experiment(c, whole.path);

@@ -61,7 +61,7 @@ Products products(MPI_Comm communicator) {
   return p;
 }
 
-TEST(Parallel, operator_and_cycle_are_those_of_one_rank) {
+TEST(Parallel_behaviour, operator_and_cycle_are_those_of_one_rank) {
   const Products one = products(MPI_COMM_SELF), all = products(MPI_COMM_WORLD);
   EXPECT_TRUE(same_on_all_ranks("operator", all.energy, one.energy, 1e-12));
   EXPECT_TRUE(same_on_all_ranks("its diagonal", all.diagonal, one.diagonal, 1e-12));
@@ -71,7 +71,7 @@ TEST(Parallel, operator_and_cycle_are_those_of_one_rank) {
   EXPECT_TRUE(same_on_all_ranks("cycle of multigrid", all.cycled, one.cycled, 1e-6));
 }
 
-TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
+TEST(Parallel_behaviour, loading_and_unloading_give_the_states_of_one_rank) {
   struct Outcome {
     double approach, area, peak, plastic, far_field;
     int active;
@@ -108,7 +108,7 @@ TEST(Parallel, loading_and_unloading_give_the_states_of_one_rank) {
   EXPECT_GT(one.plastic, 0);
 }
 
-TEST(Parallel, sliding_with_friction_gives_the_states_of_one_rank) {
+TEST(Parallel_behaviour, sliding_with_friction_gives_the_states_of_one_rank) {
   struct Outcome {
     double shear, spread, reaction, work;
     int sticking;

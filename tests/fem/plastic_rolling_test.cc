@@ -70,10 +70,10 @@ void expect_less_from_pass_to_pass(const std::vector<Pass>& p) {
   EXPECT_NEAR(p[0].work, p[0].plastic_work, 0.15 * p[0].work);
 }
 
-TEST(PlasticRolling, a_second_pass_over_the_own_imprint_needs_less) { expect_less_from_pass_to_pass(passes(1, 2, 6, 3)); }
+TEST(PlasticRolling_behaviour, a_second_pass_over_the_own_imprint_needs_less) { expect_less_from_pass_to_pass(passes(1, 2, 6, 3)); }
 
-TEST(PlasticRolling, so_does_a_second_pass_of_a_sphere_that_carries_the_imprint_with_it) { expect_less_from_pass_to_pass(passes(0, 2, 6, 3)); }
+TEST(PlasticRolling_behaviour, so_does_a_second_pass_of_a_sphere_that_carries_the_imprint_with_it) { expect_less_from_pass_to_pass(passes(0, 2, 6, 3)); }
 
-TEST(PlasticRollingNightly, four_passes_over_the_own_imprint_need_less_and_less) { expect_less_from_pass_to_pass(passes(1, 4, 10, 4)); }
+TEST(PlasticRollingNightly_behaviour, four_passes_over_the_own_imprint_need_less_and_less) { expect_less_from_pass_to_pass(passes(1, 4, 10, 4)); }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(ResultFile_analytic, area_and_its_radius_and_mean_pressure_share_one_doubt)
   EXPECT_NEAR(effective["first_touch"]["value"].get<double>(), -2e-9, 1e-15);
 }
 
-TEST(ResultFile, the_doubt_shrinks_with_the_spacing) {
+TEST(ResultFile_behaviour, the_doubt_shrinks_with_the_spacing) {
   const auto coarse = effective_of(24e-9, 0.33e-6), fine = effective_of(12e-9, 0.33e-6);
   for (const char* name : {"normal_stiffness", "contact_area", "max_pressure", "approach"}) EXPECT_GT(relative(coarse[name]), 1.9 * relative(fine[name])) << name;
 }

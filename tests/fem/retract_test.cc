@@ -60,7 +60,7 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
 }
 
 /// Opening work that is larger is lost over the area that was in contact, once it has opened.
-TEST(Retract, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
+TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
   const test::TemporaryFolder folder;
   const auto history = run(drawn_back(0.04), folder.path);
   const auto energy = history.numbers("energy_error"), loss = history.numbers("adhesion_loss [J]"), area = history.numbers("contact_area [m^2]");

@@ -55,7 +55,7 @@ void expect_never_to_fall(const CsvTable& history, const std::vector<std::string
   }
 }
 
-TEST(Program, of_sliding_begins_finely_and_comes_back) {
+TEST(Program_behaviour, of_sliding_begins_finely_and_comes_back) {
   ExperimentInput e;
   e.type = ExperimentInput::Type::sliding;
   e.load_steps = 2, e.unload_steps = 2, e.distance = 100;
@@ -97,7 +97,7 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
   EXPECT_LT(s.result["balance"]["energy"], 0.01);
 }
 
-TEST(Sliding, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
+TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
   input.particle.yield_stress = 2e9;
@@ -145,7 +145,7 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
 }
 
 /// The surfaces are coupled where they have turned elastically; 0.3 % is open then, and 0.9 % where only their frames turn.
-TEST(TorsionExperiment, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
+TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
   input.substrate.yield_stress = 4e9;
@@ -160,7 +160,7 @@ TEST(TorsionExperiment, of_a_rough_yielding_contact_beside_the_axis_balances_its
   expect_never_to_fall(s.history, {"friction_work [J]", "plastic_work [J]"});
 }
 
-TEST(Program, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
+TEST(Program_analytic, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
   ExperimentInput e;
   e.type = ExperimentInput::Type::rolling;
   e.load_steps = 2, e.unload = false, e.distance = 100, e.reverse = false;
@@ -172,7 +172,7 @@ TEST(Program, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_
   for (const auto& station : program) EXPECT_NEAR(station.motion.roll * 1000, station.motion.x, 1e-12);
 }
 
-TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_energy_and_resumes) {
+TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances_its_energy_and_resumes) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
   input.experiment.type = ExperimentInput::Type::rolling;
@@ -201,7 +201,7 @@ TEST(RollingExperiment, with_hysteresis_of_adhesion_dissipates_balances_its_ener
 }
 
 /// A step that fails leaves slip, bonds, coupling and the learned way per angle as they were accepted.
-TEST(RollingExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
+TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_states) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 40e-9);
   input.experiment.type = ExperimentInput::Type::rolling;
@@ -231,7 +231,7 @@ TEST(RollingExperiment, steps_that_fail_are_halved_and_reach_the_same_states) {
     EXPECT_NEAR(halved.history.numbers(column).back() / whole.history.numbers(column).back(), 1, bound) << column;
 }
 
-TEST(SolveCase, derives_a_way_of_two_steady_contact_diameters) {
+TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
   CaseInput input = sliding("smooth", 25e-9);
   input.experiment.distance = 0;
   const double a = fem::set_up(input).hertz_radius;
@@ -246,7 +246,7 @@ TEST(SolveCase, derives_a_way_of_two_steady_contact_diameters) {
               3.84 * input.interface.friction_coefficient * input.experiment.normal_load * compliance / (a * a), 1e-9);
 }
 
-TEST(SolveCase, derives_a_region_over_which_the_attraction_ends) {
+TEST(SolveCase_behaviour, derives_a_region_over_which_the_attraction_ends) {
   CaseInput input = sliding("smooth", 25e-9);
   input.mesh.contact_region = 0;
   const double without = fem::set_up(input).system.mesh.sizes.region_particle;
@@ -261,7 +261,7 @@ TEST(SolveCase, derives_a_region_over_which_the_attraction_ends) {
   EXPECT_GT(s * a, 1.5 * without);
 }
 
-TEST(SolveCase, refuses_motions_that_it_cannot_make) {
+TEST(SolveCase_behaviour, refuses_motions_that_it_cannot_make) {
   const auto message = [](const CaseInput& input) {
     try {
       solve_case(input, {});

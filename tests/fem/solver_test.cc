@@ -43,7 +43,7 @@ Vector<Number> waves(const MeshLevel& level) {
   return x;
 }
 
-TEST(HexOperator, diagonal_is_that_of_the_operator) {
+TEST(HexOperator_analytic, diagonal_is_that_of_the_operator) {
   ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto matrix = closed_contact<double>(system, system.interface());
   const auto diagonal = matrix.diagonal();
@@ -72,7 +72,7 @@ TEST(HexOperator, diagonal_is_that_of_the_operator) {
   EXPECT_TRUE(verified("diagonal: largest factor by which it is off there").below(factor, 3));
 }
 
-TEST(HexOperator, is_symmetric_and_positive) {
+TEST(HexOperator_analytic, is_symmetric_and_positive) {
   ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto matrix = closed_contact<double>(system, system.interface());
   auto x = waves<double>(system.level());
@@ -88,7 +88,7 @@ TEST(HexOperator, is_symmetric_and_positive) {
   EXPECT_GT(ax * x, 0);
 }
 
-TEST(HexOperator, single_precision_agrees_with_double) {
+TEST(HexOperator_analytic, single_precision_agrees_with_double) {
   ContactSystem system(MPI_COMM_WORLD, options_of_resolution(3));
   auto exact = closed_contact<double>(system, system.interface());
   auto single = closed_contact<float>(system, system.interface());
@@ -143,19 +143,19 @@ std::pair<long, int> iterations(double cells_per_radius, const std::string& back
   return {static_cast<long>(system.level().size()), count};
 }
 
-TEST(Multigrid, iterations_hardly_grow_with_the_mesh) {
+TEST(Multigrid_behaviour, iterations_hardly_grow_with_the_mesh) {
   const auto coarse = iterations(5), fine = iterations(10);
   EXPECT_LE(fine.second, 1.5 * coarse.second);
   EXPECT_LT(fine.second, 40);
 }
 
-TEST(Multigrid, algebraic_iterations_hardly_grow_with_the_mesh) {
+TEST(Multigrid_behaviour, algebraic_iterations_hardly_grow_with_the_mesh) {
   const auto coarse = iterations(4, "assembled"), fine = iterations(8, "assembled");
   EXPECT_LE(fine.second, 1.5 * coarse.second);
   EXPECT_LT(fine.second, 100);
 }
 
-TEST(MultigridNightly, iterations_grow_by_less_than_half_from_1e5_to_1e6_unknowns) {
+TEST(MultigridNightly_behaviour, iterations_grow_by_less_than_half_from_1e5_to_1e6_unknowns) {
   const auto coarse = iterations(12), middle = iterations(28), fine = iterations(60);
   EXPECT_LE(middle.second, 1.5 * coarse.second);
   EXPECT_LE(fine.second, 1.5 * coarse.second);

@@ -46,9 +46,9 @@ std::string hysitron_text() {
 }
 
 /// The clone of a person who follows README.md, with a scan and a recording of her own.
-class Readme : public testing::TestWithParam<std::size_t> {
+class Readme_behaviour : public testing::TestWithParam<std::size_t> {
  protected:
-  Readme() {
+  Readme_behaviour() {
     fs::create_directories(folder_.path / "build");
     fs::create_symlink(ASPERITY_EXECUTABLE, folder_.path / "build" / "asperity");
     fs::create_symlink(source / "runs", folder_.path / "runs");
@@ -90,10 +90,10 @@ TEST(ReadmeLines_analytic, each_is_run_by_a_test_and_no_other) {
   for (const auto& line : run) EXPECT_EQ(printed.count(line), run.count(line)) << "not in README.md: " << line;
 }
 
-TEST_P(Readme, its_lines_run) {
+TEST_P(Readme_behaviour, its_lines_run) {
   for (const auto& line : groups_of_readme()[GetParam()].lines) run(line);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines_analytic, Readme, testing::Range<std::size_t>(0, groups_of_readme().size()), name_of_group);
+INSTANTIATE_TEST_SUITE_P(Lines_analytic, Readme_behaviour, testing::Range<std::size_t>(0, groups_of_readme().size()), name_of_group);
 
 }  // namespace asperity

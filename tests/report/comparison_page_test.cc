@@ -18,7 +18,7 @@ ComparisonRow friction_at(double load, double computed, double law) {
   return row;
 }
 
-TEST(ComparisonPage, draws_each_source_that_has_values_and_says_why_others_have_none) {
+TEST(ComparisonPage_behaviour, draws_each_source_that_has_values_and_says_why_others_have_none) {
   SideBySide comparison;
   comparison.tolerance = 0.05;
   comparison.rows = {friction_at(100e-6, 0.30, 0.23), friction_at(1e-3, 0.29, 0.23)};
@@ -42,7 +42,7 @@ TEST(ComparisonPage, draws_each_source_that_has_values_and_says_why_others_have_
   EXPECT_EQ(page.find("http://"), std::string::npos);
 }
 
-TEST(ComparisonPage, gives_each_law_a_line_of_its_own) {
+TEST(ComparisonPage_behaviour, gives_each_law_a_line_of_its_own) {
   std::vector<ComparisonRow> rows;
   for (const double load : {1e-4, 1e-3})
     for (const auto& [law, value] : {std::pair{"Coulomb", 0.23}, std::pair{"Coulomb without offset", 0.2}}) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FieldFiles : public testing::Test {
+class FieldFiles_behaviour : public testing::Test {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / ("asperity-fields-" + std::to_string(::getpid()));
@@ -25,7 +25,7 @@ class FieldFiles : public testing::Test {
   fs::path folder;
 };
 
-TEST_F(FieldFiles, a_collection_gives_steps_and_files_and_leaves_out_what_is_gone) {
+TEST_F(FieldFiles_behaviour, a_collection_gives_steps_and_files_and_leaves_out_what_is_gone) {
   const auto files = field_files(folder / "fields.pvd");
   ASSERT_EQ(files.size(), 1u);
   ASSERT_EQ(files.count(8), 1u);
@@ -34,7 +34,7 @@ TEST_F(FieldFiles, a_collection_gives_steps_and_files_and_leaves_out_what_is_gon
   EXPECT_TRUE(field_files(folder / "nothing.pvd").empty());
 }
 
-TEST_F(FieldFiles, the_file_shown_is_that_of_the_largest_load) {
+TEST_F(FieldFiles_behaviour, the_file_shown_is_that_of_the_largest_load) {
   const SolvedCase solved = read_solved_case(folder);
   write_file_atomically(folder / "interface" / "step_0016.vtp", read_file(folder / "interface" / "step_0008.vtp"));
   write_file_atomically(folder / "interface.pvd",
@@ -43,7 +43,7 @@ TEST_F(FieldFiles, the_file_shown_is_that_of_the_largest_load) {
   EXPECT_EQ(files_at_largest_load(solved, "interface.pvd").front().filename(), "step_0008.vtp");
 }
 
-TEST_F(FieldFiles, a_map_of_the_interface_holds_the_values_of_the_surface_in_place) {
+TEST_F(FieldFiles_behaviour, a_map_of_the_interface_holds_the_values_of_the_surface_in_place) {
   const Hertz hertz = test::synthetic::contact(made);
   const double a = hertz.contact_radius(made.load);
   const Map map = interface_map(folder / "interface" / "step_0008.vtp", "height_particle", 1.5 * a, 60);
@@ -61,21 +61,21 @@ TEST_F(FieldFiles, a_map_of_the_interface_holds_the_values_of_the_surface_in_pla
     }
 }
 
-TEST_F(FieldFiles, outside_of_the_surface_a_map_has_no_values) {
+TEST_F(FieldFiles_behaviour, outside_of_the_surface_a_map_has_no_values) {
   const double a = test::synthetic::contact(made).contact_radius(made.load);
   const Map map = interface_map(folder / "interface" / "step_0008.vtp", "pressure", 4 * a, 40);
   EXPECT_TRUE(std::isnan(map.values.front()));
   EXPECT_TRUE(std::isfinite(map.values[20 * 40 + 20]));
 }
 
-TEST_F(FieldFiles, the_extent_of_contact_is_that_of_the_pressure) {
+TEST_F(FieldFiles_behaviour, the_extent_of_contact_is_that_of_the_pressure) {
   const double a = test::synthetic::contact(made).contact_radius(made.load);
   const InterfaceExtent extent = interface_extent(folder / "interface" / "step_0008.vtp");
   EXPECT_NEAR(extent.surface, 2 * a, 1e-6 * a);
   EXPECT_NEAR(extent.contact, a, 0.07 * a);  // one node distance
 }
 
-TEST_F(FieldFiles, a_section_lies_in_its_plane_and_keeps_the_values_of_the_cells_also_from_files_of_several_ranks) {
+TEST_F(FieldFiles_behaviour, a_section_lies_in_its_plane_and_keeps_the_values_of_the_cells_also_from_files_of_several_ranks) {
   const auto section = vertical_section({folder / "fields" / "step_0008.vtu"}, 1e-9);
   // Two bodies of 30 columns and 20 layers.
   EXPECT_EQ(section->GetNumberOfCells(), 1200);
@@ -96,7 +96,7 @@ TEST_F(FieldFiles, a_section_lies_in_its_plane_and_keeps_the_values_of_the_cells
   EXPECT_EQ(vertical_section({folder / "fields" / "step_0008.pvtu"}, 1e-9)->GetNumberOfCells(), 1200);
 }
 
-TEST_F(FieldFiles, what_is_not_vtk_data_or_lacks_an_array_is_refused_by_name) {
+TEST_F(FieldFiles_behaviour, what_is_not_vtk_data_or_lacks_an_array_is_refused_by_name) {
   const fs::path file = folder / "interface" / "step_0008.vtp";
   EXPECT_THROW(interface_map(file, "temperature", 1e-7, 10), InputError);
   write_file_atomically(file, "cut off");

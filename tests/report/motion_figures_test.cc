@@ -45,7 +45,7 @@ TEST(MotionFigures_analytic, show_lubkins_loop_between_plus_and_minus_full_slip)
   EXPECT_NE(report::motion_figure(moved("torsion")).find("Moment along the way"), std::string::npos);
 }
 
-TEST(MotionFigures, show_forces_and_moments_of_a_program_over_its_steps) {
+TEST(MotionFigures_behaviour, show_forces_and_moments_of_a_program_over_its_steps) {
   const test::TemporaryFolder folder;
   SolvedCase solved = moved("program");
   folder.write("history.csv", "step,lateral_force_across [N]\n1,0\n2,1e-05\n3,3e-05\n");
@@ -61,7 +61,7 @@ TEST(MotionFigures, show_forces_and_moments_of_a_program_over_its_steps) {
   EXPECT_NE(report::motion_figure(solved).find("Program of motions"), std::string::npos);
 }
 
-TEST(MotionFigures, say_nothing_of_a_contact_that_was_only_pressed) { EXPECT_EQ(report::motion_figure(moved("normal")), ""); }
+TEST(MotionFigures_behaviour, say_nothing_of_a_contact_that_was_only_pressed) { EXPECT_EQ(report::motion_figure(moved("normal")), ""); }
 
 }  // namespace
 }  // namespace asperity

@@ -38,7 +38,7 @@ TEST(MotionLead_analytic, of_rolling_gives_the_moment) {
   EXPECT_TRUE(has(lead->headline, "yielding 25")) << lead->headline;
 }
 
-TEST(MotionLead, of_a_way_too_short_says_so_and_of_pressing_alone_is_none) {
+TEST(MotionLead_behaviour, of_a_way_too_short_says_so_and_of_pressing_alone_is_none) {
   const test::TemporaryFolder root;
   test::MovingFolder made;
   made.way_in_radii = 0.05;

@@ -21,14 +21,14 @@ TEST(Base64_other_code, agrees_with_the_examples_of_RFC_4648) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Png, has_the_signature_and_size_of_its_image) {
+TEST(Png_behaviour, has_the_signature_and_size_of_its_image) {
   const std::string bytes = png_bytes(Image(7, 3));
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(bytes[19], 7);
   EXPECT_EQ(bytes[23], 3);
 }
 
-TEST(Axis, covers_its_data_with_round_ticks) {
+TEST(Axis_behaviour, covers_its_data_with_round_ticks) {
   const Axis axis = make_axis(0.13, 9.4, 0, 100, true, 5);
   EXPECT_LE(axis.low, 0.13);
   EXPECT_GE(axis.high, 9.4);
@@ -38,19 +38,19 @@ TEST(Axis, covers_its_data_with_round_ticks) {
   EXPECT_NEAR(axis.pixel(axis.high), 100, 1e-9);
 }
 
-TEST(Axis, tick_labels_have_as_many_decimals_as_tell_them_apart) {
+TEST(Axis_behaviour, tick_labels_have_as_many_decimals_as_tell_them_apart) {
   const Axis axis = make_axis(0.9, 1.1, 0, 1, true, 4);
   EXPECT_EQ(tick_label(0.95, axis), "0.95");
   EXPECT_EQ(tick_label(1, axis), "1.00");
 }
 
-TEST(Axis, a_single_value_still_has_a_range) {
+TEST(Axis_behaviour, a_single_value_still_has_a_range) {
   const Axis axis = make_axis(3, 3, 0, 1, true);
   EXPECT_LT(axis.low, 3);
   EXPECT_GT(axis.high, 3);
 }
 
-TEST(Chart, breaks_its_lines_where_a_value_is_not_known_and_names_its_axes) {
+TEST(Chart_behaviour, breaks_its_lines_where_a_value_is_not_known_and_names_its_axes) {
   Chart chart;
   chart.x_label = "load [N]";
   chart.y_label = "approach <nm>";
@@ -64,9 +64,9 @@ TEST(Chart, breaks_its_lines_where_a_value_is_not_known_and_names_its_axes) {
   EXPECT_EQ(std::count(drawn.begin(), drawn.end(), 'M'), 2);
 }
 
-TEST(Chart, without_values_says_so) { EXPECT_NE(to_svg(Chart{}).find("nothing to draw"), std::string::npos); }
+TEST(Chart_behaviour, without_values_says_so) { EXPECT_NE(to_svg(Chart{}).find("nothing to draw"), std::string::npos); }
 
-TEST(Map, colours_leave_out_outliers_and_unknown_points_are_grey) {
+TEST(Map_behaviour, colours_leave_out_outliers_and_unknown_points_are_grey) {
   Map map{10, 10, 0, 1, 0, 1, std::vector<double>(100, 0.0)};
   for (int i = 0; i < 100; ++i) map.values[i] = i;
   map.values[99] = 1e6;
@@ -78,12 +78,12 @@ TEST(Map, colours_leave_out_outliers_and_unknown_points_are_grey) {
   EXPECT_EQ(map.largest(), 1e6);
 }
 
-TEST(ColourScale, runs_from_its_first_to_its_last_colour) {
+TEST(ColourScale_behaviour, runs_from_its_first_to_its_last_colour) {
   EXPECT_EQ(hex(ColourScale::white_to_red().at(0)), "#ffffff");
   EXPECT_EQ(hex(ColourScale::viridis().at(2)), "#fde725");
 }
 
-TEST(Words, numbers_read_as_people_write_them) {
+TEST(Words_behaviour, numbers_read_as_people_write_them) {
   EXPECT_EQ(departure_text(0.888), "−11\u00a0%");
   EXPECT_EQ(departure_text(1.0001), "0.0\u00a0%");
   EXPECT_EQ(departure_text(1.023), "+2.3\u00a0%");
@@ -97,7 +97,7 @@ TEST(Words, numbers_read_as_people_write_them) {
   EXPECT_EQ(area_text(4.84e-13), "0.484 µm²");
 }
 
-TEST(Words, a_topography_is_told_by_what_made_it) {
+TEST(Words_behaviour, a_topography_is_told_by_what_made_it) {
   EXPECT_EQ(topography_in_words("smooth"), "smooth");
   EXPECT_EQ(topography_in_words("/data/scan<1>.gsf"), "measured: scan&lt;1&gt;.gsf");
   EXPECT_EQ(topography_in_words("generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"),

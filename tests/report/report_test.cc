@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ReportFolder : public testing::Test {
+class ReportFolder_behaviour : public testing::Test {
  protected:
   void SetUp() override {
     const char* kept = std::getenv("ASPERITY_KEEP_REPORTS");  // a folder, to look at the pages
@@ -59,7 +59,7 @@ class ReportFolder : public testing::Test {
   fs::path root;
 };
 
-TEST_F(ReportFolder, a_solved_case_has_verdict_surfaces_curves_pressure_section_and_tables_in_one_file) {
+TEST_F(ReportFolder_behaviour, a_solved_case_has_verdict_surfaces_curves_pressure_section_and_tables_in_one_file) {
   test::SyntheticCase made;
   made.softness = 0.7;
   made.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=40 nm, seed=1)";
@@ -72,7 +72,7 @@ TEST_F(ReportFolder, a_solved_case_has_verdict_surfaces_curves_pressure_section_
     EXPECT_TRUE(has(html, part)) << part;
 }
 
-TEST_F(ReportFolder, sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
+TEST_F(ReportFolder_behaviour, sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
   test::write_synthetic_case({}, root);
   const bool can_draw = report::VirtualDisplay().available();
   const std::string html = report();
@@ -80,7 +80,7 @@ TEST_F(ReportFolder, sections_are_drawn_where_there_is_a_display_server_and_else
   EXPECT_EQ(has(html, "could not be drawn"), !can_draw);
 }
 
-TEST_F(ReportFolder, without_a_display_server_the_report_says_so_and_is_written_all_the_same) {
+TEST_F(ReportFolder_behaviour, without_a_display_server_the_report_says_so_and_is_written_all_the_same) {
   test::write_synthetic_case({}, root);
   const std::string path = std::getenv("PATH");
   const char* display = std::getenv("DISPLAY");
@@ -94,7 +94,7 @@ TEST_F(ReportFolder, without_a_display_server_the_report_says_so_and_is_written_
   EXPECT_TRUE(has(html, "Gap, and what is closed"));
 }
 
-TEST_F(ReportFolder, a_display_that_does_not_answer_does_not_take_the_report_with_it) {
+TEST_F(ReportFolder_behaviour, a_display_that_does_not_answer_does_not_take_the_report_with_it) {
   test::write_synthetic_case({}, root);
   const std::string path = std::getenv("PATH");
   const char* display = std::getenv("DISPLAY");
@@ -107,7 +107,7 @@ TEST_F(ReportFolder, a_display_that_does_not_answer_does_not_take_the_report_wit
   EXPECT_TRUE(has(html, "VTK could not draw on display :4711"));
 }
 
-TEST_F(ReportFolder, a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
+TEST_F(ReportFolder_behaviour, a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
   test::SyntheticCase made;
   made.yield_stress = "inf";
   made.imprint = 0;
@@ -119,7 +119,7 @@ TEST_F(ReportFolder, a_smooth_elastic_case_is_told_that_its_departure_is_the_err
   EXPECT_TRUE(has(html, "nothing has yielded"));
 }
 
-TEST_F(ReportFolder, an_unfinished_case_is_shown_as_far_as_it_came) {
+TEST_F(ReportFolder_behaviour, an_unfinished_case_is_shown_as_far_as_it_came) {
   test::SyntheticCase made;
   made.finished = false;
   made.fields = false;
@@ -130,7 +130,7 @@ TEST_F(ReportFolder, an_unfinished_case_is_shown_as_far_as_it_came) {
   EXPECT_TRUE(has(html, "Load against approach"));
 }
 
-TEST_F(ReportFolder, a_study_shows_scatter_over_realisations_and_names_what_is_missing) {
+TEST_F(ReportFolder_behaviour, a_study_shows_scatter_over_realisations_and_names_what_is_missing) {
   test::SyntheticCase made;
   made.imprint = 0;
   made.title = "smooth";
@@ -160,7 +160,7 @@ TEST_F(ReportFolder, a_study_shows_scatter_over_realisations_and_names_what_is_m
   EXPECT_TRUE(has(html, "mesh error"));
 }
 
-TEST_F(ReportFolder, a_study_shows_stiffness_against_load_rms_and_spectrum_on_the_finest_mesh) {
+TEST_F(ReportFolder_behaviour, a_study_shows_stiffness_against_load_rms_and_spectrum_on_the_finest_mesh) {
   const auto rough = [](const char* rms, const char* rolloff, int seed) {
     return std::string("generated(rms=") + rms + " nm, window=2.5 um, hurst=0.8, rolloff=" + rolloff + " nm, cutoff=80 nm, seed=" +
            std::to_string(seed) + ")";
@@ -200,12 +200,12 @@ TEST_F(ReportFolder, a_study_shows_stiffness_against_load_rms_and_spectrum_on_th
   EXPECT_TRUE(has(html, "+1.6 %"));
 }
 
-TEST_F(ReportFolder, a_study_without_any_result_yet_lists_its_cases) {
+TEST_F(ReportFolder_behaviour, a_study_without_any_result_yet_lists_its_cases) {
   write_file_atomically(root / "study.json", study_json(entry("a", "1 mN", "smooth", 1, "running")));
   EXPECT_TRUE(has(report(), "a: running"));
 }
 
-TEST_F(ReportFolder, a_title_cannot_break_the_page) {
+TEST_F(ReportFolder_behaviour, a_title_cannot_break_the_page) {
   test::SyntheticCase made;
   made.title = "<b>\"1\" & 'x'";
   made.fields = false;
@@ -213,7 +213,7 @@ TEST_F(ReportFolder, a_title_cannot_break_the_page) {
   EXPECT_TRUE(has(report(), "&lt;b&gt;&quot;1&quot; &amp;"));
 }
 
-TEST_F(ReportFolder, a_folder_that_is_neither_case_nor_study_is_refused) { EXPECT_THROW(write_report(root), InputError); }
+TEST_F(ReportFolder_behaviour, a_folder_that_is_neither_case_nor_study_is_refused) { EXPECT_THROW(write_report(root), InputError); }
 
 }  // namespace
 }  // namespace asperity

@@ -60,7 +60,7 @@ std::string report_of(const fs::path& root) {
   return page;
 }
 
-TEST(ResistancePage, a_study_of_moving_contacts_alone_answers_both_questions_without_words_on_unloading) {
+TEST(ResistancePage_behaviour, a_study_of_moving_contacts_alone_answers_both_questions_without_words_on_unloading) {
   const TemporaryFolder root;
   const std::string html = report_of(test::write_moving_study(root.path, moving_contacts()));
   for (const char* part :
@@ -77,7 +77,7 @@ TEST(ResistancePage, a_study_of_moving_contacts_alone_answers_both_questions_wit
   EXPECT_EQ(json["contacts"].size(), 6u);
 }
 
-TEST(ResistancePage, pressed_and_moving_cases_in_one_study_have_both_parts) {
+TEST(ResistancePage_behaviour, pressed_and_moving_cases_in_one_study_have_both_parts) {
   const TemporaryFolder root;
   test::write_moving_study(root.path, {{"rough", MovingFolder()}});
   test::SyntheticCase pressed;
@@ -97,7 +97,7 @@ TEST(ResistancePage, pressed_and_moving_cases_in_one_study_have_both_parts) {
   EXPECT_FALSE(has(html, "What resists rolling"));
 }
 
-TEST(ResistancePage, a_study_that_was_only_pressed_has_no_words_on_motion) {
+TEST(ResistancePage_behaviour, a_study_that_was_only_pressed_has_no_words_on_motion) {
   const TemporaryFolder root;
   MovingFolder pressed;
   pressed.experiment = "normal";
@@ -120,7 +120,7 @@ TEST(ResistancePage_analytic, charts_show_what_went_in) {
   EXPECT_NEAR(parts.series[1].y[2], 0.073, 3 * parts.series[1].error[2]);
 }
 
-TEST(ResistancePage, sentences_get_their_symbols_and_cannot_break_the_page) {
+TEST(ResistancePage_behaviour, sentences_get_their_symbols_and_cannot_break_the_page) {
   EXPECT_EQ(report::answer_html("lambda = a: 3 +- 1 % at 100 uN, -2 sigma <b>"),
             "λ = a: 3 ± 1 % at 100 µN, −2 σ &lt;b&gt;");
   EXPECT_EQ(report::answer_html("(3.79 +- 0.54) 10^-4"), "(3.79 ± 0.54) 10<sup>−4</sup>");

@@ -20,7 +20,7 @@ std::string entry_of(const std::string& name, const std::string& surface, int re
 }
 
 /// The smooth control, one surface 15 % softer, one that agrees, one whose three realisations are 0.99 +- 0.22.
-TEST(StudyVerdict, counts_by_intervals_and_leaves_out_the_smooth_control) {
+TEST(StudyVerdict_behaviour, counts_by_intervals_and_leaves_out_the_smooth_control) {
   const test::TemporaryFolder root;
   std::string cases;
   const auto add = [&](const std::string& name, const std::string& surface, double stiffness, int seed) {
@@ -44,7 +44,7 @@ TEST(StudyVerdict, counts_by_intervals_and_leaves_out_the_smooth_control) {
   EXPECT_TRUE(has(html, "Error of the computation, where the truth is known")) << html;
 }
 
-TEST(Report, of_a_case_whose_energy_does_not_balance_says_so_and_gives_no_verdict_beyond_five_per_cent) {
+TEST(Report_behaviour, of_a_case_whose_energy_does_not_balance_says_so_and_gives_no_verdict_beyond_five_per_cent) {
   const test::TemporaryFolder root;
   test::SyntheticCase made;
   made.fields = false;

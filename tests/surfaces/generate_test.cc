@@ -85,7 +85,7 @@ TEST(Generate_analytic, random_amplitudes_have_the_expected_mean_square) {
   EXPECT_LT(standard_error, 0.03);
 }
 
-TEST(Generate, is_the_same_bit_for_bit_on_any_number_of_threads) {
+TEST(Generate_behaviour, is_the_same_bit_for_bit_on_any_number_of_threads) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const auto one = generate_periodic(spectrum(), options(900, 4.5e-6)).heights;
@@ -95,7 +95,7 @@ TEST(Generate, is_the_same_bit_for_bit_on_any_number_of_threads) {
   EXPECT_EQ(one, three);
 }
 
-TEST(Generate, is_the_same_surface_on_a_finer_grid) {
+TEST(Generate_behaviour, is_the_same_surface_on_a_finer_grid) {
   const HeightSampler coarse(generate_periodic(spectrum(), options(480, 1.6e-6)));
   const HeightSampler fine(generate_periodic(spectrum(), options(960, 1.6e-6)));
   for (int i = 0; i < 100; ++i) {
@@ -104,12 +104,12 @@ TEST(Generate, is_the_same_surface_on_a_finer_grid) {
   }
 }
 
-TEST(Generate, differs_from_seed_to_seed) {
+TEST(Generate_behaviour, differs_from_seed_to_seed) {
   EXPECT_NE(generate_periodic(spectrum(), options(64, 1.6e-6, 1)).heights,
             generate_periodic(spectrum(), options(64, 1.6e-6, 2)).heights);
 }
 
-TEST(Generate, a_window_does_not_meet_itself_at_its_edges) {
+TEST(Generate_behaviour, a_window_does_not_meet_itself_at_its_edges) {
   const Topography window = generate_window(spectrum(), 200e-9, options(256, 1.28e-6));
   EXPECT_FALSE(window.periodic);
   EXPECT_NEAR(window.dx(), 5e-9, 1e-20);
@@ -153,7 +153,7 @@ TEST(HeightSampler_analytic, sampled_Sq_is_that_of_the_map_at_a_cutoff_of_four_p
   EXPECT_NEAR(std::sqrt(sum) / points, std::sqrt(mean_square(map.heights)), 1e-3 * 1.5e-9);
 }
 
-TEST(HeightSampler, continues_a_periodic_map_and_refuses_or_mirrors_another) {
+TEST(HeightSampler_behaviour, continues_a_periodic_map_and_refuses_or_mirrors_another) {
   Topography map = generate_periodic(spectrum(), options(64, 0.5e-6));
   const HeightSampler periodic(map);
   EXPECT_NEAR(periodic.height(0.2e-6, -0.1e-6), periodic.height(0.7e-6, 0.4e-6), 1e-20);

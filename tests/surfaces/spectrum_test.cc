@@ -125,7 +125,7 @@ TEST(RadialSpectrum_analytic, means_over_rings_of_white_noise_scatter_as_their_m
   EXPECT_NEAR(scatter, 1, 3 * std::sqrt(2.0 / realisations));
 }
 
-TEST(RadialSpectrum, generates_the_like_of_what_was_measured) {
+TEST(RadialSpectrum_behaviour, generates_the_like_of_what_was_measured) {
   const RadialSpectrum measured = radial_spectrum(scan(5));
   auto like = options(512, 5e-6, 6);
   like.amplitudes = Amplitudes::fixed;
@@ -152,7 +152,7 @@ TEST(SpectrumFit_analytic, finds_hurst_rolloff_and_cutoff_within_its_errors) {
   EXPECT_GT(hurst + rolloff, 0.4);
 }
 
-TEST(SpectrumFit, does_not_see_a_rolloff_beyond_the_scan) {
+TEST(SpectrumFit_analytic, does_not_see_a_rolloff_beyond_the_scan) {
   const SelfAffineSpectrum long_waves{1e-9, 0.8, 10e-6, 2.5e-6 / 256};
   auto few = options(256, 2.5e-6, 3);
   const SpectrumFit fit = fit_spectrum(radial_spectrum(generate_window(long_waves, 2.5e-6, few)));
@@ -160,7 +160,7 @@ TEST(SpectrumFit, does_not_see_a_rolloff_beyond_the_scan) {
   EXPECT_NEAR(fit.hurst.value, 0.8, 4 * fit.hurst.error);
 }
 
-TEST(SpectrumFit, tells_noise_from_a_cutoff) {
+TEST(SpectrumFit_analytic, tells_noise_from_a_cutoff) {
   auto white = options(512, 2.5e-6, 77);
   white.rms = 0.5e-9;
   const Topography noise = generate_periodic([](double) { return 1.0; }, white);
@@ -172,7 +172,7 @@ TEST(SpectrumFit, tells_noise_from_a_cutoff) {
   EXPECT_FALSE(fit.has_cutoff);
 }
 
-TEST(SpectrumFit, refuses_a_map_of_a_few_pixels) {
+TEST(SpectrumFit_behaviour, refuses_a_map_of_a_few_pixels) {
   EXPECT_THROW(fit_spectrum(radial_spectrum(generate_periodic(model, options(16, 2.5e-6, 1)))), InputError);
 }
 

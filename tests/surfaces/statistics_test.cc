@@ -79,7 +79,7 @@ TEST(Levelling_analytic, missing_points_take_no_part) {
   EXPECT_LT(largest_known(levelled(map, Level::rows2)), 1e-8);
 }
 
-TEST(Levelling, knows_its_names) {
+TEST(Levelling_behaviour, knows_its_names) {
   EXPECT_EQ(parse_level("rows1"), Level::rows1);
   EXPECT_EQ(level_name(Level::quadratic), "quadratic");
   EXPECT_THROW(parse_level("plain"), InputError);
@@ -188,7 +188,7 @@ TEST(Gaussianity_analytic, errors_of_correlated_heights_follow_the_correlation_t
   EXPECT_NEAR(kurtosis / (24 * M_PI * length * length / 4 / area), 1, 0.05);
 }
 
-TEST(Gaussianity, is_denied_to_a_surface_of_one_sided_pits) {
+TEST(Gaussianity_analytic, is_denied_to_a_surface_of_one_sided_pits) {
   Topography map = gaussian(20, 7);
   for (double& h : map.heights) h = -h * h;
   const GaussianTest test = gaussian_test(map);
@@ -196,7 +196,7 @@ TEST(Gaussianity, is_denied_to_a_surface_of_one_sided_pits) {
   EXPECT_NE(test.sentence.find("not Gaussian"), std::string::npos);
 }
 
-TEST(Gaussianity, is_not_judged_from_a_handful_of_asperities) {
+TEST(Gaussianity_behaviour, is_not_judged_from_a_handful_of_asperities) {
   EXPECT_EQ(gaussian_test(levelled(gaussian(250, 3), Level::plane)).verdict,
             GaussianTest::Verdict::too_few_samples);
 }

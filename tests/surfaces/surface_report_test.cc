@@ -30,7 +30,7 @@ std::filesystem::path scratch(const std::string& name) {
 
 }  // namespace
 
-TEST(SurfaceReport, has_the_keys_that_other_programs_rely_on) {
+TEST(SurfaceReport_behaviour, has_the_keys_that_other_programs_rely_on) {
   const auto json = to_json(measure_surface(scan(), Level::plane));
   for (const char* key : {"pixels", "size_m", "Sq_m", "Sa_m", "Sz_m", "Ssk", "Sku", "rms_slope",
                           "correlation_length_m", "missing", "channel", "level"})
@@ -41,7 +41,7 @@ TEST(SurfaceReport, has_the_keys_that_other_programs_rely_on) {
   EXPECT_NEAR(json["Sq_m"].get<double>(), 2e-9, 0.4e-9);
 }
 
-TEST(SurfaceReport, of_a_flat_or_tiny_map_says_null_instead_of_a_number) {
+TEST(SurfaceReport_behaviour, of_a_flat_or_tiny_map_says_null_instead_of_a_number) {
   Topography flat;
   flat.nx = flat.ny = 8;
   flat.lx = flat.ly = 1e-6;
@@ -54,7 +54,7 @@ TEST(SurfaceReport, of_a_flat_or_tiny_map_says_null_instead_of_a_number) {
   EXPECT_NE(to_text(measurement).find("cannot be judged"), std::string::npos);
 }
 
-TEST(SurfaceReport, reads_back_the_spectrum_it_wrote) {
+TEST(SurfaceReport_behaviour, reads_back_the_spectrum_it_wrote) {
   const RadialSpectrum spectrum = radial_spectrum(scan());
   const auto file = scratch("psd.csv");
   write_file_atomically(file, spectrum_csv(spectrum));
@@ -66,7 +66,7 @@ TEST(SurfaceReport, reads_back_the_spectrum_it_wrote) {
   std::filesystem::remove(file);
 }
 
-TEST(TopographySpec, of_a_file_is_levelled_and_must_be_large_enough) {
+TEST(TopographySpec_behaviour, of_a_file_is_levelled_and_must_be_large_enough) {
   const auto file = scratch("scan.gsf");
   Topography tilted = scan();
   for (int iy = 0; iy < tilted.ny; ++iy)

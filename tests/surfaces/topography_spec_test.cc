@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-TEST(TopographySpec, reads_the_generators_arguments) {
+TEST(TopographySpec_behaviour, reads_the_generators_arguments) {
   const auto parameters =
       parse_generator(" generated( rms=1.5 nm, hurst = 0.7,rolloff=250 nm, cutoff=25 nm, seed=42) ");
   EXPECT_DOUBLE_EQ(parameters.spectrum.rms, 1.5e-9);
@@ -27,7 +27,7 @@ TEST(TopographySpec, reads_the_generators_arguments) {
   EXPECT_EQ(parse_generator(parameters.text()).text(), parameters.text());
 }
 
-TEST(TopographySpec, refuses_by_the_name_of_the_key) {
+TEST(TopographySpec_behaviour, refuses_by_the_name_of_the_key) {
   const auto message = [](const std::string& spec) -> std::string {
     try {
       parse_generator(spec);
@@ -70,7 +70,7 @@ TEST(TopographySpec_analytic, the_size_of_a_generated_surface_follows_from_its_s
   EXPECT_THROW(generator_grid(parse_generator("generated(rms=1 nm, rolloff=200 nm, cutoff=20 nm, size=1 mm)")), InputError);
 }
 
-TEST(TopographySpec, an_rms_with_a_window_is_a_measured_one) {
+TEST(TopographySpec_analytic, an_rms_with_a_window_is_a_measured_one) {
   const auto measured = parse_generator("generated(rms=1.5 nm, window=2.5 um, rolloff=1 um, cutoff=40 nm)");
   EXPECT_DOUBLE_EQ(measured.window, 2.5e-6);
   EXPECT_EQ(parse_generator(measured.text()).text(), measured.text());
@@ -121,7 +121,7 @@ Topography written_scan() {
 
 }  // namespace
 
-TEST(ScanSpec, a_file_alone_or_with_what_it_does_not_say) {
+TEST(ScanSpec_behaviour, a_file_alone_or_with_what_it_does_not_say) {
   EXPECT_EQ(parse_scan("afm/surface 1.gsf").file, "afm/surface 1.gsf");
   EXPECT_EQ(parse_scan("scan(1).gsf").file, "scan(1).gsf");
   const ScanParameters scan = parse_scan("scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
@@ -138,7 +138,7 @@ TEST(ScanSpec, a_file_alone_or_with_what_it_does_not_say) {
     EXPECT_THROW(parse_scan(wrong), InputError) << wrong;
 }
 
-TEST(ScanSpec, the_centre_of_the_scan_is_the_centre_of_contact_and_its_plane_is_taken_off) {
+TEST(ScanSpec_analytic, the_centre_of_the_scan_is_the_centre_of_contact_and_its_plane_is_taken_off) {
   const test::TemporaryFolder folder;
   const Topography scan = written_scan();
   write_gsf(folder.path / "scan.gsf", scan);
@@ -148,7 +148,7 @@ TEST(ScanSpec, the_centre_of_the_scan_is_the_centre_of_contact_and_its_plane_is_
   EXPECT_NEAR(sampler.height(-10.5 * scan.dx(), 7.5 * scan.dy()), expected.at(29, 37), 1e-15);
 }
 
-TEST(ScanSpec, a_scan_smaller_than_the_region_is_refused_with_a_remedy_or_mirrored) {
+TEST(ScanSpec_behaviour, a_scan_smaller_than_the_region_is_refused_with_a_remedy_or_mirrored) {
   const test::TemporaryFolder folder;
   const Topography scan = written_scan();
   write_gsf(folder.path / "scan.gsf", scan);
@@ -181,7 +181,7 @@ TEST(ScanSpec_analytic, a_cutoff_takes_out_shorter_waves_and_leaves_longer_ones)
     for (const int iy : {0, 31, 99}) EXPECT_NEAR(smoothed.at(ix, iy), 2e-9 * cosine(ix, 4), 1e-15);
 }
 
-TEST(TopographySpec, says_how_rough_and_how_fine_a_surface_is_before_its_region_is_known) {
+TEST(TopographySpec_behaviour, says_how_rough_and_how_fine_a_surface_is_before_its_region_is_known) {
   EXPECT_EQ(topography_scales("smooth").rms, 0);
   EXPECT_TRUE(std::isinf(topography_scales("smooth").shortest_wave));
   const TopographyScales generated = topography_scales("generated(rms=1.5 nm, window=2.5 um, rolloff=500 nm, cutoff=72 nm)");
@@ -230,7 +230,7 @@ TEST(ScanSpec_analytic, a_scan_tells_the_mesh_down_to_which_wave_its_slopes_lie)
   EXPECT_NEAR(coarse.unresolved, 0.2, 0.03);
 }
 
-TEST(ScanSpec, a_text_file_without_scale_is_refused_until_size_and_unit_are_given) {
+TEST(ScanSpec_behaviour, a_text_file_without_scale_is_refused_until_size_and_unit_are_given) {
   const test::TemporaryFolder folder;
   std::string rows;
   for (int iy = 0; iy < 8; ++iy) {

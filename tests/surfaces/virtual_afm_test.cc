@@ -201,7 +201,7 @@ TEST(VirtualAfm_analytic, expected_Sq_and_its_scatter_are_those_of_many_windows)
   EXPECT_NEAR(Sq.error() * std::sqrt(values.size()), expected.sd, 0.15 * expected.sd);
 }
 
-TEST(VirtualAfm, refines_its_grid_for_a_cutoff_below_the_scans_pixels) {
+TEST(VirtualAfm_behaviour, refines_its_grid_for_a_cutoff_below_the_scans_pixels) {
   AfmSettings afm;
   EXPECT_EQ(afm_grid({1, 0.8, 200e-9, 20e-9}, afm).stride, 1);
   EXPECT_EQ(afm_grid({1, 0.8, 200e-9, 5e-9}, afm).stride, 2);
@@ -236,7 +236,7 @@ TEST(Tip_analytic, leaves_a_plane_and_rounds_a_spike) {
   }
 }
 
-TEST(Tip, under_which_the_calibrated_surface_still_measures_the_target) {
+TEST(Tip_analytic, under_which_the_calibrated_surface_still_measures_the_target) {
   AfmSettings afm;
   afm.size = 0.5e-6;
   afm.pixels = 128;
@@ -252,7 +252,7 @@ TEST(Tip, under_which_the_calibrated_surface_still_measures_the_target) {
   EXPECT_NEAR(Sq.mean(), 2e-9, 0.01 * 2e-9);
 }
 
-TEST(PossibleSpectra, says_which_published_pairs_a_gaussian_surface_can_have) {
+TEST(PossibleSpectra_behaviour, says_which_published_pairs_a_gaussian_surface_can_have) {
   RatioOptions options;
   options.hursts = {0.8};
   options.points = 4;

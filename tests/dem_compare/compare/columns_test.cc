@@ -54,12 +54,12 @@ TEST(FiniteElementColumn_analytic, partial_slip_stores_as_much_as_a_spring_of_fi
   EXPECT_NEAR(stiffness_to_sliding(history_of(solved), limit) / solved.lateral_stiffness(), 5.0 / 6, 1e-9);
 }
 
-TEST(FiniteElementColumn, has_no_stiffness_to_sliding_where_nothing_slides) {
+TEST(FiniteElementColumn_behaviour, has_no_stiffness_to_sliding_where_nothing_slides) {
   const SolvedFolder solved;
   EXPECT_TRUE(std::isnan(stiffness_to_sliding(history_of(solved), 10 * solved.friction * solved.load)));
 }
 
-TEST(FiniteElementColumn, reads_stiffness_friction_and_their_uncertainty_of_a_sliding_case) {
+TEST(FiniteElementColumn_analytic, reads_stiffness_friction_and_their_uncertainty_of_a_sliding_case) {
   const TemporaryFolder folder;
   const SolvedFolder solved;
   const auto points = points_of({write_solved(folder.path / "a", solved)});
@@ -70,7 +70,7 @@ TEST(FiniteElementColumn, reads_stiffness_friction_and_their_uncertainty_of_a_sl
   EXPECT_EQ(point(points, Quantity::normal_stiffness).realisations, 1);
 }
 
-TEST(FiniteElementColumn, takes_mean_and_scatter_over_realisations) {
+TEST(FiniteElementColumn_analytic, takes_mean_and_scatter_over_realisations) {
   const TemporaryFolder folder;
   SolvedFolder a, b;
   b.stiffness = 0.8;
@@ -82,7 +82,7 @@ TEST(FiniteElementColumn, takes_mean_and_scatter_over_realisations) {
   EXPECT_NEAR(k.sd / a.lateral_stiffness(), 0.2 / std::sqrt(2.0), 1e-12);
 }
 
-TEST(FiniteElementColumn, does_not_take_realisations_that_agree_by_chance_for_better_than_each_is_known) {
+TEST(FiniteElementColumn_analytic, does_not_take_realisations_that_agree_by_chance_for_better_than_each_is_known) {
   const TemporaryFolder folder;
   SolvedFolder a, b;
   b.roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=2)";
@@ -92,7 +92,7 @@ TEST(FiniteElementColumn, does_not_take_realisations_that_agree_by_chance_for_be
   EXPECT_NEAR(k.sd / a.lateral_stiffness(), 0.03, 1e-12);
 }
 
-TEST(FiniteElementColumn, gives_torsion_as_moment_over_load_and_radius) {
+TEST(FiniteElementColumn_analytic, gives_torsion_as_moment_over_load_and_radius) {
   const TemporaryFolder folder;
   SolvedFolder solved;
   solved.experiment = "torsion";
@@ -117,7 +117,7 @@ TEST(FiniteElementColumn_analytic, rolling_is_what_is_dissipated_and_not_the_mom
   EXPECT_GT(point(back, Quantity::rolling_stiffness).value, 0.5 * 3e-13 / (made.unit() / 20));
 }
 
-TEST(FiniteElementColumn, has_no_rolling_where_the_way_is_too_short_to_be_steady) {
+TEST(FiniteElementColumn_behaviour, has_no_rolling_where_the_way_is_too_short_to_be_steady) {
   const TemporaryFolder folder;
   test::MovingFolder made;
   made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
@@ -174,7 +174,7 @@ TEST(LawColumn_analytic, leaving_out_an_offset_leaves_the_coefficient_alone) {
   EXPECT_NEAR(rolling[1].value, 7.9e-4, 1e-12);
 }
 
-TEST(LawColumn, textbook_laws_keep_the_bodies_moduli_and_numbers_as_given_stand_beside_them) {
+TEST(LawColumn_analytic, textbook_laws_keep_the_bodies_moduli_and_numbers_as_given_stand_beside_them) {
   ComparedContact contact = paper_contact();
   contact.record->reduced_modulus->value *= 1.1;
   contact.record->reduced_shear_modulus->value *= 0.8;
@@ -190,7 +190,7 @@ TEST(LawColumn, textbook_laws_keep_the_bodies_moduli_and_numbers_as_given_stand_
   EXPECT_NEAR(closed_form(approach[1].engine->experiment).approach, approach[1].value, 1e-15);
 }
 
-TEST(LawColumn, says_why_there_is_no_number) {
+TEST(LawColumn_behaviour, says_why_there_is_no_number) {
   ComparedContact contact = paper_contact();
   contact.record.reset();
   contact.friction = 0;
@@ -217,7 +217,7 @@ TEST(PublishedColumn_other_code, gives_table_2_at_the_case_s_roughness_and_load_
   EXPECT_NEAR(paper().rail(Quantity::rail_force, paper_contact(), angle, 5e-4).value, 2.42e-3 * (1 + 57.8 / 500), 1e-9);
 }
 
-TEST(PublishedColumn, has_a_reason_where_the_case_is_not_the_papers) {
+TEST(PublishedColumn_behaviour, has_a_reason_where_the_case_is_not_the_papers) {
   const auto reason = [](Quantity quantity, const ComparedContact& contact, double at) {
     return paper().value(quantity, contact, at).reason;
   };
@@ -235,7 +235,7 @@ TEST(PublishedColumn, has_a_reason_where_the_case_is_not_the_papers) {
   EXPECT_EQ(reason(Quantity::sliding_friction, contact, load), "these bodies were not measured in the paper");
 }
 
-TEST(ComparedContact, knows_its_roughness_from_the_case_file) {
+TEST(ComparedContact_behaviour, knows_its_roughness_from_the_case_file) {
   EXPECT_DOUBLE_EQ(rms_of_topography("generated(rms=1.5 nm, hurst=0.8, seed=3)"), 1.5e-9);
   EXPECT_EQ(rms_of_topography("smooth"), 0);
   EXPECT_TRUE(std::isnan(rms_of_topography("wafer.gsf")));
@@ -271,7 +271,7 @@ TEST(EngineColumn_other_code, lammps_gives_the_number_of_every_law_within_one_pe
   EXPECT_EQ(column.failure(), "");
 }
 
-TEST(EngineColumn, that_is_missing_says_so_once_and_gives_no_numbers) {
+TEST(EngineColumn_behaviour, that_is_missing_says_so_once_and_gives_no_numbers) {
   const TemporaryFolder folder;
   EngineRunOptions options;
   options.program = "no-such-lmp";
@@ -286,7 +286,7 @@ TEST(EngineColumn, that_is_missing_says_so_once_and_gives_no_numbers) {
             "'./quickstart --engines', or name it with --program");
 }
 
-TEST(EngineColumn, that_was_not_asked_for_says_how_to_ask) {
+TEST(EngineColumn_behaviour, that_was_not_asked_for_says_how_to_ask) {
   EngineColumn column("", "");
   const ComparedValue value = column.value(law_values(Quantity::approach, paper_contact(), load).front());
   EXPECT_EQ(value.reason, "no engine was asked for (--engine lammps or yade)");

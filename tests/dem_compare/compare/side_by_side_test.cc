@@ -99,7 +99,7 @@ TEST(SideBySide_analytic, the_no_slip_law_overstates_partial_slip_by_a_fifth) {
             "at 100 uN (too little by 0.0 ± 3.0 %).");
 }
 
-TEST(SideBySide, cases_at_several_loads_make_one_verdict) {
+TEST(SideBySide_behaviour, cases_at_several_loads_make_one_verdict) {
   SolvedFolder low, high;
   low.roughness = high.roughness = "smooth";
   low.stiffness = 1 / 1.12;
@@ -113,7 +113,7 @@ TEST(SideBySide, cases_at_several_loads_make_one_verdict) {
   EXPECT_NE(to_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"), std::string::npos);
 }
 
-TEST(SideBySide, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
+TEST(SideBySide_behaviour, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
   SolvedFolder low, high;
   low.title = "sliding, 1.5 nm";
   high.title = "sliding, 1.5 nm 400 uN";
@@ -136,7 +136,7 @@ TEST(SideBySide_analytic, the_papers_torsion_stiffness_is_a_thousand_times_that_
             std::string::npos);
 }
 
-TEST(SideBySide, a_contact_of_other_roughness_does_not_borrow_the_records_numbers) {
+TEST(SideBySide_behaviour, a_contact_of_other_roughness_does_not_borrow_the_records_numbers) {
   SolvedFolder rough;
   rough.roughness = "generated(rms=1.5 nm, seed=1)";
   rough.friction = 0.4;
@@ -182,14 +182,14 @@ TEST(SideBySide_other_code, each_roughness_has_the_numbers_given_for_it) {
   EXPECT_FALSE(says(compared.result, "None of the solved cases"));
 }
 
-TEST(SideBySide, without_parameters_says_what_to_add) {
+TEST(SideBySide_behaviour, without_parameters_says_what_to_add) {
   Compared compared;
   compare(compared, {SolvedFolder{}}, {});
   EXPECT_TRUE(says(compared.result, "add --parameters FILE"));
   EXPECT_TRUE(says(compared.result, "without finite elements: rolling, torsion"));
 }
 
-TEST(SideBySide, json_and_csv_have_values_reasons_ratios_and_verdicts) {
+TEST(SideBySide_behaviour, json_and_csv_have_values_reasons_ratios_and_verdicts) {
   Compared compared;
   compare(compared, {SolvedFolder{}}, {silicon});
   const auto json = to_json(compared.result);

@@ -59,7 +59,7 @@ TEST(CaseNumbers_analytic, count_on_the_finest_mesh_that_all_contacts_have) {
   EXPECT_EQ(numbers[mixed[3]].spacing, 0.03);
 }
 
-TEST(CaseNumbers, of_one_realisation_on_one_mesh_know_neither) {
+TEST(CaseNumbers_behaviour, of_one_realisation_on_one_mesh_know_neither) {
   const std::vector<CaseNumber> numbers{number(1, "a", 0.01, 0), number(2, "a", 0.01, 0)};
   EXPECT_FALSE(realisation_scatter(numbers));
   EXPECT_FALSE(mesh_doubt(numbers));

@@ -187,7 +187,7 @@ TEST(Derivation_analytic, lets_a_second_radius_tell_the_length_that_its_loads_ca
   }
 }
 
-TEST(Derivation, passes_over_cells_that_are_not_known) {
+TEST(Derivation_behaviour, passes_over_cells_that_are_not_known) {
   std::mt19937 random(10);
   Truth exact;
   exact.noise = 0;
@@ -257,7 +257,7 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
   EXPECT_NEAR(modulus.sd / hertz.reduced_modulus, 0.1, 1e-5);
 }
 
-TEST(Derivation, says_that_material_yielded) {
+TEST(Derivation_behaviour, says_that_material_yielded) {
   std::mt19937 random(14);
   ParameterSet set = make_set({}, wide, 1, random);
   EXPECT_EQ(to_text(derive_parameters(set)).find("yielded"), std::string::npos);
@@ -271,7 +271,7 @@ TEST(Derivation, says_that_material_yielded) {
   EXPECT_EQ(derivation.parameters.derivation["normal"]["yielded"]["cases"], 1);
 }
 
-TEST(Derivation, says_what_one_load_cannot_tell) {
+TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
   std::mt19937 random(3);
   const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
   EXPECT_EQ(derivation.parameters.sliding_offset->value, 0);
@@ -283,7 +283,7 @@ TEST(Derivation, says_what_one_load_cannot_tell) {
   EXPECT_NE(text.find("scatter between realisations"), std::string::npos) << text;
 }
 
-TEST(Derivation, is_read_back_as_it_was_written) {
+TEST(Derivation_behaviour, is_read_back_as_it_was_written) {
   std::mt19937 random(4);
   const TemporaryFolder folder;
   const ContactParameters written = derive_parameters(make_set({}, wide, 1, random)).parameters;
@@ -316,7 +316,7 @@ void write_case(const std::filesystem::path& folder, const SolvedCase& solved, c
   if (finished) std::ofstream(folder / "result.json") << result.dump();
 }
 
-TEST(ParameterSets, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
+TEST(ParameterSets_behaviour, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
   std::mt19937 random(5);
   const TemporaryFolder folder;
   write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
@@ -337,7 +337,7 @@ TEST(ParameterSets, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
 }
 
 /// As a study writes its second realisation.
-TEST(ParameterSets, hold_realisations_whose_lengths_are_written_in_other_units) {
+TEST(ParameterSets_behaviour, hold_realisations_whose_lengths_are_written_in_other_units) {
   std::mt19937 random(6);
   const TemporaryFolder folder;
   SolvedCase first = make_case({}, "sliding", 1e-4, 1, random), second = first;
@@ -350,7 +350,7 @@ TEST(ParameterSets, hold_realisations_whose_lengths_are_written_in_other_units) 
   EXPECT_EQ(found.sets[0].cases.size(), 2u);
 }
 
-TEST(ParameterSets, with_friction_take_frictionless_cases_of_the_same_bodies_for_their_normal_law) {
+TEST(ParameterSets_behaviour, with_friction_take_frictionless_cases_of_the_same_bodies_for_their_normal_law) {
   std::mt19937 random(7);
   const TemporaryFolder folder;
   write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
@@ -365,7 +365,7 @@ TEST(ParameterSets, with_friction_take_frictionless_cases_of_the_same_bodies_for
   EXPECT_NE(found.remarks.back().find("count for the set(s) with friction"), std::string::npos);
 }
 
-TEST(ParameterSets, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
+TEST(ParameterSets_behaviour, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
   std::mt19937 random(6);
   const TemporaryFolder folder;
   EXPECT_NE(test::message_of<InputError>([&] {

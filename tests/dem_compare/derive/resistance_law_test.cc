@@ -51,7 +51,7 @@ TEST(ResistanceLaw_analytic, passes_through_exact_resistances) {
   EXPECT_EQ(law.loads.high, 3e-3);
 }
 
-TEST(ResistanceLaw, from_one_load_has_no_offset) {
+TEST(ResistanceLaw_behaviour, from_one_load_has_no_offset) {
   std::mt19937 random(1);
   const ResistanceLaw law = fit_resistance(measure({0.23, 0, 0.01, 0, 0}, {1e-4}, 1, none, random), none);
   EXPECT_FALSE(law.has_offset);

@@ -47,7 +47,7 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
 }
 
 /// Energies are there, but no steady stretch: the moment of hills must not stand in.
-TEST(RollingDerivation, of_a_way_too_short_is_not_told) {
+TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   const test::TemporaryFolder root;
   test::MovingFolder made;
   made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;

@@ -59,7 +59,7 @@ TEST(RollingStiffness_analytic, counts_up_to_half_the_width_of_the_loop) {
   EXPECT_NEAR(rolling_stiffness(angle, moment, resistance).value, stiffness, 1e-9 * stiffness);
 }
 
-TEST(RollingStiffness, needs_a_turn_and_three_rows_after_it) {
+TEST(RollingStiffness_behaviour, needs_a_turn_and_three_rows_after_it) {
   const Rolled straight = there_and_back(0);
   EXPECT_TRUE(std::isnan(rolling_stiffness(straight.angle, straight.moment, resistance).value));
   const Rolled brief = there_and_back(0.0025);

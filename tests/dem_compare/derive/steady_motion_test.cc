@@ -77,7 +77,7 @@ TEST(SteadyMotion_analytic, of_torsion_with_partial_slip_gives_full_slip_and_the
   EXPECT_NEAR(reversal.value / no_slip_torsion_stiffness(15e9, 0.26e-6), 1, 2e-3);
 }
 
-TEST(SteadyMotion, that_never_slips_fully_has_no_steady_resistance) {
+TEST(SteadyMotion_behaviour, that_never_slips_fully_has_no_steady_resistance) {
   const Sliding law;
   const Loop data = loop(law, law.slip_way() / 20, 0.5 * law.slip_way(), 1);
   EXPECT_FALSE(steady(data).reached());
@@ -85,7 +85,7 @@ TEST(SteadyMotion, that_never_slips_fully_has_no_steady_resistance) {
       std::isnan(reversal_stiffness(data.position, data.resistance, law.limit, sliding_partial_slip).value));
 }
 
-TEST(SteadyMotion, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
+TEST(SteadyMotion_behaviour, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
   const auto legs = motion_legs({0, 1e-12, -1e-12, 1, 2, 3, 2.5, 2.5, 1, 1.5});
   ASSERT_EQ(legs.size(), 3u);
   EXPECT_EQ(legs[0].first, 2u);
@@ -97,7 +97,7 @@ TEST(SteadyMotion, legs_are_parted_at_reversals_and_rest_belongs_to_none) {
   EXPECT_EQ(legs[2].last, 9u);
 }
 
-TEST(SteadyMotion, that_counts_resistance_with_the_other_sign_has_the_same_mean) {
+TEST(SteadyMotion_analytic, that_counts_resistance_with_the_other_sign_has_the_same_mean) {
   const Sliding law;
   Loop data = loop(law, law.slip_way() / 10, 60e-9);
   const double mean = steady(data).resistance().value;
@@ -105,7 +105,7 @@ TEST(SteadyMotion, that_counts_resistance_with_the_other_sign_has_the_same_mean)
   EXPECT_DOUBLE_EQ(steady(data).resistance().value, mean);
 }
 
-TEST(SteadyMotion, that_still_rises_is_said_to_change) {
+TEST(SteadyMotion_behaviour, that_still_rises_is_said_to_change) {
   const Sliding law;
   const Loop data =
       loop([&](double x) { return law(x) * (1 + 0.1 * x / 60e-9); }, law.slip_way() / 10, 60e-9);

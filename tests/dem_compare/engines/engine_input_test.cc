@@ -217,7 +217,7 @@ TEST(EngineInput_analytic, coefficients_carry_the_lever_arms_of_each_engine) {
   EXPECT_CONTAINS(engine_input("lammps", p, options), "\npair_coeff 1 2 hertz");
 }
 
-TEST(EngineInput, header_says_what_an_engine_cannot_express_with_errors_at_both_ends) {
+TEST(EngineInput_behaviour, header_says_what_an_engine_cannot_express_with_errors_at_both_ends) {
   const ContactParameters p = read_contact_parameters(test::paper_run("parameters_silicon.json"));
   const std::string lammps = engine_input("lammps", p, {});
   // C (1 + h/f) at 100 uN and 3 mN is 6.714 and 1.190 C: the balanced number is 2/(1/6.714 + 1/1.190) = 2.022 C.
@@ -230,14 +230,14 @@ TEST(EngineInput, header_says_what_an_engine_cannot_express_with_errors_at_both_
   EXPECT_CONTAINS(engine_input("kratos", p, {}), "spin included");
 }
 
-TEST(EngineInput, load_outside_of_the_fitted_ones_is_said_to_be_outside) {
+TEST(EngineInput_behaviour, load_outside_of_the_fitted_ones_is_said_to_be_outside) {
   EngineInputOptions options;
   options.load = 5e-4;
   EXPECT_CONTAINS(engine_input("lammps", read_contact_parameters(test::paper_run("parameters_silicon.json")), options),
                   "-8.6 % at 0.0001 N; 0.0005 N lies outside of the loads it was fitted on");
 }
 
-TEST(EngineInput, length_scale_that_grows_with_the_contact_is_fixed_and_said_to_be) {
+TEST(EngineInput_behaviour, length_scale_that_grows_with_the_contact_is_fixed_and_said_to_be) {
   ContactParameters p = test::canonical_contact();
   p.rolling_friction->length_scale = LengthScale::contact_radius;
   EXPECT_CONTAINS(message_of<InputError>([&] { engine_input("lammps", p, {}); }), "give the load at which it shall be right with --load");
@@ -247,7 +247,7 @@ TEST(EngineInput, length_scale_that_grows_with_the_contact_is_fixed_and_said_to_
                   "rolling limit, whose length scale grows with the contact radius and is fixed here: +50.0 % at 0.0001 N, -50.0 % at 0.0027 N");
 }
 
-TEST(EngineInput, shear_stiffness_that_no_Poisson_ratio_gives_is_said_to_be_out_of_reach) {
+TEST(EngineInput_behaviour, shear_stiffness_that_no_Poisson_ratio_gives_is_said_to_be_out_of_reach) {
   ContactParameters p = test::canonical_contact();
   EXPECT_EQ(engine_input("liggghts", p, {}).find("lateral stiffness, which follows"), std::string::npos);
   p.reduced_shear_modulus->value = 1.2096e9;  // the published loop's slope: a tenth of Mindlin's
@@ -256,7 +256,7 @@ TEST(EngineInput, shear_stiffness_that_no_Poisson_ratio_gives_is_said_to_be_out_
   EXPECT_CONTAINS(engine_input("liggghts", p, {}), "E and nu are those of two equal bodies");
 }
 
-TEST(EngineInput, names_the_engine_that_was_meant) {
+TEST(EngineInput_behaviour, names_the_engine_that_was_meant) {
   EXPECT_EQ(message_of<InputError>([] { engine_input("ligghts", test::canonical_contact(), {}); }),
             "there is no engine 'ligghts'; did you mean 'liggghts'?");
 }

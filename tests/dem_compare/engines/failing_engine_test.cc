@@ -31,7 +31,7 @@ std::string message(const Engine& engine, const std::string& shell, std::chrono:
   return text;
 }
 
-TEST(FailingEngine, that_is_missing_is_named_with_the_package_to_install) {
+TEST(FailingEngine_behaviour, that_is_missing_is_named_with_the_package_to_install) {
   EngineRunOptions options;
   options.program = "no-such-engine";
   const TemporaryFolder folder;
@@ -41,19 +41,19 @@ TEST(FailingEngine, that_is_missing_is_named_with_the_package_to_install) {
                   "'./quickstart --engines', or name it with --program");
 }
 
-TEST(FailingEngine, lammps_is_quoted_with_its_own_error) {
+TEST(FailingEngine_behaviour, lammps_is_quoted_with_its_own_error) {
   const std::string text = message(Lammps(), "echo 'LAMMPS (1 Jan 2030)'; echo 'ERROR: Unrecognized fix style (src/modify.cpp:900)'; exit 1");
   EXPECT_CONTAINS(text, "LAMMPS failed: \"ERROR: Unrecognized fix style (src/modify.cpp:900)\"");
   EXPECT_CONTAINS(text, "use that one, or name it with --program");
   EXPECT_CONTAINS(text, "engine.log");
 }
 
-TEST(FailingEngine, lammps_without_its_granular_package_is_said_to_lack_it) {
+TEST(FailingEngine_behaviour, lammps_without_its_granular_package_is_said_to_lack_it) {
   const std::string text = message(Lammps(), "echo \"ERROR: Unrecognized pair style 'granular'\"; exit 1");
   EXPECT_CONTAINS(text, "lacks the GRANULAR package");
 }
 
-TEST(FailingEngine, yade_is_quoted_with_the_last_line_of_its_traceback) {
+TEST(FailingEngine_behaviour, yade_is_quoted_with_the_last_line_of_its_traceback) {
   const std::string text = message(
       Yade(), "echo 'Welcome to Yade 1.0'; echo 'Traceback (most recent call last):'; echo '  File \"a.py\", line 1'; "
               "echo \"NameError: name 'Ip2_FrictMat_FrictMat_MindlinPhys' is not defined\"; exit 1");
@@ -61,12 +61,12 @@ TEST(FailingEngine, yade_is_quoted_with_the_last_line_of_its_traceback) {
   EXPECT_CONTAINS(text, "lacks the Hertz-Mindlin law");
 }
 
-TEST(FailingEngine, that_ends_with_a_status_alone_is_reported_with_it) {
+TEST(FailingEngine_behaviour, that_ends_with_a_status_alone_is_reported_with_it) {
   EXPECT_CONTAINS(message(Lammps(), "exit 7"), "LAMMPS failed with exit status 7");
   EXPECT_CONTAINS(message(Yade(), "kill -SEGV $$"), "YADE failed with exit status 139");
 }
 
-TEST(FailingEngine, that_writes_nothing_or_something_else_is_not_believed) {
+TEST(FailingEngine_behaviour, that_writes_nothing_or_something_else_is_not_believed) {
   EXPECT_CONTAINS(message(Lammps(), "exit 0"), "ended without an error but did not write what was asked for");
   EXPECT_CONTAINS(message(Lammps(), "echo 'a,b\n1,2' > trace.csv"), "leg");
   const std::string header = "echo '" + trace_header() + "' > trace.csv; ";
@@ -74,28 +74,28 @@ TEST(FailingEngine, that_writes_nothing_or_something_else_is_not_believed) {
   EXPECT_CONTAINS(message(Lammps(), header + "echo 0,1,1,nan,1,1,1,1 >> trace.csv"), "response");
 }
 
-TEST(FailingEngine, that_does_not_end_is_stopped) {
+TEST(FailingEngine_behaviour, that_does_not_end_is_stopped) {
   EXPECT_CONTAINS(message(Lammps(), "sleep 100", std::chrono::seconds(1)), "did not end within 1 s and was stopped");
 }
 
-TEST(FailingEngine, name_that_is_misspelt_is_corrected) {
+TEST(FailingEngine_behaviour, name_that_is_misspelt_is_corrected) {
   EXPECT_EQ(message_of<InputError>([] { make_engine("lamps"); }), "asperity cannot run an engine 'lamps'; did you mean 'lammps'?");
   EXPECT_EQ(message_of<InputError>([] { engine_experiment_type("roling"); }), "there is no experiment 'roling'; did you mean 'rolling'?");
 }
 
-TEST(EnginePlan, refuses_an_amplitude_that_does_not_reach_sliding) {
+TEST(EnginePlan_behaviour, refuses_an_amplitude_that_does_not_reach_sliding) {
   EngineExperiment e = canonical_experiment(Type::glued);
   e.amplitude = 1e-9;
   EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "an amplitude of 1 nm does not reach all the limits");
 }
 
-TEST(EnginePlan, asks_for_a_rail_long_enough_for_soft_torsion_to_reach_its_limit) {
+TEST(EnginePlan_behaviour, asks_for_a_rail_long_enough_for_soft_torsion_to_reach_its_limit) {
   EngineExperiment e = rail_experiment(45);
   e.substrate.torsion_stiffness->value = 1.37e-9;  // no slip, a thousandth of the canonical one
   EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "does not reach all the limits of this contact; take at least");
 }
 
-TEST(EnginePlan, says_which_quantity_an_experiment_lacks) {
+TEST(EnginePlan_behaviour, says_which_quantity_an_experiment_lacks) {
   EngineExperiment e = canonical_experiment(Type::rolling);
   e.indenter.rolling_friction.reset();
   EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "has no 'rolling_friction'");

@@ -24,7 +24,7 @@ std::string refusal(const Json& json) {
   return message_of<InputError>([&] { parse_contact_parameters(json, "p.json"); });
 }
 
-TEST(ContactParameters, of_the_paper_are_read_with_their_uncertainty_and_load_range) {
+TEST(ContactParameters_behaviour, of_the_paper_are_read_with_their_uncertainty_and_load_range) {
   const ContactParameters p = read_contact_parameters(test::paper_run("parameters_silicon.json"));
   EXPECT_DOUBLE_EQ(p.particle.radius, 8.5e-6);
   EXPECT_TRUE(p.target.is_plane());
@@ -59,7 +59,7 @@ TEST(ContactParameters_other_code, shipped_for_each_surface_are_those_of_table_2
   }
 }
 
-TEST(ContactParameters, survive_writing_and_reading) {
+TEST(ContactParameters_behaviour, survive_writing_and_reading) {
   const test::TemporaryFolder folder;
   const ContactParameters p = read_contact_parameters(test::paper_run("parameters_diamond.json"));
   write_contact_parameters(p, folder.path / "parameters.json");
@@ -83,7 +83,7 @@ TEST(ContactParameters_analytic, limits_and_stiffnesses_follow_their_laws) {
   EXPECT_DOUBLE_EQ(p.effective_radius(), p.particle.radius / 2);
 }
 
-TEST(ContactParameters, refuse_an_unknown_key_and_name_the_right_one) {
+TEST(ContactParameters_behaviour, refuse_an_unknown_key_and_name_the_right_one) {
   Json json = shipped();
   json["quantities"]["rolling_fricton"] = json["quantities"]["rolling_friction"];
   EXPECT_EQ(refusal(json), "p.json: there is no 'rolling_fricton' in 'quantities'; did you mean 'rolling_friction'?");
@@ -92,7 +92,7 @@ TEST(ContactParameters, refuse_an_unknown_key_and_name_the_right_one) {
   EXPECT_CONTAINS(refusal(json), "did you mean 'radius'?");
 }
 
-TEST(ContactParameters, refuse_what_cannot_be_meant) {
+TEST(ContactParameters_behaviour, refuse_what_cannot_be_meant) {
   Json json = shipped();
   json["format"] = "asperity-parameters/2";
   EXPECT_CONTAINS(refusal(json), "reads 'asperity-parameters/1'");
@@ -119,13 +119,13 @@ TEST(ContactParameters, refuse_what_cannot_be_meant) {
   EXPECT_CONTAINS(refusal(json), "no 'reduced_shear_modulus'");
 }
 
-TEST(ContactParameters, say_which_line_is_not_JSON) {
+TEST(ContactParameters_behaviour, say_which_line_is_not_JSON) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\n\"format\": \"asperity-parameters/1\",\n oops\n}");
   EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }), file.string() + ":3: this is not JSON here; correct it or write it again");
 }
 
-TEST(ContactParameters, say_which_quantity_a_law_lacks) {
+TEST(ContactParameters_behaviour, say_which_quantity_a_law_lacks) {
   ContactParameters p = test::canonical_contact();
   p.rolling_stiffness.reset();
   EXPECT_CONTAINS(message_of<InputError>([&] { p.rolling_stiffness_at(1e-4); }), "'quantities' has no 'rolling_stiffness'");

@@ -78,7 +78,7 @@ TEST(DynamicRail_analytic, resistance_and_motion_agree_with_the_quasi_static_one
   expect_agreement(simulate_dynamic(particle, program, options), simulate_quasi_static(particle, program));
 }
 
-TEST(DynamicGluedSphere, halving_the_time_step_changes_nothing_that_matters) {
+TEST(DynamicGluedSphere_behaviour, halving_the_time_step_changes_nothing_that_matters) {
   const SingleParticle particle = glued_sphere(damped(contact_on(silicon)));
   LoopProgram program;
   program.amplitude = 20e-9;
@@ -127,7 +127,7 @@ TEST(Viscous_other_code, the_papers_coefficient_gives_0989_and_not_097) {
   EXPECT_NEAR(restitution(0.0062, 0.1), 0.989, 5e-4);
 }
 
-TEST(Dynamic, a_speed_of_zero_is_refused) {
+TEST(Dynamic_behaviour, a_speed_of_zero_is_refused) {
   DynamicOptions options;
   options.speed = 0;
   EXPECT_THROW(simulate_dynamic(glued_sphere(model_of(contact_on(silicon))), LoopProgram{}, options), InputError);

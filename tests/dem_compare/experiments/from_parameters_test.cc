@@ -74,7 +74,7 @@ TEST(FromParameters_analytic, a_sphere_in_a_rail_agrees_with_the_closed_form_at_
   }
 }
 
-TEST(FromParameters, given_stiffnesses_and_lengths_are_used_as_the_file_means_them) {
+TEST(FromParameters_analytic, given_stiffnesses_and_lengths_are_used_as_the_file_means_them) {
   ContactParameters record = silicon();
   record.lateral_stiffness = number(2219);
   record.lateral_stiffness->at_load = 1e-4;
@@ -92,7 +92,7 @@ TEST(FromParameters, given_stiffnesses_and_lengths_are_used_as_the_file_means_th
   EXPECT_THROW(contact_model(record), InputError);
 }
 
-TEST(FromParameters, pull_off_force_adds_to_the_pressure_of_the_contact_only_where_it_is_asked_for) {
+TEST(FromParameters_analytic, pull_off_force_adds_to_the_pressure_of_the_contact_only_where_it_is_asked_for) {
   ContactParameters record = silicon();
   record.pull_off_force = number(3.2e-6);
   ReducedLawOptions adhesive;

@@ -187,7 +187,7 @@ TEST(Rail_analytic, histories_that_follow_half_the_torsion_unload_the_flanks_a_l
   EXPECT_GT(flank_load(HistorySpin::mean_of_bodies), 1 - 5e-4);
 }
 
-TEST(LoopProgram, stations_end_at_each_reversal_and_are_dense_after_it) {
+TEST(LoopProgram_behaviour, stations_end_at_each_reversal_and_are_dense_after_it) {
   LoopProgram program;
   program.cycles = 2;
   const auto stations = loop_stations(program, 1e-11);
@@ -209,7 +209,7 @@ TEST(LoopProgram, stations_end_at_each_reversal_and_are_dense_after_it) {
   EXPECT_THROW(loop_stations(program, 1e-11), InputError);
 }
 
-TEST(FrictionLoop, table_has_a_row_per_step_and_a_column_per_quantity_of_each_contact) {
+TEST(FrictionLoop_behaviour, table_has_a_row_per_step_and_a_column_per_quantity_of_each_contact) {
   StandardContact below = on_silicon(), above = on_diamond();
   below.rolling = above.rolling = {5e-3, 0};
   const FrictionLoop loop = simulate_rolling_sphere(model_of(below), model_of(above), LoopProgram{});
@@ -220,13 +220,13 @@ TEST(FrictionLoop, table_has_a_row_per_step_and_a_column_per_quantity_of_each_co
     EXPECT_NE(text.find(name), std::string::npos) << name;
 }
 
-TEST(FrictionLoop, a_path_without_reversal_has_no_loop_numbers) {
+TEST(FrictionLoop_behaviour, a_path_without_reversal_has_no_loop_numbers) {
   LoopProgram program;
   program.cycles = 0;
   EXPECT_THROW(measure(simulate_glued_sphere(model_of(on_silicon()), program)), InputError);
 }
 
-TEST(SingleParticle, experiments_without_any_resistance_and_rails_without_flanks_are_refused) {
+TEST(SingleParticle_behaviour, experiments_without_any_resistance_and_rails_without_flanks_are_refused) {
   StandardContact bare = on_silicon();
   bare.sliding = {0, 0};
   EXPECT_THROW(simulate_glued_sphere(model_of(bare), LoopProgram{}), InputError);

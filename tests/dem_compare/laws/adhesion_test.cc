@@ -187,7 +187,7 @@ TEST(HertzOffset_analytic, attraction_shifts_the_force_and_keeps_the_radius) {
   EXPECT_NEAR(with.advance({}, with.approach(1e-4)).force, 1e-4, 1e-16);
 }
 
-TEST(NormalLaw, any_law_inverts_its_force) {
+TEST(NormalLaw_analytic, any_law_inverts_its_force) {
   for (const NormalLaw& law : {NormalLaw(HertzOffset{modulus, radius, 3e-6}), NormalLaw(LinearNormal{2e4, radius, 3e-6}),
                                NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08}),
                                NormalLaw(MaugisDugdale{modulus, radius, 0.08, 4e8})}) {

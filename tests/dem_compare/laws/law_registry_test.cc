@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-TEST(LawRegistry, every_law_states_equation_source_validity_and_its_parameters_with_bounds) {
+TEST(LawRegistry_behaviour, every_law_states_equation_source_validity_and_its_parameters_with_bounds) {
   std::set<std::string> names;
   for (const LawDescription& law : reduced_laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name;
@@ -25,7 +25,7 @@ TEST(LawRegistry, every_law_states_equation_source_validity_and_its_parameters_w
     EXPECT_TRUE(names.count(name)) << name;
 }
 
-TEST(LawRegistry, manual_page_names_every_law_and_parameter) {
+TEST(LawRegistry_behaviour, manual_page_names_every_law_and_parameter) {
   const std::string page = reduced_laws_manual();
   for (const LawDescription& law : reduced_laws()) {
     EXPECT_NE(page.find("`" + law.name + "`"), std::string::npos);
@@ -33,13 +33,13 @@ TEST(LawRegistry, manual_page_names_every_law_and_parameter) {
   }
 }
 
-TEST(LawRegistry, the_shipped_manual_page_is_the_present_one) {
+TEST(LawRegistry_behaviour, the_shipped_manual_page_is_the_present_one) {
   const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
   EXPECT_EQ(read_file(root / "docs" / "reduced_laws.md"), reduced_laws_manual())
       << "write it anew: asperity laws > docs/reduced_laws.md";
 }
 
-TEST(LawRegistry, parameters_are_read_and_set_by_name_within_their_bounds) {
+TEST(LawRegistry_behaviour, parameters_are_read_and_set_by_name_within_their_bounds) {
   Jkr law{50e9, 8.5e-6, 0.08};
   jkr_entry.set(law, "work_of_adhesion", 0.1);
   EXPECT_EQ(law.work_of_adhesion, 0.1);
@@ -49,7 +49,7 @@ TEST(LawRegistry, parameters_are_read_and_set_by_name_within_their_bounds) {
   jkr_entry.check(law);
 }
 
-TEST(LawRegistry, an_unknown_name_is_refused_with_the_nearest_one) {
+TEST(LawRegistry_behaviour, an_unknown_name_is_refused_with_the_nearest_one) {
   try {
     reduced_law("mindlinn");
     FAIL() << "accepted";

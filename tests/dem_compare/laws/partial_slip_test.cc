@@ -248,7 +248,7 @@ TEST(PartialSlip_analytic, closed_cycles_of_load_and_shear_never_give_energy) {
   }
 }
 
-TEST(PartialSlip, force_and_history_turn_with_the_contact) {
+TEST(PartialSlip_analytic, force_and_history_turn_with_the_contact) {
   Contact contact;
   contact.press(load);
   contact.lead(load, 0.7 * unit_shift());
@@ -262,7 +262,7 @@ TEST(PartialSlip, force_and_history_turn_with_the_contact) {
   EXPECT_LT((both - turn * plain).norm(), 1e-12 * mu * load);
 }
 
-TEST(PartialSlip, shear_that_turns_converges_with_the_step_and_keeps_its_limit) {
+TEST(PartialSlip_behaviour, shear_that_turns_converges_with_the_step_and_keeps_its_limit) {
   const auto circle = [&](int steps) {
     Contact contact;
     contact.press(load);
@@ -334,7 +334,7 @@ TEST(Mindlin_analytic, plain_increments_create_energy_where_rescaling_on_unloadi
   EXPECT_NEAR(work_of_cycle(rescaled) / ((high - low) * 1e-20 / 2), 1, 1e-10);
 }
 
-TEST(SlidingLaw, a_contact_that_opened_forgets) {
+TEST(SlidingLaw_behaviour, a_contact_that_opened_forgets) {
   const NormalState closed = hertz.advance({}, hertz.approach(load)), open = hertz.advance(closed, -1e-9);
   for (const SlidingLaw& any : {SlidingLaw(no_slip), SlidingLaw(law), SlidingLaw(LinearSliding{1e4, {mu, 0}})}) {
     SlidingHistory history = advance(any, {}, closed, 0.3e-9 * Vector3d::UnitX());

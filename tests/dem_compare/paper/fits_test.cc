@@ -56,7 +56,7 @@ TEST(PaperFits_analytic, standard_errors_of_friction_and_offset_are_the_scatter_
   EXPECT_LT(fit.correlation, 0);
 }
 
-TEST(PaperFits, friction_needs_three_points) {
+TEST(PaperFits_behaviour, friction_needs_three_points) {
   EXPECT_NE(message_of<InputError>([] { fit_friction({{1, {1}}, {2, {2}}}, [](double) { return 1.0; }); }).find("needs three points"),
             std::string::npos);
 }
@@ -92,7 +92,7 @@ TEST(PaperFits_analytic, exponential_goes_through_three_points_and_finds_itself_
   EXPECT_LT(six.d.sd, three.d.sd);
 }
 
-TEST(PaperFits, exponential_refuses_points_that_do_not_decay) {
+TEST(PaperFits_behaviour, exponential_refuses_points_that_do_not_decay) {
   EXPECT_NE(message_of<WorkError>([] { fit_exponential({{0}, {1}, {2}}, {{3}, {2}, {0}}); }).find("no decaying exponential"), std::string::npos);
   EXPECT_NE(message_of<InputError>([] { fit_exponential({{0}, {1}}, {{3}, {2}}); }).find("three points or more"), std::string::npos);
 }

@@ -179,7 +179,7 @@ TEST(PaperMagnitudes_other_code, ratios_of_forces_and_offsets) {
   EXPECT_NEAR(computed(in, "friction at the diamond below which it would slide first"), 0.005, 5e-4);
 }
 
-TEST(Paper, every_figure_has_curves_of_equal_length_without_gaps) {
+TEST(Paper_behaviour, every_figure_has_curves_of_equal_length_without_gaps) {
   ASSERT_EQ(analysis().curves.size(), 11u);
   for (const auto& curve : analysis().curves) {
     ASSERT_EQ(curve.columns.size(), curve.values.size()) << curve.name;
@@ -202,7 +202,7 @@ TEST(Paper_analytic, partial_slip_loop_has_mindlins_slope_after_reversal_and_sli
   }
 }
 
-TEST(Paper, text_shows_remarks_beside_numbers_and_json_and_csv_hold_all_of_them) {
+TEST(Paper_behaviour, text_shows_remarks_beside_numbers_and_json_and_csv_hold_all_of_them) {
   const std::string text = paper_text(analysis());
   for (const char* part : {"Table 1", "Table 2", "Mindlin's G* has (2 - nu)", "mu_s belongs inside of the fraction", "+6.81", "fig_rail_2.csv",
                            "1.36 GPa would need", "a negative offset has no meaning", "it uses eq:barmuro", "it is mu_s^to",
@@ -219,7 +219,7 @@ TEST(Paper, text_shows_remarks_beside_numbers_and_json_and_csv_hold_all_of_them)
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), analysis().sections[1].numbers.size() + 1);
 }
 
-TEST(Paper, refuses_published_numbers_that_are_not_there) {
+TEST(Paper_behaviour, refuses_published_numbers_that_are_not_there) {
   const test::TemporaryFolder folder;
   EXPECT_NE(test::message_of<InputError>([&] { read_published(folder.path); }).find("bodies.csv"), std::string::npos);
   EXPECT_NE(test::message_of<InputError>([] { published().quoted("torsion_q"); }).find("there is no quantity 'torsion_q'"), std::string::npos);

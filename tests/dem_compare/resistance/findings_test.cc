@@ -295,7 +295,7 @@ std::vector<StudyEntry> on_the_papers_surfaces(const Published& published, const
 }
 
 /// Measured rolling at 200 uN over the three surfaces does not tell its own sign.
-TEST(ResistancePublished, does_not_say_that_a_trend_agrees_with_one_that_is_not_told_from_none) {
+TEST(ResistancePublished_behaviour, does_not_say_that_a_trend_agrees_with_one_that_is_not_told_from_none) {
   const Published published = read_published(test::paper_run("published"));
   const auto level = [](const MovingFolder& made, const auto&) { return 1e-3 * made.load * made.radius; };
   const Study study(on_the_papers_surfaces(published, "rolling", 2e-4, level), published);
@@ -367,7 +367,7 @@ TEST(ResistancePublished_other_code, rolling_is_set_beside_the_mean_of_both_cont
   for (const auto& remark : study.findings.published.remarks) EXPECT_EQ(remark.find("rolling"), std::string::npos) << remark;
 }
 
-TEST(ResistanceStudy, coarser_meshes_do_not_count_as_realisations) {
+TEST(ResistanceStudy_behaviour, coarser_meshes_do_not_count_as_realisations) {
   MovingFolder fine, coarse;
   coarse.spacing = 2e-8, coarse.friction = 30e-6;
   const Study study({{"one", coarse}, {"one", fine}, {"one", coarse}});
@@ -377,7 +377,7 @@ TEST(ResistanceStudy, coarser_meshes_do_not_count_as_realisations) {
   EXPECT_NEAR(state.resistance.value / fine.friction, 1, 1e-6);
 }
 
-TEST(ResistanceStudy, loads_named_among_the_variants_belong_to_one_contact) {
+TEST(ResistanceStudy_behaviour, loads_named_among_the_variants_belong_to_one_contact) {
   MovingFolder first, heavier, rougher;
   heavier.load = 3e-4, rougher.rms = 2.7;
   const Study study({{"1.5 nm", first}, {"2.7 nm", rougher}, {"1.5 nm 300 uN", heavier}});
@@ -388,7 +388,7 @@ TEST(ResistanceStudy, loads_named_among_the_variants_belong_to_one_contact) {
   EXPECT_EQ(contacts[0].states.size(), 2u);
 }
 
-TEST(ResistanceStudy, a_contact_goes_by_what_its_cases_labels_have_in_common) {
+TEST(ResistanceStudy_behaviour, a_contact_goes_by_what_its_cases_labels_have_in_common) {
   MovingFolder first, heavier, rougher;
   heavier.load = 3e-4, rougher.rms = 2.7;
   const Study study({{"1.5 nm long waves 100 uN", first}, {"1.5 nm long waves 300 uN", heavier}, {"2.7 nm", rougher}});
@@ -396,7 +396,7 @@ TEST(ResistanceStudy, a_contact_goes_by_what_its_cases_labels_have_in_common) {
   EXPECT_EQ(study.findings.study.contacts[0].label, "1.5 nm long waves");
 }
 
-TEST(ResistanceStudy, files_hold_every_state_and_the_answers) {
+TEST(ResistanceStudy_behaviour, files_hold_every_state_and_the_answers) {
   const Study study(of_roughness(0.05, -0.2));
   const std::string csv = resistance_csv(study.findings.study);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2 * 3);
@@ -406,7 +406,7 @@ TEST(ResistanceStudy, files_hold_every_state_and_the_answers) {
   EXPECT_FALSE(json["answers"]["roughness"].empty());
 }
 
-TEST(ResistanceStudy, a_realisation_written_in_other_units_is_the_same_contact) {
+TEST(ResistanceStudy_behaviour, a_realisation_written_in_other_units_is_the_same_contact) {
   MovingFolder first, second;
   first.rms = 0.7, second.rms = 0.7, second.seed = 1001;
   const Study study({{"one", first}, {"one", second}});
@@ -420,7 +420,7 @@ TEST(ResistanceStudy, a_realisation_written_in_other_units_is_the_same_contact) 
   EXPECT_EQ(findings.study.contacts.front().states.front().cases.size(), 2u);
 }
 
-TEST(ResistanceStudy, cases_that_were_only_pressed_are_passed_over) {
+TEST(ResistanceStudy_behaviour, cases_that_were_only_pressed_are_passed_over) {
   MovingFolder pressed;
   pressed.experiment = "normal";
   EXPECT_TRUE(Study({{"one", pressed}}).findings.empty());

@@ -39,7 +39,7 @@ TEST(MovingCase_analytic, powers_of_each_mechanism_come_back_without_hardening_a
   }
 }
 
-TEST(MovingCase, of_rolling_back_for_less_than_two_contact_radii_is_not_called_steady) {
+TEST(MovingCase_behaviour, of_rolling_back_for_less_than_two_contact_radii_is_not_called_steady) {
   const TemporaryFolder root;
   MovingFolder made;
   made.experiment = "rolling", made.adhesion = 1e-13, made.reverse = true;

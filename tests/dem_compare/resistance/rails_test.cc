@@ -77,7 +77,7 @@ TEST(Rails_analytic, resist_alike_whichever_way_they_roll_and_spin) {
     }
 }
 
-TEST(Rails, without_the_separate_motions_tell_their_resistance_alone) {
+TEST(Rails_behaviour, without_the_separate_motions_tell_their_resistance_alone) {
   const TemporaryFolder root;
   const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}), std::nullopt);
   ASSERT_EQ(findings.study.contacts.size(), 1u);
@@ -87,7 +87,7 @@ TEST(Rails, without_the_separate_motions_tell_their_resistance_alone) {
   EXPECT_EQ(said[0].find("on their own"), std::string::npos) << said[0];
 }
 
-TEST(Rails, are_programs_of_one_part_that_rolls_and_spins) {
+TEST(Rails_behaviour, are_programs_of_one_part_that_rolls_and_spins) {
   const auto inclination = [](const std::string& type, const std::string& program) {
     SolvedCase solved;
     solved.entries = CaseEntries({{"Experiment/Type", type},

@@ -86,7 +86,7 @@ TEST(Trend_analytic, exponent_of_a_power_law_is_found_in_units_of_any_size) {
   EXPECT_GT(trend.slope.sd, 0);
 }
 
-TEST(Sentences, numbers_have_two_digits_of_their_sd) {
+TEST(Sentences_behaviour, numbers_have_two_digits_of_their_sd) {
   EXPECT_EQ(number_text({31.234, 4.12}), "31.2 +- 4.1");
   EXPECT_EQ(number_text({3.79e-4, 5.4e-5}), "(3.79 +- 0.54) 10^-4");
   EXPECT_EQ(number_text({-1e-4, 0.5}), "0.00 +- 0.50");

@@ -16,7 +16,7 @@ namespace asperity::meshing {
 
 namespace {
 
-class Export : public ::testing::Test {
+class Export_behaviour : public ::testing::Test {
  protected:
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   void SetUp() override { std::filesystem::create_directories(folder_); }
@@ -70,7 +70,7 @@ std::vector<Number> vtu_array(const std::string& content, const std::string& nam
 
 }  // namespace
 
-TEST_F(Export, vtu_holds_the_mesh_in_the_unit_it_names) {
+TEST_F(Export_behaviour, vtu_holds_the_mesh_in_the_unit_it_names) {
   const auto mesh = small_mesh();
   write_tetrahedra(mesh, file("body.vtu"), LengthUnit::nanometre);
   const std::string content = read_file(file("body.vtu"));
@@ -97,7 +97,7 @@ TEST_F(Export, vtu_holds_the_mesh_in_the_unit_it_names) {
   EXPECT_NEAR(volume_in_nm3, 1e9, 1e9 * 1e-6);
 }
 
-TEST_F(Export, msh_holds_the_mesh_and_its_named_patches) {
+TEST_F(Export_behaviour, msh_holds_the_mesh_and_its_named_patches) {
   const auto mesh = small_mesh();
   write_tetrahedra(mesh, file("body.msh"));
   std::istringstream content(read_file(file("body.msh")));
@@ -139,7 +139,7 @@ TEST_F(Export, msh_holds_the_mesh_and_its_named_patches) {
   EXPECT_NEAR(volume_in_um3, 1, 1e-6);
 }
 
-TEST_F(Export, format_follows_the_extension) {
+TEST_F(Export_behaviour, format_follows_the_extension) {
   const auto surface = testing::box(1e-6, 1e-6, 1e-6);
   for (const std::string name : {"body.stl", "body.ply", "body.off"}) {
     write_surface(surface, file(name));
@@ -151,7 +151,7 @@ TEST_F(Export, format_follows_the_extension) {
   EXPECT_THROW(write_tetrahedra(TetrahedralMesh{}, file("body.stl")), InputError);
 }
 
-TEST_F(Export, summary_says_what_the_body_is_or_what_it_lacks) {
+TEST_F(Export_behaviour, summary_says_what_the_body_is_or_what_it_lacks) {
   auto surface = testing::box(1e-6, 2e-6, 3e-6);
   EXPECT_EQ(summary("substrate", surface, check_surface(surface)),
             "substrate surface: 12 triangles, 8 points, 1 piece, area 22 um^2, volume 6 um^3\n"

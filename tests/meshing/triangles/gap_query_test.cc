@@ -159,7 +159,7 @@ TEST(GapQuery_analytic, rough_over_rough_gap_at_nodes_is_the_difference_of_heigh
   EXPECT_NEAR(*std::min_element(touching.begin(), touching.end()), 0, 1e-18);
 }
 
-TEST(GapQuery, a_missed_surface_has_no_gap) {
+TEST(GapQuery_behaviour, a_missed_surface_has_no_gap) {
   const SurfaceQuery lower(box(1e-6, 1e-6, 1e-6)), upper(translated(box(2e-6, 2e-6, 1e-6), {0, 0, 1.5e-6}));
   const auto gaps = vertical_gaps(lower, upper, {{0.1e-6, 0.2e-6}, {0.8e-6, 0}, {9e-6, 0}});
   EXPECT_NEAR(gaps[0], 0.5e-6, 1e-18);

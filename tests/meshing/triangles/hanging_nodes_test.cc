@@ -65,7 +65,7 @@ TEST(HangingNodes_analytic, surface_of_an_octree_mesh_is_closed_and_has_its_volu
   EXPECT_NEAR(check.volume / 1e-18, 1, rounding);
 }
 
-TEST(HangingNodes, rough_surface_of_an_octree_mesh_is_closed) {
+TEST(HangingNodes_behaviour, rough_surface_of_an_octree_mesh_is_closed) {
   const auto cube = graded_cube(5);
   std::vector<Point> points;
   for (const auto& vertex : cube.get_vertices())

@@ -56,7 +56,7 @@ TEST(HexahedronQuality_analytic, the_worst_corner_counts) {
   }
 }
 
-TEST(HexahedronQuality, inverted_is_negative_and_collapsed_is_zero) {
+TEST(HexahedronQuality_analytic, inverted_is_negative_and_collapsed_is_zero) {
   auto inverted = unit_cube();
   for (int i = 0; i < 4; ++i) std::swap(inverted[i], inverted[i + 4]);
   EXPECT_NEAR(scaled_jacobian(inverted), -1, 1e-15);
@@ -84,7 +84,7 @@ TEST(TetrahedronQuality_analytic, corner_of_a_cube) {
   EXPECT_NEAR(scaled_jacobian(corner), std::sqrt(2.) / 2, 1e-14);  // largest product: 1 sqrt2 sqrt2
 }
 
-TEST(TetrahedronQuality, sliver_is_bad_and_inverted_is_negative) {
+TEST(TetrahedronQuality_analytic, sliver_is_bad_and_inverted_is_negative) {
   const std::array<Point, 4> sliver{{{1, 0, 0}, {0, 1, 1e-3}, {-1, 0, 0}, {0, -1, 1e-3}}};
   EXPECT_LT(std::abs(radius_ratio(sliver)), 1e-2);
   EXPECT_LT(smallest_dihedral_angle(sliver), 1e-2);

@@ -72,7 +72,7 @@ TEST(Tetrahedra_analytic, block_with_sharp_edges_keeps_its_volume_exactly) {
   EXPECT_EQ(*std::max_element(mesh.patch.begin(), mesh.patch.end()), 6);
 }
 
-TEST(Tetrahedra, rough_hemisphere_keeps_its_volume_and_refines_towards_the_contact) {
+TEST(Tetrahedra_analytic, rough_hemisphere_keeps_its_volume_and_refines_towards_the_contact) {
   const auto surface = rough_hemisphere();
   const auto options = options_for(60e-9, 500e-9);
   const auto mesh = tetrahedra(surface, options);
@@ -93,7 +93,7 @@ TEST(Tetrahedra, rough_hemisphere_keeps_its_volume_and_refines_towards_the_conta
   EXPECT_GT(longest, 10 * options.fine_size);
 }
 
-TEST(Tetrahedra, rough_block_keeps_its_volume_and_its_roughness_at_the_contact) {
+TEST(Tetrahedra_analytic, rough_block_keeps_its_volume_and_its_roughness_at_the_contact) {
   const auto surface = rough_block();
   auto options = options_for(40e-9, 400e-9);
   const auto mesh = tetrahedra(surface, options);
@@ -110,7 +110,7 @@ TEST(Tetrahedra, rough_block_keeps_its_volume_and_its_roughness_at_the_contact) 
             options.distance_per_size * options.fine_size);
 }
 
-TEST(Tetrahedra, same_input_gives_the_same_mesh) {
+TEST(Tetrahedra_behaviour, same_input_gives_the_same_mesh) {
   // A box, whose symmetry leaves ties that must not be broken by memory addresses.
   const auto surface = testing::box(1e-6, 1e-6, 1e-6, 2);
   const auto first = tetrahedra(surface, options_for(0.08e-6, 0.1e-6));
@@ -123,7 +123,7 @@ TEST(Tetrahedra, same_input_gives_the_same_mesh) {
   }
 }
 
-TEST(Tetrahedra, refuses_an_open_surface_impossible_options_and_a_missed_volume) {
+TEST(Tetrahedra_behaviour, refuses_an_open_surface_impossible_options_and_a_missed_volume) {
   auto open = testing::box(1e-6, 1e-6, 1e-6);
   open.triangles.pop_back();
   EXPECT_THROW(tetrahedra(open, options_for(0.1e-6, 0)), InputError);

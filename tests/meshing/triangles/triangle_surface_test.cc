@@ -38,7 +38,7 @@ TEST(TriangleSurface_analytic, hemisphere_volume_converges_with_the_square_of_th
   EXPECT_LT(error[2], 5e-3);
 }
 
-TEST(TriangleSurface, hanging_nodes_of_a_refined_mesh_leave_no_slit) {
+TEST(TriangleSurface_behaviour, hanging_nodes_of_a_refined_mesh_leave_no_slit) {
   // Four cells, the one at the corner refined into four: two of its nodes hang on its neighbours.
   std::vector<Point> points;
   for (int iy = 0; iy <= 4; ++iy)
@@ -76,7 +76,7 @@ TEST(TriangleSurface_analytic, flat_plate_with_hanging_nodes_has_no_triangle_wit
   EXPECT_NEAR(check.area, 8e-18, 1e-31);
 }
 
-TEST(SurfaceCheck, tells_an_open_an_inverted_and_a_torn_surface_from_a_body) {
+TEST(SurfaceCheck_behaviour, tells_an_open_an_inverted_and_a_torn_surface_from_a_body) {
   auto open = box(1e-6, 1e-6, 1e-6, 2);
   open.triangles.pop_back();
   EXPECT_EQ(check_surface(open).boundary_edges, 3u);
@@ -94,7 +94,7 @@ TEST(SurfaceCheck, tells_an_open_an_inverted_and_a_torn_surface_from_a_body) {
   EXPECT_EQ(check_surface(one_flipped).non_manifold_edges, 3u);
 }
 
-TEST(SurfaceCheck, finds_the_point_where_two_bodies_touch) {
+TEST(SurfaceCheck_analytic, finds_the_point_where_two_bodies_touch) {
   auto surface = box(1e-6, 1e-6, 1e-6);
   const auto other = translated(surface, {1e-6, 1e-6, 1e-6});
   const auto offset = static_cast<std::uint32_t>(surface.points.size());
@@ -115,7 +115,7 @@ TEST(SurfaceCheck, finds_the_point_where_two_bodies_touch) {
   EXPECT_EQ(check.non_manifold_edges, 0u);
 }
 
-TEST(SurfaceCheck, finds_asperities_that_cross_at_every_size_in_use) {
+TEST(SurfaceCheck_behaviour, finds_asperities_that_cross_at_every_size_in_use) {
   for (const double size : {1e-9, 1e-7, 1e-5}) {
     const auto block = testing::mapped_block(6, 6, 3, [&](const Point& p) {
       return Point{size * p[0], size * p[1], size * p[2]};
@@ -138,7 +138,7 @@ TEST(SurfaceCheck, finds_asperities_that_cross_at_every_size_in_use) {
   }
 }
 
-TEST(TriangleSurface, missing_heights_leave_a_hole_and_no_invented_height) {
+TEST(TriangleSurface_behaviour, missing_heights_leave_a_hole_and_no_invented_height) {
   HeightField field{5, 5, 1e-9, 2e-9, 0, 0, std::vector<double>(25, 3e-9)};
   field.heights[2 * 5 + 2] = std::numeric_limits<double>::quiet_NaN();
   const auto surface = triangles_of_heights(field);
@@ -151,7 +151,7 @@ TEST(TriangleSurface, missing_heights_leave_a_hole_and_no_invented_height) {
   EXPECT_EQ(check.boundary_edges, 16u + 4u);
 }
 
-TEST(TriangleSurface, refuses_what_cannot_be_a_surface) {
+TEST(TriangleSurface_behaviour, refuses_what_cannot_be_a_surface) {
   EXPECT_THROW(triangles_of_quads({{0, 0, 0}}, {}), InputError);
   EXPECT_THROW(triangles_of_quads({{0, 0, 0}}, {{0, 0, 0, 1}}), InputError);
   EXPECT_THROW(triangles_of_heights({2, 2, 1e-9, 1e-9, 0, 0, {0, 0, 0}}), InputError);

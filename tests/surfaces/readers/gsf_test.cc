@@ -17,25 +17,25 @@ double sq(const Topography& map, Level level) { return height_statistics(levelle
 
 }  // namespace
 
-TEST(Gsf_file, is_read_with_its_top_row_on_top) {
+TEST(Gsf_file_behaviour, is_read_with_its_top_row_on_top) {
   const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(fields, metres())));
   expect_common_map(map);
   EXPECT_EQ(map.channel, "Height Sensor");
   EXPECT_SAYS(map.source, "first row stored is the top");
 }
 
-TEST(Gsf_file, is_recognised_by_its_content_whatever_its_name) {
+TEST(Gsf_file_behaviour, is_recognised_by_its_content_whatever_its_name) {
   expect_common_map(read_topography(write_bytes("a.dat", gsf_bytes(fields, metres()))));
 }
 
-TEST(Gsf_file, header_padding_of_every_length_is_skipped) {
+TEST(Gsf_file_behaviour, header_padding_of_every_length_is_skipped) {
   for (const std::string title : {"a", "ab", "abc", "abcd"}) {
     const std::string padded = fields.substr(0, fields.find("Title")) + "Title = " + title + "\n";
     expect_common_map(read_topography(write_bytes("a.gsf", gsf_bytes(padded, metres()))));
   }
 }
 
-TEST(Gsf_file, nan_is_a_missing_point_and_not_zero) {
+TEST(Gsf_file_behaviour, nan_is_a_missing_point_and_not_zero) {
   auto heights = metres();
   heights[0] = std::nanf("");
   const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(fields, heights)));
@@ -45,7 +45,7 @@ TEST(Gsf_file, nan_is_a_missing_point_and_not_zero) {
   EXPECT_SAYS(describe(map), "1 missing points");
 }
 
-TEST(Gsf_file, without_size_asks_for_it) {
+TEST(Gsf_file_behaviour, without_size_asks_for_it) {
   const auto path = write_bytes("a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nZUnits = m\n", metres()));
   EXPECT_SAYS(refusal(path), "--size \"2.5 um\"");
   ReadOptions options;
@@ -53,7 +53,7 @@ TEST(Gsf_file, without_size_asks_for_it) {
   expect_common_map(read_topography(path, options));
 }
 
-TEST(Gsf_file, size_passed_wins_and_is_said_back) {
+TEST(Gsf_file_behaviour, size_passed_wins_and_is_said_back) {
   ReadOptions options;
   options.size_x_m = 6e-6;
   options.size_y_m = 1e-6;
@@ -63,7 +63,7 @@ TEST(Gsf_file, size_passed_wins_and_is_said_back) {
   EXPECT_SAYS(map.source, "size as passed instead of the file's 3 um x 2 um");
 }
 
-TEST(Gsf_file, cut_off_is_refused_with_both_sizes) {
+TEST(Gsf_file_behaviour, cut_off_is_refused_with_both_sizes) {
   const std::string bytes = gsf_bytes(fields, metres());
   const std::string sentence = refusal(write_bytes("a.gsf", bytes.substr(0, bytes.size() - 5)));
   EXPECT_SAYS(sentence, "cut off");
@@ -72,18 +72,18 @@ TEST(Gsf_file, cut_off_is_refused_with_both_sizes) {
   EXPECT_SAYS(refusal(write_bytes("c.gsf", bytes + "more")), "more bytes");
 }
 
-TEST(Gsf_file, of_voltages_is_refused) {
+TEST(Gsf_file_behaviour, of_voltages_is_refused) {
   const std::string volts = "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\nZUnits = V\n";
   EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes(volts, metres()))), "'V', which is no length");
 }
 
-TEST(Gsf_file, of_wrong_pixel_numbers_is_refused) {
+TEST(Gsf_file_behaviour, of_wrong_pixel_numbers_is_refused) {
   for (const std::string number : {"0", "-3", "2.5", "many", "1e300"})
     EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = " + number + "\nYRes = 2\n", metres()))),
                 "'XRes'");
 }
 
-TEST(Gsf_file, without_unit_of_height_is_metres_if_that_is_plausible) {
+TEST(Gsf_file_behaviour, without_unit_of_height_is_metres_if_that_is_plausible) {
   const std::string bare = "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\n";
   const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(bare, metres())));
   expect_common_map(map);
@@ -91,7 +91,7 @@ TEST(Gsf_file, without_unit_of_height_is_metres_if_that_is_plausible) {
   EXPECT_SAYS(refusal(write_bytes("b.gsf", gsf_bytes(bare, {1, 2, 3, 4, 5, 6}))), "higher than wide");
 }
 
-TEST(Gsf_file, written_and_read_again_is_the_same_map) {
+TEST(Gsf_file_behaviour, written_and_read_again_is_the_same_map) {
   Topography map;
   map.nx = 4;
   map.ny = 3;
@@ -115,7 +115,7 @@ TEST(Gsf_file, written_and_read_again_is_the_same_map) {
   }
 }
 
-TEST(Gsf_written_file, is_byte_for_byte_what_the_format_says) {
+TEST(Gsf_written_file_behaviour, is_byte_for_byte_what_the_format_says) {
   Topography map;
   map.nx = 3;
   map.ny = 2;

@@ -37,14 +37,14 @@ std::string phase_channel() {
 
 }  // namespace
 
-TEST(Gwy_file, gives_its_height_channel_among_others) {
+TEST(Gwy_file_behaviour, gives_its_height_channel_among_others) {
   const Topography map =
       read_topography(write_bytes("a.gwy", gwy_bytes(clutter() + phase_channel() + height_channel())));
   expect_common_map(map);
   EXPECT_EQ(map.channel, "Topography");
 }
 
-TEST(Gwy_file, points_under_the_mask_are_missing) {
+TEST(Gwy_file_behaviour, points_under_the_mask_are_missing) {
   const auto mask = gwy_component("/1/mask", 'o', gwy_field({0, 1, 0, 0, 0, 0}, ""));
   const Topography map = read_topography(write_bytes("a.gwy", gwy_bytes(height_channel() + mask)));
   EXPECT_EQ(map.missing_count(), 1u);
@@ -52,7 +52,7 @@ TEST(Gwy_file, points_under_the_mask_are_missing) {
   EXPECT_SAYS(map.source, "1 points under the file's mask taken as missing");
 }
 
-TEST(Gwy_file, channel_is_chosen_by_name_or_number) {
+TEST(Gwy_file_behaviour, channel_is_chosen_by_name_or_number) {
   const auto path = write_bytes("a.gwy", gwy_bytes(phase_channel() + height_channel()));
   ReadOptions options;
   for (const std::string wish : {"topography", "1"}) {
@@ -65,13 +65,13 @@ TEST(Gwy_file, channel_is_chosen_by_name_or_number) {
   EXPECT_SAYS(refusal(path, options), "0: 'Phase' in deg, 1: 'Topography' in m");
 }
 
-TEST(Gwy_file, without_heights_is_refused_with_what_it_holds) {
+TEST(Gwy_file_behaviour, without_heights_is_refused_with_what_it_holds) {
   EXPECT_SAYS(refusal(write_bytes("a.gwy", gwy_bytes(phase_channel()))),
               "holds no heights, only 0: 'Phase' in deg");
   EXPECT_SAYS(refusal(write_bytes("b.gwy", gwy_bytes(clutter()))), "no image channel");
 }
 
-TEST(Gwy_file, cut_off_anywhere_is_refused) {
+TEST(Gwy_file_behaviour, cut_off_anywhere_is_refused) {
   const std::string bytes = gwy_bytes(clutter() + phase_channel() + height_channel());
   for (std::size_t length = 4; length < bytes.size(); ++length) {
     const std::string sentence = refusal(write_bytes("a.gwy", bytes.substr(0, length)));
@@ -79,7 +79,7 @@ TEST(Gwy_file, cut_off_anywhere_is_refused) {
   }
 }
 
-TEST(Gwy_file, with_wrong_bytes_is_refused_or_read_but_never_crashes) {
+TEST(Gwy_file_behaviour, with_wrong_bytes_is_refused_or_read_but_never_crashes) {
   const std::string bytes = gwy_bytes(clutter() + height_channel());
   for (std::size_t at = 4; at < bytes.size(); ++at) {
     std::string changed = bytes;

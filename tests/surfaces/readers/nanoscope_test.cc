@@ -41,7 +41,7 @@ double difference_to_mirrored(const Topography& map, const Topography& other) {
 
 }  // namespace
 
-TEST(Nanoscope_file, of_16_bit_is_scaled_and_its_first_row_is_the_bottom) {
+TEST(Nanoscope_file_behaviour, of_16_bit_is_scaled_and_its_first_row_is_the_bottom) {
   const Topography map = read_topography(write_bytes("a.001", nanoscope_bytes({{}}, 2)));
   expect_common_map(map);
   EXPECT_EQ(map.channel, "Height Sensor");
@@ -49,17 +49,17 @@ TEST(Nanoscope_file, of_16_bit_is_scaled_and_its_first_row_is_the_bottom) {
   EXPECT_SAYS(map.source, "first row stored is the bottom");
 }
 
-TEST(Nanoscope_file, of_32_bit_is_scaled_over_all_its_steps) {
+TEST(Nanoscope_file_behaviour, of_32_bit_is_scaled_over_all_its_steps) {
   NanoscopeImage image;
   image.bytes_per_pixel = 4;
   expect_common_map(read_topography(write_bytes("a.spm", nanoscope_bytes({image}, 4, "0x09300000"))));
 }
 
-TEST(Nanoscope_file, of_32_bit_that_says_16_keeps_the_scale_of_16) {
+TEST(Nanoscope_file_behaviour, of_32_bit_that_says_16_keeps_the_scale_of_16) {
   expect_common_map(read_topography(write_bytes("a.spm", nanoscope_bytes({{}}, 4, "0x09300000"))));
 }
 
-TEST(Nanoscope_file, gives_the_height_channel_unless_another_is_wished) {
+TEST(Nanoscope_file_behaviour, gives_the_height_channel_unless_another_is_wished) {
   NanoscopeImage phase, height, retrace;
   phase.name = "Phase";
   phase.sensitivity = "Sens. Phase";
@@ -77,7 +77,7 @@ TEST(Nanoscope_file, gives_the_height_channel_unless_another_is_wished) {
   EXPECT_SAYS(refusal(path, options), "has no channel 'Modulus'");
 }
 
-TEST(Nanoscope_file, with_one_scan_size_is_square) {
+TEST(Nanoscope_file_behaviour, with_one_scan_size_is_square) {
   NanoscopeImage image;
   image.scan_size = "500 nm";
   const Topography map = read_topography(write_bytes("a.001", nanoscope_bytes({image}, 2)));
@@ -85,7 +85,7 @@ TEST(Nanoscope_file, with_one_scan_size_is_square) {
   EXPECT_DOUBLE_EQ(map.ly, 500e-9);
 }
 
-TEST(Nanoscope_file, cut_off_is_refused) {
+TEST(Nanoscope_file_behaviour, cut_off_is_refused) {
   const std::string bytes = nanoscope_bytes({{}}, 2);
   const std::string sentence = refusal(write_bytes("a.001", bytes.substr(0, bytes.size() - 1)));
   EXPECT_SAYS(sentence,
@@ -94,14 +94,14 @@ TEST(Nanoscope_file, cut_off_is_refused) {
   EXPECT_SAYS(refusal(write_bytes("b.001", bytes.substr(0, 300))), "ends inside its NanoScope header");
 }
 
-TEST(Nanoscope_file, before_version_4_3_is_refused_with_a_way_out) {
+TEST(Nanoscope_file_behaviour, before_version_4_3_is_refused_with_a_way_out) {
   const std::string old =
       "\\*File list\r\n\\Version: 0x04220200\r\n\\*NCAFM image list\r\n\\Z scale height: 12\r\n\\*File list "
       "end\r\n";
   EXPECT_SAYS(refusal(write_bytes("a.001", old)), "before 4.3; open it in Gwyddion");
 }
 
-TEST(Nanoscope_file, without_images_or_entries_is_refused) {
+TEST(Nanoscope_file_behaviour, without_images_or_entries_is_refused) {
   EXPECT_SAYS(refusal(write_bytes("a.001", "\\*File list\r\n\\*File list end\r\n")), "without images");
   std::string bytes = nanoscope_bytes({{}}, 2);
   bytes.replace(bytes.find("\\Samps/line"), 11, "\\Simps/line");
@@ -155,7 +155,7 @@ TEST(Nanoscope_real_other_code, diamond_scan_of_the_container_agrees_with_its_co
 }
 
 // A conversion of our own keeps the orientation.
-TEST(Nanoscope_real, written_as_gsf_and_read_again_has_the_same_orientation) {
+TEST(Nanoscope_real_behaviour, written_as_gsf_and_read_again_has_the_same_orientation) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "topographies/SurfaceTopography_di-5.di");
   const Topography map = read_topography(path);
   const auto copy = write_bytes("copy.gsf", "");
@@ -167,7 +167,7 @@ TEST(Nanoscope_real, written_as_gsf_and_read_again_has_the_same_orientation) {
   EXPECT_LT(largest, 1e-13);  // 32-bit rounding of heights of some 100 nm
 }
 
-TEST(Nanoscope_real, profiles_of_the_container_are_refused_as_profiles) {
+TEST(Nanoscope_real_behaviour, profiles_of_the_container_are_refused_as_profiles) {
   const auto container = shared_file("topographies/SurfaceTopography_container-2.zip");
   if (!container)
     GTEST_SKIP() << "no "

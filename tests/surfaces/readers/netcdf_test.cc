@@ -50,7 +50,7 @@ std::filesystem::path write_netcdf(const std::string& name, const NetcdfContent&
 
 }  // namespace
 
-TEST(Netcdf_file, of_each_kind_is_read) {
+TEST(Netcdf_file_behaviour, of_each_kind_is_read) {
   NetcdfContent content;
   for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
     content.format = format;
@@ -60,26 +60,26 @@ TEST(Netcdf_file, of_each_kind_is_read) {
   }
 }
 
-TEST(Netcdf_file, of_older_writers_with_length_unit_is_read) {
+TEST(Netcdf_file_behaviour, of_older_writers_with_length_unit_is_read) {
   NetcdfContent content;
   content.unit_name = "length_unit";
   content.heights_unit = "";
   expect_common_map(read_topography(write_netcdf("a.nc", content)));
 }
 
-TEST(Netcdf_file, with_y_first_is_the_same_map) {
+TEST(Netcdf_file_behaviour, with_y_first_is_the_same_map) {
   NetcdfContent content;
   content.x_first = false;
   expect_common_map(read_topography(write_netcdf("a.nc", content)));
 }
 
-TEST(Netcdf_file, periodicity_is_kept) {
+TEST(Netcdf_file_behaviour, periodicity_is_kept) {
   NetcdfContent content;
   content.periodic = 1;
   EXPECT_TRUE(read_topography(write_netcdf("a.nc", content)).periodic);
 }
 
-TEST(Netcdf_file, nan_and_fill_values_are_missing) {
+TEST(Netcdf_file_behaviour, nan_and_fill_values_are_missing) {
   NetcdfContent content;
   content.heights[0] = std::nan("");
   content.heights[4] = NC_FILL_DOUBLE;
@@ -89,7 +89,7 @@ TEST(Netcdf_file, nan_and_fill_values_are_missing) {
   EXPECT_TRUE(std::isnan(map.at(1, 0)));
 }
 
-TEST(Netcdf_file, without_size_asks_for_it) {
+TEST(Netcdf_file_behaviour, without_size_asks_for_it) {
   NetcdfContent content;
   content.sizes = false;
   const auto path = write_netcdf("a.nc", content);
@@ -99,7 +99,7 @@ TEST(Netcdf_file, without_size_asks_for_it) {
   expect_common_map(read_topography(path, options));
 }
 
-TEST(Netcdf_file, of_other_contents_is_refused) {
+TEST(Netcdf_file_behaviour, of_other_contents_is_refused) {
   NetcdfContent content;
   content.heights_name = "temperature";
   EXPECT_SAYS(refusal(write_netcdf("a.nc", content)), "without a variable 'heights'");
@@ -109,7 +109,7 @@ TEST(Netcdf_file, of_other_contents_is_refused) {
 }
 
 // Without a check of its length a cut-off classic file would be read with zeros for what is lost.
-TEST(Netcdf_file, cut_off_anywhere_is_refused) {
+TEST(Netcdf_file_behaviour, cut_off_anywhere_is_refused) {
   NetcdfContent content;
   for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
     content.format = format;
@@ -119,7 +119,7 @@ TEST(Netcdf_file, cut_off_anywhere_is_refused) {
   }
 }
 
-TEST(Netcdf_file, of_hdf5_cut_off_is_refused) {
+TEST(Netcdf_file_behaviour, of_hdf5_cut_off_is_refused) {
   NetcdfContent content;
   content.format = NC_NETCDF4;
   const std::string bytes = bytes_of(write_netcdf("a.nc", content));

@@ -21,7 +21,7 @@ ParkImage of_16_bit() {
 
 }  // namespace
 
-TEST(Park_tiff, of_each_number_type_is_read_with_its_first_row_at_the_bottom) {
+TEST(Park_tiff_behaviour, of_each_number_type_is_read_with_its_first_row_at_the_bottom) {
   ParkImage image = of_16_bit();
   expect_common_map(read_topography(write_bytes("a.tiff", park_bytes(image))));
   image.data_type = 1;
@@ -34,13 +34,13 @@ TEST(Park_tiff, of_each_number_type_is_read_with_its_first_row_at_the_bottom) {
   EXPECT_EQ(map.channel, "ZHeight");
 }
 
-TEST(Park_tiff, of_version_1_has_16_bit) {
+TEST(Park_tiff_behaviour, of_version_1_has_16_bit) {
   ParkImage image = of_16_bit();
   image.version = 0x01000001;
   expect_common_map(read_topography(write_bytes("a.tiff", park_bytes(image))));
 }
 
-TEST(Park_tiff, gain_multiplies_scale_and_offset) {
+TEST(Park_tiff_behaviour, gain_multiplies_scale_and_offset) {
   ParkImage image = of_16_bit();
   image.gain = 2e-3;
   image.scale = 0.5;
@@ -49,38 +49,38 @@ TEST(Park_tiff, gain_multiplies_scale_and_offset) {
   EXPECT_NEAR(map.at(0, 0), 2e-9 * (0.5 * 4 + 3), 1e-18);
 }
 
-TEST(Park_tiff, scale_of_zero_and_missing_unit_mean_one_and_micrometres) {
+TEST(Park_tiff_behaviour, scale_of_zero_and_missing_unit_mean_one_and_micrometres) {
   ParkImage image = of_16_bit();
   image.scale = 0;
   image.unit = "";
   expect_common_map(read_topography(write_bytes("a.tiff", park_bytes(image))));
 }
 
-TEST(Park_tiff, of_volts_is_refused) {
+TEST(Park_tiff_behaviour, of_volts_is_refused) {
   ParkImage image = of_16_bit();
   image.unit = "V";
   EXPECT_SAYS(refusal(write_bytes("a.tiff", park_bytes(image))), "holds no heights, only 0: 'ZHeight' in V");
 }
 
-TEST(Park_tiff, of_a_line_profile_is_refused) {
+TEST(Park_tiff_behaviour, of_a_line_profile_is_refused) {
   ParkImage image = of_16_bit();
   image.image_type = 1;
   EXPECT_SAYS(refusal(write_bytes("a.tiff", park_bytes(image))), "a line profile");
 }
 
-TEST(Park_tiff, picture_without_heights_is_refused_with_a_reason) {
+TEST(Park_tiff_behaviour, picture_without_heights_is_refused_with_a_reason) {
   EXPECT_SAYS(refusal(write_bytes("a.tiff", park_bytes(of_16_bit(), 7))), "holds colours");
   EXPECT_SAYS(refusal(write_bytes("b.tiff", std::string("MM\0*\0\0\0\x08", 8))), "big-endian TIFF picture");
 }
 
-TEST(Park_tiff, cut_off_anywhere_is_refused) {
+TEST(Park_tiff_behaviour, cut_off_anywhere_is_refused) {
   const std::string bytes = park_bytes(of_16_bit());
   for (std::size_t length = 4; length + 4 < bytes.size();
        ++length)  // the last four bytes say that no picture follows
     EXPECT_SAYS(refusal(write_bytes("a.tiff", bytes.substr(0, length))), "cut off");
 }
 
-TEST(Park_tiff, with_too_few_data_is_refused) {
+TEST(Park_tiff_behaviour, with_too_few_data_is_refused) {
   ParkImage image = of_16_bit();
   image.data.resize(10);
   EXPECT_SAYS(refusal(write_bytes("a.tiff", park_bytes(image))), "keeps 10 bytes for 3 x 2 pixels");
