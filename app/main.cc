@@ -4,10 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -62,13 +60,10 @@ void open_missing_streams() {
 
 /// What was printed must have arrived: a full disk shows when the stream is flushed, or even closed.
 int with_printed_output(int status) {
-  errno = 0;
   std::cout.flush();
-  const bool flushed = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.good();
-  const int error = errno;
-  if (std::fclose(stdout) == 0 && flushed) return status;
-  std::fprintf(stderr, "asperity: cannot write to standard output%s%s; what it should have said is cut off\n", error ? ": " : "",
-               error ? std::strerror(error) : "");
+  const bool printed = std::cout.good() && std::fflush(stdout) == 0 && !std::ferror(stdout);
+  if (std::fclose(stdout) == 0 && printed) return status;
+  std::fprintf(stderr, "asperity: cannot write to standard output, and what it should have said is cut off; is its disk full?\n");
   return status == 0 ? failed : status;
 }
 

@@ -73,12 +73,15 @@ TEST(Program_behaviour, refuses_a_study_with_a_case_that_the_bodies_have_no_room
 
 TEST(Program_behaviour, solves_over_no_finished_result_unless_told_and_leaves_case_and_result_of_one_input) {
   const TemporaryFolder folder;
-  const auto file = folder.write("case.prm", smooth_case() + "subsection Experiment\n set Normal load = 20 uN\n set Load steps = 1\n set Unload = false\nend\n"
+  std::string text = smooth_case();
+  text.replace(text.find("1 mN"), 4, "20 uN");
+  const auto file = folder.write("case.prm", text + "subsection Experiment\n set Load steps = 1\n set Unload = false\nend\n"
                                              "subsection Mesh\n set Interface spacing = 30 nm\n set Layers = 1\nend\nsubsection Output\n set Fields = false\nend\n"
                                              "subsection Solver\n set Threads = 1\nend\n");
   const auto output = folder.path / "out";
   const auto modulus = [&] { return nlohmann::json::parse(read_file(output / "result.json"))["inputs"]["substrate"]["youngs_modulus"].get<double>(); };
-  ASSERT_EQ(call("solve " + file.string() + " --output " + output.string()).status, 0);
+  const Outcome solved = call("solve " + file.string() + " --output " + output.string());
+  ASSERT_EQ(solved.status, 0) << solved.output;
   const std::string first = read_file(output / "result.json");
   const std::string again = "solve " + (output / "case.prm").string() + " --output " + output.string() + " --set 'Substrate/Young modulus=150 GPa'";
   for (const char* flag : {"", " --resume"}) {
@@ -117,7 +120,7 @@ TEST(Program_behaviour, says_when_what_it_prints_does_not_arrive) {
   for (const char* command : {"case-template", "laws", "--help", "--version"}) {
     const Outcome outcome = call(std::string(command) + " 2>&1 >" + device.string() + " #");
     EXPECT_EQ(outcome.status, 1) << command;
-    EXPECT_CONTAINS(outcome.output, "asperity: cannot write to standard output: No space left on device");
+    EXPECT_CONTAINS(outcome.output, "asperity: cannot write to standard output, and what");
   }
   EXPECT_EQ(call("case-template >&- #").status, 0) << "a closed output is meant";
   EXPECT_TRUE(std::filesystem::is_character_file(device));
