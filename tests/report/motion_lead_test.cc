@@ -5,11 +5,10 @@
 
 #include "tests/dem_compare/resistance/moving_folder.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace asperity {
 namespace {
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(MotionLead_analytic, of_sliding_gives_the_friction_coefficient_and_what_takes_it) {
   const test::TemporaryFolder root;
@@ -17,11 +16,11 @@ TEST(MotionLead_analytic, of_sliding_gives_the_friction_coefficient_and_what_tak
   made.friction = 12e-6, made.plastic = 6e-6, made.adhesion = 2e-6;  // at 100 uN
   const auto lead = report::motion_lead(read_solved_case(test::write_moving(root.path / "case", made)));
   ASSERT_TRUE(lead);
-  EXPECT_TRUE(has(lead->headline, "Sliding under 100 µN takes 20")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "0.2")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "slip takes 60")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "yielding 30")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "form and break 10")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "Sliding under 100 µN takes 20")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "0.2")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "slip takes 60")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "yielding 30")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "form and break 10")) << lead->headline;
   ASSERT_GE(lead->tiles.size(), 5u);
   EXPECT_EQ(lead->tiles[0].label, "effective friction coefficient");
 }
@@ -33,9 +32,9 @@ TEST(MotionLead_analytic, of_rolling_gives_the_moment) {
   made.friction = 0, made.plastic = 1e-13, made.adhesion = 3e-13, made.hills = 5;
   const auto lead = report::motion_lead(read_solved_case(test::write_moving(root.path / "case", made)));
   ASSERT_TRUE(lead);
-  EXPECT_TRUE(has(lead->headline, "Rolling under 100 µN takes 0.4")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "pN m")) << lead->headline;
-  EXPECT_TRUE(has(lead->headline, "yielding 25")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "Rolling under 100 µN takes 0.4")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "pN m")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "yielding 25")) << lead->headline;
 }
 
 TEST(MotionLead_behaviour, of_a_way_too_short_says_so_and_of_pressing_alone_is_none) {
@@ -44,7 +43,7 @@ TEST(MotionLead_behaviour, of_a_way_too_short_says_so_and_of_pressing_alone_is_n
   made.way_in_radii = 0.05;
   const auto lead = report::motion_lead(read_solved_case(test::write_moving(root.path / "short", made)));
   ASSERT_TRUE(lead);
-  EXPECT_TRUE(has(lead->headline, "Experiment/Distance must be more")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "Experiment/Distance must be more")) << lead->headline;
   made.experiment = "normal";
   EXPECT_FALSE(report::motion_lead(read_solved_case(test::write_moving(root.path / "normal", made))));
 }

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "report/virtual_display.h"
 #include "tests/report/synthetic_case.h"
+#include "tests/support/text.h"
 
 namespace asperity {
 namespace {
@@ -34,15 +35,14 @@ class ReportFolder_behaviour : public testing::Test {
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
     return found;
   }
-  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
   /// Nothing is fetched from anywhere.
   static void expect_self_contained(const std::string& html) {
-    EXPECT_FALSE(has(html, "http://"));
-    EXPECT_FALSE(has(html, "https://"));
-    EXPECT_FALSE(has(html, "<script"));
-    EXPECT_FALSE(has(html, "<link"));
-    EXPECT_FALSE(has(html, "@import"));
-    EXPECT_FALSE(has(html, "url("));
+    EXPECT_FALSE(test::has(html, "http://"));
+    EXPECT_FALSE(test::has(html, "https://"));
+    EXPECT_FALSE(test::has(html, "<script"));
+    EXPECT_FALSE(test::has(html, "<link"));
+    EXPECT_FALSE(test::has(html, "@import"));
+    EXPECT_FALSE(test::has(html, "url("));
     EXPECT_EQ(count(html, "href='"), count(html, "href='data:image/png;base64,"));
   }
 
@@ -66,18 +66,18 @@ TEST_F(ReportFolder_behaviour, a_solved_case_has_verdict_surfaces_curves_pressur
   test::write_synthetic_case(made, root);
   const std::string html = report();
   expect_self_contained(html);
-  EXPECT_TRUE(has(html, "softer than Hertz by 11 % still at 1 mN"));  // 0.7^(1/3) = 0.888
+  EXPECT_TRUE(test::has(html, "softer than Hertz by 11 % still at 1 mN"));  // 0.7^(1/3) = 0.888
   for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Contact pressure", "Gap, and what is closed", "5.95 µm", "8.5 µm",
                            "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
-    EXPECT_TRUE(has(html, part)) << part;
+    EXPECT_TRUE(test::has(html, part)) << part;
 }
 
 TEST_F(ReportFolder_behaviour, sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
   test::write_synthetic_case({}, root);
   const bool can_draw = report::VirtualDisplay().available();
   const std::string html = report();
-  EXPECT_EQ(has(html, "equivalent plastic strain [%]"), can_draw);
-  EXPECT_EQ(has(html, "could not be drawn"), !can_draw);
+  EXPECT_EQ(test::has(html, "equivalent plastic strain [%]"), can_draw);
+  EXPECT_EQ(test::has(html, "could not be drawn"), !can_draw);
 }
 
 TEST_F(ReportFolder_behaviour, without_a_display_server_the_report_says_so_and_is_written_all_the_same) {
@@ -90,8 +90,8 @@ TEST_F(ReportFolder_behaviour, without_a_display_server_the_report_says_so_and_i
   const std::string html = report();
   setenv("PATH", path.c_str(), 1);
   if (display) setenv("DISPLAY", kept_display.c_str(), 1);
-  EXPECT_TRUE(has(html, "install the package xvfb"));
-  EXPECT_TRUE(has(html, "Gap, and what is closed"));
+  EXPECT_TRUE(test::has(html, "install the package xvfb"));
+  EXPECT_TRUE(test::has(html, "Gap, and what is closed"));
 }
 
 TEST_F(ReportFolder_behaviour, a_display_that_does_not_answer_does_not_take_the_report_with_it) {
@@ -104,7 +104,7 @@ TEST_F(ReportFolder_behaviour, a_display_that_does_not_answer_does_not_take_the_
   const std::string html = report();
   setenv("PATH", path.c_str(), 1);
   display ? setenv("DISPLAY", kept_display.c_str(), 1) : unsetenv("DISPLAY");
-  EXPECT_TRUE(has(html, "VTK could not draw on display :4711"));
+  EXPECT_TRUE(test::has(html, "VTK could not draw on display :4711"));
 }
 
 TEST_F(ReportFolder_behaviour, a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
@@ -113,10 +113,10 @@ TEST_F(ReportFolder_behaviour, a_smooth_elastic_case_is_told_that_its_departure_
   made.imprint = 0;
   test::write_synthetic_case(made, root);
   const std::string html = report();
-  EXPECT_TRUE(has(html, "must follow Hertz"));
-  EXPECT_TRUE(has(html, "as stiff as Hertz within 5 %"));
-  EXPECT_TRUE(has(html, "No material has yielded"));
-  EXPECT_TRUE(has(html, "nothing has yielded"));
+  EXPECT_TRUE(test::has(html, "must follow Hertz"));
+  EXPECT_TRUE(test::has(html, "as stiff as Hertz within 5 %"));
+  EXPECT_TRUE(test::has(html, "No material has yielded"));
+  EXPECT_TRUE(test::has(html, "nothing has yielded"));
 }
 
 TEST_F(ReportFolder_behaviour, an_unfinished_case_is_shown_as_far_as_it_came) {
@@ -125,9 +125,9 @@ TEST_F(ReportFolder_behaviour, an_unfinished_case_is_shown_as_far_as_it_came) {
   made.fields = false;
   test::write_synthetic_case(made, root);
   const std::string html = report();
-  EXPECT_TRUE(has(html, "This case is not finished"));
-  EXPECT_TRUE(has(html, "There are no fields"));
-  EXPECT_TRUE(has(html, "Load against approach"));
+  EXPECT_TRUE(test::has(html, "This case is not finished"));
+  EXPECT_TRUE(test::has(html, "There are no fields"));
+  EXPECT_TRUE(test::has(html, "Load against approach"));
 }
 
 TEST_F(ReportFolder_behaviour, a_study_shows_scatter_over_realisations_and_names_what_is_missing) {
@@ -152,12 +152,12 @@ TEST_F(ReportFolder_behaviour, a_study_shows_scatter_over_realisations_and_names
                                    entry("r05", "500 uN", "rough", 1, "waiting")));
   const std::string html = report();
   expect_self_contained(html);
-  EXPECT_TRUE(has(html, "1 of 5 cases are not in this report"));
-  EXPECT_TRUE(has(html, "r05: waiting"));
+  EXPECT_TRUE(test::has(html, "1 of 5 cases are not in this report"));
+  EXPECT_TRUE(test::has(html, "r05: waiting"));
   // 52.2 kN/m times 0.85^(1/3) and 0.75^(1/3): mean 48.46, sd 1.44
-  EXPECT_TRUE(has(html, "48.5 ± 1.4"));
-  EXPECT_TRUE(has(html, "Error of the computation, where the truth is known"));
-  EXPECT_TRUE(has(html, "mesh error"));
+  EXPECT_TRUE(test::has(html, "48.5 ± 1.4"));
+  EXPECT_TRUE(test::has(html, "Error of the computation, where the truth is known"));
+  EXPECT_TRUE(test::has(html, "mesh error"));
 }
 
 TEST_F(ReportFolder_behaviour, a_study_shows_stiffness_against_load_rms_and_spectrum_on_the_finest_mesh) {
@@ -194,15 +194,15 @@ TEST_F(ReportFolder_behaviour, a_study_shows_stiffness_against_load_rms_and_spec
   expect_self_contained(html);
   for (const char* part : {"Stiffness against load", "Stiffness against roughness", "Stiffness against spectrum", "scans of 2.5 µm",
                            "Results are those of the finest mesh (10 nm"})
-    EXPECT_TRUE(has(html, part)) << part;
-  EXPECT_FALSE(has(html, "10 nm, high"));  // the mesh is no property of a contact
+    EXPECT_TRUE(test::has(html, part)) << part;
+  EXPECT_FALSE(test::has(html, "10 nm, high"));  // the mesh is no property of a contact
   // From 20 to 10 nm the stiffness falls by 1.05^(1/3) - 1 = 1.64 %: as much again to the limit.
-  EXPECT_TRUE(has(html, "+1.6 %"));
+  EXPECT_TRUE(test::has(html, "+1.6 %"));
 }
 
 TEST_F(ReportFolder_behaviour, a_study_without_any_result_yet_lists_its_cases) {
   write_file_atomically(root / "study.json", study_json(entry("a", "1 mN", "smooth", 1, "running")));
-  EXPECT_TRUE(has(report(), "a: running"));
+  EXPECT_TRUE(test::has(report(), "a: running"));
 }
 
 TEST_F(ReportFolder_behaviour, a_title_cannot_break_the_page) {
@@ -210,7 +210,7 @@ TEST_F(ReportFolder_behaviour, a_title_cannot_break_the_page) {
   made.title = "<b>\"1\" & 'x'";
   made.fields = false;
   test::write_synthetic_case(made, root);
-  EXPECT_TRUE(has(report(), "&lt;b&gt;&quot;1&quot; &amp;"));
+  EXPECT_TRUE(test::has(report(), "&lt;b&gt;&quot;1&quot; &amp;"));
 }
 
 TEST_F(ReportFolder_behaviour, a_folder_that_is_neither_case_nor_study_is_refused) { EXPECT_THROW(write_report(root), InputError); }

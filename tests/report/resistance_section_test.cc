@@ -11,6 +11,7 @@
 #include "tests/dem_compare/resistance/moving_study.h"
 #include "tests/report/synthetic_case.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace asperity {
 namespace {
@@ -19,8 +20,6 @@ namespace fs = std::filesystem;
 using test::MovingFolder;
 using test::StudyEntry;
 using test::TemporaryFolder;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Three surfaces, three motions, two loads; rolling of one on three radii and without yielding.
 std::vector<StudyEntry> moving_contacts() {
@@ -68,9 +67,9 @@ TEST(ResistancePage_behaviour, a_study_of_moving_contacts_alone_answers_both_que
         "What resists rolling", "What resists torsion", "With roughness", "With a mechanism switched off",
         "Beside the measurement", "What makes rolling friction fall with roughness is yielding", "R 2.5 µm",
         "What resists this motion", "Largest relative errors"})
-    EXPECT_TRUE(has(html, part)) << part;
+    EXPECT_TRUE(test::has(html, part)) << part;
   for (const char* part : {"Against Hertz", "imprint", "unloading", "There is nothing to judge", "lambda", "+-"})
-    EXPECT_FALSE(has(html, part)) << part;
+    EXPECT_FALSE(test::has(html, part)) << part;
   const std::string csv = read_file(root.path / "resistance.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 3 * 2);
   const auto json = nlohmann::json::parse(read_file(root.path / "resistance.json"));
@@ -93,8 +92,8 @@ TEST(ResistancePage_behaviour, pressed_and_moving_cases_in_one_study_have_both_p
   write_file_atomically(root.path / "study.json", study.dump());
   const std::string html = report_of(root.path);
   for (const char* part : {"What resists sliding", "Against Hertz", "Stiffness, load by load", "cannot be told"})
-    EXPECT_TRUE(has(html, part)) << part;
-  EXPECT_FALSE(has(html, "What resists rolling"));
+    EXPECT_TRUE(test::has(html, part)) << part;
+  EXPECT_FALSE(test::has(html, "What resists rolling"));
 }
 
 TEST(ResistancePage_behaviour, a_study_that_was_only_pressed_has_no_words_on_motion) {
@@ -102,7 +101,7 @@ TEST(ResistancePage_behaviour, a_study_that_was_only_pressed_has_no_words_on_mot
   MovingFolder pressed;
   pressed.experiment = "normal";
   const std::string html = report_of(test::write_moving_study(root.path, {{"one", pressed}}));
-  EXPECT_FALSE(has(html, "What resists"));
+  EXPECT_FALSE(test::has(html, "What resists"));
   EXPECT_FALSE(fs::exists(root.path / "resistance.csv"));
 }
 

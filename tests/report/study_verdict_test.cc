@@ -6,11 +6,10 @@
 #include "report/report.h"
 #include "tests/report/synthetic_case.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace asperity {
 namespace {
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string rough(int seed) { return "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=40 nm, seed=" + std::to_string(seed) + ")"; }
 
@@ -39,9 +38,9 @@ TEST(StudyVerdict_behaviour, counts_by_intervals_and_leaves_out_the_smooth_contr
   const CaseCollection collection = collect_cases({root.path});
   const Comparison comparison = compare_with_hertz(collection, 0.05);
   const std::string html = report::study_verdict(collection, report::curves_of(collection, comparison));
-  EXPECT_TRUE(has(html, "1 of 3 contacts is as stiff as Hertz within 5 % at every load, 1 is not, of 1 it is not known")) << html;
-  EXPECT_FALSE(has(html, "of 4 contacts"));
-  EXPECT_TRUE(has(html, "Error of the computation, where the truth is known")) << html;
+  EXPECT_TRUE(test::has(html, "1 of 3 contacts is as stiff as Hertz within 5 % at every load, 1 is not, of 1 it is not known")) << html;
+  EXPECT_FALSE(test::has(html, "of 4 contacts"));
+  EXPECT_TRUE(test::has(html, "Error of the computation, where the truth is known")) << html;
 }
 
 TEST(Report_behaviour, of_a_case_whose_energy_does_not_balance_says_so_and_gives_no_verdict_beyond_five_per_cent) {
@@ -54,7 +53,7 @@ TEST(Report_behaviour, of_a_case_whose_energy_does_not_balance_says_so_and_gives
     result.replace(result.find("0.0042"), 6, energy);
     write_file_atomically(root.path / "result.json", result);
     write_report(root.path);
-    EXPECT_TRUE(has(read_file(root.path / "report.html"), part)) << energy;
+    EXPECT_TRUE(test::has(read_file(root.path / "report.html"), part)) << energy;
   }
 }
 
