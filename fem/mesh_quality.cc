@@ -29,14 +29,15 @@ struct Moments {
   double sq() const { return weight > 0 ? std::sqrt(std::max(0.0, square / weight - sum * sum / weight / weight)) : 0; }
 };
 
-/// Calls `visit(slope of the topography, slope of the facet)` for both components at four points of a bilinear facet with corner `low`,
-/// of this width and these corner heights.
+/// Calls `visit(slope of the topography, slope of the facet)` for both components at the four Gauss points of a bilinear facet with
+/// corner `low`, of this width and these corner heights.
 template <typename Visit>
 void for_slopes(const meshing::HeightFunction& topography, const std::array<double, 2>& low, const std::array<double, 2>& width,
                 const std::array<double, 4>& height, const Visit& visit) {
   constexpr double short_way = 1.0 / 64;  // of the cell: central differences that see every wave a mesh is refused for
-  for (const double s : {0.25, 0.75})
-    for (const double t : {0.25, 0.75}) {
+  const double first = 0.5 - 0.5 / std::sqrt(3.0), second = 1 - first;
+  for (const double s : {first, second})
+    for (const double t : {first, second}) {
       const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = short_way * width[0], ey = short_way * width[1];
       visit((topography(x + ex, y) - topography(x - ex, y)) / (2 * ex),
             ((1 - t) * (height[1] - height[0]) + t * (height[3] - height[2])) / width[0]);

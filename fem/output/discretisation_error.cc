@@ -43,7 +43,7 @@ double DiscretisationError::largest_plastic_strain() const { return std::hypot(0
 double DiscretisationError::plasticity() const { return std::hypot(0.25 * whole_, largest_pressure()); }
 
 // Friction by an area: as the area. By a load: what is left is that of full slip, below 0.5 %.
-double DiscretisationError::resistance() const { return std::hypot(0.005, area()); }
+double DiscretisationError::resistance(double share_by_area) const { return std::hypot(0.005, share_by_area * area()); }
 
 // As friction's lever arm goes with the contact radius.
 double DiscretisationError::torsion() const { return std::hypot(0.01, 1.5 * area()); }

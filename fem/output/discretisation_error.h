@@ -27,7 +27,7 @@ class DiscretisationError {
   double largest_stress() const;    ///< below the surface
   double largest_plastic_strain() const;
   double plasticity() const;        ///< yielded volume, dissipation, imprint
-  double resistance() const;        ///< of sliding
+  double resistance(double share_by_area) const;  ///< of sliding, of which this share goes with the area and not with the load
   double torsion() const;           ///< moment
   double rolling() const;           ///< moment, dissipation
   double pull_off() const;

@@ -148,14 +148,19 @@ void add_yielding(Effective& effective, const CaseInput& input, const StepRecord
 void add_moving(Effective& effective, const CaseInput& input, const StepRecord& peak, const std::vector<StepRecord>& records,
                 const DiscretisationError& error) {
   if (input.experiment.type == ExperimentInput::Type::program) {  // steady in nothing
-    effective.add("friction_work", records.back().friction_work, "J", {error.resistance(), records.back().energy_error});
+    effective.add("friction_work", records.back().friction_work, "J", {error.resistance(1), records.back().energy_error});
     return;
   }
   const auto add = [&](const char* name, const SteadyResistance& r, const char* unit, double mesh, double floor) {
     effective.add_absolute(name, r.mean, unit, root_of_squares({r.sd, mesh * r.mean, floor}));
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
-  if (const auto sliding = steady_sliding(records)) add("sliding_friction", *sliding, "", error.resistance(), 0);
+  if (const auto sliding = steady_sliding(records)) {
+    // What exceeds Coulomb's share of the load is attraction's; a shear strength acts on the area alone.
+    const double by_load = input.interface.shear_strength > 0 ? 0.0 : input.interface.friction_coefficient;
+    const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
+    add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
+  }
   if (const auto rolling = steady_rolling(records, input.radius)) add("rolling_moment", *rolling, "N m", error.rolling(), noise);
   if (const auto dissipation = rolling_dissipation(records, input.radius)) {
     effective.add_absolute("rolling_dissipation", *dissipation, "N m", root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
