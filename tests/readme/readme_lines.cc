@@ -36,7 +36,7 @@ ReadmeGroup paper() {
           {{"build/asperity study runs/paper/surfaces.prm --output output/paper", smaller,
             "two of its surfaces on one coarser mesh, a smaller load, two steps up and two down", "2 of 2 chosen cases done", "output/paper/study.csv"},
            {"build/asperity compare output/paper", "", "of the two cases solved", "Hertz", "output/paper/comparison.html"},
-           {"build/asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps", "", "of the two cases solved", "lammps", ""},
+           {"build/asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps", "", "of the two cases solved", "LAMMPS", ""},
            {"build/asperity report output/paper", "", "of the two cases solved", "report.html", "output/paper/report.html"}}};
 }
 
