@@ -143,7 +143,7 @@ HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& po
 std::string missed_roughness_text(const RoughnessFidelity& roughness, const std::string& body) {
   if (roughness.missed_slope_share() < worth_saying_of_slopes) return "";
   return body + ": facets miss " + text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the slope variance and " +
-         text("%.0f %%", 100 * roughness.missed_height_share()) + " of Sq: real area reads too large, pressures too small";
+         text("%.0f %%", 100 * roughness.missed_height_share()) + " of Sq: pressures read too small (result.json says by how much)";
 }
 
 void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options, const std::string& file) {
@@ -153,6 +153,12 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
     const double jacobian = quality.smallest_scaled_jacobian[body];
     const RoughnessFidelity& roughness = quality.roughness[body];
     if (!roughness.smooth()) {
+      if (roughness.missed_slope_share() > allowed_missed_slopes || roughness.missed_height_share() > allowed_missed_height)
+        throw InputError(file + ": " + name + "/Topography: between nodes every " + format_quantity(spacing, Dimension::length) + " the mesh misses " +
+                         text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the topography's slope variance and " +
+                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " + text("%g %%", 100 * allowed_missed_slopes) +
+                         " of either is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less, or leave "
+                         "out shorter waves with cutoff= in Topography");
       const double ratio_error = std::abs(roughness.sq_ratio() - 1), node_error = roughness.sq_deviation / roughness.sq_topography;
       if (std::max(ratio_error, node_error) > allowed_roughness_error)
         throw InputError(file + ": " + name + "/Topography: the mesh with nodes every " + format_quantity(spacing, Dimension::length) +
@@ -160,12 +166,6 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
                          format_quantity(roughness.sq_topography, Dimension::length, 4) + " (at most " +
                          text("%g %%", 100 * allowed_roughness_error) +
                          " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less");
-      if (roughness.missed_slope_share() > allowed_missed_slopes || roughness.missed_height_share() > allowed_missed_height)
-        throw InputError(file + ": " + name + "/Topography: between nodes every " + format_quantity(spacing, Dimension::length) + " the mesh misses " +
-                         text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the topography's slope variance and " +
-                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " + text("%g %%", 100 * allowed_missed_slopes) +
-                         " of either is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less, or leave "
-                         "out shorter waves with cutoff= in Topography");
     }
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
     const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +

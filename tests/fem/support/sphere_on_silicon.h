@@ -24,9 +24,10 @@ inline CaseInput sphere_on_silicon(const std::string& particle, const std::strin
   return input;
 }
 
-inline std::string generated(double rms_nm, double cutoff_nm, int seed) {
+/// size: of the periodic square, where a test needs one that is not the default.
+inline std::string generated(double rms_nm, double cutoff_nm, int seed, const std::string& size = "") {
   return "generated(rms=" + std::to_string(rms_nm) + " nm, hurst=0.8, rolloff=200 nm, cutoff=" + std::to_string(cutoff_nm) +
-         " nm, seed=" + std::to_string(seed) + ")";
+         " nm, " + (size.empty() ? "" : "size=" + size + ", ") + "seed=" + std::to_string(seed) + ")";
 }
 
 }  // namespace asperity::test
