@@ -7,11 +7,11 @@ namespace asperity::test {
 namespace {
 
 /// Contacts of some 100 nm on meshes of some 10,000 unknowns.
-const std::string small_contact =
+constexpr const char* small_contact =
     " --set 'Experiment/Normal load=20 uN' --set 'Experiment/Load steps=2' --set 'Experiment/Unload=false' --set 'Mesh/Layers=1'"
     " --set 'Mesh/Interface spacing=25 nm'";
 /// Moving contacts of the paper's bodies: a smoother surface, a smaller load, some ten steps.
-const std::string small_motion =
+constexpr const char* small_motion =
     " --set 'Substrate/Topography=generated(rms=0.3 nm, cutoff=160 nm, seed=7)' --set 'Mesh/Interface spacing=36 nm' --set 'Mesh/Layers=1'"
     " --set 'Mesh/Contact region=260 nm' --set 'Experiment/Normal load=20 uN' --set 'Experiment/Load steps=2' --set 'Experiment/Motion steps=5'"
     " --set 'Experiment/Reverse=false' --set 'Experiment/Unload=false' --set 'Output/Fields=false'";
@@ -42,12 +42,12 @@ ReadmeGroup paper() {
 
 ReadmeGroup motions() {
   return {"Motions",
-          {{"build/asperity solve runs/paper/sliding.prm --output sliding", small_motion + " --set 'Experiment/Distance=100 nm'",
+          {{"build/asperity solve runs/paper/sliding.prm --output sliding", std::string(small_motion) + " --set 'Experiment/Distance=100 nm'",
             "a smoother surface, a smaller load, a third of the distance in few steps", "wrote sliding/result.json", "sliding/history.csv"},
-           {"build/asperity solve runs/paper/rolling.prm --output rolling", small_motion + " --set 'Experiment/Distance=100 nm'",
+           {"build/asperity solve runs/paper/rolling.prm --output rolling", std::string(small_motion) + " --set 'Experiment/Distance=100 nm'",
             "a smoother surface, a smaller load, a sixth of the distance in few steps", "wrote rolling/result.json", "rolling/history.csv"},
            {"build/asperity solve runs/paper/program.prm --output program",
-            small_motion + " --set 'Experiment/Program=slide 30 nm and spin 10 mrad in 2 steps; press 10 uN; indenter 60 nm in 2 steps'",
+            std::string(small_motion) + " --set 'Experiment/Program=slide 30 nm and spin 10 mrad in 2 steps; press 10 uN; indenter 60 nm in 2 steps'",
             "a smoother surface, a smaller load, a shorter program", "wrote program/result.json", "program/history.csv"},
            {"build/asperity derive sliding --output parameters.json", "", "of the case solved", "liding", "parameters.json"}}};
 }
@@ -72,7 +72,7 @@ ReadmeGroup one_particle() {
 
 ReadmeGroup recordings() {
   return {"Recordings",
-          {{"build/asperity import scan.hld --radius \"150 nm\" --output recording", "", "", "samples", "recording/recording.json"},
+          {{"build/asperity import scan.hld --radius \"150 nm\" --substrate-modulus \"72 GPa\" --substrate-poisson 0.17 --output recording", "", "", "samples", "recording/recording.json"},
            {"build/asperity diagnose runs/paper/recordings/sliding_offset_untreated --output diagnosis", "", "", "", "diagnosis/report.html"},
            {"build/asperity conceal --effect adhesion --mode normal --noise 0.01 --seed 1 --output concealed", "", "", "rows", "concealed/truth.json"},
            {"build/asperity challenge --output challenge", " --quick --only single-rolling", "a few recordings of some 200", "", "challenge/challenge.md"}}};
