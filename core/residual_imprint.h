@@ -9,6 +9,7 @@ namespace asperity {
 struct ResidualImprint {
   double depth;  ///< approach at the end of unloading less that of the first loading at the same force [m]; NaN if nothing was unloaded
   double force;  ///< that force [N]
+  double error;  ///< of the loading's approach below its first step: how far its power law is from Hertz' [m]; NaN as depth
 };
 
 /// approach [m], force [N] along the first loading and its unloading, with their turning point in both. Below its first step the loading

@@ -76,8 +76,8 @@ double unbalanced_per_angle(const std::vector<StepRecord>& records) {
   return angle > 0 ? largest_size(records, &StepRecord::energy_error) * largest_work / angle : 0.0;
 }
 
-/// Approach that the first unloading leaves [m]; NaN without one.
-double imprint_of(const std::vector<StepRecord>& records, double largest_force) {
+/// Approach that the first unloading leaves; NaN without one.
+ResidualImprint imprint_of(const std::vector<StepRecord>& records, double largest_force) {
   const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
   std::size_t peak = 0;
   while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise) ++peak;
@@ -90,7 +90,7 @@ double imprint_of(const std::vector<StepRecord>& records, double largest_force) 
     if (k > turn && records[k].normal_force >= records[k - 1].normal_force - noise) break;
     down.push_back(records[k].normal_displacement), down_force.push_back(records[k].normal_force);
   }
-  return residual_imprint(up, up_force, down, down_force).depth;
+  return residual_imprint(up, up_force, down, down_force);
 }
 
 /// Collects `effective`: values with their standard deviations.
@@ -134,8 +134,15 @@ void add_yielding(Effective& effective, const CaseInput& input, const StepRecord
     const double steps = peak.load_step_error / peak.normal_displacement;
     effective.add("load_step_error", steps, "", {LoadStepError::doubt});
   }
-  if (const double imprint = imprint_of(records, peak.normal_force); input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint))
-    effective.add_absolute("residual_imprint", imprint, "m", root_of_squares({error.plasticity() * imprint, peak.load_step_error, error.unloading()}));
+  const ResidualImprint imprint = imprint_of(records, peak.normal_force);
+  if (input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint.depth)) {
+    // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
+    const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
+    const double sd = last.plastic_volume > 0
+                          ? root_of_squares({error.plasticity() * depth, peak.load_step_error, error.unloading(), imprint.error})
+                          : 0.0;
+    effective.add_absolute("residual_imprint", depth, "m", sd);
+  }
   effective.add("particle_von_mises", largest_size(records, &StepRecord::particle_von_mises), "Pa", {error.largest_stress()});
   effective.add("substrate_von_mises", largest_size(records, &StepRecord::substrate_von_mises), "Pa", {error.largest_stress()});
   effective.add("particle_plastic_strain", last.particle_plastic_strain, "", {error.largest_plastic_strain()});

@@ -18,10 +18,20 @@ TEST(ResidualImprint_analytic, a_hertzian_unloading_from_an_imprint_leaves_it_at
     const ResidualImprint left = residual_imprint(up, up_force, down, down_force);
     EXPECT_NEAR(left.depth, imprint, 1e-12) << f;
     EXPECT_EQ(left.force, f);
+    EXPECT_NEAR(left.error, 0, 1e-12);  // the loading is Hertz' from its first step on
   }
   down.push_back(imprint), down_force.push_back(0);
   down.push_back(imprint - 1), down_force.push_back(0);  // drawn apart further
   EXPECT_NEAR(residual_imprint(up, up_force, down, down_force).depth, imprint, 1e-12);
+}
+
+/// Rough bodies load along another power below the first step than Hertz': what that leaves in doubt is told.
+TEST(ResidualImprint_analytic, tells_how_far_an_extrapolated_loading_is_from_Hertz) {
+  const std::vector<double> up{1.0, 1.5}, force{1.0, 2.0};  // d = F^0.585
+  const double power = std::log(1.5) / std::log(2.0), low = 0.01;
+  const ResidualImprint left = residual_imprint(up, force, {1.5, 0.05}, {2.0, low});
+  EXPECT_NEAR(left.error, std::pow(low, power) - std::pow(low, 2.0 / 3), 1e-12);
+  EXPECT_EQ(residual_imprint(up, force, {1.5, 1.2}, {2.0, 1.1}).error, 0);
 }
 
 TEST(ResidualImprint_analytic, there_is_none_where_nothing_was_unloaded) {

@@ -42,8 +42,9 @@ ReadmeGroup paper() {
 
 ReadmeGroup motions() {
   return {"Motions",
-          {{"build/asperity solve runs/paper/sliding.prm --output sliding", std::string(small_motion) + " --set 'Experiment/Distance=100 nm'",
-            "a smoother surface, a smaller load, a third of the distance in few steps", "wrote sliding/result.json", "sliding/history.csv"},
+          {{"build/asperity solve runs/paper/sliding.prm --output sliding",
+            std::string(small_motion) + " --set 'Experiment/Distance=100 nm' --set 'Experiment/Load steps=5' --set 'Experiment/Motion steps=12'",
+            "a smoother surface, a smaller load, a third of the distance in steps that balance its energy, for derive below", "wrote sliding/result.json", "sliding/history.csv"},
            {"build/asperity solve runs/paper/rolling.prm --output rolling", std::string(small_motion) + " --set 'Experiment/Distance=100 nm'",
             "a smoother surface, a smaller load, a sixth of the distance in few steps", "wrote rolling/result.json", "rolling/history.csv"},
            {"build/asperity solve runs/paper/program.prm --output program",
