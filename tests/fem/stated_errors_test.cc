@@ -102,8 +102,9 @@ TEST(StatedErrorsNightly_other_code, nine_of_ten_rough_elastic_contacts_are_with
   for (const double spacing : {40.0, 20.0, 10.0}) cases.push_back({0, 0, 0, 0, 100, spacing});
   for (const int seed : {1, 2, 3})
     for (const double rms : {0.7, 1.5, 2.7})
-      for (const double cells : {2.0, 4.0, 8.0}) cases.push_back({rms, 200, 80, seed, 100, 80 / cells});
-  for (const double cells : {2.0, 4.0}) cases.push_back({1.5, 200, 40, 1, 50, 40 / cells});
+      for (const double cells : {2.5, 4.0, 8.0}) cases.push_back({rms, 200, 80, seed, 100, 80 / cells});
+  // With two cells facets miss a quarter of the slopes: such a case is refused.
+  for (const double cells : {2.5, 4.0}) cases.push_back({1.5, 200, 40, 1, 50, 40 / cells});
   expect_coverage(cases, 24);
 }
 
