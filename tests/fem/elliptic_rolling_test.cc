@@ -10,6 +10,7 @@
 
 #include "tests/fem/support/frictional_contact.h"
 #include "tests/support/shared_files.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -75,8 +76,9 @@ void expect_creep_force(const CreepForce& point, double cells) {
   FrictionalContact c(o);
   EXPECT_NEAR(c.contact_radius / o.radius, a_over_R, 0.002 * a_over_R);
   const auto r = roll_steadily(c, point.creep, point.force, 3.5);
-  std::printf("creep %.4f: Q/(mu P) %.4f (CONTACT %.4f)\n", point.creep, r.lateral_force[0] / c.friction_force, point.force);
-  EXPECT_NEAR(r.lateral_force[0] / c.friction_force, point.force, 0.05 * point.force);
+  char what[96];
+  std::snprintf(what, sizeof what, "wheel, a/b 0.5: creep force at %.2f mu P, a/h %g", point.force, cells);
+  EXPECT_TRUE((test::Verified{"Rolling", what, "CONTACT"}.within(r.lateral_force[0] / c.friction_force, point.force, 0.05)));
 }
 
 TEST(EllipticRolling_other_code, creep_force_of_a_wheel_meets_CONTACT) {
@@ -136,8 +138,9 @@ void expect_carter(double share, const std::vector<std::pair<double, double>>& p
     auto& column = columns[std::lround(x[0] / h * 16)];
     column[0] += x[0] * area, column[1] -= c.state.shear[0][k] * area, column[2] += area;
   }
-  std::printf("middle strip: creep %.2f, Q/(mu P) %.4f (Carter %.4f)\n", share, shear / (o.friction * pressure), expected);
-  EXPECT_NEAR(shear / (o.friction * pressure), expected, 0.05 * expected);
+  char what[96];
+  std::snprintf(what, sizeof what, "middle strip of a contact four times as wide as long: force at %.2f mu P", expected);
+  EXPECT_TRUE((test::Verified{"Rolling", what, "Carter (1926)"}.within(shear / (o.friction * pressure), expected, 0.05)));
   if (profile.empty()) return;
   // The contact has rolled on: its middle is where the pressure's is.
   const double middle = c.state.motion.x - (c.state.motion.x - c.options.radius * c.state.motion.roll);
@@ -152,8 +155,8 @@ void expect_carter(double share, const std::vector<std::pair<double, double>>& p
     far = weight > 0 ? near / weight / (o.friction * p0) : 0;
     difference += (far - traction) * (far - traction), size += traction * traction;
   }
-  std::printf("  traction differs from CONTACT's cylinder by %.1f %% in the 2-norm\n", 100 * std::sqrt(difference / size));
-  EXPECT_LT(std::sqrt(difference / size), 0.08);
+  const test::Verified tractions{"Rolling", "the same strip at 0.64 mu P: tractions along it, 50 elements, 2-norm", "CONTACT's cylinder"};
+  EXPECT_TRUE(tractions.below(100 * std::sqrt(difference / size), 8, "%"));
 }
 
 TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carter) {

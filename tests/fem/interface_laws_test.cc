@@ -9,6 +9,7 @@
 #include "fem/interface/coulomb.h"
 #include "fem/interface/shear_strength.h"
 #include "fem/interface/slip.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -52,6 +53,7 @@ TEST(Slip_analytic, sticks_below_the_limit_and_slips_along_the_trial_beyond_it) 
 
 TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative) {
   const double step = 1e-6;
+  test::Largest error;
   for (const PlaneVector trial : {PlaneVector{3, 4}, PlaneVector{-1, 0.2}, PlaneVector{0.1, -7}})
     for (const double limit : {0.5, 2.0, 100.0}) {
       const Shear here = return_to_limit(trial, limit);
@@ -60,18 +62,21 @@ TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative
         up[j] += step, down[j] -= step;
         return (return_to_limit(up, limit).traction[i] - return_to_limit(down, limit).traction[i]) / (2 * step);
       };
-      EXPECT_NEAR(here.xx, derivative(0, 0), 1e-8);
-      EXPECT_NEAR(here.xy, derivative(0, 1), 1e-8);
-      EXPECT_NEAR(here.xy, derivative(1, 0), 1e-8);
-      EXPECT_NEAR(here.yy, derivative(1, 1), 1e-8);
+      error.count(here.xx - derivative(0, 0));
+      error.count(here.xy - derivative(0, 1));
+      error.count(here.xy - derivative(1, 0));
+      error.count(here.yy - derivative(1, 1));
       EXPECT_GE(here.xx * here.yy - here.xy * here.xy, -1e-12);
       EXPECT_GE(here.xx, 0);
     }
+  const test::Verified verified{"Sliding", "tangent of the traction that slips, never negative", "finite differences"};
+  EXPECT_TRUE(verified.below(error, 1e-8, "of the penalty"));
 }
 
 /// Shear of a law under its pressure: of each there is, below, at and beyond its limit.
 TEST(FrictionLaws_analytic, tangent_of_each_is_the_derivative_of_its_shear) {
   constexpr double pressure = 2e9, step = 1e3;
+  test::Largest size, tangent;
   for (const auto& entry : friction_laws()) {
     InterfaceInput input;
     for (const auto& [coefficient, strength] : {std::pair{0.3, 0.0}, {0.0, 0.5e9}, {0.3, 0.5e9}}) {
@@ -84,16 +89,19 @@ TEST(FrictionLaws_analytic, tangent_of_each_is_the_derivative_of_its_shear) {
       const PlaneVector trial{0.8 * share * limit, -0.6 * share * limit};
       const Shear here = return_to_limit(trial, limit);
       EXPECT_EQ(here.slips, share > 1) << entry.name;
-      EXPECT_NEAR(std::hypot(here.traction[0], here.traction[1]), std::min(1.0, share) * limit, 1e-12 * limit) << entry.name;
+      size.count(std::hypot(here.traction[0], here.traction[1]) / limit - std::min(1.0, share));
       for (int j = 0; j < 2; ++j) {
         PlaneVector up = trial, down = trial;
         up[j] += step, down[j] -= step;
         const auto one = return_to_limit(up, limit), other = return_to_limit(down, limit);
-        EXPECT_NEAR(j == 0 ? here.xx : here.xy, (one.traction[0] - other.traction[0]) / (2 * step), 1e-6) << entry.name;
-        EXPECT_NEAR(j == 0 ? here.xy : here.yy, (one.traction[1] - other.traction[1]) / (2 * step), 1e-6) << entry.name;
+        tangent.count((j == 0 ? here.xx : here.xy) - (one.traction[0] - other.traction[0]) / (2 * step));
+        tangent.count((j == 0 ? here.xy : here.yy) - (one.traction[1] - other.traction[1]) / (2 * step));
       }
     }
   }
+  const auto verified = [](const char* what, const char* source) { return test::Verified{"Sliding", what, source}; };
+  EXPECT_TRUE(verified("shear of each friction law below, at and beyond its limit", "its equation").below(size, 1e-12, "of the limit"));
+  EXPECT_TRUE(verified("tangent of each friction law's shear", "finite differences").below(tangent, 1e-6, "of the penalty"));
 }
 
 TEST(Slip_analytic, secant_takes_the_trial_traction_to_the_traction_and_bounds_the_tangent) {
@@ -120,28 +128,35 @@ TEST(Slip_analytic, of_a_converged_step_is_against_its_traction) {
 
 TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) {
   constexpr double work = 0.08, length = 0.6e-9;
+  test::Largest error;
   for (const auto& entry : fem::adhesion_laws()) {
     const auto law = entry.make(work, length);
     const int n = 200000;
     const double step = law->range() / n;
     double integral = 0;
     for (int k = 0; k < n; ++k) integral += law->at((k + 0.5) * step).stress * step;
-    EXPECT_NEAR(integral + law->at(law->range()).work, work, 1e-4 * work) << entry.name;
+    error.count((integral + law->at(law->range()).work) / work - 1);
     EXPECT_NEAR(law->at(0).work, work, 1e-12 * work) << entry.name;
     EXPECT_LT(law->at(law->range()).work, 2e-4 * work) << entry.name;
   }
+  EXPECT_TRUE((test::Verified{"Adhesion", "integral of each law's attraction", "work of adhesion"}.below(error, 1e-4)));
 }
 
 TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_of_stress) {
+  test::Largest slope, stress;
   for (const auto& entry : fem::adhesion_laws()) {
     const auto law = entry.make(0.08, 0.6e-9);
     for (const double gap : {0.1e-9, 0.5e-9, 0.59e-9, 0.7e-9, 2e-9}) {
       const double d = 1e-15;
       const auto here = law->at(gap), above = law->at(gap + d), below = law->at(gap - d);
-      EXPECT_NEAR((above.stress - below.stress) / (2 * d), here.slope, 1e-5 * std::abs(here.slope) + 1) << entry.name << " " << gap;
-      EXPECT_NEAR((below.work - above.work) / (2 * d), here.stress, 1e-5 * here.stress + 1) << entry.name << " " << gap;
+      // Of what is nearly none, a pascal (per metre) is asked.
+      slope.count(((above.stress - below.stress) / (2 * d) - here.slope) / (std::abs(here.slope) + 1e5));
+      stress.count(((below.work - above.work) / (2 * d) - here.stress) / (here.stress + 1e5));
     }
   }
+  const auto verified = [](const char* what) { return test::Verified{"Adhesion", what, "finite differences"}; };
+  EXPECT_TRUE(verified("slope of each law's attraction").below(slope, 1e-5));
+  EXPECT_TRUE(verified("attraction of each law as slope of its work").below(stress, 1e-5));
 }
 
 TEST(AdhesionLaws_behaviour, an_unknown_name_is_refused_with_those_there_are) {

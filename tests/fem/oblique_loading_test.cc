@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tests/fem/support/frictional_contact.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -16,6 +17,8 @@ double cattaneo_shift(const FrictionalContact& c, double P, double Q) {
   const double limit = c.options.friction * P, a = std::cbrt(3 * P * c.options.radius / (4 * c.reduced_modulus));
   return 3 * limit / (16 * c.system.reduced_shear_modulus() * a) * (1 - std::pow(1 - Q / limit, 2.0 / 3));
 }
+
+test::Verified oblique(const std::string& what) { return {"Sliding", what, "Mindlin & Deresiewicz (1953)"}; }
 
 /// To a shift of half-spaces at load P; the finite bodies' own shift under the shear `expected` [N] is added.
 fem::ContactResultants go(FrictionalContact& c, double P, double shift, double expected) {
@@ -50,7 +53,8 @@ TEST(ObliqueNightly_analytic, load_and_shear_that_grow_in_proportion_below_frict
   for (const int steps : {10, 20}) {
     const double share = shear_of_proportional_loading(steps);
     std::printf("%d steps: Q / (alpha P) %.4f\n", steps, share);
-    EXPECT_NEAR(share, 1, 0.03);
+    const std::string what = "load and shear that grow in proportion below friction, shear, a/h 8, " + std::to_string(steps) + " steps";
+    EXPECT_TRUE(oblique(what).within(share, 1, 0.03));
   }
 }
 
@@ -64,14 +68,12 @@ TEST(Oblique_analytic, load_that_grows_at_constant_shear_leaves_the_shift_and_it
   auto r = go(c, P0, cattaneo_shift(c, P0, 0.5 * limit), 0.5 * limit);
   EXPECT_NEAR(r.lateral_force[0], 0.5 * limit, 0.02 * limit);
   for (const double P : {1.25 * P0, 1.5 * P0, 1.75 * P0, 2 * P0}) r = c.step(c.state.motion, P);
-  std::printf("at 2 P0: Q / mu P0 %.4f (0.5)\n", r.lateral_force[0] / limit);
-  EXPECT_NEAR(r.lateral_force[0], 0.5 * limit, 0.02 * limit);
+  const std::string h3 = "history H3 (load to 2 P0 at constant shear): ";
+  EXPECT_TRUE(oblique(h3 + "shear at 2 P0, 0.5 mu P0").within(r.lateral_force[0], 0.5 * limit, 0.02));
   r = go(c, 2 * P0, 0.7663021 * D0, 1.2 * limit);
-  std::printf("more shear: Q / mu P0 %.4f (1.2)", r.lateral_force[0] / limit);
-  EXPECT_NEAR(r.lateral_force[0], 1.2 * limit, 0.02 * 1.2 * limit);
+  EXPECT_TRUE(oblique(h3 + "more shear, 1.2 mu P0").within(r.lateral_force[0], 1.2 * limit, 0.02));
   r = go(c, 2 * P0, 1.2454059 * D0, 1.8 * limit);
-  std::printf(", %.4f (1.8)\n", r.lateral_force[0] / limit);
-  EXPECT_NEAR(r.lateral_force[0], 1.8 * limit, 0.02 * 1.8 * limit);
+  EXPECT_TRUE(oblique(h3 + "more shear, 1.8 mu P0").within(r.lateral_force[0], 1.8 * limit, 0.02));
 }
 
 TEST(Oblique_analytic, load_that_falls_at_constant_shear_slips_as_if_loaded_there_at_once) {
@@ -82,8 +84,8 @@ TEST(Oblique_analytic, load_that_falls_at_constant_shear_slips_as_if_loaded_ther
   go(c, P0, cattaneo_shift(c, P0, Q), Q);
   for (const double share : {0.9, 0.8, 0.7}) {
     const auto r = go(c, share * P0, cattaneo_shift(c, share * P0, Q), Q);
-    std::printf("P / P0 %.1f: Q over expected %.4f\n", share, r.lateral_force[0] / Q);
-    EXPECT_NEAR(r.lateral_force[0], Q, 0.02 * Q);
+    const std::string what = "history H4 (load falls at constant shear): shear at " + std::to_string(share).substr(0, 3) + " P0";
+    EXPECT_TRUE(oblique(what).within(r.lateral_force[0], Q, 0.02));
   }
 }
 
