@@ -8,6 +8,7 @@
 
 #include "fem/interface/dugdale.h"
 #include "tests/fem/support/frictional_contact.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -57,8 +58,11 @@ void expect_hysteresis_resists(double closing, double opening, double range, dou
   }
   const double expected = o.radius * (opening - closing) * width / steps;
   std::printf("moment %.4g, lost per angle %.4g, R times width times dw %.4g N m\n", moment / steps, lost / (steps * h / o.radius), expected);
-  EXPECT_NEAR(moment / steps, expected, 0.05 * expected);
-  EXPECT_NEAR(lost / (steps * h / o.radius), moment / steps, 0.05 * expected);
+  char place[96];
+  std::snprintf(place, sizeof place, "rolling, w %g closing and %g J/m2 opening over %g nm, a/h 8: ", closing, opening, 1e9 * range);
+  const auto verified = [&](const std::string& what, const char* source) { return test::Verified{"Adhesion", place + what, source}; };
+  EXPECT_TRUE(verified("moment", "R times width times dw, Kendall (1975)").within(moment / steps, expected, 0.05));
+  EXPECT_TRUE(verified("what bonds lose per angle, less the moment", "the moment").below(100 * (lost / (h / o.radius) - moment) / steps / expected, 5, "%"));
 }
 
 TEST(AdhesiveRolling_analytic, hysteresis_of_adhesion_resists_rolling_by_its_work_over_the_width_of_contact) {
@@ -113,11 +117,17 @@ struct PinnedContact {
     std::printf("xi %.2f nm: M / ((P_a - P) xi) %.4f\n", 1e9 * xi, moment / (surplus * xi));
     return moment / (surplus * xi);
   }
+
+  testing::AssertionResult resists_as_pinned(double share) {
+    char what[96];
+    std::snprintf(what, sizeof what, "pinned contact, a/h %g, rolled to %g of Krijt's critical roll: moment", contact.options.cells_per_radius, share);
+    return test::Verified{"Adhesion", what, "Dominik & Tielens (1995)"}.within(moment(share), 1, 0.05);
+  }
 };
 
 TEST(AdhesiveRolling_analytic, a_pinned_contact_resists_as_Dominik_and_Tielens_found) {
   PinnedContact pinned(12, 0.02, 1, 1e-9);
-  for (const double share : {0.25, 0.5, 0.75}) EXPECT_NEAR(pinned.moment(share), 1, 0.05);
+  for (const double share : {0.25, 0.5, 0.75}) EXPECT_TRUE(pinned.resists_as_pinned(share));
   EXPECT_FALSE(pinned.has_lost);
 }
 
@@ -125,12 +135,14 @@ TEST(AdhesiveRolling_analytic, a_pinned_contact_resists_as_Dominik_and_Tielens_f
 /// moves by whole ones, and the moment leaves the pinned one's line some of a spacing later than the theory's.
 TEST(AdhesiveRollingNightly_analytic, the_rim_of_a_pinned_contact_moves_from_Krijts_critical_roll_on) {
   PinnedContact pinned(20, 0.15, 1, 0.3e-9);
-  for (const double share : {0.5, 0.75, 1.0}) EXPECT_NEAR(pinned.moment(share), 1, 0.05);
+  for (const double share : {0.5, 0.75, 1.0}) EXPECT_TRUE(pinned.resists_as_pinned(share));
   EXPECT_FALSE(pinned.has_lost);
-  EXPECT_LT(1.4 * pinned.moment(1.4), 1.3);
-  const double later = 1.8 * pinned.moment(1.8);
-  EXPECT_GT(later, 1);
-  EXPECT_LT(later, 1.4);
+  const auto verified = [](const char* share) {
+    return test::Verified{"Adhesion", std::string("pinned contact, a/h 20, rolled to ") + share + " of Krijt's critical roll: moment over that there",
+                          "it leaves the pinned one's line"};
+  };
+  EXPECT_TRUE(verified("1.4").below(1.4 * pinned.moment(1.4), 1.3));
+  EXPECT_TRUE(verified("1.8").between(1.8 * pinned.moment(1.8), 1, 1.4));
   EXPECT_TRUE(pinned.has_lost);
 }
 
@@ -142,8 +154,8 @@ TEST(AdhesiveFriction_analytic, attraction_adds_to_the_load_that_friction_feels)
   const auto r = contact.shift(6e-9);
   EXPECT_EQ(r.sticking, 0);
   EXPECT_GT(r.attraction, 0.2 * o.load);
-  std::printf("full slip with attraction %+.2f %%\n", 100 * (r.lateral_force[0] / (o.friction * (o.load + r.attraction)) - 1));
-  EXPECT_NEAR(r.lateral_force[0], o.friction * (o.load + r.attraction), 0.01 * r.lateral_force[0]);
+  const test::Verified verified{"Adhesion", "full slip with attraction, a/h 8", "mu (P + attraction)"};
+  EXPECT_TRUE(verified.within(r.lateral_force[0], o.friction * (o.load + r.attraction), 0.01));
 }
 
 }  // namespace

@@ -9,12 +9,15 @@
 #include "fem/output/steady_motion.h"
 #include "tests/fem/support/frictional_contact.h"
 #include "tests/support/shared_files.h"
+#include "tests/support/verification.h"
 
 namespace {
 
 using namespace asperity;
 using test::FrictionalContact;
 using test::FrictionalContactOptions;
+
+const char* const of_load_times_radius = "of load times contact radius";
 
 /// Largest and mean moment over load and contact radius, over a contact radius of way.
 std::array<double, 2> frictionless_moment(double cells) {
@@ -41,8 +44,11 @@ std::array<double, 2> frictionless_moment(double cells) {
 
 void expect_no_resistance(double cells) {
   const auto [largest, mean] = frictionless_moment(cells);
-  EXPECT_LT(largest, fem::rolling_noise) << cells;
-  EXPECT_LT(std::abs(mean), 0.1 * fem::rolling_noise) << cells;
+  const auto verified = [&](const std::string& what) {
+    return test::Verified{"Rolling", "smooth elastic sphere without friction, a/h " + std::to_string(std::lround(cells)) + ": " + what, "none"};
+  };
+  EXPECT_TRUE(verified("largest moment over a contact radius").below(largest, fem::rolling_noise, of_load_times_radius));
+  EXPECT_TRUE(verified("mean moment").below(mean, 0.1 * fem::rolling_noise, of_load_times_radius));
 }
 
 TEST(Rolling_analytic, a_smooth_elastic_sphere_without_friction_meets_no_resistance) {
@@ -70,8 +76,9 @@ TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
   };
   const double before = mean_moment(-1), after = mean_moment(1);
   std::printf("moment over load and contact radius: %.1e and %.1e, mean of both sides %.1e\n", before, after, (before + after) / 2);
-  EXPECT_LT(std::abs(before + after) / 2, 0.2 * fem::rolling_noise);
-  EXPECT_LT(std::max(std::abs(before), std::abs(after)), 3e-3);
+  const auto verified = [](const std::string& what) { return test::Verified{"Rolling", "R 2.5 um at -0.185 and 0.185 rad, a/h 8: " + what, "none"}; };
+  EXPECT_TRUE(verified("mean of both moments").below((before + after) / 2, 0.2 * fem::rolling_noise, of_load_times_radius));
+  EXPECT_TRUE(verified("larger of both moments").below(std::max(std::abs(before), std::abs(after)), 3e-3, of_load_times_radius));
 }
 
 struct Creep {
@@ -132,29 +139,28 @@ double reference_value(const std::filesystem::path& path, const std::string& id)
   throw std::runtime_error("no " + id + " in " + path.string());
 }
 
+test::Verified kalkers(const char* what) { return {"Rolling", what, "Kalker (1990), boundary elements"}; }
+
 TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
   const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c11 = kalker(path, "C11_own");
   const auto r = steady_reaction(rolling_contact(friction_along), {small_along, 0, 0}, {c11 * small_along, 0, 0});
-  std::printf("C11 %.4f (%.4f)\n", r.x / small_along, c11);
-  EXPECT_NEAR(r.x / small_along, c11, 0.05 * c11);
+  EXPECT_TRUE(kalkers("C11, longitudinal creep, a/h 8").within(r.x / small_along, c11, 0.05));
 }
 
 TEST(RollingNightly_other_code, lateral_creep_meets_Kalkers_C22) {
   const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c22 = kalker(path, "C22_own");
   const auto r = steady_reaction(rolling_contact(friction), {0, small, 0}, {0, c22 * small, 0});
-  std::printf("C22 %.4f (%.4f)\n", r.y / small, c22);
-  EXPECT_NEAR(r.y / small, c22, 0.05 * c22);
+  EXPECT_TRUE(kalkers("C22, lateral creep, a/h 8").within(r.y / small, c22, 0.05));
 }
 
 TEST(RollingNightly_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
   const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c23 = kalker(path, "C23_own"), c33 = kalker(path, "C33_own");
   const auto r = steady_reaction(rolling_contact(friction_spin), {0, 0, small}, {0, c23 * small, c33 * small});
-  std::printf("C23 %.4f (%.4f)  C33 %.4f (%.4f)\n", r.y / small, c23, r.torsion / small, c33);
-  EXPECT_NEAR(r.y / small, c23, 0.05 * c23);
-  EXPECT_NEAR(r.torsion / small, c33, 0.05 * c33);
+  EXPECT_TRUE(kalkers("C23, force of spin creep, a/h 8").within(r.y / small, c23, 0.05));
+  EXPECT_TRUE(kalkers("C33, moment of spin creep, a/h 8").within(r.torsion / small, c33, 0.05));
 }
 
 TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
@@ -166,8 +172,7 @@ TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
   o.friction = G * a * a * small_along / (0.2 * o.load);
   const double unit = o.friction * o.load / (G * a * a);
   const auto r = steady_reaction(o, {small_along, 0, 0}, {0.6 * unit, 0, 0});
-  std::printf("Q/(mu P) %.4f (%.4f)\n", r.x / unit, expected);
-  EXPECT_NEAR(r.x / unit, expected, 0.05 * expected);
+  EXPECT_TRUE(kalkers("force of longitudinal creep with partial slip, circular contact, a/h 8").within(r.x / unit, expected, 0.05));
 }
 
 }  // namespace
