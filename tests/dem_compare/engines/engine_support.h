@@ -14,6 +14,7 @@
 #include "dem_compare/engines/yade.h"
 #include "tests/dem_compare/engines/canonical_contact.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/verification.h"
 
 /// Skips the test with one line where an engine is not installed.
 #define ASPERITY_ENGINE_OR_SKIP(engine)                                            \
@@ -59,10 +60,16 @@ inline EngineRun run(const Engine& engine, const EngineExperiment& experiment) {
   return run_engine(engine, experiment, folder.path);
 }
 
-/// All of an experiment's measurements agree with the law in closed form.
-inline void expect_closed_form(const EngineRun& engine_run, double tolerance) {
-  for (const auto& m : engine_run.measurements)
-    EXPECT_NEAR(m.ratio(), 1, tolerance) << m.name << ": " << m.measured << " " << m.unit << ", law " << m.law;
+/// All of an experiment's measurements agree with the law in closed form; `what` names the experiment.
+inline void expect_closed_form(const std::string& what, const EngineRun& engine_run, double tolerance) {
+  Largest error;
+  std::string all;
+  for (const auto& m : engine_run.measurements) {
+    error.count(m.ratio() - 1);
+    all += "\n" + m.name + ": " + std::to_string(m.ratio()) + " of the law";
+  }
+  const Verified verified{"Engines", engine_run.engine + ", " + what + ": all that is measured of it", "closed form"};
+  EXPECT_TRUE(verified.within(1 + error, 1, tolerance)) << all;
 }
 
 /// Output of a script of the test's own, run by an engine's program.
