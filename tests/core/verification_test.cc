@@ -40,7 +40,8 @@ TEST(Verification_behaviour, asserts_what_it_writes_down) {
   EXPECT_EQ(table.rows[7][table.column("asked")], "at least 28 of 30");
 }
 
-TEST(Verification_behaviour, the_largest_error_keeps_its_sign_and_is_none_without_any_and_with_one_that_is_none) {
+TEST(Verification_behaviour,
+     the_largest_error_keeps_its_sign_and_is_none_without_any_and_with_one_that_is_none) {
   test::Largest errors;
   EXPECT_TRUE(std::isnan(errors));
   for (const double error : {0.1, -0.3, 0.2}) errors.count(error);

@@ -59,10 +59,15 @@ void expect_hysteresis_resists(double closing, double opening, double range, dou
   const double expected = o.radius * (opening - closing) * width / steps;
   std::printf("moment %.4g, lost per angle %.4g, R times width times dw %.4g N m\n", moment / steps, lost / (steps * h / o.radius), expected);
   char place[96];
-  std::snprintf(place, sizeof place, "rolling, w %g closing and %g J/m2 opening over %g nm, a/h 8: ", closing, opening, 1e9 * range);
-  const auto verified = [&](const std::string& what, const char* source) { return test::Verified{"Adhesion", place + what, source}; };
-  EXPECT_TRUE(verified("moment", "R times width times dw, Kendall (1975)").within(moment / steps, expected, 0.05));
-  EXPECT_TRUE(verified("what bonds lose per angle, less the moment", "the moment").below(100 * (lost / (h / o.radius) - moment) / steps / expected, 5, "%"));
+  std::snprintf(place, sizeof place, "rolling, w %g closing and %g J/m2 opening over %g nm, a/h 8: ", closing,
+                opening, 1e9 * range);
+  const auto verified = [&](const std::string& what, const char* source) {
+    return test::Verified{"Adhesion", place + what, source};
+  };
+  EXPECT_TRUE(
+      verified("moment", "R times width times dw, Kendall (1975)").within(moment / steps, expected, 0.05));
+  EXPECT_TRUE(verified("what bonds lose per angle, less the moment", "the moment")
+                  .below(100 * (lost / (h / o.radius) - moment) / steps / expected, 5, "%"));
 }
 
 TEST(AdhesiveRolling_analytic, hysteresis_of_adhesion_resists_rolling_by_its_work_over_the_width_of_contact) {
@@ -120,7 +125,8 @@ struct PinnedContact {
 
   testing::AssertionResult resists_as_pinned(double share) {
     char what[96];
-    std::snprintf(what, sizeof what, "pinned contact, a/h %g, rolled to %g of Krijt's critical roll: moment", contact.options.cells_per_radius, share);
+    std::snprintf(what, sizeof what, "pinned contact, a/h %g, rolled to %g of Krijt's critical roll: moment",
+                  contact.options.cells_per_radius, share);
     return test::Verified{"Adhesion", what, "Dominik & Tielens (1995)"}.within(moment(share), 1, 0.05);
   }
 };
@@ -138,7 +144,9 @@ TEST(AdhesiveRollingNightly_analytic, the_rim_of_a_pinned_contact_moves_from_Kri
   for (const double share : {0.5, 0.75, 1.0}) EXPECT_TRUE(pinned.resists_as_pinned(share));
   EXPECT_FALSE(pinned.has_lost);
   const auto verified = [](const char* share) {
-    return test::Verified{"Adhesion", std::string("pinned contact, a/h 20, rolled to ") + share + " of Krijt's critical roll: moment over that there",
+    return test::Verified{"Adhesion",
+                          std::string("pinned contact, a/h 20, rolled to ") + share +
+                              " of Krijt's critical roll: moment over that there",
                           "it leaves the pinned one's line"};
   };
   EXPECT_TRUE(verified("1.4").below(1.4 * pinned.moment(1.4), 1.3));

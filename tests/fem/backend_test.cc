@@ -20,7 +20,9 @@ ContactSystemOptions options_with_backend(const std::string& backend, Control co
   return o;
 }
 
-asperity::test::Verified backends(const std::string& what) { return {"Solver", "assembled against matrix-free: " + what, "the other backend"}; }
+asperity::test::Verified backends(const std::string& what) {
+  return {"Solver", "assembled against matrix-free: " + what, "the other backend"};
+}
 
 /// Response to a load on the driven plane (force control) or on an interface node with half of the contacts closed.
 Vector<double> response(ContactSystem& system, int& iterations) {
@@ -51,7 +53,8 @@ TEST(Backend_behaviour, assembled_matrix_is_the_matrix_free_operator) {
     auto difference = response(assembled, algebraic);
     difference.zero_out_ghost_values();
     difference -= x;
-    const std::string what = std::string("response to one load, ") + (control == Control::force ? "force" : "displacement") + " control";
+    const std::string what = std::string("response to one load, ") +
+                             (control == Control::force ? "force" : "displacement") + " control";
     EXPECT_TRUE(backends(what).below(difference.linfty_norm() / x.linfty_norm(), 1e-7));
     EXPECT_LT(iterations, 60);
     EXPECT_LT(algebraic, 200);

@@ -73,12 +73,15 @@ TEST(Cattaneo_other_code, tractions_and_shift_at_seven_eighths_of_friction_meet_
   std::printf("Q/muP %.4f (%.4f), sticking %.3f of the contact (%.3f), traction along differs by %.2f %% in the 2-norm, across by %.1f %% of its %.2f %%\n",
               reached, force, double(r.sticking) / r.active, 45.0 / 177, 100 * off, 100 * off_across, 100 * std::sqrt(across_size / size));
   const auto verified = [](const std::string& what) {
-    return asperity::test::Verified{"Sliding", "CONTACT's ball (nu 0.42, mu 0.4) at 7/8 of full friction, a/h 18: " + what, "CONTACT"};
+    return asperity::test::Verified{
+        "Sliding", "CONTACT's ball (nu 0.42, mu 0.4) at 7/8 of full friction, a/h 18: " + what, "CONTACT"};
   };
   EXPECT_TRUE(verified("force at its shift").within(reached, force, 0.01));
-  EXPECT_TRUE(verified("share that sticks, less CONTACT's").below(double(r.sticking) / r.active - 45.0 / 177, 0.02));
+  EXPECT_TRUE(
+      verified("share that sticks, less CONTACT's").below(double(r.sticking) / r.active - 45.0 / 177, 0.02));
   EXPECT_TRUE(verified("traction along, 177 elements, 2-norm").below(100 * off, 5, "%"));
-  EXPECT_TRUE(verified("traction across, which Cattaneo leaves out, 2-norm of its own").below(100 * off_across, 15, "%"));
+  EXPECT_TRUE(verified("traction across, which Cattaneo leaves out, 2-norm of its own")
+                  .below(100 * off_across, 15, "%"));
 }
 
 }  // namespace

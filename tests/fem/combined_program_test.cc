@@ -14,8 +14,8 @@
 #include "fem/solve_case.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/shared_files.h"
-#include "tests/support/verification.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/verification.h"
 
 namespace {
 
@@ -109,7 +109,9 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
   const double friction = 0.3 * 100e-6;
   std::printf("along %+.2f %%, across %+.2f %%, left along %.4f, open %.2g\n", 100 * (along[turn] / friction - 1),
               100 * (across.back() / friction - 1), along.back() / friction, *std::max_element(energy.begin(), energy.end()));
-  const auto verified = [](const std::string& what) { return test::Verified{"Sliding", "program: slid along, then across, smooth, a/h 10: " + what, "mu P"}; };
+  const auto verified = [](const std::string& what) {
+    return test::Verified{"Sliding", "program: slid along, then across, smooth, a/h 10: " + what, "mu P"};
+  };
   EXPECT_TRUE(verified("friction along").within(along[turn], friction, 0.01));
   EXPECT_NEAR(across[turn], 0, 0.005 * friction);
   EXPECT_TRUE(verified("friction across").within(across.back(), friction, 0.01));
@@ -144,8 +146,11 @@ void expect_steady_spin(double spin_number, double largest_across) {
   std::printf("G a^3 phi/(mu P) %.2f, spun by %.3f rad: forward %.4f, across %.4f (%.4f), moment %.4f (%.4f), slip per angle of spin %.4f, open %.2g\n",
               spin_number, heading[last], forward, sideways, across_expected, spun_back, moment_expected, lost, *std::max_element(energy.begin(), energy.end()));
   char place[96];
-  std::snprintf(place, sizeof place, "rolled freely while it spins, G a^3 phi/(mu P) %g, a/h 7: ", spin_number);
-  const auto verified = [&](const std::string& what, const char* source) { return test::Verified{"Rolling", place + what, source}; };
+  std::snprintf(place, sizeof place,
+                "rolled freely while it spins, G a^3 phi/(mu P) %g, a/h 7: ", spin_number);
+  const auto verified = [&](const std::string& what, const char* source) {
+    return test::Verified{"Rolling", place + what, source};
+  };
   const char* const elements = "boundary elements, 2 %";
   EXPECT_TRUE(verified("force forward, over mu P", "none").below(forward, 0.01));
   EXPECT_TRUE(verified("force across", elements).within(sideways, across_expected, largest_across));
@@ -174,7 +179,9 @@ TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_s
   std::printf("Q/(mu P) %.3f, put in over friction's work %.4f, force times approach times angle %.3f of it\n", force[last] / (0.3 * 100e-6),
               put_in / into_friction, lever / into_friction);
   EXPECT_GT(std::abs(lever), 0.05 * into_friction);  // else the case would not tell
-  EXPECT_TRUE((test::Verified{"Rolling", "shifted, then rolled with creep: work put in", "friction's work"}.within(put_in, into_friction, 0.01)));
+  EXPECT_TRUE(
+      (test::Verified{"Rolling", "shifted, then rolled with creep: work put in", "friction's work"}.within(
+          put_in, into_friction, 0.01)));
 }
 
 /// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle without drive could hold.
@@ -191,7 +198,8 @@ TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_
     return test::Verified{"Experiment", "program of five parts, rough yielding bodies: " + what, source};
   };
   EXPECT_TRUE(verified("force left open, of the load", "balance").below(result["balance"]["force"], 1e-5));
-  EXPECT_TRUE(verified("energy left open", "balance").below(100 * result["balance"]["energy"].get<double>(), 1, "%"));
+  EXPECT_TRUE(
+      verified("energy left open", "balance").below(100 * result["balance"]["energy"].get<double>(), 1, "%"));
   const auto angle = whole.numbers("rolling_angle [rad]"), force = whole.numbers("lateral_force [N]"), load = whole.numbers("normal_force [N]");
   std::size_t rolled = 0;
   while (angle[rolled] * input.radius < 99e-9) ++rolled;
@@ -211,7 +219,9 @@ TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t k = 0; k < one.size(); ++k) difference.count((other[k] - one[k]) / 100e-6);
   }
-  const test::Verified resumption{"Interruption", "program of five parts resumed within a part: lateral forces, of the load", "the uninterrupted run"};
+  const test::Verified resumption{"Interruption",
+                                  "program of five parts resumed within a part: lateral forces, of the load",
+                                  "the uninterrupted run"};
   EXPECT_TRUE(resumption.below(difference, 1e-5));
 }
 

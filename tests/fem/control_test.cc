@@ -45,7 +45,8 @@ TEST(DisplacementControl_analytic, an_elastic_contact_unloads_on_its_loading_pat
   const auto down = run.to(4e-9);
   EXPECT_GT(up.force, 0);
   const auto verified = [](const char* what) {
-    return asperity::test::Verified{"Solver", std::string("displacement control, elastic unloading: ") + what, "the loading path"};
+    return asperity::test::Verified{"Solver", std::string("displacement control, elastic unloading: ") + what,
+                                    "the loading path"};
   };
   EXPECT_TRUE(verified("force").below(down.force / up.force - 1, 1e-5));
   EXPECT_TRUE(verified("largest pressure").below(down.largest_pressure / up.largest_pressure - 1, 1e-4));
@@ -64,10 +65,13 @@ TEST(DisplacementControl_behaviour, gives_the_states_of_force_control_of_yieldin
     force.count(b.force / load - 1);
     pressure.count(b.largest_pressure / a.largest_pressure - 1);
     EXPECT_EQ(b.active, a.active) << load;
-    stiffness.count(driven.solver.elastic_stiffness(driven.state) / given.solver.elastic_stiffness(given.state) - 1);
+    stiffness.count(
+        driven.solver.elastic_stiffness(driven.state) / given.solver.elastic_stiffness(given.state) - 1);
   }
   const auto verified = [](const char* what) {
-    return asperity::test::Verified{"Solver", std::string("displacement control of yielding bodies, load and unload: ") + what, "force control"};
+    return asperity::test::Verified{
+        "Solver", std::string("displacement control of yielding bodies, load and unload: ") + what,
+        "force control"};
   };
   EXPECT_TRUE(verified("force").below(force, 1e-5));
   EXPECT_TRUE(verified("largest pressure").below(pressure, 1e-4));

@@ -56,9 +56,12 @@ void expect_spence(const Spence& expected) {
   std::printf("stick radius %.1f: peak %.4f (%.4f), radius %.4f (%.4f), approach %.4f (%.4f), %d misplaced\n", expected.stick_radius, peak / p0,
               expected.peak, radius, expected.radius, approach, expected.approach, misplaced);
   char place[96] = "borosilicate on diamond without friction, a/h 16: ";
-  if (expected.friction > 0) std::snprintf(place, sizeof place, "borosilicate on diamond, stick radius %.1f a, a/h 16: ", expected.stick_radius);
+  if (expected.friction > 0)
+    std::snprintf(place, sizeof place,
+                  "borosilicate on diamond, stick radius %.1f a, a/h 16: ", expected.stick_radius);
   const auto verified = [&](const std::string& what) {
-    return test::Verified{"Sliding", place + what, expected.friction > 0 ? "Spence (1975), integral equation solved" : "Hertz (1882)"};
+    return test::Verified{"Sliding", place + what,
+                          expected.friction > 0 ? "Spence (1975), integral equation solved" : "Hertz (1882)"};
   };
   EXPECT_TRUE(verified("largest pressure").within(peak / p0, expected.peak, 0.02));
   EXPECT_TRUE(verified("contact radius").below((radius - expected.radius) * o.cells_per_radius, 0.5, "h"));

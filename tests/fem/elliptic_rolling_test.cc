@@ -78,7 +78,8 @@ void expect_creep_force(const CreepForce& point, double cells) {
   const auto r = roll_steadily(c, point.creep, point.force, 3.5);
   char what[96];
   std::snprintf(what, sizeof what, "wheel, a/b 0.5: creep force at %.2f mu P, a/h %g", point.force, cells);
-  EXPECT_TRUE((test::Verified{"Rolling", what, "CONTACT"}.within(r.lateral_force[0] / c.friction_force, point.force, 0.05)));
+  EXPECT_TRUE((test::Verified{"Rolling", what, "CONTACT"}.within(r.lateral_force[0] / c.friction_force,
+                                                                 point.force, 0.05)));
 }
 
 TEST(EllipticRolling_other_code, creep_force_of_a_wheel_meets_CONTACT) {
@@ -139,8 +140,10 @@ void expect_carter(double share, const std::vector<std::pair<double, double>>& p
     column[0] += x[0] * area, column[1] -= c.state.shear[0][k] * area, column[2] += area;
   }
   char what[96];
-  std::snprintf(what, sizeof what, "middle strip of a contact four times as wide as long: force at %.2f mu P", expected);
-  EXPECT_TRUE((test::Verified{"Rolling", what, "Carter (1926)"}.within(shear / (o.friction * pressure), expected, 0.05)));
+  std::snprintf(what, sizeof what, "middle strip of a contact four times as wide as long: force at %.2f mu P",
+                expected);
+  EXPECT_TRUE((test::Verified{"Rolling", what, "Carter (1926)"}.within(shear / (o.friction * pressure),
+                                                                       expected, 0.05)));
   if (profile.empty()) return;
   // The contact has rolled on: its middle is where the pressure's is.
   const double middle = c.state.motion.x - (c.state.motion.x - c.options.radius * c.state.motion.roll);
@@ -155,7 +158,9 @@ void expect_carter(double share, const std::vector<std::pair<double, double>>& p
     far = weight > 0 ? near / weight / (o.friction * p0) : 0;
     difference += (far - traction) * (far - traction), size += traction * traction;
   }
-  const test::Verified tractions{"Rolling", "the same strip at 0.64 mu P: tractions along it, 50 elements, 2-norm", "CONTACT's cylinder"};
+  const test::Verified tractions{"Rolling",
+                                 "the same strip at 0.64 mu P: tractions along it, 50 elements, 2-norm",
+                                 "CONTACT's cylinder"};
   EXPECT_TRUE(tractions.below(100 * std::sqrt(difference / size), 8, "%"));
 }
 

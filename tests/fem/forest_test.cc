@@ -42,15 +42,19 @@ TEST(ParallelForest_behaviour, of_every_level_has_the_cells_and_unknowns_of_one_
     for (const double spacing : {40e-9, 60e-9})
       for (int coarsenings = 0; coarsenings < 6; ++coarsenings) {
         const auto options = sphere_of_8p5_um(spacing, full);
-        const auto one = make_forest(MPI_COMM_SELF, options, coarsenings), all = make_forest(MPI_COMM_WORLD, options, coarsenings);
+        const auto one = make_forest(MPI_COMM_SELF, options, coarsenings),
+                   all = make_forest(MPI_COMM_WORLD, options, coarsenings);
         const MeshLevel level_of_one(*one, Control::force), level_of_all(*all, Control::force);
-        const bool is_same = all->n_global_active_cells() == one->n_global_active_cells() && level_of_all.size() == level_of_one.size() &&
+        const bool is_same = all->n_global_active_cells() == one->n_global_active_cells() &&
+                             level_of_all.size() == level_of_one.size() &&
                              static_cast<long>(level_of_all.size()) == unknowns_with_a_cell(level_of_all);
         EXPECT_TRUE(is_same) << full << spacing << coarsenings;
         ++levels, other += !is_same;
       }
   EXPECT_EQ(levels, 24);
-  const asperity::test::Verified verified{"Meshes", "levels with other cells or unknowns than on one rank, or unknowns without a cell, of 24", "one rank"};
+  const asperity::test::Verified verified{
+      "Meshes", "levels with other cells or unknowns than on one rank, or unknowns without a cell, of 24",
+      "one rank"};
   EXPECT_TRUE(verified.below(other, 0));
 }
 
@@ -76,7 +80,9 @@ TEST(Forest_behaviour, of_each_level_is_the_next_coarser_one_refined_once_at_mos
       options.sizes.reach_particle = options.sizes.reach_substrate = reach;
       for (int coarsenings = 1; coarsenings < 6; ++coarsenings) torn += torn_cells(options, coarsenings);
     }
-  const asperity::test::Verified verified{"Meshes", "cells that are more than one refinement from the next coarser level, 12 regions, 5 levels", "none"};
+  const asperity::test::Verified verified{
+      "Meshes", "cells that are more than one refinement from the next coarser level, 12 regions, 5 levels",
+      "none"};
   EXPECT_TRUE(verified.below(torn, 0));
 }
 
@@ -100,7 +106,9 @@ TEST(CoarseMesh_behaviour, has_edges_of_the_same_direction_in_all_trees_that_sha
       }
   }
   EXPECT_GT(shared, 30);
-  EXPECT_TRUE((asperity::test::Verified{"Meshes", "edges of trees that run against those of another tree", "none"}.below(opposite, 0)));
+  EXPECT_TRUE(
+      (asperity::test::Verified{"Meshes", "edges of trees that run against those of another tree", "none"}
+           .below(opposite, 0)));
 }
 
 }  // namespace

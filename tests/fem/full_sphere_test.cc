@@ -44,7 +44,8 @@ TEST(FullSphere_behaviour, contact_is_that_of_the_hemisphere_once_the_far_field_
   const Pressed half = press(false), full = press(true);
   EXPECT_NE(full.far_field, half.far_field);
   const auto verified = [](const char* what) {
-    return asperity::test::Verified{"Hertz", what + std::string(" of a full sphere, far field taken out, a/h 8"), "hemisphere"};
+    return asperity::test::Verified{
+        "Hertz", what + std::string(" of a full sphere, far field taken out, a/h 8"), "hemisphere"};
   };
   EXPECT_TRUE(verified("approach").within(full.approach, half.approach, 2e-3));
   EXPECT_TRUE(verified("largest pressure").within(full.peak, half.peak, 2e-3));

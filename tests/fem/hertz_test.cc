@@ -81,12 +81,16 @@ TEST(HertzNightly_analytic, force_converges_and_the_radius_error_stays_below_hal
                 e.radius_in_spacings, 100 * e.pressure);
     char mesh[64];
     std::snprintf(mesh, sizeof mesh, ", silicon, 100 uN, refined to a/h %g", cells);
-    const auto verified = [&](const char* what) { return Verified{"Hertz", what + std::string(mesh), "Hertz (1882)"}; };
+    const auto verified = [&](const char* what) {
+      return Verified{"Hertz", what + std::string(mesh), "Hertz (1882)"};
+    };
     if (force_before != 0) {
       EXPECT_TRUE(verified("error of force over that at half of a/h").below(e.force / force_before, 0.6));
     }
     EXPECT_TRUE(verified("contact radius").below(e.radius_in_spacings, 0.5, "h"));
-    EXPECT_TRUE(verified("largest pressure").within(1 + e.pressure, 1, 0.02));  // its error changes sign on the way: only its size counts
+    EXPECT_TRUE(
+        verified("largest pressure")
+            .within(1 + e.pressure, 1, 0.02));  // its error changes sign on the way: only its size counts
     force_before = e.force;
   }
 }
@@ -101,9 +105,13 @@ TEST(Hertz_analytic, force_follows_the_three_halves_law_of_approach) {
 TEST(Hertz_analytic, tractions_and_reactions_agree) {
   auto c = contact(silicon, 100e-6, 6);
   const auto step = c.load(100e-6);
-  const auto verified = [](const char* what) { return Verified{"Hertz", what + std::string(", silicon, 100 uN, a/h 6"), "balance"}; };
-  EXPECT_TRUE(verified("reaction of the driven plane against tractions").below(step.reaction_driven / step.force - 1, 1e-6));
-  EXPECT_TRUE(verified("reaction of the block's base against tractions").below(step.reaction_fixed / step.force - 1, 1e-6));
+  const auto verified = [](const char* what) {
+    return Verified{"Hertz", what + std::string(", silicon, 100 uN, a/h 6"), "balance"};
+  };
+  EXPECT_TRUE(verified("reaction of the driven plane against tractions")
+                  .below(step.reaction_driven / step.force - 1, 1e-6));
+  EXPECT_TRUE(verified("reaction of the block's base against tractions")
+                  .below(step.reaction_fixed / step.force - 1, 1e-6));
   EXPECT_TRUE(verified("force reached against force asked for").below(step.force / 100e-6 - 1, 1e-6));
 }
 

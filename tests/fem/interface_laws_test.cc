@@ -69,7 +69,8 @@ TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative
       EXPECT_GE(here.xx * here.yy - here.xy * here.xy, -1e-12);
       EXPECT_GE(here.xx, 0);
     }
-  const test::Verified verified{"Sliding", "tangent of the traction that slips, never negative", "finite differences"};
+  const test::Verified verified{"Sliding", "tangent of the traction that slips, never negative",
+                                "finite differences"};
   EXPECT_TRUE(verified.below(error, 1e-8, "of the penalty"));
 }
 
@@ -99,9 +100,13 @@ TEST(FrictionLaws_analytic, tangent_of_each_is_the_derivative_of_its_shear) {
       }
     }
   }
-  const auto verified = [](const char* what, const char* source) { return test::Verified{"Sliding", what, source}; };
-  EXPECT_TRUE(verified("shear of each friction law below, at and beyond its limit", "its equation").below(size, 1e-12, "of the limit"));
-  EXPECT_TRUE(verified("tangent of each friction law's shear", "finite differences").below(tangent, 1e-6, "of the penalty"));
+  const auto verified = [](const char* what, const char* source) {
+    return test::Verified{"Sliding", what, source};
+  };
+  EXPECT_TRUE(verified("shear of each friction law below, at and beyond its limit", "its equation")
+                  .below(size, 1e-12, "of the limit"));
+  EXPECT_TRUE(verified("tangent of each friction law's shear", "finite differences")
+                  .below(tangent, 1e-6, "of the penalty"));
 }
 
 TEST(Slip_analytic, secant_takes_the_trial_traction_to_the_traction_and_bounds_the_tangent) {
@@ -139,7 +144,8 @@ TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) 
     EXPECT_NEAR(law->at(0).work, work, 1e-12 * work) << entry.name;
     EXPECT_LT(law->at(law->range()).work, 2e-4 * work) << entry.name;
   }
-  EXPECT_TRUE((test::Verified{"Adhesion", "integral of each law's attraction", "work of adhesion"}.below(error, 1e-4)));
+  EXPECT_TRUE((test::Verified{"Adhesion", "integral of each law's attraction", "work of adhesion"}.below(
+      error, 1e-4)));
 }
 
 TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_of_stress) {
@@ -154,7 +160,9 @@ TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_o
       stress.count(((below.work - above.work) / (2 * d) - here.stress) / (here.stress + 1e5));
     }
   }
-  const auto verified = [](const char* what) { return test::Verified{"Adhesion", what, "finite differences"}; };
+  const auto verified = [](const char* what) {
+    return test::Verified{"Adhesion", what, "finite differences"};
+  };
   EXPECT_TRUE(verified("slope of each law's attraction").below(slope, 1e-5));
   EXPECT_TRUE(verified("attraction of each law as slope of its work").below(stress, 1e-5));
 }

@@ -65,7 +65,9 @@ struct Point {
 /// Deviatoric part of the axial strain that belongs to a uniaxial stress and plastic strain.
 double axial_deviator(const J2Material& m, double stress, double plastic) { return stress / (3 * m.shear_modulus) + plastic; }
 
-Verified at_a_point(const std::string& quantity, const std::string& source) { return {"Material law", quantity, source}; }
+Verified at_a_point(const std::string& quantity, const std::string& source) {
+  return {"Material law", quantity, source};
+}
 
 TEST(J2_analytic, below_yield_stress_is_elastic) {
   Point p(material());
@@ -77,14 +79,16 @@ TEST(J2_analytic, below_yield_stress_is_elastic) {
 TEST(J2_analytic, perfectly_plastic_bar_stays_at_yield_stress) {
   Point p(material());
   for (int i = 1; i <= 40; ++i) p.stretch_to(i * 0.005);
-  EXPECT_TRUE(at_a_point("perfectly plastic bar at 20 %: stress", "Y").below(p.uniaxial_stress() / Y - 1, 1e-12));
+  EXPECT_TRUE(
+      at_a_point("perfectly plastic bar at 20 %: stress", "Y").below(p.uniaxial_stress() / Y - 1, 1e-12));
   EXPECT_NEAR(p.alpha(), 0.2 - Y / (3 * p.law.shear_modulus), 1e-12);
 }
 
 TEST(J2_analytic, perfectly_plastic_shear_stays_at_yield_over_root_three) {
   Point p(material());
   for (int i = 1; i <= 10; ++i) p.strain_to({0, 0, 0, 0, 0.02 * i, 0});
-  EXPECT_TRUE(at_a_point("perfectly plastic shear: stress", "Y/3^(1/2)").below(p.stress[4][0] / Y - 1 / std::sqrt(3.0), 1e-12, "Y"));
+  EXPECT_TRUE(at_a_point("perfectly plastic shear: stress", "Y/3^(1/2)")
+                  .below(p.stress[4][0] / Y - 1 / std::sqrt(3.0), 1e-12, "Y"));
   // Plastic shear 2 e_p / sqrt(3) is the equivalent strain.
   EXPECT_NEAR(p.alpha(), 2 / std::sqrt(3.0) * (0.2 - Y / std::sqrt(3.0) / (2 * p.law.shear_modulus)), 1e-12);
 }
@@ -100,7 +104,8 @@ TEST(J2_analytic, linear_hardening_follows_sigma_equals_Y_plus_H_alpha) {
     stress.count((p.uniaxial_stress() - expected) / Y);
     EXPECT_NEAR(p.alpha(), plastic, 1e-12);
   }
-  EXPECT_TRUE(at_a_point("linear hardening: stress at plastic strains of 0.1 to 10 %", "Y + H alpha").below(stress, 1e-12, "Y"));
+  EXPECT_TRUE(at_a_point("linear hardening: stress at plastic strains of 0.1 to 10 %", "Y + H alpha")
+                  .below(stress, 1e-12, "Y"));
 }
 
 TEST(J2_analytic, voce_hardening_saturates_exponentially) {
@@ -115,7 +120,8 @@ TEST(J2_analytic, voce_hardening_saturates_exponentially) {
     stress.count((p.uniaxial_stress() - expected) / Y);
     EXPECT_NEAR(p.alpha(), plastic, 1e-11);
   }
-  EXPECT_TRUE(at_a_point("Voce's hardening: stress at plastic strains of 0.1 to 50 %", "Voce (1955)").below(stress, 1e-11, "Y"));
+  EXPECT_TRUE(at_a_point("Voce's hardening: stress at plastic strains of 0.1 to 50 %", "Voce (1955)")
+                  .below(stress, 1e-11, "Y"));
 }
 
 TEST(J2_analytic, proportional_loading_does_not_depend_on_the_number_of_steps) {
@@ -153,14 +159,16 @@ TEST(J2_analytic, kinematic_hardening_yields_in_reverse_two_Y_below_the_largest_
     const double top = Y + m.kinematic_modulus * plastic;
     stress.count((reverse_yield(m, plastic) - (top - 2 * Y)) / Y);
   }
-  EXPECT_TRUE(at_a_point("kinematic hardening: stress of reverse yield", "sigma_max - 2 Y").below(stress, 1e-9, "Y"));
+  EXPECT_TRUE(
+      at_a_point("kinematic hardening: stress of reverse yield", "sigma_max - 2 Y").below(stress, 1e-9, "Y"));
 }
 
 TEST(J2_analytic, isotropic_hardening_yields_in_reverse_at_minus_the_largest_stress) {
   J2Material m = material();
   m.isotropic_modulus = 8e9;
   const double error = (reverse_yield(m, 0.05) + Y + m.isotropic_modulus * 0.05) / Y;
-  EXPECT_TRUE(at_a_point("isotropic hardening: stress of reverse yield", "-sigma_max").below(error, 1e-9, "Y"));
+  EXPECT_TRUE(
+      at_a_point("isotropic hardening: stress of reverse yield", "-sigma_max").below(error, 1e-9, "Y"));
 }
 
 /// Angle between s and the strain rate after a strain at first orthogonal to s: Krieg & Krieg (1977).
@@ -192,8 +200,10 @@ TEST(J2_analytic, radial_return_converges_to_krieg_and_krieg_on_a_turning_path) 
     fine.count(angle_after(strain, 4000) / exact - 1);
   }
   const auto verified = [](const char* what) { return at_a_point(what, "Krieg & Krieg (1977)"); };
-  EXPECT_TRUE(verified("turning path to 2G e/R 0.5, 1, 2 in 4000 steps: angle of the stress").within(1 + fine, 1, 1e-3));
-  EXPECT_TRUE(verified("the same: its error over that of half the steps, 50 to 400 (first order)").below(ratio, 0.52));
+  EXPECT_TRUE(verified("turning path to 2G e/R 0.5, 1, 2 in 4000 steps: angle of the stress")
+                  .within(1 + fine, 1, 1e-3));
+  EXPECT_TRUE(verified("the same: its error over that of half the steps, 50 to 400 (first order)")
+                  .below(ratio, 0.52));
 }
 
 TEST(J2_analytic, energy_stored_by_hardening_is_the_integral_of_the_flow_stress_above_the_first) {
@@ -221,7 +231,9 @@ TEST(J2_other_code, krieg_and_krieg_angles_agree_with_the_stored_ones) {
     error.count(angle_after(strain, 4000) * 180 / M_PI / degrees - 1);
     ++found;
   }
-  EXPECT_TRUE(at_a_point("turning path in 4000 steps: angle of the stress", "another program's return mapping").within(1 + error, 1, 1e-3));
+  EXPECT_TRUE(
+      at_a_point("turning path in 4000 steps: angle of the stress", "another program's return mapping")
+          .within(1 + error, 1, 1e-3));
   EXPECT_EQ(found, 3);
 }
 
@@ -265,7 +277,8 @@ TEST(J2_analytic, consistent_tangent_is_the_derivative_of_the_stress) {
       error.count((tangent - difference) / (2 * here.law.shear_modulus));
     }
   }
-  EXPECT_TRUE(at_a_point("consistent tangent, 50 random states", "central differences of the stress").below(error, 1e-5, "of 2G"));
+  EXPECT_TRUE(at_a_point("consistent tangent, 50 random states", "central differences of the stress")
+                  .below(error, 1e-5, "of 2G"));
   EXPECT_GT(yielding, 40);
 }
 

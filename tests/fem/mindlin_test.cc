@@ -19,7 +19,8 @@ double full_slip(const FrictionalContact& contact) {
   return 3 * contact.friction_force / (16 * contact.system.reduced_shear_modulus() * contact.contact_radius);
 }
 
-/// Force over mu P and shift, without the finite bodies' own, over that of full slip; reaction less tractions over mu P.
+/// Force over mu P and shift, without the finite bodies' own, over that of full slip; reaction less tractions
+/// over mu P.
 struct Point {
   double force, shift, unbalanced;
 };
@@ -27,9 +28,10 @@ Point shift_to(FrictionalContact& contact, double ratio) {
   const auto r = contact.shift(ratio * full_slip(contact));
   EXPECT_NEAR(r.lateral_reaction[0], r.lateral_force[0], 1e-6 * contact.friction_force);
   EXPECT_LT(std::abs(r.lateral_force[1]), 1e-3 * contact.friction_force);
-  const Point p{r.lateral_force[0] / contact.friction_force,
-                (contact.state.motion.x - contact.lateral_far_field * r.lateral_force[0]) / full_slip(contact),
-                (r.lateral_reaction[0] - r.lateral_force[0]) / contact.friction_force};
+  const Point p{
+      r.lateral_force[0] / contact.friction_force,
+      (contact.state.motion.x - contact.lateral_far_field * r.lateral_force[0]) / full_slip(contact),
+      (r.lateral_reaction[0] - r.lateral_force[0]) / contact.friction_force};
   std::printf("Q/muP %+.4f  shift %+.4f  sticking %d of %d  newton %d cg %d\n", p.force, p.shift, r.sticking, r.active, contact.newton, contact.linear);
   return p;
 }
@@ -41,8 +43,10 @@ void expect_glued_stiffness(double cells) {
   const double expected = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
   const double measured = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
   // Glued nodes make the contact wider by part of a spacing: first order in the spacing, 2 % at 12 cells.
-  const std::string place = "a/h " + std::to_string(std::lround(cells)) + (cells < 12 ? " (2 % wanted, which finer meshes meet)" : "");
-  const asperity::test::Verified verified{"Sliding", "lateral stiffness without slip, " + place, "8 G* a, Mindlin (1949)"};
+  const std::string place = "a/h " + std::to_string(std::lround(cells)) +
+                            (cells < 12 ? " (2 % wanted, which finer meshes meet)" : "");
+  const asperity::test::Verified verified{"Sliding", "lateral stiffness without slip, " + place,
+                                          "8 G* a, Mindlin (1949)"};
   EXPECT_TRUE(verified.within(measured, expected, 0.24 / cells));
 }
 
@@ -133,8 +137,9 @@ double error_of_unloaded_traction(double cells) {
 
 /// Its norm is half of that at the turn, and the errors of both rings are in it.
 TEST(Mindlin_analytic, traction_that_unloading_locks_in_has_both_rings) {
-  const asperity::test::Verified verified{"Sliding", "traction left after unloading from Q/(mu P) 0.87, 2-norm, of its own, a/h 36",
-                                          "Mindlin & Deresiewicz (1953)"};
+  const asperity::test::Verified verified{
+      "Sliding", "traction left after unloading from Q/(mu P) 0.87, 2-norm, of its own, a/h 36",
+      "Mindlin & Deresiewicz (1953)"};
   EXPECT_TRUE(verified.below(100 * error_of_unloaded_traction(36), 3, "%"));
 }
 
@@ -159,8 +164,11 @@ TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and
     const double expected = top.shift - 2 * cattaneo_shift((top.force - p.force) / 2);
     masing.count(p.shift - expected);
   }
-  const auto verified = [](const std::string& what, const char* source) { return asperity::test::Verified{"Sliding", what, source}; };
-  EXPECT_TRUE(verified("way back of a loop, a/h 12", "Masing's rule on Cattaneo (1938)").below(masing, 0.01, "of full slip's shift"));
+  const auto verified = [](const std::string& what, const char* source) {
+    return asperity::test::Verified{"Sliding", what, source};
+  };
+  EXPECT_TRUE(verified("way back of a loop, a/h 12", "Masing's rule on Cattaneo (1938)")
+                  .below(masing, 0.01, "of full slip's shift"));
   const Point bottom = go(-amplitude);
   EXPECT_NEAR(bottom.force, -top.force, 2e-3);
   for (const double ratio : {-0.45, -0.2, 0.1, 0.4}) go(ratio);
@@ -172,8 +180,10 @@ TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and
                           (1 - std::pow(1 - x, 5.0 / 3) - 5 * x / 6 * (1 + std::pow(1 - x, 2.0 / 3)));
   std::printf("loop energy %.5g J dissipated by slip, %.5g J work of the shift; expected %.5g J (%+.2f %%)\n", dissipated, work, expected,
               100 * (dissipated / expected - 1));
-  EXPECT_TRUE(verified("energy of a loop between +-0.68 mu P, a/h 12", "Mindlin & Deresiewicz (1953)").within(dissipated, expected, 0.03));
-  EXPECT_TRUE(verified("lateral reaction against tractions along that loop", "balance").below(unbalanced, 1e-6, "mu P"));
+  EXPECT_TRUE(verified("energy of a loop between +-0.68 mu P, a/h 12", "Mindlin & Deresiewicz (1953)")
+                  .within(dissipated, expected, 0.03));
+  EXPECT_TRUE(verified("lateral reaction against tractions along that loop", "balance")
+                  .below(unbalanced, 1e-6, "mu P"));
   EXPECT_NEAR(work, expected, 0.1 * expected);  // trapezia over ten steps
 }
 

@@ -14,7 +14,9 @@ using namespace asperity::fem;
 using asperity::test::Largest;
 using asperity::test::Verified;
 
-Verified of_mortar(const std::string& quantity, const std::string& source) { return {"Element and coupling", "mortar: " + quantity, source}; }
+Verified of_mortar(const std::string& quantity, const std::string& source) {
+  return {"Element and coupling", "mortar: " + quantity, source};
+}
 
 /// A lattice of rectangles with nodes numbered from `first`; `grading` makes spacings uneven.
 struct Lattice {
@@ -106,10 +108,12 @@ TEST(Mortar_analytic, turned_and_distorted_faces_balance_forces_and_moments_and_
   }
   const double moment = std::max(std::abs(moment_x), std::abs(moment_y));
   const std::string faces = "turned and distorted faces: ";
-  EXPECT_TRUE(of_mortar(faces + "gap of two equal tilted planes, of a micrometre", "none").below(planes, 1e-12));
+  EXPECT_TRUE(
+      of_mortar(faces + "gap of two equal tilted planes, of a micrometre", "none").below(planes, 1e-12));
   EXPECT_TRUE(of_mortar(faces + "area", "that of the faces").below(covered / area - 1, 1e-12));
   EXPECT_TRUE(of_mortar(faces + "forces of both sides", "balance").below(force / size, 1e-12));
-  EXPECT_TRUE(of_mortar(faces + "moments of both sides, arms of a micrometre", "balance").below(moment / size / 1e-6, 1e-12));
+  EXPECT_TRUE(of_mortar(faces + "moments of both sides, arms of a micrometre", "balance")
+                  .below(moment / size / 1e-6, 1e-12));
 }
 
 TEST(Mortar_analytic, forces_and_moments_on_both_sides_cancel_for_any_pressure) {
@@ -126,7 +130,8 @@ TEST(Mortar_analytic, forces_and_moments_on_both_sides_cancel_for_any_pressure) 
   }
   const double moment = std::max(std::abs(moment_x), std::abs(moment_y));
   EXPECT_TRUE(of_mortar("forces of both sides under any pressure", "balance").below(force / size, 1e-12));
-  EXPECT_TRUE(of_mortar("moments of both sides, arms of a micrometre", "balance").below(moment / size / 1e-6, 1e-12));
+  EXPECT_TRUE(
+      of_mortar("moments of both sides, arms of a micrometre", "balance").below(moment / size / 1e-6, 1e-12));
 }
 
 TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_nodal_forces) {
@@ -141,7 +146,9 @@ TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_noda
       for (const int node : f.node) expected[node] += (node < 1000 ? 0.25 : -0.25) * (f.x1 - f.x0) * (f.y1 - f.y0);
   Largest error;
   for (int node = 0; node < 2000; ++node) error.count((load[node] - expected[node]) / 1e-12);
-  EXPECT_TRUE(of_mortar("nodal forces of a uniform pressure on both sides, of a square micrometre's", "consistent ones").below(error, 1e-12));
+  EXPECT_TRUE(of_mortar("nodal forces of a uniform pressure on both sides, of a square micrometre's",
+                        "consistent ones")
+                  .below(error, 1e-12));
 }
 
 TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spacing) {

@@ -48,8 +48,12 @@ void expect_same(const SolvedExperiment& a, const SolvedExperiment& b, double to
       const double before = a.at(column, k), after = b.at(column, k);
       difference.count(before == after ? 0 : (after - before) / before);
     }
-  difference.count(b.result["effective"]["normal_stiffness"]["value"].get<double>() / a.result["effective"]["normal_stiffness"]["value"].get<double>() - 1);
-  const test::Verified verified{"Interruption", "stopped after a step and resumed: eight columns of the history, normal stiffness", "the uninterrupted run"};
+  difference.count(b.result["effective"]["normal_stiffness"]["value"].get<double>() /
+                       a.result["effective"]["normal_stiffness"]["value"].get<double>() -
+                   1);
+  const test::Verified verified{
+      "Interruption", "stopped after a step and resumed: eight columns of the history, normal stiffness",
+      "the uninterrupted run"};
   EXPECT_TRUE(verified.below(difference, tolerance));
 }
 
@@ -57,11 +61,14 @@ TEST(NormalExperiment_analytic, rough_yielding_contact_balances_energy_force_and
   const test::TemporaryFolder folder;
   const SolvedExperiment s = solve_experiment(coarse_case(), folder.path);
   ASSERT_EQ(s.history.rows.size(), 7u);
-  const auto verified = [](const std::string& what) { return test::Verified{"Experiment", "rough yielding contact, 7 steps: " + what, "balance"}; };
+  const auto verified = [](const std::string& what) {
+    return test::Verified{"Experiment", "rough yielding contact, 7 steps: " + what, "balance"};
+  };
   EXPECT_TRUE(verified("energy left open").below(100 * s.result["balance"]["energy"].get<double>(), 1, "%"));
   EXPECT_TRUE(verified("force left open, of the load").below(s.result["balance"]["force"], 1e-6));
   EXPECT_TRUE(verified("moment left open, of load times radius").below(s.result["balance"]["moment"], 1e-9));
-  EXPECT_TRUE(verified("force reached against force asked for").below(s.at("normal_force [N]", 3) / 100e-6 - 1, 1e-6));
+  EXPECT_TRUE(verified("force reached against force asked for")
+                  .below(s.at("normal_force [N]", 3) / 100e-6 - 1, 1e-6));
   EXPECT_GT(s.at("plastic_work [J]", 3), 0);
   for (std::size_t k = 0; k + 1 < s.history.rows.size(); ++k) {
     const double real_area = s.at("contact_area [m^2]", k);
@@ -129,10 +136,13 @@ TEST(NormalExperiment_behaviour, a_second_cycle_repeats_the_unloading_path_and_h
   ASSERT_EQ(s.history.rows.size(), 20u);  // (4 + 1 + 5) twice
   EXPECT_NEAR(s.at("normal_displacement [m]", 4) / s.at("normal_displacement [m]", 3), 1, 1e-4);
   // Without hardening, the second cycle yields hardly more than the first left to do.
-  const auto verified = [](const std::string& what) { return test::Verified{"Experiment", "second of two cycles with hold: " + what, "the first"}; };
+  const auto verified = [](const std::string& what) {
+    return test::Verified{"Experiment", "second of two cycles with hold: " + what, "the first"};
+  };
   const double first = s.at("plastic_work [J]", 9), second = s.at("plastic_work [J]", 19) - first;
   EXPECT_TRUE(verified("plastic work over the first cycle's").below(100 * second / first, 5, "%"));
-  EXPECT_TRUE(verified("approach at the peak").within(s.at("normal_displacement [m]", 13), s.at("normal_displacement [m]", 3), 0.01));
+  EXPECT_TRUE(verified("approach at the peak")
+                  .within(s.at("normal_displacement [m]", 13), s.at("normal_displacement [m]", 3), 0.01));
   EXPECT_LT(s.result["balance"]["energy"].get<double>(), 0.01);
 }
 

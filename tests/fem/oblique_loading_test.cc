@@ -53,7 +53,8 @@ TEST(ObliqueNightly_analytic, load_and_shear_that_grow_in_proportion_below_frict
   for (const int steps : {10, 20}) {
     const double share = shear_of_proportional_loading(steps);
     std::printf("%d steps: Q / (alpha P) %.4f\n", steps, share);
-    const std::string what = "load and shear that grow in proportion below friction, shear, a/h 8, " + std::to_string(steps) + " steps";
+    const std::string what = "load and shear that grow in proportion below friction, shear, a/h 8, " +
+                             std::to_string(steps) + " steps";
     EXPECT_TRUE(oblique(what).within(share, 1, 0.03));
   }
 }
@@ -84,7 +85,8 @@ TEST(Oblique_analytic, load_that_falls_at_constant_shear_slips_as_if_loaded_ther
   go(c, P0, cattaneo_shift(c, P0, Q), Q);
   for (const double share : {0.9, 0.8, 0.7}) {
     const auto r = go(c, share * P0, cattaneo_shift(c, share * P0, Q), Q);
-    const std::string what = "history H4 (load falls at constant shear): shear at " + std::to_string(share).substr(0, 3) + " P0";
+    const std::string what =
+        "history H4 (load falls at constant shear): shear at " + std::to_string(share).substr(0, 3) + " P0";
     EXPECT_TRUE(oblique(what).within(r.lateral_force[0], Q, 0.02));
   }
 }

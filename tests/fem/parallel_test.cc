@@ -27,8 +27,10 @@ Vector<double> wavy_displacement(const ContactSystem& system) {
 
 /// A quantity of all ranks against that of one; a rank against itself is no row.
 testing::AssertionResult same_on_all_ranks(const std::string& what, double all, double one, double asked) {
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return testing::AssertionResult(std::abs(all / one - 1) <= asked) << what;
-  return asperity::test::Verified{"Solver", "ranks of MPI against one: " + what, "one rank"}.below(all / one - 1, asked);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    return testing::AssertionResult(std::abs(all / one - 1) <= asked) << what;
+  return asperity::test::Verified{"Solver", "ranks of MPI against one: " + what, "one rank"}.below(
+      all / one - 1, asked);
 }
 
 struct Products {

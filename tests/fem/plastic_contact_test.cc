@@ -88,12 +88,16 @@ void expect_table(const YieldingHalfSpace& body, const std::vector<double>& forc
     pressures.count(s.mean_pressure / pressure - 1);
   }
   char place[96];
-  std::snprintf(place, sizeof place, ", perfectly plastic, F/F_c %g to %.0f, a/h %g at the largest", forces.front(), forces.back(), cells_at_largest);
-  const auto verified = [&](const std::string& what) { return Verified{"Yielding", what + place, axisymmetric}; };
-  EXPECT_TRUE(verified("force at the same approach").within(1 + force, 1, 0.02));  // the reference's own error is 1 %
+  std::snprintf(place, sizeof place, ", perfectly plastic, F/F_c %g to %.0f, a/h %g at the largest",
+                forces.front(), forces.back(), cells_at_largest);
+  const auto verified = [&](const std::string& what) {
+    return Verified{"Yielding", what + place, axisymmetric};
+  };
+  EXPECT_TRUE(
+      verified("force at the same approach").within(1 + force, 1, 0.02));  // the reference's own error is 1 %
   EXPECT_TRUE(verified("contact radius, beyond the reference's own 0.75 %").below(radii, 0.5, "h"));
-  // A tenth of a spacing in the radius, found on smooth contacts, is 4 % in the pressure of the smallest contact here
-  // (a/h 5.4), and the reference's own area is good to 1.5 %.
+  // A tenth of a spacing in the radius, found on smooth contacts, is 4 % in the pressure of the smallest
+  // contact here (a/h 5.4), and the reference's own area is good to 1.5 %.
   EXPECT_TRUE(verified("mean pressure").within(1 + pressures, 1, 0.06));
 }
 
@@ -129,7 +133,9 @@ TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_p
     force.count(s.f / expected - 1);
     pressures.count(s.mean_pressure / pressure - 1);
   }
-  const auto verified = [](const char* what) { return Verified{"Yielding", what + std::string(", F/F_c 60 to 510, a/h 24 at the largest"), axisymmetric}; };
+  const auto verified = [](const char* what) {
+    return Verified{"Yielding", what + std::string(", F/F_c 60 to 510, a/h 24 at the largest"), axisymmetric};
+  };
   EXPECT_TRUE(verified("force at the same approach").within(1 + force, 1, 0.02));
   EXPECT_TRUE(verified("mean pressure").within(1 + pressures, 1, 0.06));  // as above
 }
@@ -144,8 +150,11 @@ TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load
               contact.unknowns(), below.yield_ratio, above.plastic_strain, 0.95 / std::pow(below.yield_ratio, 3));
   EXPECT_EQ(below.plastic_strain, 0);
   EXPECT_GT(above.plastic_strain, 0);
-  const double first = 0.95 / std::pow(below.yield_ratio, 3);  // of F_c, from the largest von Mises stress of a Gauss point
-  EXPECT_TRUE((Verified{"Yielding", "load of first yield, a/h 8, `layers` 8", "Johnson (1985), eq. 6.9"}.within(first, 1, 0.05)));
+  const double first =
+      0.95 / std::pow(below.yield_ratio, 3);  // of F_c, from the largest von Mises stress of a Gauss point
+  EXPECT_TRUE(
+      (Verified{"Yielding", "load of first yield, a/h 8, `layers` 8", "Johnson (1985), eq. 6.9"}.within(
+          first, 1, 0.05)));
 }
 
 /// Approach [m] and its stated error of load steps after `steps` equal ones to `f` F_c.
@@ -167,7 +176,9 @@ void expect_load_step_error(double f, double largest_area, double cells, std::ve
     const auto [approach, stated] = approach_after(body, f, steps, largest_area, cells);
     std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps, 100 * (approach / limit - 1), 100 * stated / limit);
     char what[96];
-    std::snprintf(what, sizeof what, "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f, cells);
+    std::snprintf(what, sizeof what,
+                  "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f,
+                  cells);
     EXPECT_TRUE((Verified{"Stated errors", what, "many steps"}.between(stated / (approach - limit), 0.5, 2)));
   }
 }
@@ -204,7 +215,9 @@ void expect_subsurface_stress(double layers) {
               particle.first, step.particle_von_mises_depth / a, particle.second);
   char mesh[32];
   std::snprintf(mesh, sizeof mesh, ", a/h 16, `layers` %g", layers);
-  const auto verified = [&](const std::string& what) { return Verified{"Hertz", "largest von Mises stress in the " + what + mesh, "Johnson (1985), eq. 3.45"}; };
+  const auto verified = [&](const std::string& what) {
+    return Verified{"Hertz", "largest von Mises stress in the " + what + mesh, "Johnson (1985), eq. 3.45"};
+  };
   EXPECT_TRUE(verified("silicon (nu 0.25)").within(step.von_mises / p0, substrate.first, 0.03));
   EXPECT_TRUE(verified("sphere (nu 0.17)").within(step.particle_von_mises / p0, particle.first, 0.03));
   EXPECT_TRUE(verified("silicon: its depth").within(step.von_mises_depth / a, substrate.second, 0.03));
@@ -230,10 +243,13 @@ TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
     EXPECT_LT(step.newton, 30) << force;
     const Hertz hertz = contact.hertz(force);
     const auto verified = [&](const std::string& what) {
-      return Verified{"Hertz", "sphere a million times stiffer, a/h " + std::string(force == load ? "8: " : "3: ") + what, "Hertz (1882)"};
+      return Verified{
+          "Hertz", "sphere a million times stiffer, a/h " + std::string(force == load ? "8: " : "3: ") + what,
+          "Hertz (1882)"};
     };
     EXPECT_TRUE(verified("force reached against force asked for").below(step.force / force - 1, 1e-4));
-    EXPECT_TRUE(verified("contact radius").below((step.contact_radius - hertz.contact_radius()) / o.spacing, 0.5, "h"));
+    EXPECT_TRUE(verified("contact radius")
+                    .below((step.contact_radius - hertz.contact_radius()) / o.spacing, 0.5, "h"));
     if (force == load) {
       EXPECT_TRUE(verified("approach").within(step.approach, hertz.approach(), 0.02));
     }
@@ -299,12 +315,17 @@ void expect_cycle(int steps, double cells) {
   const Cycle c = cycle(10.1, steps, cells, 6.5);
   char mesh[64];
   std::snprintf(mesh, sizeof mesh, ", to F/F_c 10.1, a/h %g, %d load steps", cells, steps);
-  EXPECT_TRUE((Verified{"Yielding", "stored energy and plastic work over the work put in" + std::string(mesh), "balance"}.within(c.balance, 1, 0.01)));
-  const Verified reloading{"Yielding", "reloading against unloading, of the largest approach" + std::string(mesh), "elastic"};
+  EXPECT_TRUE((Verified{"Yielding", "stored energy and plastic work over the work put in" + std::string(mesh),
+                        "balance"}
+                   .within(c.balance, 1, 0.01)));
+  const Verified reloading{
+      "Yielding", "reloading against unloading, of the largest approach" + std::string(mesh), "elastic"};
   EXPECT_TRUE(reloading.below(c.reload_error, 0.005));
   const double expected = interpolate(own, "w_max/wc", "w_res/w_max_ownFE", c.w);
   std::printf("residual / largest: reference %.4f\n", expected);
-  EXPECT_TRUE((Verified{"Yielding", "imprint over the largest approach" + std::string(mesh), axisymmetric}.within(c.residual, expected, 0.05)));
+  EXPECT_TRUE(
+      (Verified{"Yielding", "imprint over the largest approach" + std::string(mesh), axisymmetric}.within(
+          c.residual, expected, 0.05)));
 }
 
 TEST(Unloading_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) { expect_cycle(6, 7); }

@@ -60,7 +60,9 @@ std::vector<Pass> passes(int yielding_body, int count, double cells, double way)
 }
 
 void expect_less_from_pass_to_pass(const std::string& what, const std::vector<Pass>& p) {
-  const auto verified = [&](const std::string& quantity, const char* source) { return test::Verified{"Rolling", what + ": " + quantity, source}; };
+  const auto verified = [&](const std::string& quantity, const char* source) {
+    return test::Verified{"Rolling", what + ": " + quantity, source};
+  };
   for (std::size_t k = 0; k < p.size(); ++k) {
     EXPECT_GT(p[k].moment, 0) << k;
     EXPECT_GE(p[k].plastic_work, 0) << k;
@@ -70,7 +72,8 @@ void expect_less_from_pass_to_pass(const std::string& what, const std::vector<Pa
     EXPECT_TRUE(verified("plastic work" + over, "less").below(p[k].plastic_work / p[k - 1].plastic_work, 1));
   }
   // Beside what yields, the first pass stores residual stress.
-  EXPECT_TRUE(verified("plastic work of the first pass over the work put in", "stored energy").within(p[0].plastic_work, p[0].work, 0.15));
+  EXPECT_TRUE(verified("plastic work of the first pass over the work put in", "stored energy")
+                  .within(p[0].plastic_work, p[0].work, 0.15));
 }
 
 TEST(PlasticRolling_behaviour, a_second_pass_over_the_own_imprint_needs_less) {

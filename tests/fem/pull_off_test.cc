@@ -152,13 +152,17 @@ double expect_pull_off_towards_jkr(double lambda, double cells) {
 /// Maugis' pull-off at lambda 2, 1.535 pi w R, is JKR's 3/2 but for 2.3 %: the transition is over.
 TEST(PullOffNightly_analytic, follows_Maugis_to_within_three_percent_of_JKR_on_a_finer_mesh) {
   const double in_units = expect_pull_off_towards_jkr(2, 20);
-  EXPECT_TRUE((test::Verified{"Adhesion", "pull-off against its limit, lambda 2, 20 cells in Maugis' unit", "JKR: 3/2 pi w R"}.within(in_units, 1.5, 0.03)));
+  EXPECT_TRUE((test::Verified{"Adhesion", "pull-off against its limit, lambda 2, 20 cells in Maugis' unit",
+                              "JKR: 3/2 pi w R"}
+                   .within(in_units, 1.5, 0.03)));
 }
 
 /// In JKR's limit but for 1.2 %; 12 min on one core.
 TEST(PullOffNightly_analytic, is_that_of_JKR_where_attraction_hardly_reaches) {
   const double in_units = expect_pull_off_towards_jkr(3, 40);
-  EXPECT_TRUE((test::Verified{"Adhesion", "pull-off against its limit, lambda 3, 40 cells in Maugis' unit", "JKR: 3/2 pi w R"}.within(in_units, 1.5, 0.02)));
+  EXPECT_TRUE((test::Verified{"Adhesion", "pull-off against its limit, lambda 3, 40 cells in Maugis' unit",
+                              "JKR: 3/2 pi w R"}
+                   .within(in_units, 1.5, 0.02)));
 }
 
 /// Maugis' contact under a force, in his units: radius a, and radius m a out to which the surfaces attract.

@@ -53,7 +53,9 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
     attraction.count(force[k] / expected - 1);
     ++apart;
   }
-  const auto verified = [](const std::string& what, const char* source) { return test::Verified{"Adhesion", "pressed and drawn back, lambda 0.02: " + what, source}; };
+  const auto verified = [](const std::string& what, const char* source) {
+    return test::Verified{"Adhesion", "pressed and drawn back, lambda 0.02: " + what, source};
+  };
   EXPECT_TRUE(verified("force apart, at each step", "Derjaguin (1934)").within(1 + attraction, 1, 0.03));
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * open, 1, "%"));
   EXPECT_GE(apart, 8);
@@ -76,7 +78,8 @@ TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_diff
   const auto verified = [](const std::string& what, const char* source) {
     return test::Verified{"Adhesion", "drawn back with twice the opening work: " + what, source};
   };
-  EXPECT_TRUE(verified("what bonds lose", "largest contact area times the difference").within(loss.back(), 0.02 * largest, 0.1));
+  EXPECT_TRUE(verified("what bonds lose", "largest contact area times the difference")
+                  .within(loss.back(), 0.02 * largest, 0.1));
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * open, 1, "%"));
 }
 

@@ -45,9 +45,13 @@ std::array<double, 2> frictionless_moment(double cells) {
 void expect_no_resistance(double cells) {
   const auto [largest, mean] = frictionless_moment(cells);
   const auto verified = [&](const std::string& what) {
-    return test::Verified{"Rolling", "smooth elastic sphere without friction, a/h " + std::to_string(std::lround(cells)) + ": " + what, "none"};
+    return test::Verified{
+        "Rolling",
+        "smooth elastic sphere without friction, a/h " + std::to_string(std::lround(cells)) + ": " + what,
+        "none"};
   };
-  EXPECT_TRUE(verified("largest moment over a contact radius").below(largest, fem::rolling_noise, of_load_times_radius));
+  EXPECT_TRUE(verified("largest moment over a contact radius")
+                  .below(largest, fem::rolling_noise, of_load_times_radius));
   EXPECT_TRUE(verified("mean moment").below(mean, 0.1 * fem::rolling_noise, of_load_times_radius));
 }
 
@@ -76,9 +80,13 @@ TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
   };
   const double before = mean_moment(-1), after = mean_moment(1);
   std::printf("moment over load and contact radius: %.1e and %.1e, mean of both sides %.1e\n", before, after, (before + after) / 2);
-  const auto verified = [](const std::string& what) { return test::Verified{"Rolling", "R 2.5 um at -0.185 and 0.185 rad, a/h 8: " + what, "none"}; };
-  EXPECT_TRUE(verified("mean of both moments").below((before + after) / 2, 0.2 * fem::rolling_noise, of_load_times_radius));
-  EXPECT_TRUE(verified("larger of both moments").below(std::max(std::abs(before), std::abs(after)), 3e-3, of_load_times_radius));
+  const auto verified = [](const std::string& what) {
+    return test::Verified{"Rolling", "R 2.5 um at -0.185 and 0.185 rad, a/h 8: " + what, "none"};
+  };
+  EXPECT_TRUE(verified("mean of both moments")
+                  .below((before + after) / 2, 0.2 * fem::rolling_noise, of_load_times_radius));
+  EXPECT_TRUE(verified("larger of both moments")
+                  .below(std::max(std::abs(before), std::abs(after)), 3e-3, of_load_times_radius));
 }
 
 struct Creep {
@@ -172,7 +180,8 @@ TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
   o.friction = G * a * a * small_along / (0.2 * o.load);
   const double unit = o.friction * o.load / (G * a * a);
   const auto r = steady_reaction(o, {small_along, 0, 0}, {0.6 * unit, 0, 0});
-  EXPECT_TRUE(kalkers("force of longitudinal creep with partial slip, circular contact, a/h 8").within(r.x / unit, expected, 0.05));
+  EXPECT_TRUE(kalkers("force of longitudinal creep with partial slip, circular contact, a/h 8")
+                  .within(r.x / unit, expected, 0.05));
 }
 
 }  // namespace

@@ -35,16 +35,20 @@ CaseInput sliding(const std::string& substrate, double spacing) {
 }
 
 /// Energy left open of a whole experiment, of its largest work.
-testing::AssertionResult balances_energy(const std::string& topic, const std::string& what, const test::SolvedExperiment& s, double per_cent) {
-  return test::Verified{topic, what + ": energy left open", "balance"}.below(100 * s.result["balance"]["energy"].get<double>(), per_cent, "%");
+testing::AssertionResult balances_energy(const std::string& topic, const std::string& what,
+                                         const test::SolvedExperiment& s, double per_cent) {
+  return test::Verified{topic, what + ": energy left open", "balance"}.below(
+      100 * s.result["balance"]["energy"].get<double>(), per_cent, "%");
 }
 
 /// Largest difference of a column of the history in `unit`; it has as many rows in both.
-double largest_difference(const CsvTable& history, const CsvTable& other_history, const std::string& column, double unit) {
+double largest_difference(const CsvTable& history, const CsvTable& other_history, const std::string& column,
+                          double unit) {
   const auto one = history.numbers(column), other = other_history.numbers(column);
   EXPECT_EQ(one.size(), other.size());
   test::Largest difference;
-  for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) difference.count((other[k] - one[k]) / unit);
+  for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
+    difference.count((other[k] - one[k]) / unit);
   return difference;
 }
 
@@ -104,11 +108,15 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
   input.experiment.reverse = false;
   const auto s = solve_experiment(input, folder.path);
   const std::string what = "smooth sphere slid by 200 nm, a/h 11";
-  const auto verified = [&](const char* quantity, const char* source) { return test::Verified{"Sliding", what + ": " + quantity, source}; };
-  EXPECT_TRUE(verified("friction", "mu P").within(s.result["effective"]["sliding_friction"]["value"], 0.3, 0.01));
+  const auto verified = [&](const char* quantity, const char* source) {
+    return test::Verified{"Sliding", what + ": " + quantity, source};
+  };
+  EXPECT_TRUE(
+      verified("friction", "mu P").within(s.result["effective"]["sliding_friction"]["value"], 0.3, 0.01));
   EXPECT_LT(s.result["effective"]["sliding_friction"]["sd"], 0.01 * 0.3);
   const double expected = 8 * 8.2901e9 * 0.2593e-6;  // 8 G* a
-  EXPECT_TRUE(verified("lateral stiffness", "8 G* a, Mindlin (1949)").within(s.result["effective"]["lateral_stiffness"]["value"], expected, 0.02));
+  EXPECT_TRUE(verified("lateral stiffness", "8 G* a, Mindlin (1949)")
+                  .within(s.result["effective"]["lateral_stiffness"]["value"], expected, 0.02));
   EXPECT_TRUE(verified("force left open, of the load", "balance").below(s.result["balance"]["force"], 1e-6));
   EXPECT_TRUE(balances_energy("Sliding", what, s, 1));
 }
@@ -126,7 +134,9 @@ TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_afte
   int falls = 0;
   for (std::size_t k = 1; k < friction.size(); ++k)
     falls += !(friction[k] >= friction[k - 1] * (1 - 1e-9)) + !(plastic[k] >= plastic[k - 1] * (1 - 1e-9));
-  EXPECT_TRUE((test::Verified{"Sliding", what + ": steps in which friction's or plastic work falls", "none"}.below(falls, 0)));
+  EXPECT_TRUE(
+      (test::Verified{"Sliding", what + ": steps in which friction's or plastic work falls", "none"}.below(
+          falls, 0)));
   EXPECT_GT(plastic.back(), 0);
   // Another version's checkpoint is refused, not misread.
   const auto manifest = folder.path / "whole" / "checkpoint" / "latest.json";
@@ -140,8 +150,11 @@ TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_afte
   // Stopped after a few steps of sliding.
   solve_and_stop(input, folder.path / "cut", 6);
   const auto resumed = solve_experiment(input, folder.path / "cut", true);
-  const double difference = largest_difference(whole.history, resumed.history, "lateral_force [N]", 0.3 * 100e-6);
-  EXPECT_TRUE((test::Verified{"Interruption", "rough yielding sliding resumed: lateral force", "the uninterrupted run"}.below(difference, 1e-6, "mu P")));
+  const double difference =
+      largest_difference(whole.history, resumed.history, "lateral_force [N]", 0.3 * 100e-6);
+  EXPECT_TRUE((
+      test::Verified{"Interruption", "rough yielding sliding resumed: lateral force", "the uninterrupted run"}
+          .below(difference, 1e-6, "mu P")));
 }
 
 TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
@@ -155,10 +168,14 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   const auto s = solve_experiment(input, folder.path);
   const double a = 0.2593e-6, full = 3 * M_PI / 16 * 0.3 * 100e-6 * a, stiffness = 16.0 / 3 * 15.171e9 * a * a * a;
   const std::string what = "smooth sphere turned by 40 mrad, a/h 13";
-  const auto verified = [&](const char* quantity, const char* source) { return test::Verified{"Torsion", what + ": " + quantity, source}; };
-  EXPECT_TRUE(verified("moment of full slip", "3 pi mu P a/16").within(s.result["effective"]["torsion_moment"]["value"], full, 0.01));
+  const auto verified = [&](const char* quantity, const char* source) {
+    return test::Verified{"Torsion", what + ": " + quantity, source};
+  };
+  EXPECT_TRUE(verified("moment of full slip", "3 pi mu P a/16")
+                  .within(s.result["effective"]["torsion_moment"]["value"], full, 0.01));
   // Of third order in a radius that is known to a tenth of a spacing, a/h = 13: 2.4 %.
-  EXPECT_TRUE(verified("stiffness", "16/3 G a^3").within(s.result["effective"]["torsion_stiffness"]["value"], stiffness, 0.03));
+  EXPECT_TRUE(verified("stiffness", "16/3 G a^3")
+                  .within(s.result["effective"]["torsion_stiffness"]["value"], stiffness, 0.03));
   EXPECT_TRUE(balances_energy("Torsion", what, s, 1));
 }
 
@@ -173,7 +190,8 @@ TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_bal
   input.experiment.angle = 0.2;
   input.experiment.reverse = false;
   const auto s = solve_experiment(input, folder.path);
-  EXPECT_TRUE(balances_energy("Torsion", "rough yielding torsion by 0.2 rad, contact beside the axis, 40 nm", s, 0.5));
+  EXPECT_TRUE(balances_energy("Torsion", "rough yielding torsion by 0.2 rad, contact beside the axis, 40 nm",
+                              s, 0.5));
   EXPECT_GT(s.history.numbers("plastic_work [J]").back(), 0);
   expect_never_to_fall(s.history, {"friction_work [J]", "plastic_work [J]"});
 }
@@ -213,8 +231,10 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   EXPECT_LT(std::abs(whole.history.numbers("lateral_force [N]").back()), 0.05 * 0.3 * 100e-6);
   solve_and_stop(input, folder.path / "cut", 10);
   const auto resumed = solve_experiment(input, folder.path / "cut", true);
-  const double difference = largest_difference(whole.history, resumed.history, "rolling_moment [N m]", 100e-6 * 0.23e-6);
-  const test::Verified resumption{"Interruption", "rough rolling with hysteresis resumed: moment", "the uninterrupted run"};
+  const double difference =
+      largest_difference(whole.history, resumed.history, "rolling_moment [N m]", 100e-6 * 0.23e-6);
+  const test::Verified resumption{"Interruption", "rough rolling with hysteresis resumed: moment",
+                                  "the uninterrupted run"};
   EXPECT_TRUE(resumption.below(difference, 1e-5, "of load times contact radius"));
 }
 

@@ -23,7 +23,9 @@ using asperity::test::silicon;
 using asperity::test::SmallSolid;
 using asperity::test::Verified;
 
-Verified of_solids(const std::string& quantity, const std::string& source) { return {"Element and coupling", quantity, source}; }
+Verified of_solids(const std::string& quantity, const std::string& source) {
+  return {"Element and coupling", quantity, source};
+}
 
 /// A box of nx x ny x nz cells; `shake` moves inner nodes by that fraction of a cell, the same way every time.
 void add_box(SmallSolid& solid, const Point& low, const Point& high, const std::array<int, 3>& n, const J2Material& m, double shake) {
@@ -72,7 +74,8 @@ TEST(Hexahedron_analytic, rigid_motion_gives_no_force) {
     const double stiffness = 2 * borosilicate.shear_modulus;
     force.count(solid.internal_force(u, nullptr).lpNorm<Eigen::Infinity>() / (stiffness * 1e-3));
   }
-  EXPECT_TRUE(of_solids("distorted mesh moved rigidly: force", "none").below(force, 1e-12, "of the stiffness"));
+  EXPECT_TRUE(
+      of_solids("distorted mesh moved rigidly: force", "none").below(force, 1e-12, "of the stiffness"));
 }
 
 TEST(Hexahedron_analytic, linear_displacement_gives_its_exact_stress_and_no_inner_force_on_a_distorted_mesh) {
@@ -196,7 +199,8 @@ TEST(ContactPatch_analytic, uniform_pressure_passes_through_non_matching_distort
     const PatchResult r = contact_patch(load, confined);
     const double expected = load * 1e-6 * (shortening(borosilicate, confined) + shortening(silicon, confined));
     const auto verified = [&](const std::string& what) {
-      return of_solids("contact patch, two blocks, distorted meshes that do not match, sides " + std::string(confined ? "held" : "free") + ": " + what,
+      return of_solids("contact patch, two blocks, distorted meshes that do not match, sides " +
+                           std::string(confined ? "held" : "free") + ": " + what,
                        "uniform stress");
     };
     EXPECT_TRUE(verified("pressure").below(r.pressure_error, 1e-6));
@@ -217,7 +221,9 @@ TEST(ContactPatch_other_code, top_displacement_agrees_with_the_stored_value) {
     error.count(contact_patch(0.1e9, id == "F-patch-conf-0.1").top_displacement * 1e9 / nm - 1);
     ++found;
   }
-  EXPECT_TRUE(of_solids("contact patch, sides free and held: top displacement", "another finite-element program").below(error, 1e-6));
+  EXPECT_TRUE(
+      of_solids("contact patch, sides free and held: top displacement", "another finite-element program")
+          .below(error, 1e-6));
   EXPECT_EQ(found, 2);
 }
 
@@ -322,13 +328,16 @@ double largest_error(const std::vector<double>& radii, int lateral) {
 void expect_hill(const std::vector<double>& radii, int lateral) {
   const double coarse = largest_error(radii, lateral / 2), fine = largest_error(radii, lateral);
   char place[96];
-  std::snprintf(place, sizeof place, "thick-walled sphere, c/a 1 to %g, %d cells along an edge: ", radii.back(), lateral);
+  std::snprintf(place, sizeof place,
+                "thick-walled sphere, c/a 1 to %g, %d cells along an edge: ", radii.back(), lateral);
   const auto verified = [&](const std::string& what) { return of_solids(place + what, "Hill (1950)"); };
   EXPECT_TRUE(verified("displacements inside and outside").below(100 * fine, 1, "%"));
   EXPECT_TRUE(verified("their error over that of half the cells").below(fine / coarse, 0.4));
 }
 
-TEST(HillSphere_analytic, displacements_of_a_half_yielded_sphere_are_within_one_percent_and_converge) { expect_hill({1.0, 1.1, 1.25, 1.4, 1.5}, 6); }
+TEST(HillSphere_analytic, displacements_of_a_half_yielded_sphere_are_within_one_percent_and_converge) {
+  expect_hill({1.0, 1.1, 1.25, 1.4, 1.5}, 6);
+}
 
 TEST(HillSphereNightly_analytic, displacements_near_collapse_are_within_one_percent_and_converge) {
   expect_hill({1.0, 1.1, 1.25, 1.4, 1.5, 1.6, 1.7, 1.75}, 12);

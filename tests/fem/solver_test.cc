@@ -118,9 +118,14 @@ TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmit
     (f.local_element(i) > 0 ? upper : lower) += f.local_element(i);
     moment += f.local_element(i) * system.positions().local_element(i - 2);
   }
-  const auto verified = [](const char* what) { return asperity::test::Verified{"Element and coupling", what, "balance"}; };
-  EXPECT_TRUE(verified("uniform pressure on the curved contact, meshes that do not match: force of both sides").below((upper + lower) / total, 1e-12));
-  EXPECT_TRUE(verified("the same: moment, arm of the contact's radius").below(moment / total / 230e-9, 1e-12));
+  const auto verified = [](const char* what) {
+    return asperity::test::Verified{"Element and coupling", what, "balance"};
+  };
+  EXPECT_TRUE(
+      verified("uniform pressure on the curved contact, meshes that do not match: force of both sides")
+          .below((upper + lower) / total, 1e-12));
+  EXPECT_TRUE(
+      verified("the same: moment, arm of the contact's radius").below(moment / total / 230e-9, 1e-12));
 }
 
 /// Conjugate gradient iterations that reduce a residual by 1e-8 with half of the contact closed.
@@ -145,22 +150,28 @@ std::pair<long, int> iterations(double cells_per_radius, const std::string& back
 }
 
 /// By half at most, from the coarse to the fine mesh.
-testing::AssertionResult grow_little(const std::string& backend, const std::pair<long, int>& coarse, const std::pair<long, int>& fine) {
-  const std::string what = "CG iterations for 1e-8, " + backend + ", " + std::to_string(fine.first) + " unknowns: over those of " +
-                           std::to_string(coarse.first);
-  return asperity::test::Verified{"Solver", what, "none"}.below(static_cast<double>(fine.second) / coarse.second, 1.5);
+testing::AssertionResult grow_little(const std::string& backend, const std::pair<long, int>& coarse,
+                                     const std::pair<long, int>& fine) {
+  const std::string what = "CG iterations for 1e-8, " + backend + ", " + std::to_string(fine.first) +
+                           " unknowns: over those of " + std::to_string(coarse.first);
+  return asperity::test::Verified{"Solver", what, "none"}.below(
+      static_cast<double>(fine.second) / coarse.second, 1.5);
 }
 
 TEST(Multigrid_behaviour, iterations_hardly_grow_with_the_mesh) {
   const auto coarse = iterations(5), fine = iterations(10);
   EXPECT_TRUE(grow_little("matrix-free", coarse, fine));
-  EXPECT_TRUE((asperity::test::Verified{"Solver", "CG iterations for 1e-8, matrix-free, half of the contact closed", "none"}.below(fine.second, 39)));
+  EXPECT_TRUE((asperity::test::Verified{
+      "Solver", "CG iterations for 1e-8, matrix-free, half of the contact closed", "none"}
+                   .below(fine.second, 39)));
 }
 
 TEST(Multigrid_behaviour, algebraic_iterations_hardly_grow_with_the_mesh) {
   const auto coarse = iterations(4, "assembled"), fine = iterations(8, "assembled");
   EXPECT_TRUE(grow_little("algebraic multigrid", coarse, fine));
-  EXPECT_TRUE((asperity::test::Verified{"Solver", "CG iterations for 1e-8, algebraic multigrid, half of the contact closed", "none"}.below(fine.second, 99)));
+  EXPECT_TRUE((asperity::test::Verified{
+      "Solver", "CG iterations for 1e-8, algebraic multigrid, half of the contact closed", "none"}
+                   .below(fine.second, 99)));
 }
 
 TEST(MultigridNightly_behaviour, iterations_grow_by_less_than_half_from_1e5_to_1e6_unknowns) {

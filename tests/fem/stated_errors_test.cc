@@ -22,7 +22,9 @@ using namespace asperity::test;
 TEST(HalfSpace_analytic, hertz_contact_is_found_by_boundary_elements) {
   const double R = 8.5e-6, E = 52.868e9, F = 100e-6, a = std::cbrt(3 * F * R / (4 * E));
   const HalfSpaceContact c = half_space_contact([&](double x, double y) { return (x * x + y * y) / (2 * R); }, 1.3 * a, 128, E, F);
-  const auto verified = [](const std::string& what) { return Verified{"Stated errors", "boundary elements, 128 over 2.6 a: " + what, "Hertz (1882)"}; };
+  const auto verified = [](const std::string& what) {
+    return Verified{"Stated errors", "boundary elements, 128 over 2.6 a: " + what, "Hertz (1882)"};
+  };
   EXPECT_TRUE(verified("approach").within(c.approach, a * a / R, 1e-4));
   EXPECT_TRUE(verified("largest pressure").within(c.largest_pressure, 1.5 * F / (M_PI * a * a), 1e-3));
   EXPECT_TRUE(verified("contact area").within(c.area, M_PI * a * a, 0.006));
@@ -91,7 +93,8 @@ void expect_coverage(const std::vector<RoughCase>& cases, double waves_per_refer
     for (const double e : values) within += std::abs(e) <= 2, square += e * e / static_cast<double>(values.size());
     std::printf("%-15s within two sd: %.0f of %zu, root mean square %.2f sd\n", name.c_str(), within, values.size(), std::sqrt(square));
     const std::string unit = "of " + std::to_string(values.size());
-    const Verified verified{"Stated errors", name + ": contacts whose error is within two stated `sd`", "boundary elements"};
+    const Verified verified{"Stated errors", name + ": contacts whose error is within two stated `sd`",
+                            "boundary elements"};
     EXPECT_TRUE(verified.above(within, 0.9 * static_cast<double>(values.size()), unit));
     EXPECT_GT(square, 0.05) << name;
   }

@@ -25,7 +25,10 @@ TEST(Torsion_analytic, stiffness_without_slip_converges_to_16_thirds_G_a_cubed) 
     FrictionalContact contact(o);
     const double expected = 16.0 / 3 * contact.system.torsion_modulus() * std::pow(contact.contact_radius, 3);
     const double error = contact.solver.torsion_stiffness(contact.state) / expected - 1;
-    const asperity::test::Verified verified{"Torsion", "stiffness without slip, a/h " + std::to_string(std::lround(cells)) + (cells < 12 ? " (2 % wanted, which finer meshes meet)" : ""),
+    const asperity::test::Verified verified{"Torsion",
+                                            "stiffness without slip, a/h " +
+                                                std::to_string(std::lround(cells)) +
+                                                (cells < 12 ? " (2 % wanted, which finer meshes meet)" : ""),
                                             "16/3 G a^3, Reissner & Sagoci (1944)"};
     EXPECT_TRUE(verified.within(1 + error, 1, cells < 12 ? 0.03 : 0.02));  // first order in the spacing
     EXPECT_LT(std::abs(error), std::abs(last));

@@ -63,9 +63,11 @@ testing::AssertionResult Verified::below(double measured, double asked, const st
   return judged(std::abs(measured) <= asked, text("%.2g", measured) + behind, text("%.2g", asked) + behind);
 }
 
-testing::AssertionResult Verified::between(double measured, double low, double high, const std::string& unit) const {
+testing::AssertionResult Verified::between(double measured, double low, double high,
+                                           const std::string& unit) const {
   const std::string behind = unit.empty() ? "" : " " + unit;
-  return judged(low <= measured && measured <= high, text("%.3g", measured) + behind, text("%.3g to ", low) + text("%.3g", high) + behind);
+  return judged(low <= measured && measured <= high, text("%.3g", measured) + behind,
+                text("%.3g to ", low) + text("%.3g", high) + behind);
 }
 
 testing::AssertionResult Verified::above(double measured, double low, const std::string& unit) const {

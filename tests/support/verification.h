@@ -1,5 +1,5 @@
-// What a test asserts and what it measured, as one row of a table: tests/verification/table makes docs/verification.md from the rows,
-// so that what is asked there is what is asserted here.
+// What a test asserts and what it measured, as one row of a table: tests/verification/table makes
+// docs/verification.md from the rows, so that what is asked there is what is asserted here.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ struct Verified {
   /// |measured| is at most `asked`; `unit` is written behind both.
   testing::AssertionResult below(double measured, double asked, const std::string& unit = "") const;
   /// measured is `low` at least and `high` at most.
-  testing::AssertionResult between(double measured, double low, double high, const std::string& unit = "") const;
+  testing::AssertionResult between(double measured, double low, double high,
+                                   const std::string& unit = "") const;
   /// measured is `low` at least.
   testing::AssertionResult above(double measured, double low, const std::string& unit = "") const;
 
@@ -28,8 +29,8 @@ struct Verified {
   testing::AssertionResult judged(bool met, const std::string& measured, const std::string& asked) const;
 };
 
-/// Of errors that are counted, the largest one, with its sign: a row for what a test asserts in a loop. Not a number before any is
-/// counted, and from one on that is none.
+/// Of errors that are counted, the largest one, with its sign: a row for what a test asserts in a loop. Not a
+/// number before any is counted, and from one on that is none.
 class Largest {
  public:
   void count(double error);

@@ -144,11 +144,16 @@ TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in
   // 60 draws of a share of 0.683 scatter by 0.060.
   constexpr double share = 0.683, three_sigma = 0.18;
   const auto verified = [](const std::string& what) {
-    return test::Verified{"Reduced laws", "derive: " + what + " within one stated sd of the truth, share of 60 draws", "Gauss: 0.683"};
+    return test::Verified{"Reduced laws",
+                          "derive: " + what + " within one stated sd of the truth, share of 60 draws",
+                          "Gauss: 0.683"};
   };
-  EXPECT_TRUE(verified("mu of sliding").between(mu / double(repetitions), share - three_sigma, share + three_sigma));
-  EXPECT_TRUE(verified("h of sliding").between(offset / double(repetitions), share - three_sigma, share + three_sigma));
-  EXPECT_TRUE(verified("mu of torsion").between(torsion / double(repetitions), share - three_sigma, share + three_sigma));
+  EXPECT_TRUE(
+      verified("mu of sliding").between(mu / double(repetitions), share - three_sigma, share + three_sigma));
+  EXPECT_TRUE(verified("h of sliding")
+                  .between(offset / double(repetitions), share - three_sigma, share + three_sigma));
+  EXPECT_TRUE(verified("mu of torsion")
+                  .between(torsion / double(repetitions), share - three_sigma, share + three_sigma));
 }
 
 TEST(Derivation_analytic, finds_the_length_of_torsion_from_noisy_histories) {
@@ -164,7 +169,9 @@ TEST(Derivation_analytic, finds_the_length_of_torsion_from_noisy_histories) {
               truth.torsion_with_contact ? LengthScale::contact_radius : LengthScale::particle_radius);
     missed += !((truth.torsion_with_contact ? log_odds : -log_odds) > std::log(20));
   }
-  const test::Verified verified{"Reduced laws", "derive: lambda = a or r, loads 0.1 to 3 mN, not told with odds above 20, of 40 draws", "what made them"};
+  const test::Verified verified{
+      "Reduced laws", "derive: lambda = a or r, loads 0.1 to 3 mN, not told with odds above 20, of 40 draws",
+      "what made them"};
   EXPECT_TRUE(verified.below(missed, 0));
 }
 

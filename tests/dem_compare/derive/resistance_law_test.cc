@@ -111,14 +111,18 @@ constexpr double normal_share = 0.683, student_share_of_4 = 0.626, three_sigma =
 
 void expect_coverage(const std::string& of, const Coverage& share, double coefficient, double offset) {
   const auto verified = [&](const std::string& what) {
-    return test::Verified{"Reduced laws", "resistance law, " + of + ": " + what + " within one stated sd, share of 200 draws", "Gauss, Student"};
+    return test::Verified{"Reduced laws",
+                          "resistance law, " + of + ": " + what + " within one stated sd, share of 200 draws",
+                          "Gauss, Student"};
   };
-  EXPECT_TRUE(verified("mu").between(share.coefficient, coefficient - three_sigma, coefficient + three_sigma));
+  EXPECT_TRUE(
+      verified("mu").between(share.coefficient, coefficient - three_sigma, coefficient + three_sigma));
   EXPECT_TRUE(verified("h").between(share.offset, offset - three_sigma, offset + three_sigma));
 }
 
 TEST(ResistanceLaw_analytic, states_an_uncertainty_that_covers_the_truth_two_times_in_three) {
-  expect_coverage("ways scatter", coverage({0.11, 2e-5, 0.01, 0, 0}, 3, contact_radius), normal_share, normal_share);
+  expect_coverage("ways scatter", coverage({0.11, 2e-5, 0.01, 0, 0}, 3, contact_radius), normal_share,
+                  normal_share);
 }
 
 TEST(ResistanceLaw_analytic, covers_the_truth_when_realisations_differ_more_than_their_ways_tell) {
@@ -135,7 +139,9 @@ TEST(LengthChoice_analytic, finds_the_length_the_moments_were_made_with_when_loa
     right_radius += choose_length(measure(truth, wide, 3, particle_radius, random)).log_odds < -std::log(20);
   }
   const auto verified = [](const char* length) {
-    return test::Verified{"Reduced laws", std::string("lambda = ") + length + " told with odds above 20, loads 0.1 to 3 mN", "what made the moments"};
+    return test::Verified{"Reduced laws",
+                          std::string("lambda = ") + length + " told with odds above 20, loads 0.1 to 3 mN",
+                          "what made the moments"};
   };
   EXPECT_TRUE(verified("a").above(right_contact, 29, "of 30"));
   EXPECT_TRUE(verified("r").above(right_radius, 29, "of 30"));
@@ -163,7 +169,9 @@ TEST(LengthChoice_analytic, does_not_pretend_to_know_when_loads_span_little) {
       largest = std::max(largest, std::abs(choice.log_odds));
       EXPECT_FALSE(choice.is_told());
     }
-  EXPECT_TRUE((test::Verified{"Reduced laws", "odds of lambda = a or r, loads 1 to 1.2 mN, 60 draws", "they do not tell"}.below(std::exp(largest), 3)));
+  EXPECT_TRUE((test::Verified{"Reduced laws", "odds of lambda = a or r, loads 1 to 1.2 mN, 60 draws",
+                              "they do not tell"}
+                   .below(std::exp(largest), 3)));
 }
 
 TEST(LengthChoice_analytic, is_told_by_two_radii_where_loads_alone_cannot) {

@@ -32,7 +32,10 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::particle_radius);
   EXPECT_NEAR(p.rolling_friction->value, mu, 3 * p.rolling_friction->sd);
   const auto verified = [](const char* what) {
-    return test::Verified{"Reduced laws", std::string("derive: rolling law of what is dissipated below hills twenty times as high, ") + what, "what made it"};
+    return test::Verified{
+        "Reduced laws",
+        std::string("derive: rolling law of what is dissipated below hills twenty times as high, ") + what,
+        "what made it"};
   };
   EXPECT_TRUE(verified("mu").within(p.rolling_friction->value, mu, 0.05));
   EXPECT_TRUE(verified("h").within(p.rolling_offset->value, offset, 0.15));

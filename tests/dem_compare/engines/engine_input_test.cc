@@ -148,8 +148,9 @@ void expect_round_trip(const char* engine, const Run& run, double tolerance, boo
                             Expected{Mode::torsion, 0.0056 * R, 40e-6, &ContactParameters::torsion_stiffness_at}}) {
     if (e.mode == Mode::torsion && !has_torsion) continue;
     const Found at_low = run(p, low, e.mode), at_high = run(p, high, e.mode);
-    for (const double ratio : {at_low.force / low, at_high.force / high, at_low.stiffness / (p.*e.stiffness)(low),
-                               at_high.stiffness / (p.*e.stiffness)(high)})
+    for (const double ratio :
+         {at_low.force / low, at_high.force / high, at_low.stiffness / (p.*e.stiffness)(low),
+          at_high.stiffness / (p.*e.stiffness)(high)})
       error.count(ratio - 1);
     const double C = (at_high.limit - at_low.limit) / (high - low), h = at_low.limit / C - low;
     error.count(C / e.coefficient - 1);
@@ -157,7 +158,9 @@ void expect_round_trip(const char* engine, const Run& run, double tolerance, boo
     std::printf("mode %d: largest error so far %.2g\n", static_cast<int>(e.mode), static_cast<double>(error));
   }
   const std::string modes = has_torsion ? "sliding, rolling and torsion" : "sliding and rolling";
-  const test::Verified verified{"Engines", engine + (", written input run, " + modes + ": force, stiffness, C, h over f + h"), "what was written"};
+  const test::Verified verified{
+      "Engines", engine + (", written input run, " + modes + ": force, stiffness, C, h over f + h"),
+      "what was written"};
   EXPECT_TRUE(verified.below(error, tolerance));
 }
 
@@ -174,7 +177,8 @@ TEST(EngineInput_other_code, yade_gives_back_stiffness_friction_torque_factors_a
 TEST(EngineInput_other_code, liggghts_gives_back_stiffness_friction_torque_factor_and_offsets_that_were_written_for_it) {
   ASPERITY_ENGINE_OR_SKIP(Liggghts());
   constexpr bool has_torsion = false;
-  expect_round_trip("LIGGGHTS", in_liggghts, 3e-3, has_torsion);  // its rolling spring counts angles with R/(R - delta/2), 0.27 % at 2 mN
+  expect_round_trip("LIGGGHTS", in_liggghts, 3e-3,
+                    has_torsion);  // its rolling spring counts angles with R/(R - delta/2), 0.27 % at 2 mN
 }
 
 TEST(EngineInput_analytic, folded_limit_errs_as_much_at_both_ends_of_the_load_range) {

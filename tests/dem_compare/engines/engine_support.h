@@ -68,7 +68,8 @@ inline void expect_closed_form(const std::string& what, const EngineRun& engine_
     error.count(m.ratio() - 1);
     all += "\n" + m.name + ": " + std::to_string(m.ratio()) + " of the law";
   }
-  const Verified verified{"Engines", engine_run.engine + ", " + what + ": all that is measured of it", "closed form"};
+  const Verified verified{"Engines", engine_run.engine + ", " + what + ": all that is measured of it",
+                          "closed form"};
   EXPECT_TRUE(verified.within(1 + error, 1, tolerance)) << all;
 }
 

@@ -15,7 +15,9 @@ using Type = EngineExperiment::Type;
 constexpr double asked = 0.01;       // of every engine against its law
 constexpr double last_digit = 5e-6;  // figures are given to five or six digits
 
-test::Verified lammps_against(const std::string& figure, const std::string& what) { return {"Engines", "LAMMPS, " + what, figure}; }
+test::Verified lammps_against(const std::string& figure, const std::string& what) {
+  return {"Engines", "LAMMPS, " + what, figure};
+}
 
 double value(const EngineRun& r, const std::string& name) { return named(r.measurements, name).measured; }
 
@@ -41,10 +43,14 @@ TEST(Lammps_other_code, sliding_loop_has_mindlins_slope_coulombs_plateau_and_her
   const EngineRun r = run(lammps, canonical_experiment(Type::glued));
   expect_closed_form("sliding loop", r, asked);
   const std::string slope = "8 G* a, 21645.1 N/m";
-  EXPECT_TRUE(lammps_against(slope, "sliding loop: slope at the start").below(value(r, "slope at the start") / 21645.1 - 1, last_digit));
-  EXPECT_TRUE(lammps_against(slope, "sliding loop: slope after reversal").below(value(r, "slope after reversal") / 21645.1 - 1, last_digit));
-  EXPECT_TRUE(lammps_against("mu P, 23.000 uN", "sliding loop: plateau").below(value(r, "plateau") / 23e-6 - 1, last_digit));
-  EXPECT_TRUE(lammps_against("Hertz, 6.1864 nm", "sliding loop: approach").below(value(r, "approach") / 6.1864e-9 - 1, last_digit));
+  EXPECT_TRUE(lammps_against(slope, "sliding loop: slope at the start")
+                  .below(value(r, "slope at the start") / 21645.1 - 1, last_digit));
+  EXPECT_TRUE(lammps_against(slope, "sliding loop: slope after reversal")
+                  .below(value(r, "slope after reversal") / 21645.1 - 1, last_digit));
+  EXPECT_TRUE(lammps_against("mu P, 23.000 uN", "sliding loop: plateau")
+                  .below(value(r, "plateau") / 23e-6 - 1, last_digit));
+  EXPECT_TRUE(lammps_against("Hertz, 6.1864 nm", "sliding loop: approach")
+                  .below(value(r, "approach") / 6.1864e-9 - 1, last_digit));
   EXPECT_NEAR(value(r, "travel of reversal"), 2.13e-9, 0.005e-9);
   EXPECT_FALSE(r.version.empty());
 }
@@ -88,7 +94,8 @@ TEST(Lammps_other_code, rolling_sphere_needs_half_the_sum_of_both_coefficients_a
   const EngineRun r = run(lammps, e);
   expect_closed_form("rolling", r, asked);
   const double plateau = value(r, "plateau") / 0.5304e-6;
-  EXPECT_TRUE(lammps_against("mean coefficient times P, 0.5304 uN", "rolling: plateau").below(plateau - 1, last_digit));
+  EXPECT_TRUE(lammps_against("mean coefficient times P, 0.5304 uN", "rolling: plateau")
+                  .below(plateau - 1, last_digit));
   EXPECT_NEAR(value(r, "way of the sphere over that of the plate"), 0.5, 1e-6);
 }
 
@@ -100,7 +107,8 @@ TEST(Lammps_other_code, rail_coefficients_are_those_of_the_torque_balance) {
     const EngineRun r = run(lammps, rail_experiment(angle));
     const std::string what = "rail at " + std::to_string(std::lround(angle)) + " degrees";
     expect_closed_form(what, r, asked);
-    EXPECT_TRUE(lammps_against("figure of six digits", what + ": coefficient").below(value(r, "rail coefficient") / coefficient - 1, last_digit));
+    EXPECT_TRUE(lammps_against("figure of six digits", what + ": coefficient")
+                    .below(value(r, "rail coefficient") / coefficient - 1, last_digit));
   }
 }
 

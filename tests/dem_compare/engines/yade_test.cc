@@ -15,7 +15,9 @@ using Type = EngineExperiment::Type;
 
 constexpr double asked = 0.01;  // of every engine against its law
 
-test::Verified yade_against(const char* figure, const char* what) { return {"Engines", std::string("YADE, ") + what, figure}; }
+test::Verified yade_against(const char* figure, const char* what) {
+  return {"Engines", std::string("YADE, ") + what, figure};
+}
 
 double value(const EngineRun& r, const std::string& name) { return named(r.measurements, name).measured; }
 
@@ -25,7 +27,8 @@ TEST(Yade_other_code, sliding_loop_has_mindlins_slope_and_coulombs_plateau) {
   const EngineRun r = run(yade, canonical_experiment(Type::glued));
   expect_closed_form("sliding loop", r, asked);
   const double slope = value(r, "slope after reversal") / 21645.1, plateau = value(r, "plateau") / 23e-6;
-  EXPECT_TRUE(yade_against("8 G* a, 21645.1 N/m", "sliding loop: slope after reversal").below(slope - 1, 1e-5));
+  EXPECT_TRUE(
+      yade_against("8 G* a, 21645.1 N/m", "sliding loop: slope after reversal").below(slope - 1, 1e-5));
   EXPECT_TRUE(yade_against("mu P, 23.000 uN", "sliding loop: plateau").below(plateau - 1, 1e-5));
   EXPECT_EQ(r.version.rfind("20", 0), 0u) << r.version;
 }
@@ -43,7 +46,8 @@ TEST(Yade_other_code, rolling_sphere_needs_half_the_sum_of_both_coefficients) {
   e.amplitude = 20e-9;
   const EngineRun r = run(yade, e);
   expect_closed_form("rolling", r, asked);
-  EXPECT_TRUE(yade_against("mean coefficient times P, 0.5304 uN", "rolling: plateau").below(value(r, "plateau") / 0.5304e-6 - 1, 1e-3));
+  EXPECT_TRUE(yade_against("mean coefficient times P, 0.5304 uN", "rolling: plateau")
+                  .below(value(r, "plateau") / 0.5304e-6 - 1, 1e-3));
 }
 
 TEST(Yade_other_code, rail_coefficient_is_that_of_the_torque_balance) {
@@ -56,7 +60,9 @@ TEST(YadeNightly_other_code, long_loops_and_all_rails_follow_the_law) {
   const Yade yade;
   ASPERITY_ENGINE_OR_SKIP(yade);
   expect_closed_form("rolling, long loop", run(yade, canonical_experiment(Type::rolling)), asked);
-  for (const int angle : {25, 60}) expect_closed_form("rail at " + std::to_string(angle) + " degrees", run(yade, rail_experiment(angle)), asked);
+  for (const int angle : {25, 60})
+    expect_closed_form("rail at " + std::to_string(angle) + " degrees", run(yade, rail_experiment(angle)),
+                       asked);
 }
 
 /// What a YADE user gets from material constants: stiffness at 100 uN on a plane made in three ways, and a slope by a step of drag.

@@ -33,9 +33,12 @@ ContactModel damped(const StandardContact& contact) {
   return model;
 }
 
-void expect_agreement(const std::string& what, const FrictionLoop& dynamic, const FrictionLoop& quasi_static) {
+void expect_agreement(const std::string& what, const FrictionLoop& dynamic,
+                      const FrictionLoop& quasi_static) {
   const LoopNumbers d = measure(dynamic), q = measure(quasi_static);
-  const auto verified = [&](const char* quantity) { return test::Verified{"Reduced laws", what + " with inertia: " + quantity, "without inertia"}; };
+  const auto verified = [&](const char* quantity) {
+    return test::Verified{"Reduced laws", what + " with inertia: " + quantity, "without inertia"};
+  };
   EXPECT_TRUE(verified("slope at the start").within(d.initial_slope, q.initial_slope, agreement));
   EXPECT_TRUE(verified("slope after reversal").within(d.reversal_slope, q.reversal_slope, agreement));
   EXPECT_TRUE(verified("plateau").within(d.plateau, q.plateau, agreement));
@@ -67,7 +70,8 @@ TEST(DynamicRollingSphere_analytic, resistance_and_motion_agree_with_the_quasi_s
   program.amplitude = 40e-9;
   DynamicOptions options;
   options.speed = 1e-3;
-  expect_agreement("rolling sphere", simulate_dynamic(particle, program, options), simulate_quasi_static(particle, program));
+  expect_agreement("rolling sphere", simulate_dynamic(particle, program, options),
+                   simulate_quasi_static(particle, program));
 }
 
 TEST(DynamicRail_analytic, resistance_and_motion_agree_with_the_quasi_static_ones_within_one_percent) {
@@ -77,7 +81,8 @@ TEST(DynamicRail_analytic, resistance_and_motion_agree_with_the_quasi_static_one
   program.amplitude = 40e-9;
   DynamicOptions options;
   options.speed = 1e-3;
-  expect_agreement("rail at 45 degrees", simulate_dynamic(particle, program, options), simulate_quasi_static(particle, program));
+  expect_agreement("rail at 45 degrees", simulate_dynamic(particle, program, options),
+                   simulate_quasi_static(particle, program));
 }
 
 TEST(DynamicGluedSphere_behaviour, halving_the_time_step_changes_nothing_that_matters) {

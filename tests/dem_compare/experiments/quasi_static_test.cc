@@ -37,10 +37,13 @@ TEST(GluedSphere_analytic, slope_plateau_and_reversal_travel_are_those_of_Mindli
   const double k = 8 * sliding_modulus(borosilicate, silicon) *
                    Hertz{reduced_modulus(borosilicate, silicon), radius}.contact_radius(program.normal_load);
   test::Largest error;
-  for (const double e : {numbers.initial_slope / k - 1, numbers.reversal_slope / k - 1, numbers.plateau / 23e-6 - 1, numbers.offset / 23e-6,
-                         numbers.reversal_travel / (2 * 23e-6 / k) - 1})
+  for (const double e :
+       {numbers.initial_slope / k - 1, numbers.reversal_slope / k - 1, numbers.plateau / 23e-6 - 1,
+        numbers.offset / 23e-6, numbers.reversal_travel / (2 * 23e-6 / k) - 1})
     error.count(e);
-  EXPECT_TRUE((test::Verified{"Reduced laws", "glued sphere: slopes, plateau, travel of reversal", "8 G* a, mu P"}.below(error, 1e-9)));
+  EXPECT_TRUE(
+      (test::Verified{"Reduced laws", "glued sphere: slopes, plateau, travel of reversal", "8 G* a, mu P"}
+           .below(error, 1e-9)));
   for (const LoopRow& row : loop.rows) {
     EXPECT_NEAR(row.normal_force / 1e-4, 1, 1e-9);
     EXPECT_EQ(row.rotation.norm(), 0);
@@ -94,7 +97,8 @@ TEST(RollingSphere_analytic, lateral_force_is_the_mean_rolling_coefficient_times
   LoopProgram program;
   const FrictionLoop loop = simulate_rolling_sphere(model_of(below), model_of(above), program);
   const LoopNumbers numbers = measure(loop);
-  const test::Verified verified{"Reduced laws", "rolling sphere: lateral force", "mean of both coefficients times the load"};
+  const test::Verified verified{"Reduced laws", "rolling sphere: lateral force",
+                                "mean of both coefficients times the load"};
   EXPECT_TRUE(verified.below(numbers.plateau / ((5.304e-3 + 2.5e-3) / 2 * 1e-4) - 1, 1e-7));
   const auto [left, right] = steady_rows(loop);
   const double way = right.indenter_displacement - left.indenter_displacement;
@@ -155,9 +159,11 @@ TEST_P(Rail_analytic, resistance_of_a_flank_is_that_of_the_papers_formula) {
   const LoopNumbers numbers = measure(loop);
   const double mu = (2 * std::cos(theta) * rail.rolling + std::sin(theta) * 0.0056) / (1 + std::cos(theta));
   const auto verified = [&](const std::string& what, const char* source) {
-    return test::Verified{"Reduced laws", "rail at " + std::to_string(std::lround(rail.degrees)) + " degrees: " + what, source};
+    return test::Verified{
+        "Reduced laws", "rail at " + std::to_string(std::lround(rail.degrees)) + " degrees: " + what, source};
   };
-  EXPECT_TRUE(verified("resistance", "balance of moments").below(numbers.plateau / 2 / flank_load / mu - 1, 1e-6));
+  EXPECT_TRUE(
+      verified("resistance", "balance of moments").below(numbers.plateau / 2 / flank_load / mu - 1, 1e-6));
   EXPECT_TRUE(verified("the formula", "figure of six digits").below(mu / rail.resistance - 1, 5e-6));
   for (const LoopRow& row : loop.rows) {
     EXPECT_NEAR(row.contacts[0].normal_force / flank_load, 1, 1e-4);

@@ -18,7 +18,9 @@ const double modulus = reduced_modulus(borosilicate, silicon);
 Jkr jkr_with_pull_off(double force) { return {modulus, radius, force / (1.5 * pi * radius)}; }
 Dmt dmt_with_pull_off(double force) { return {modulus, radius, force / (2 * pi * radius)}; }
 
-test::Verified adhesion_law(const std::string& what, const std::string& source) { return {"Reduced laws", what, source}; }
+test::Verified adhesion_law(const std::string& what, const std::string& source) {
+  return {"Reduced laws", what, source};
+}
 
 TEST(Adhesion_other_code, radius_and_approach_agree_with_the_reference_for_all_loads) {
   const auto path = asperity::test::reference_table("06_adhesion_table_loads_BS_Si.csv");
@@ -116,7 +118,8 @@ TEST(MaugisDugdale_other_code, pull_off_and_radii_agree_with_the_reference_from_
     radii.count(law.advance({}, d0[i]).contact_radius / a0[i] - 1);
   }
   const std::string from = "table, Maugis (1992) solved";
-  EXPECT_TRUE(adhesion_law("Maugis & Dugdale: pull-off, approach without load", from).below(error, 5e-6));  // six digits in the table
+  EXPECT_TRUE(adhesion_law("Maugis & Dugdale: pull-off, approach without load", from)
+                  .below(error, 5e-6));  // six digits in the table
   EXPECT_TRUE(adhesion_law("Maugis & Dugdale: radius without load", from).below(radii, 1e-5));
 }
 
@@ -143,7 +146,8 @@ TEST(MaugisDugdale_other_code, radius_and_approach_of_the_papers_sphere_agree_wi
     }
   }
   EXPECT_GE(compared, 15);
-  EXPECT_TRUE(adhesion_law("Maugis & Dugdale, borosilicate on silicon: approach", "table").below(approaches, 2e-5));
+  EXPECT_TRUE(
+      adhesion_law("Maugis & Dugdale, borosilicate on silicon: approach", "table").below(approaches, 2e-5));
   EXPECT_TRUE(adhesion_law("Maugis & Dugdale, borosilicate on silicon: radius", "table").below(radii, 1e-5));
 }
 

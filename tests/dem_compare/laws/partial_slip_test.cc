@@ -59,7 +59,9 @@ struct Contact {
 double unit_shift() { return law.gross_slip_shift(hertz.advance({}, hertz.approach(load))); }
 double virgin_shift(double q) { return 1 - std::pow(1 - q, 2.0 / 3); }
 
-test::Verified partial_slip(const std::string& what, const std::string& source) { return {"Reduced laws", "partial slip with history: " + what, source}; }
+test::Verified partial_slip(const std::string& what, const std::string& source) {
+  return {"Reduced laws", "partial slip with history: " + what, source};
+}
 
 TEST(PartialSlip_analytic, virgin_curve_is_that_of_Cattaneo_and_Mindlin) {
   test::Largest error;
@@ -164,7 +166,8 @@ TEST(PartialSlip_other_code, shift_and_loop_energy_agree_with_the_reference) {
     }
     loop.count((work / (mu * load * unit_shift()) - energy[i]) / (energy[i] + 1e-3));
   }
-  EXPECT_TRUE(partial_slip("force at a shift", "table, closed form").below(force, 3e-8, "mu P"));  // eight digits in the table
+  EXPECT_TRUE(partial_slip("force at a shift", "table, closed form")
+                  .below(force, 3e-8, "mu P"));  // eight digits in the table
   EXPECT_TRUE(partial_slip("energy of a loop", "table, quadrature").below(loop, 1e-6));
 }
 
@@ -212,8 +215,10 @@ TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_referen
   test::Largest straight;
   for (std::size_t i = 0; i + 1 < values.size(); ++i) straight.count(values[i] - closed[i]);
   const std::string unit = "of full slip's shift", table_of = "table, closed form";
-  EXPECT_TRUE(partial_slip("shift in histories H1 to H3 and oblique loading", table_of).below(straight, 5e-8, unit));  // digits of the table
-  EXPECT_TRUE(partial_slip("shift as the load falls at constant shear (H4), 2000 steps", table_of).below(values.back() - closed.back(), 1e-6, unit));
+  EXPECT_TRUE(partial_slip("shift in histories H1 to H3 and oblique loading", table_of)
+                  .below(straight, 5e-8, unit));  // digits of the table
+  EXPECT_TRUE(partial_slip("shift as the load falls at constant shear (H4), 2000 steps", table_of)
+                  .below(values.back() - closed.back(), 1e-6, unit));
 }
 
 TEST(PartialSlip_analytic, oblique_loading_below_the_coefficient_sticks_everywhere_and_above_it_slips_everywhere) {

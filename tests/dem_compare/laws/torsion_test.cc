@@ -17,7 +17,9 @@ constexpr double pi = boost::math::double_constants::pi;
 constexpr double table_digits = 1e-7;  // eight significant digits, the leading one may be 1
 const LubkinTorsion unit{1, 1, 1, 1};  // Gt = mu = P = a = 1: the tables' normalisation
 
-test::Verified torsion_law(const std::string& what, const std::string& source) { return {"Reduced laws", what, source}; }
+test::Verified torsion_law(const std::string& what, const std::string& source) {
+  return {"Reduced laws", what, source};
+}
 
 TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_reference) {
   const auto path = asperity::test::reference_table("04_torsion_table_lubkin.csv");
@@ -30,7 +32,8 @@ TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_refe
     error.count(unit.moment_at(c[i]) / moment[i] - 1);
     error.count(unit.moment(angle[i]) / moment[i] - 1);
   }
-  EXPECT_TRUE(torsion_law("Lubkin: angles and moments", "table, Lubkin (1951) solved").below(error, table_digits));
+  EXPECT_TRUE(
+      torsion_law("Lubkin: angles and moments", "table, Lubkin (1951) solved").below(error, table_digits));
 }
 
 TEST(Lubkin_other_code, angle_at_a_moment_residual_twist_and_loop_energy_agree_with_the_reference) {
@@ -61,7 +64,8 @@ TEST(Lubkin_other_code, angle_at_a_moment_residual_twist_and_loop_energy_agree_w
 }
 
 TEST(Lubkin_analytic, initial_stiffness_is_that_of_Reissner_and_Sagoci) {
-  EXPECT_TRUE(torsion_law("Lubkin: stiffness without slip", "16/3, Reissner & Sagoci (1944)").below(1e-6 / unit.angle(1e-6) - 16.0 / 3, 1e-5, "G a^3"));
+  EXPECT_TRUE(torsion_law("Lubkin: stiffness without slip", "16/3, Reissner & Sagoci (1944)")
+                  .below(1e-6 / unit.angle(1e-6) - 16.0 / 3, 1e-5, "G a^3"));
 }
 
 TEST(Lubkin_analytic, full_slip_moment_is_3_pi_over_16_mu_P_a) {
@@ -101,7 +105,9 @@ TEST(Torsion_other_code, stiffness_and_full_slip_moment_agree_with_the_reference
     error.count(lubkin.angle(lubkin.full_slip_moment() / 2) / half[i] - 1);
     ++compared;
   }
-  EXPECT_TRUE(torsion_law("torsion of borosilicate on silicon: stiffness, full slip, angle at half of it", "table").below(error, table_digits));
+  EXPECT_TRUE(
+      torsion_law("torsion of borosilicate on silicon: stiffness, full slip, angle at half of it", "table")
+          .below(error, table_digits));
   EXPECT_GE(compared, 5);
 }
 

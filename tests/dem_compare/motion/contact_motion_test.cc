@@ -40,8 +40,8 @@ struct Observer {
 };
 
 /// Lengths are counted in radii.
-void count_difference(test::Largest& difference, const ContactMotion& rest, const ContactMotion& moving, const Quaterniond& before,
-                      const Quaterniond& after) {
+void count_difference(test::Largest& difference, const ContactMotion& rest, const ContactMotion& moving,
+                      const Quaterniond& before, const Quaterniond& after) {
   difference.count((moving.normal - after * rest.normal).norm());
   difference.count((moving.approach - rest.approach) / radius);
   difference.count((moving.sliding - after * rest.sliding).norm() / radius);
@@ -52,7 +52,10 @@ void count_difference(test::Largest& difference, const ContactMotion& rest, cons
 }
 
 test::Verified observers(const char* contact) {
-  return {"Reduced laws", std::string("motion of a contact under turning and drifting observers, ") + contact + ", lengths in radii", "the same motion"};
+  return {"Reduced laws",
+          std::string("motion of a contact under turning and drifting observers, ") + contact +
+              ", lengths in radii",
+          "the same motion"};
 }
 
 TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_motion_between_spheres_the_same) {
@@ -88,7 +91,8 @@ TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_m
     for (const HistorySpin spin : {HistorySpin::mean_of_bodies, HistorySpin::other_body})
       count_difference(
           difference,
-          sphere_on_plane(sphere, sphere_after, radius, plane, plane_after, LeverArm::distance_to_contact, spin),
+          sphere_on_plane(sphere, sphere_after, radius, plane, plane_after, LeverArm::distance_to_contact,
+                          spin),
           sphere_on_plane(before.sees(sphere), after.sees(sphere_after), radius, before.sees(plane),
                           after.sees(plane_after), LeverArm::distance_to_contact, spin),
           before.turn, after.turn);

@@ -74,7 +74,10 @@ TEST(PairedWays_analytic, two_sds_hold_the_truth_19_times_in_20) {
   }
   // Six stretches: their autocorrelation is itself uncertain (0.935 here; 0.90 if features were twice as long).
   const auto verified = [](const std::string& what) {
-    return test::Verified{"Reduced laws", "two ways over the same surface: " + what + " within two stated sd, share of 1000 draws", "Gauss: 0.954"};
+    return test::Verified{
+        "Reduced laws",
+        "two ways over the same surface: " + what + " within two stated sd, share of 1000 draws",
+        "Gauss: 0.954"};
   };
   EXPECT_TRUE(verified("ratio").between(ratios / double(draws), 0.954 - 0.04, 0.954 + 0.04));
   EXPECT_TRUE(verified("difference").between(differences / double(draws), 0.954 - 0.04, 0.954 + 0.04));
