@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the scripts that check tags, make tables and mutants and run the nightly tests, with programs that only look like tests."""
+"""Tests of the scripts that check tags and the verification page, make tables and mutants and run the nightly tests, with programs that only look like tests."""
 
 import pathlib
 import subprocess
@@ -54,17 +54,70 @@ class Tags(unittest.TestCase):
 class Table(unittest.TestCase):
     HEADER = "topic,quantity,source,asked,measured,met,test\n"
 
-    def table(self, *rows):
+    HERTZ = '"Hertz","force, a/h 12","Hertz (1882)","1 %","-0.67 %","yes","Hertz_analytic.silicon"'
+
+    def files(self, folder, *rows, nightly=()):
+        root = pathlib.Path(folder)
+        for name, text in (("run/a.csv", self.HEADER + "".join(row + "\n" for row in rows)),
+                           ("kept/b.csv", self.HEADER.strip() + ",date,commit\n" + "".join(row + "\n" for row in nightly)),
+                           ("notes.md", "Of which this is not shown.\n\n## Sliding\n\nRings.\n\n## Hertz\n\nSmooth bodies.\n")):
+            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).write_text(text)
+        return root, ["--nightly", root / "kept", "--notes", root / "notes.md"]
+
+    def table(self, *rows, nightly=()):
         with tempfile.TemporaryDirectory() as folder:
-            (pathlib.Path(folder) / "a.csv").write_text(self.HEADER + "".join(row + "\n" for row in rows))
-            return run(TESTS / "verification/table", folder)
+            root, options = self.files(folder, *rows, nightly=nightly)
+            return run(TESTS / "verification/table", root / "run", *options)
 
     def test_rows_stand_under_their_topic_with_tag_and_commit(self):
-        made = self.table('"Hertz","force, a/h 12","Hertz (1882)","1 %","-0.67 %","yes","Hertz_analytic.silicon"')
+        made = self.table(self.HERTZ)
         self.assertEqual(made.returncode, 0, made.stderr)
-        self.assertIn("## Hertz\n", made.stdout)
-        self.assertIn("| force, a/h 12 | analytic | Hertz (1882) | 1 % | -0.67 % | `Hertz_analytic.silicon` |", made.stdout)
-        self.assertRegex(made.stdout, r"Generated on \d{4}-\d\d-\d\d by .* commit \S+")
+        self.assertIn("## Hertz\n\nSmooth bodies.\n\n| quantity |", made.stdout)
+        self.assertIn("| force, a/h 12 | analytic | Hertz (1882) | 1 % | -0.67 % | `Hertz_analytic.silicon` | 20", made.stdout)
+        self.assertLess(made.stdout.index("## Sliding\n\nRings."), made.stdout.index("## Hertz"))
+        self.assertNotIn("not shown", made.stdout)
+        self.assertRegex(made.stdout, r"Written on \d{4}-\d\d-\d\d, commit \S+")
+
+    def test_tests_that_did_not_run_have_the_rows_of_their_last_run(self):
+        kept = ['"Hertz","force, a/h 24","Hertz (1882)","1 %","+0.2 %","yes","HertzNightly_analytic.fine","2026-11-20","abc"',
+                self.HERTZ.replace("-0.67", "-0.9") + ',"2026-11-20","abc"']
+        made = self.table(self.HERTZ, nightly=kept)
+        self.assertIn("| force, a/h 24 | analytic | Hertz (1882) | 1 % | +0.2 % | `HertzNightly_analytic.fine` | nightly, 2026-11-20 |", made.stdout)
+        self.assertNotIn("-0.9 %", made.stdout)
+
+    def test_nightly_tests_without_rows_are_named(self):
+        self.assertIn("## Nightly tests without a recorded run\n", self.table(self.HERTZ).stdout)
+
+    def check(self, folder, *rows, said, options=()):
+        root, places = self.files(folder, *rows)
+        (root / "page.md").write_text(said)
+        return run(TESTS / "verification/check", root / "run", "--page", root / "page.md", *places, *options)
+
+    def test_a_page_that_asks_something_else_is_found(self):
+        said = self.table(self.HERTZ, self.HERTZ.replace("a/h 12", "a | h 6")).stdout
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.check(folder, self.HERTZ, said=said).returncode, 0)
+            whole = self.check(folder, self.HERTZ, said=said, options=["--all"])
+            self.assertEqual(whole.returncode, 1)
+            self.assertIn("the page has 'force, a | h 6' (asked: 1 %); Hertz_analytic.silicon asserts no such thing", whole.stderr)
+            other = self.check(folder, self.HERTZ.replace("1 %", "2 %"), said=said)
+            self.assertEqual(other.returncode, 1)
+            self.assertIn("Hertz_analytic.silicon asserts 'force, a/h 12' (asked: 2 %); the page does not say so", other.stderr)
+            moved = self.check(folder, self.HERTZ.replace("-0.67", "-0.66"), said=said)
+            self.assertEqual(moved.returncode, 0, moved.stderr)
+
+    def test_topics_without_a_heading_and_tables_by_hand_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root, options = self.files(folder)
+            (root / "a_test.cc").write_text('test::Verified{"Hertz", what};\nVerified rolls(const char* what) {\n  return {"Rollling", what};\n}\n')
+            with (root / "notes.md").open("a") as notes:
+                notes.write("\n| quantity | asked |\n")
+            found = run(TESTS / "verification/check", "--tests", root, *options)
+            self.assertEqual(found.returncode, 1)
+            self.assertIn("a_test.cc: the topic 'Rollling' has no heading", found.stderr)
+            self.assertIn("Hertz: a table written by hand", found.stderr)
+            self.assertNotIn("the topic 'Hertz'", found.stderr)
 
     def test_what_is_not_met_is_said_and_fails(self):
         made = self.table('"Hertz","force","Hertz","1 %","+2 %","no","Hertz_analytic.silicon"')
@@ -80,8 +133,9 @@ class Nightly(unittest.TestCase):
     def record(self, *listed):
         with tempfile.TemporaryDirectory() as folder:
             program(folder, "core_tests", *listed)
-            page = pathlib.Path(folder) / "deep" / "page.md"
-            done = run(TESTS / "nightly/run", "--build", folder, "--record", page)
+            page, rows = pathlib.Path(folder) / "deep" / "page.md", pathlib.Path(folder) / "rows"
+            done = run(TESTS / "nightly/run", "--build", folder, "--record", page, "--rows", rows)
+            self.kept = {path.name: path.read_text() for path in rows.glob("*.csv")}
             return done.returncode, page.read_text() if page.exists() else ""
 
     def test_the_record_has_commit_outcome_time_and_what_was_measured(self):
@@ -92,6 +146,7 @@ class Nightly(unittest.TestCase):
         self.assertIn("| `XNightly_analytic.good` | passed | 0 s |", page)
         self.assertIn("| Hertz | force, a/h 12 | Hertz | 1 % | +0.5 % |", page)
         self.assertIn("`fem_tests` is not built", page)
+        self.assertRegex(self.kept["good.csv"], r'"yes","X_analytic.good","\d{4}-\d\d-\d\d","[^"]+"\n')
 
     def test_failures_and_crashes_are_in_the_record_and_in_the_status(self):
         status, page = self.record("XNightly_analytic.", "  good", "  wrong", "  crash")
