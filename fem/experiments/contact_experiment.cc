@@ -155,12 +155,28 @@ double ContactExperiment::expected_approach(double target) const {
   return 0.8 * (hertz(target) - hertz(load_)) + touch;
 }
 
+int ContactExperiment::parts_needed(const ContactState& trial, double load, double flow_turn) const {
+  if (flow_turn == 0 || load == load_) return 1;
+  const double before = solver_->resultants(state_).force, force = solver_->resultants(trial).force;
+  const double approach_change = trial.approach - state_.approach - far_field_ * (force - before);
+  return parts_of_step(flow_turn, approach_change, force - before, force, input_.experiment.load_step_error);
+}
+
+void ContactExperiment::accept(ContactState& trial, double load) {
+  load_ = load;
+  state_.displacement.swap(trial.displacement);
+  state_.multiplier = trial.multiplier;
+  state_.shear = trial.shear;
+  state_.bonded = trial.bonded;
+  state_.approach = trial.approach;
+  state_.motion = trial.motion;
+  state_.coupling = trial.coupling;
+  system_->bodies().accept_step();
+}
+
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
-  // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
-  struct Target {
-    double load;
-    RigidMotion motion;
-  };
+  // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
+  // between is accepted and kept in the history.
   std::vector<Target> pending{{target, motion}};
   int failures = 0;
   BodyEnergies energies;
@@ -168,6 +184,14 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
   double friction_work = records_.empty() ? 0 : records_.back().friction_work;
   double adhesion_loss = records_.empty() ? 0 : records_.back().adhesion_loss, adhesion_energy = 0;
+  const auto divide = [&](int parts, bool divided) {
+    const Target whole = pending.back();
+    pending.back().divided = divided;
+    for (int part = parts - 1; part > 0; --part) {
+      const double fraction = static_cast<double>(part) / parts;
+      pending.push_back({load_ + fraction * (whole.load - load_), between(state_.motion, whole.motion, fraction), divided});
+    }
+  };
   while (!pending.empty()) {
     ContactState trial = state_;
     solver_->push_rigidly(trial, expected_approach(pending.back().load));
@@ -180,24 +204,21 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
       if (++failures > 6)
         throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
                         std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
-      const Target& failed = pending.back();
-      pending.push_back({0.5 * (load_ + failed.load), between(state_.motion, failed.motion, 0.5)});
+      divide(2, pending.back().divided);
+      continue;
+    }
+    energies = system_->bodies().try_step(state_.displacement, trial.displacement);
+    const int parts = pending.back().divided ? 1 : parts_needed(trial, pending.back().load, energies.flow_turn);
+    if (parts > 1) {
+      divide(parts, true);
       continue;
     }
     const double load_change = pending.back().load - load_;
-    load_ = pending.back().load;
+    accept(trial, pending.back().load);
     pending.pop_back();
-    state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
-    state_.multiplier = trial.multiplier;
-    state_.shear = trial.shear;
-    state_.bonded = trial.bonded;
-    state_.approach = trial.approach;
-    state_.motion = trial.motion;
-    state_.coupling = trial.coupling;
     friction_work += report.friction_work;
     adhesion_loss += report.adhesion_loss;
     adhesion_energy = report.adhesion_energy;
-    energies = system_->bodies().accept(trial.displacement, state_.displacement);
     plastic_work += energies.plastic_work;
     step_error.add(energies.flow_turn, load_change);
   }

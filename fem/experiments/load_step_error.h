@@ -6,7 +6,12 @@
 // the tangent operator, which is symmetric in associated flow; Simo & Hughes 1998, box 3.2). For perfect plasticity this is half of
 // d(sigma) : d(e_p), which Drucker's postulate makes zero along the path, positive in a step: the approach comes out too large. It adds
 // up over the steps and falls with their number.
+//
+// A step whose share of that is larger than asked is divided: n parts leave an n-th.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
 
 namespace asperity::fem {
 
@@ -27,5 +32,15 @@ class LoadStepError {
  private:
   double turned_ = 0, change_ = 0;
 };
+
+/// Into how many parts a step is divided so that finite steps leave at most `share` of the approach it makes; 1 where it may stay, or is no
+/// load step. flow_turn: of the step in one [J]; its changes of approach [m] and force [N], and the force it reaches [N].
+inline int parts_of_step(double flow_turn, double approach_change, double force_change, double force, double share) {
+  constexpr int most = 16;               // what is left then is stated
+  constexpr double at_a_turn = 0.01;     // of the force: its change vanishes where attraction gives way, an error does not grow there
+  const double size = std::abs(approach_change) * std::max(std::abs(force_change), at_a_turn * std::abs(force));
+  if (share <= 0 || size == 0 || flow_turn == 0) return 1;
+  return static_cast<int>(std::clamp(std::ceil(std::abs(flow_turn) / (share * size)), 1.0, static_cast<double>(most)));
+}
 
 }  // namespace asperity::fem

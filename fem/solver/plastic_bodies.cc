@@ -59,7 +59,7 @@ double flow_turn(const SymmetricTensor<V>& start, const SymmetricTensor<V>& tria
 }  // namespace
 
 PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
-    : level_(level), materials_(materials), history_(level.batches().size()) {
+    : level_(level), materials_(materials), history_(level.batches().size()), tried_(level.batches().size()) {
   const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
   positions_.assign(positions.begin(), positions.begin() + local);
 }
@@ -111,7 +111,7 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
   });
 }
 
-BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<double>& u) {
+BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u) {
   BodyEnergies sum;
   const int count = static_cast<int>(level_.batches().size());
   double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0;
@@ -163,10 +163,8 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
         largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
       }
     }
-    if (yields) {
-      if (history_[index]) *history_[index] = updated;
-      else history_[index] = std::make_unique<History>(updated);
-    }
+    if (yields) tried_[index] = std::make_unique<History>(updated);
+    else tried_[index].reset();
   }
   const MPI_Comm comm = level_.communicator();
   sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
@@ -180,6 +178,11 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
   }
   sum.largest_yield_ratio = dealii::Utilities::MPI::max(largest_ratio, comm);
   return sum;
+}
+
+void PlasticBodies::accept_step() {
+  for (std::size_t index = 0; index < history_.size(); ++index)
+    if (tried_[index]) history_[index] = std::move(tried_[index]);
 }
 
 std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const {
@@ -225,6 +228,7 @@ void PlasticBodies::restore_history(const std::vector<double>& saved) {
   if (saved.empty() || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 1) % record != 0)
     throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
   for (auto& history : history_) history.reset();
+  for (auto& history : tried_) history.reset();
   for (std::size_t at = 1; at < saved.size(); at += record) {
     auto history = std::make_unique<History>();
     std::size_t k = at + 1;

@@ -44,8 +44,18 @@ class PlasticBodies {
   /// Fills the tangents of yielding batches where `tangent` is given.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
-  /// Makes `u` the new accepted state; `u_before` is the last accepted one.
-  BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u);
+  /// What the step from the accepted state `u_before` to `u` does; the accepted state stays.
+  BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u);
+
+  /// Makes the state of the last try_step() the accepted one.
+  void accept_step();
+
+  /// Both at once.
+  BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u) {
+    const BodyEnergies energies = try_step(u_before, u);
+    accept_step();
+    return energies;
+  }
 
   /// Averages per owned cell in the order of the active cells.
   std::vector<CellState> cell_states(const Vector<double>& u) const;
@@ -62,7 +72,7 @@ class PlasticBodies {
   const MeshLevel& level_;
   std::vector<double> positions_;
   std::array<J2Material, 2> materials_;
-  std::vector<std::unique_ptr<History>> history_;
+  std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
 };
 
 }  // namespace asperity::fem

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -98,6 +100,7 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   const test::TemporaryFolder folder, halving;
   CaseInput c = coarse_case();
   c.experiment.unload = false;
+  c.experiment.load_step_error = 0;  // halved for the solver alone
   const SolvedExperiment whole = solve_experiment(c, folder.path);
   const auto needed = whole.history.numbers("newton_iterations");
   c.solver.newton_steps = static_cast<int>(*std::max_element(needed.begin(), needed.end())) - 1;
@@ -111,6 +114,31 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   // Where yielding is followed in smaller steps, a little more of it is seen.
   EXPECT_NEAR(halved.at("plastic_work [J]", 3) / whole.at("plastic_work [J]", 3), 1, 0.05);
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
+}
+
+TEST(LoadStepChoice_regression, steps_of_a_perfectly_plastic_contact_are_divided_until_they_leave_what_is_asked) {
+  // A substrate of 0.9 GPa under a sphere that stays elastic: largest pressure by Hertz 2.7 times what yields first.
+  CaseInput c = coarse_case();
+  c.particle.topography = c.substrate.topography = "smooth";
+  c.particle.yield_stress = std::numeric_limits<double>::infinity();
+  c.substrate.yield_stress = 0.9e9;
+  c.experiment.normal_load = 300e-6, c.experiment.unload = false;
+  c.mesh.interface_spacing = 60e-9;
+  const auto solved = [&](int steps, double share) {
+    const test::TemporaryFolder folder;
+    c.experiment.load_steps = steps, c.experiment.load_step_error = share;
+    return solve_experiment(c, folder.path);
+  };
+  const SolvedExperiment few = solved(3, 0), divided = solved(3, 0.005), many = solved(96, 0);
+  ASSERT_EQ(divided.history.rows.size(), 3u) << "what lies between recorded steps is not recorded";
+  const auto approach = [](const SolvedExperiment& s) { return s.at("normal_displacement [m]", s.history.rows.size() - 1); };
+  const auto stated = [](const SolvedExperiment& s) { return s.result["effective"]["load_step_error"]["value"].get<double>(); };
+  const double truth = approach(many);
+  std::printf("error of approach, stated: %.4f %.4f, divided %.4f %.4f; 96 steps state %.4f\n", approach(few) / truth - 1, stated(few),
+              approach(divided) / truth - 1, stated(divided), stated(many));
+  EXPECT_GT(approach(few) / truth - 1, 0.015) << "else nothing had to be divided";
+  EXPECT_LT(stated(divided), 0.0055);
+  EXPECT_LT(std::abs(approach(divided) / truth - 1), 1.5 * 0.005);
 }
 
 TEST(NormalExperiment_behaviour, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {
