@@ -182,7 +182,7 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
     const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +
                               text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
-    if (quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
+    if (roughness.smooth() || quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
       throw InputError(file + ": " + name + ": the way from fine cells at the contact to the body's border distorts" + found +
                        "use a shorter Experiment/Distance or another Mesh/Interface spacing");
     throw InputError(file + ": " + name + "/Topography: the roughness distorts" + found +

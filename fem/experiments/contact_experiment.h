@@ -33,7 +33,7 @@ class ContactExperiment {
   };
   void solve_with_retries(double target, const RigidMotion& motion);
   /// Into how many parts a step that was tried has to be divided.
-  int parts_needed(const ContactState& trial, double load, double flow_turn) const;
+  int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;
   void accept(ContactState& trial, double load);
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);

@@ -116,29 +116,34 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
 }
 
-TEST(LoadStepChoice_regression, steps_of_a_perfectly_plastic_contact_are_divided_until_they_leave_what_is_asked) {
-  // A substrate of 0.9 GPa under a sphere that stays elastic: largest pressure by Hertz 2.7 times what yields first.
+TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
+  // A substrate of 0.4 GPa under a sphere that stays elastic: 29 times the load of first yield.
   CaseInput c = coarse_case();
   c.particle.topography = c.substrate.topography = "smooth";
   c.particle.yield_stress = std::numeric_limits<double>::infinity();
-  c.substrate.yield_stress = 0.9e9;
-  c.experiment.normal_load = 300e-6, c.experiment.unload = false;
-  c.mesh.interface_spacing = 60e-9;
+  c.substrate.yield_stress = 0.4e9;
+  c.experiment.normal_load = 1e-3, c.experiment.unload = false;
+  c.mesh.interface_spacing = 90e-9;
   const auto solved = [&](int steps, double share) {
     const test::TemporaryFolder folder;
     c.experiment.load_steps = steps, c.experiment.load_step_error = share;
     return solve_experiment(c, folder.path);
   };
-  const SolvedExperiment few = solved(3, 0), divided = solved(3, 0.005), many = solved(96, 0);
+  const SolvedExperiment few = solved(3, 0), more = solved(6, 0), many = solved(12, 0), divided = solved(3, 0.005);
   ASSERT_EQ(divided.history.rows.size(), 3u) << "what lies between recorded steps is not recorded";
   const auto approach = [](const SolvedExperiment& s) { return s.at("normal_displacement [m]", s.history.rows.size() - 1); };
+  // Of first order, so that twice as many steps tell how far they still are.
+  const double limit = 2 * approach(many) - approach(more);
+  const auto error = [&](const SolvedExperiment& s) { return approach(s) / limit - 1; };
   const auto stated = [](const SolvedExperiment& s) { return s.result["effective"]["load_step_error"]["value"].get<double>(); };
-  const double truth = approach(many);
-  std::printf("error of approach, stated: %.4f %.4f, divided %.4f %.4f; 96 steps state %.4f\n", approach(few) / truth - 1, stated(few),
-              approach(divided) / truth - 1, stated(divided), stated(many));
-  EXPECT_GT(approach(few) / truth - 1, 0.015) << "else nothing had to be divided";
+  for (const auto* s : {&few, &more, &many, &divided}) std::printf("error of the approach %.5f, stated %.5f\n", error(*s), stated(*s));
+  EXPECT_GT(error(few), 0.01) << "else nothing had to be divided";
+  for (const auto* s : {&few, &more, &many}) {
+    EXPECT_GT(stated(*s), 0.8 * error(*s));
+    EXPECT_LT(stated(*s), 2 * error(*s));
+  }
   EXPECT_LT(stated(divided), 0.0055);
-  EXPECT_LT(std::abs(approach(divided) / truth - 1), 1.5 * 0.005);
+  EXPECT_LT(error(divided), 0.005);
 }
 
 TEST(NormalExperiment_behaviour, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {
