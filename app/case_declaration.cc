@@ -226,6 +226,9 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(section, "Normal approach", at(&ExperimentInput::normal_approach), Dimension::length,
                              not_negative, "0 m", "", "Largest approach of the bodies (control by displacement)."));
   entries.push_back(not_physical(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load.")));
+  entries.push_back(not_physical(quantity(section, "Load step error", at(&ExperimentInput::load_step_error), Dimension::none, not_negative, "0.005", "",
+                                          "Share of the approach that finite steps may leave: a step of bodies that yield which leaves more is "
+                                          "divided, into 16 at most; 0: steps stay as they are.")));
   entries.push_back(flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
   entries.push_back(quantity(section, "Retract", at(&ExperimentInput::retract), Dimension::length, not_negative, "0 m", "",
                              "How far beyond first touch unloading goes on under control by displacement: for pull-off."));

@@ -36,7 +36,8 @@ struct ExperimentInput {
   enum class Control { force, displacement } control = Control::force;
   double normal_load = 0;      ///< largest normal force F [N] (force control)
   double normal_approach = 0;  ///< largest approach [m] (displacement control)
-  int load_steps = 10;         ///< accepted steps from zero to the largest load
+  int load_steps = 10;         ///< recorded steps from zero to the largest load
+  double load_step_error = 0.005;  ///< of the approach, which steps of bodies that yield may leave before they are divided; 0: never
   bool unload = true;          ///< return to zero load after loading
   double retract = 0;          ///< beyond first touch, at the end of unloading under displacement control [m]
   int unload_steps = 10;

@@ -124,19 +124,31 @@ std::vector<double> scaled_jacobians(const MeshLevel& level, const Vector<double
   return result;
 }
 
-HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options) {
-  HexMeshQuality quality;
+namespace {
+
+/// Of particle and substrate, the same on every rank.
+std::array<double, 2> smallest_scaled_jacobians(const MeshLevel& level, const Vector<double>& positions) {
+  std::array<double, 2> smallest{1, 1};
   const auto jacobians = scaled_jacobians(level, positions);
   std::size_t cell = 0;
   for (const auto& batch : level.batches())
-    for (int l = 0; l < batch.count; ++l, ++cell) {
-      double& smallest = quality.smallest_scaled_jacobian[batch.body[l]];
-      smallest = std::min(smallest, jacobians[cell]);
-    }
-  for (int body = 0; body < 2; ++body) {
-    quality.smallest_scaled_jacobian[body] = dealii::Utilities::MPI::min(quality.smallest_scaled_jacobian[body], level.communicator());
-    quality.roughness[body] = fidelity(level, positions, options, body);
+    for (int l = 0; l < batch.count; ++l, ++cell) smallest[batch.body[l]] = std::min(smallest[batch.body[l]], jacobians[cell]);
+  for (double& value : smallest) value = dealii::Utilities::MPI::min(value, level.communicator());
+  return smallest;
+}
+
+}  // namespace
+
+HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options) {
+  HexMeshQuality quality;
+  quality.smallest_scaled_jacobian = smallest_scaled_jacobians(level, positions);
+  const auto& found = quality.smallest_scaled_jacobian;
+  if (std::min(found[0], found[1]) <= smallest_allowed_scaled_jacobian) {
+    meshing::ContactMeshOptions smooth = options;
+    smooth.particle_height = smooth.substrate_height = {};
+    quality.without_roughness = smallest_scaled_jacobians(level, level.node_positions(meshing::RoughGeometry(smooth)));
   }
+  for (int body = 0; body < 2; ++body) quality.roughness[body] = fidelity(level, positions, options, body);
   return quality;
 }
 
@@ -170,7 +182,7 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
     const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +
                               text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
-    if (roughness.smooth())
+    if (roughness.smooth() || quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
       throw InputError(file + ": " + name + ": the way from fine cells at the contact to the body's border distorts" + found +
                        "use a shorter Experiment/Distance or another Mesh/Interface spacing");
     throw InputError(file + ": " + name + "/Topography: the roughness distorts" + found +

@@ -29,6 +29,7 @@ struct RoughnessFidelity {
 
 struct HexMeshQuality {
   std::array<double, 2> smallest_scaled_jacobian{1, 1};  ///< particle, substrate [-]; 1: a box, 0: flat or inverted
+  std::array<double, 2> without_roughness{1, 1};         ///< the same of the smooth bodies, known where the first is too small
   std::array<RoughnessFidelity, 2> roughness;            ///< particle, substrate
 };
 

@@ -75,13 +75,15 @@ std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupCo
   else if (std::isfinite(yield))
     sentences.push_back("Without roughness these bodies would first yield at " + in_units(yield, Dimension::force) +
                         ", below the surface.");
-  sentences.push_back(
-      "Error of the mesh: not known from this case alone" +
-      (std::isfinite(group.interface_spacing)
-           ? " (spacing " + in_units(group.interface_spacing, Dimension::length) + " at the interface); "
-           : std::string("; ")) +
-      "the same case on another spacing, compared by <code>asperity compare</code>, gives it. Scatter over realisations: none, "
-      "this is one surface; a study with several seeds gives it.");
+  const std::string spacing = std::isfinite(group.interface_spacing) ? " (spacing " + in_units(group.interface_spacing, Dimension::length) + " at the interface)" : "";
+  sentences.push_back(std::string("Error of the mesh: ") +
+                      (solved.finished() ? "estimated beside each effective quantity (± sd)" : "estimated when the case is finished") + spacing +
+                      "; the same case on another spacing, compared by <code>asperity compare</code>, measures it. Scatter over realisations: none, "
+                      "this is one surface; a study with several seeds gives it.");
+  for (const char* body : {"particle", "substrate"}) {
+    const std::string resolved = resolved_roughness_sentence(solved, body);
+    if (!resolved.empty()) sentences.push_back(resolved);
+  }
   if (group.numbers.differencing_error > 0)
     sentences.push_back("The finite load steps change the stiffness by at most " +
                         percent_bound(group.numbers.differencing_error) + ".");

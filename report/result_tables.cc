@@ -101,6 +101,23 @@ std::string balance_sentence(const SolvedCase& solved) {
   return parts.empty() ? "" : "The computation balances: " + parts + ".";
 }
 
+std::string resolved_roughness_sentence(const SolvedCase& solved, const std::string& body) {
+  if (!solved.finished()) return "";
+  const Json roughness = solved.result.value("mesh", Json::object()).value("roughness", Json::object()).value(body, Json());
+  if (!roughness.is_object()) return "";
+  const auto number = [&](const char* name) { return number_of(roughness.value(name, Json())); };
+  const double cells = number("cells_over_shortest_wave"), shorter = number("slope_variance_in_shorter_waves"), period = number("repeats_every");
+  const double missed = number_of(roughness.value("missed_by_facets", Json::object()).value("slope_variance", Json()));
+  constexpr double worth_saying = 0.01;
+  std::string text = "Roughness of the " + body + ":";
+  if (std::isfinite(cells))
+    text += " " + general(cells, 2) + " cells over its shortest wave of " + in_units(number("shortest_wave"), Dimension::length) + ";";
+  text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) + " of its slope variance, so the largest pressures read too small";
+  if (shorter > worth_saying) text += "; waves shorter still, with " + percent_text(shorter) + " of the scan's slope variance, are not in the simulation";
+  if (std::isfinite(period)) text += "; the surface repeats every " + in_units(period, Dimension::length);
+  return text + ".";
+}
+
 std::string remaining_tables(const SolvedCase& solved) {
   if (!solved.finished()) return "";
   Table table{{"", ""}, {}, true};

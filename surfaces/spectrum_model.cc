@@ -25,7 +25,8 @@ double SelfAffineSpectrum::rms_slope() const {
 
 double SelfAffineSpectrum::operator()(double q) const {
   const double q_r = 2 * M_PI / rolloff, q_s = 2 * M_PI / cutoff;
-  if (q > q_s) return 0;
+  constexpr double rounding = 1e-9;  // a wave as long as the cut-off belongs to the surface, however its wave number was computed
+  if (q > q_s * (1 + rounding)) return 0;
   return q < q_r ? plateau() : plateau() * std::pow(q / q_r, -2 - 2 * hurst);
 }
 

@@ -15,12 +15,12 @@
 #include "core/wait_text.h"
 #include "fem/experiments/energy_balance.h"
 #include "fem/experiments/free_rolling.h"
-#include "fem/experiments/load_step_error.h"
 #include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
 #include "fem/output/progress_line.h"
 #include "fem/output/result_file.h"
+#include "fem/solver/load_step_error.h"
 
 namespace asperity::fem {
 namespace {
@@ -155,19 +155,41 @@ double ContactExperiment::expected_approach(double target) const {
   return 0.8 * (hertz(target) - hertz(load_)) + touch;
 }
 
+int ContactExperiment::parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const {
+  const double approach_change = trial.approach - state_.approach - far_field_ * (force - force_before);
+  return parts_of_step(flow_turn, approach_change, force - force_before, force, input_.experiment.load_step_error);
+}
+
+void ContactExperiment::accept(ContactState& trial, double load) {
+  load_ = load;
+  state_.displacement.swap(trial.displacement);
+  state_.multiplier = trial.multiplier;
+  state_.shear = trial.shear;
+  state_.bonded = trial.bonded;
+  state_.approach = trial.approach;
+  state_.motion = trial.motion;
+  state_.coupling = trial.coupling;
+  system_->bodies().accept_step();
+}
+
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
-  // Steps that fail are halved from the last accepted state; what is reached in between is accepted and kept in the history.
-  struct Target {
-    double load;
-    RigidMotion motion;
-  };
+  // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
+  // between is accepted and kept in the history.
   std::vector<Target> pending{{target, motion}};
   int failures = 0;
   BodyEnergies energies;
-  LoadStepError step_error;
+  double force_before = records_.empty() ? 0 : records_.back().normal_force;
   double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
   double friction_work = records_.empty() ? 0 : records_.back().friction_work;
   double adhesion_loss = records_.empty() ? 0 : records_.back().adhesion_loss, adhesion_energy = 0;
+  const auto divide = [&](int parts, bool divided) {
+    const Target whole = pending.back();
+    pending.back().divided = divided;
+    for (int part = parts - 1; part > 0; --part) {
+      const double fraction = static_cast<double>(part) / parts;
+      pending.push_back({load_ + fraction * (whole.load - load_), between(state_.motion, whole.motion, fraction), divided});
+    }
+  };
   while (!pending.empty()) {
     ContactState trial = state_;
     solver_->push_rigidly(trial, expected_approach(pending.back().load));
@@ -180,26 +202,25 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
       if (++failures > 6)
         throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
                         std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
-      const Target& failed = pending.back();
-      pending.push_back({0.5 * (load_ + failed.load), between(state_.motion, failed.motion, 0.5)});
+      divide(2, pending.back().divided);
       continue;
     }
-    const double load_change = pending.back().load - load_;
-    load_ = pending.back().load;
+    // Where nothing presses, the error of a step belongs to another motion.
+    const bool presses = pending.back().load != load_;
+    const double force = presses ? solver_->resultants(trial).force : force_before;
+    energies = system_->bodies().try_step(state_.displacement, trial.displacement, force - force_before);
+    const int parts = pending.back().divided || !presses ? 1 : parts_needed(trial, force_before, force, energies.flow_turn);
+    if (parts > 1) {
+      divide(parts, true);
+      continue;
+    }
+    accept(trial, pending.back().load);
+    force_before = force;
     pending.pop_back();
-    state_.displacement.swap(trial.displacement);  // trial now holds the displacement accepted before
-    state_.multiplier = trial.multiplier;
-    state_.shear = trial.shear;
-    state_.bonded = trial.bonded;
-    state_.approach = trial.approach;
-    state_.motion = trial.motion;
-    state_.coupling = trial.coupling;
     friction_work += report.friction_work;
     adhesion_loss += report.adhesion_loss;
     adhesion_energy = report.adhesion_energy;
-    energies = system_->bodies().accept(trial.displacement, state_.displacement);
     plastic_work += energies.plastic_work;
-    step_error.add(energies.flow_turn, load_change);
   }
   StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
   r.elastic_energy = energies.elastic;
@@ -210,8 +231,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   r.adhesion_loss = adhesion_loss;
   r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work + r.adhesion_loss;
   r.plastic_volume = energies.plastic_volume;
-  r.load_step_error = step_error.of_approach(r.normal_force - (records_.empty() ? 0.0 : records_.back().normal_force));
-  if (!records_.empty()) r.load_step_error += records_.back().load_step_error;
+  r.load_step_error = energies.approach_error;
   r.largest_plastic_strain = energies.largest_plastic_strain();
   r.largest_von_mises = energies.largest_von_mises();
   r.particle_plastic_strain = energies.plastic_strain[0], r.substrate_plastic_strain = energies.plastic_strain[1];

@@ -25,7 +25,16 @@ class ContactExperiment {
   double expected_approach(double target) const;
   /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free of lateral force.
   RigidMotion towards(const Station& station, const Station* before) const;
+  /// Where a step, or a part of one, goes.
+  struct Target {
+    double load;  ///< force [N] or approach [m]
+    RigidMotion motion;
+    bool divided = false;  ///< for what finite load steps leave
+  };
   void solve_with_retries(double target, const RigidMotion& motion);
+  /// Into how many parts a step that was tried has to be divided.
+  int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;
+  void accept(ContactState& trial, double load);
   StepRecord record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/residual_imprint.h"
-#include "fem/experiments/load_step_error.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/steady_motion.h"
+#include "fem/solver/load_step_error.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity::fem {
@@ -132,7 +132,7 @@ void add_yielding(Effective& effective, const CaseInput& input, const StepRecord
   const StepRecord& last = records.back();
   if (peak.normal_displacement > 0) {
     const double steps = peak.load_step_error / peak.normal_displacement;
-    effective.add("load_step_error", steps, "", {LoadStepError::doubt});
+    effective.add("load_step_error", steps, "", {load_step_doubt});
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
   if (input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint.depth)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "fem/solver/load_step_error.h"
 
 namespace asperity::fem {
 namespace {
@@ -31,35 +32,10 @@ double von_mises(const SymmetricTensor<double>& s) {
   return std::sqrt(1.5 * (a * a + b * b + c * c + 2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])));
 }
 
-/// Where on the straight way from `start` by `way` (deviators relative to the back stress, one lane) a point comes to the yield surface
-/// |.| = limit, from inside or along it: the share of the way.
-double onset_of_yielding(const SymmetricTensor<V>& start, const SymmetricTensor<V>& way, int lane, double limit) {
-  const double a = double_contraction(way, way)[lane], b = double_contraction(start, way)[lane];
-  const double c = double_contraction(start, start)[lane] - limit * limit;
-  if (a <= 0) return 0;
-  return std::clamp((-b + std::sqrt(std::max(0.0, b * b - a * c))) / a, 0.0, 1.0);
-}
-
-/// BodyEnergies::flow_turn per volume of one lane: start, trial: deviators relative to the back stress; limit: of their norm.
-double flow_turn(const SymmetricTensor<V>& start, const SymmetricTensor<V>& trial, double limit, const SymmetricTensor<V>& increment,
-                 const SymmetricTensor<V>& change_of_stress, int lane) {
-  const double norm = std::sqrt(double_contraction(increment, increment)[lane]);
-  if (norm == 0) return 0;
-  SymmetricTensor<V> way;
-  for (int c = 0; c < 6; ++c) way[c] = trial[c] - start[c];
-  const double share = onset_of_yielding(start, way, lane, limit);
-  double sum = 0;
-  for (int c = 0; c < 6; ++c) {
-    const double turn = increment[c][lane] / norm - (start[c][lane] + share * way[c][lane]) / limit;
-    sum += (c < 3 ? 1 : 2) * turn * change_of_stress[c][lane];
-  }
-  return 0.5 * norm * sum;
-}
-
 }  // namespace
 
 PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
-    : level_(level), materials_(materials), history_(level.batches().size()) {
+    : level_(level), materials_(materials), history_(level.batches().size()), tried_(level.batches().size()) {
   const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
   positions_.assign(positions.begin(), positions.begin() + local);
 }
@@ -111,12 +87,12 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
   });
 }
 
-BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<double>& u) {
+BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change) {
   BodyEnergies sum;
   const int count = static_cast<int>(level_.batches().size());
-  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0;
+  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0, approach_error = 0;
   double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
-#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned) \
+#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, approach_error) \
     reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
   for (int index = 0; index < count; ++index) {
     const CellBatch& batch = level_.batches()[index];
@@ -129,7 +105,7 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
     for (int q = 0; q < points_per_hex; ++q) {
       SymmetricTensor<V> stress, stress_before;
       J2Tangent<V> tangent;
-      const PlasticState<V> old = updated[q];
+      const PointHistory old = updated[q];
       for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
       yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent) || yields;
       SymmetricTensor<V> increment, mean_stress, elastic_strain, change_of_stress, relative_before, trial;
@@ -149,8 +125,14 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
         const double alpha = updated[q].alpha[l];
         elastic += stored[l];
         plastic_work += work[l];
-        if (alpha > old.alpha[l])
-          turned += flow_turn(relative_before, trial, std::sqrt(2.0 / 3.0) * m.flow_stress(old.alpha[l]), increment, change_of_stress, l) * strain.volume[q][l];
+        if (alpha > old.alpha[l]) {
+          const double limit = std::sqrt(2.0 / 3.0) * m.flow_stress(old.alpha[l]);
+          const double stiffness = constrained_stiffness(m.shear_modulus, m.bulk_modulus);
+          const FlowTurn turn = flow_turn(relative_before, trial, limit, stiffness, increment, change_of_stress, l);
+          turned += turn.energy * strain.volume[q][l];
+          updated[q].approach_error[l] = turn.kept * old.approach_error[l] + (force_change != 0 ? turn.energy / force_change : 0.0);
+        }
+        approach_error += updated[q].approach_error[l] * strain.volume[q][l];
         if (alpha > 0) {
           double square = 0;
           for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
@@ -163,16 +145,15 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
         largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
       }
     }
-    if (yields) {
-      if (history_[index]) *history_[index] = updated;
-      else history_[index] = std::make_unique<History>(updated);
-    }
+    if (yields) tried_[index] = std::make_unique<History>(updated);
+    else tried_[index].reset();
   }
   const MPI_Comm comm = level_.communicator();
   sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
   sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
   sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
   sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
+  sum.approach_error = dealii::Utilities::MPI::sum(approach_error, comm);
   sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
   for (int body = 0; body < 2; ++body) {
     sum.plastic_strain[body] = dealii::Utilities::MPI::max(largest_strain[body], comm);
@@ -180,6 +161,11 @@ BodyEnergies PlasticBodies::accept(const Vector<double>& u_before, const Vector<
   }
   sum.largest_yield_ratio = dealii::Utilities::MPI::max(largest_ratio, comm);
   return sum;
+}
+
+void PlasticBodies::accept_step() {
+  for (std::size_t index = 0; index < history_.size(); ++index)
+    if (tried_[index]) history_[index] = std::move(tried_[index]);
 }
 
 std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const {
@@ -215,16 +201,18 @@ std::vector<double> PlasticBodies::save_history() const {
       for (const auto& component : point.strain)
         for (int l = 0; l < lanes; ++l) saved.push_back(component[l]);
       for (int l = 0; l < lanes; ++l) saved.push_back(point.alpha[l]);
+      for (int l = 0; l < lanes; ++l) saved.push_back(point.approach_error[l]);
     }
   }
   return saved;
 }
 
 void PlasticBodies::restore_history(const std::vector<double>& saved) {
-  constexpr std::size_t record = 1 + points_per_hex * 7 * lanes;
+  constexpr std::size_t record = 1 + points_per_hex * 8 * lanes;
   if (saved.empty() || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 1) % record != 0)
     throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
   for (auto& history : history_) history.reset();
+  for (auto& history : tried_) history.reset();
   for (std::size_t at = 1; at < saved.size(); at += record) {
     auto history = std::make_unique<History>();
     std::size_t k = at + 1;
@@ -232,6 +220,7 @@ void PlasticBodies::restore_history(const std::vector<double>& saved) {
       for (auto& component : point.strain)
         for (int l = 0; l < lanes; ++l) component[l] = saved[k++];
       for (int l = 0; l < lanes; ++l) point.alpha[l] = saved[k++];
+      for (int l = 0; l < lanes; ++l) point.approach_error[l] = saved[k++];
     }
     history_[static_cast<std::size_t>(saved[at])] = std::move(history);
   }

@@ -23,9 +23,9 @@ struct BodyEnergies {
   double largest_plastic_strain() const { return std::max(plastic_strain[0], plastic_strain[1]); }
   double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
   double largest_yield_ratio = 0; ///< von Mises over initial yield stress
-  /// Of the last step, as wide as it was: half of (n at its end - n where yielding set in) : change of stress, times the plastic
-  /// strain's norm, over the volume [J]. See load_step_error.h.
+  /// What the turn of the flow within the last step leaves, as wide as it was, over the volume [J]; see load_step_error.h.
   double flow_turn = 0;
+  double approach_error = 0;  ///< what all steps have left in the approach [m]
 };
 
 /// Stress and history of a cell, averages over its points (for output).
@@ -36,7 +36,10 @@ struct CellState {
 
 class PlasticBodies {
  public:
-  using History = std::array<PlasticState<Simd<double>>, points_per_hex>;
+  struct PointHistory : PlasticState<Simd<double>> {
+    Simd<double> approach_error{};  ///< what finite steps have left here in the approach, per volume [m/m^3]
+  };
+  using History = std::array<PointHistory, points_per_hex>;
 
   PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
 
@@ -44,8 +47,19 @@ class PlasticBodies {
   /// Fills the tangents of yielding batches where `tangent` is given.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
-  /// Makes `u` the new accepted state; `u_before` is the last accepted one.
-  BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u);
+  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by `force_change` [N]; the accepted
+  /// state stays.
+  BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
+
+  /// Makes the state of the last try_step() the accepted one.
+  void accept_step();
+
+  /// Both at once.
+  BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u, double force_change = 0) {
+    const BodyEnergies energies = try_step(u_before, u, force_change);
+    accept_step();
+    return energies;
+  }
 
   /// Averages per owned cell in the order of the active cells.
   std::vector<CellState> cell_states(const Vector<double>& u) const;
@@ -62,7 +76,7 @@ class PlasticBodies {
   const MeshLevel& level_;
   std::vector<double> positions_;
   std::array<J2Material, 2> materials_;
-  std::vector<std::unique_ptr<History>> history_;
+  std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
 };
 
 }  // namespace asperity::fem

@@ -276,5 +276,18 @@ TEST(InitialGaps_other_code, of_shifted_meshes_agree_with_CGALs_vertical_gaps_wi
   EXPECT_LT(difference, sagitta);
 }
 
+TEST(MeshQuality_behaviour, bad_cells_of_a_rough_body_are_blamed_on_what_makes_them) {
+  HexMeshQuality quality;
+  quality.smallest_scaled_jacobian[1] = 0.1;
+  quality.roughness[1].sq_topography = quality.roughness[1].sq_nodes = 1e-9;
+  quality.roughness[1].rms_slope = 0.1;
+  const auto message = [&] { return test::message_of<InputError>([&] { require_quality(quality, {}, "test.prm"); }); };
+  quality.without_roughness[1] = 0.1;
+  EXPECT_NE(message().find("the way from fine cells at the contact to the body's border"), std::string::npos) << message();
+  EXPECT_EQ(message().find("slopes"), std::string::npos) << message();
+  quality.without_roughness[1] = 0.5;
+  EXPECT_NE(message().find("slopes are too steep"), std::string::npos) << message();
+}
+
 }  // namespace
 }  // namespace asperity::fem

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -111,6 +113,7 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   const test::TemporaryFolder folder, halving;
   CaseInput c = coarse_case();
   c.experiment.unload = false;
+  c.experiment.load_step_error = 0;  // halved for the solver alone
   const SolvedExperiment whole = solve_experiment(c, folder.path);
   const auto needed = whole.history.numbers("newton_iterations");
   c.solver.newton_steps = static_cast<int>(*std::max_element(needed.begin(), needed.end())) - 1;
@@ -124,6 +127,36 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   // Where yielding is followed in smaller steps, a little more of it is seen.
   EXPECT_NEAR(halved.at("plastic_work [J]", 3) / whole.at("plastic_work [J]", 3), 1, 0.05);
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
+}
+
+TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
+  // A substrate of 0.4 GPa under a sphere that stays elastic: 29 times the load of first yield.
+  CaseInput c = coarse_case();
+  c.particle.topography = c.substrate.topography = "smooth";
+  c.particle.yield_stress = std::numeric_limits<double>::infinity();
+  c.substrate.yield_stress = 0.4e9;
+  c.experiment.normal_load = 1e-3, c.experiment.unload = false;
+  c.mesh.interface_spacing = 90e-9;
+  const auto solved = [&](int steps, double share) {
+    const test::TemporaryFolder folder;
+    c.experiment.load_steps = steps, c.experiment.load_step_error = share;
+    return solve_experiment(c, folder.path);
+  };
+  const SolvedExperiment few = solved(3, 0), more = solved(6, 0), many = solved(12, 0), divided = solved(3, 0.005);
+  ASSERT_EQ(divided.history.rows.size(), 3u) << "what lies between recorded steps is not recorded";
+  const auto approach = [](const SolvedExperiment& s) { return s.at("normal_displacement [m]", s.history.rows.size() - 1); };
+  // Of first order, so that twice as many steps tell how far they still are.
+  const double limit = 2 * approach(many) - approach(more);
+  const auto error = [&](const SolvedExperiment& s) { return approach(s) / limit - 1; };
+  const auto stated = [](const SolvedExperiment& s) { return s.result["effective"]["load_step_error"]["value"].get<double>(); };
+  for (const auto* s : {&few, &more, &many, &divided}) std::printf("error of the approach %.5f, stated %.5f\n", error(*s), stated(*s));
+  EXPECT_GT(error(few), 0.01) << "else nothing had to be divided";
+  for (const auto* s : {&few, &more, &many}) {
+    EXPECT_GT(stated(*s), 0.8 * error(*s));
+    EXPECT_LT(stated(*s), 2 * error(*s));
+  }
+  EXPECT_LT(stated(divided), 0.0055);
+  EXPECT_LT(error(divided), 0.005);
 }
 
 TEST(NormalExperiment_behaviour, a_second_cycle_repeats_the_unloading_path_and_holding_changes_nothing) {

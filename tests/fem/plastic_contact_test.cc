@@ -166,12 +166,13 @@ std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f
   return {last.approach, last.load_step_error};
 }
 
-/// The stated error of a few steps against what many steps on the same mesh, less their own stated error, say it is.
+/// The stated error of few steps against what `many` and half as many on the same mesh say by extrapolation of first order: it errs to
+/// the safe side, by up to 2.2.
 void expect_load_step_error(double f, double largest_area, double cells, std::vector<int> few, int many) {
   const YieldingHalfSpace body(0.03e-6);
-  const auto fine = approach_after(body, f, many, largest_area, cells);
-  const double limit = fine.first - fine.second;
-  std::printf("%d steps: stated %+.3f %%\n", many, 100 * fine.second / limit);
+  const double half = approach_after(body, f, many / 2, largest_area, cells).first, all = approach_after(body, f, many, largest_area, cells).first;
+  const double limit = 2 * all - half;
+  std::printf("%d steps: error of the approach %+.3f %%, %d: %+.3f %%\n", many / 2, 100 * (half / limit - 1), many, 100 * (all / limit - 1));
   for (const int steps : few) {
     const auto [approach, stated] = approach_after(body, f, steps, largest_area, cells);
     std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps, 100 * (approach / limit - 1), 100 * stated / limit);
@@ -179,12 +180,13 @@ void expect_load_step_error(double f, double largest_area, double cells, std::ve
     std::snprintf(what, sizeof what,
                   "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f,
                   cells);
-    EXPECT_TRUE((Verified{"Stated errors", what, "many steps"}.between(stated / (approach - limit), 0.5, 2)));
+    EXPECT_TRUE((Verified{"Stated errors", what, "many steps"}.between(stated / (approach - limit), 0.8, 2.5)));
   }
 }
 
-TEST(LoadSteps_analytic, stated_error_holds_within_a_factor_two) { expect_load_step_error(30, 17, 5, {3}, 9); }
-TEST(LoadStepsNightly_analytic, stated_error_holds_within_a_factor_two_on_a_finer_mesh) { expect_load_step_error(30, 17, 12, {5, 10, 20}, 80); }
+// In every run: LoadStepChoice (normal_experiment_test.cc).
+TEST(LoadStepsNightly_analytic, stated_error_holds_and_errs_to_the_safe_side) { expect_load_step_error(30, 17, 5, {3, 6}, 24); }
+TEST(LoadStepsNightly_analytic, stated_error_holds_on_a_finer_mesh) { expect_load_step_error(30, 17, 12, {5, 10, 20}, 80); }
 
 /// Largest von Mises stress over p0 below Hertz' contact on the axis, and its depth over a, from the stresses on the axis
 /// (Johnson 1985 eq. 3.45).

@@ -71,7 +71,7 @@ TEST_F(ReportFolder_behaviour, a_solved_case_has_verdict_surfaces_curves_pressur
   // 0.7^(1/3) = 0.888, with the interval of what the mesh leaves.
   EXPECT_TRUE(std::regex_search(html, std::regex("softer than Hertz by 11 %( \\([^)]*\\))? still at 1 mN"))) << html.substr(html.find("Loading: "), 200);
   for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Contact pressure", "Gap, and what is closed", "5.95 µm", "8.5 µm",
-                           "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
+                           "4 cells over its shortest wave of 40 nm", "facets miss 5.2 % of its slope variance", "with 3.1 % of the scan's slope variance", "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
     EXPECT_TRUE(test::has(html, part)) << part;
 }
 
@@ -120,6 +120,7 @@ TEST_F(ReportFolder_behaviour, a_smooth_elastic_case_is_told_that_its_departure_
   EXPECT_TRUE(test::has(html, "as stiff as Hertz within 5 %"));
   EXPECT_TRUE(test::has(html, "No material has yielded"));
   EXPECT_TRUE(test::has(html, "nothing has yielded"));
+  EXPECT_FALSE(test::has(html, "shortest wave"));
 }
 
 TEST_F(ReportFolder_behaviour, an_unfinished_case_is_shown_as_far_as_it_came) {

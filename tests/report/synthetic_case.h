@@ -28,6 +28,8 @@ struct SyntheticCase {
 namespace synthetic {
 
 constexpr int load_steps = 8;
+inline const std::string resolved_roughness = R"({"shortest_wave": 4e-08, "cells_over_shortest_wave": 4.0, "slope_variance_in_shorter_waves": 0.031,
+    "rms_slope": 0.08, "missed_by_facets": {"rms_height": 0.04, "slope_variance": 0.052}, "repeats_every": null})";
 constexpr double radius = 8.5e-6;
 
 inline Hertz contact(const SyntheticCase& made) {
@@ -168,7 +170,8 @@ inline void write_synthetic_case(const SyntheticCase& made, const std::filesyste
   if (made.finished)
     write_file_atomically(folder / "result.json",
                           R"({"format": "asperity-result/1", "experiment": "normal",
-    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": )" + std::to_string(made.spacing * 1e9) + R"(e-9},
+    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": )" + std::to_string(made.spacing * 1e9) +
+                              R"(e-9, "roughness": {"particle": null, "substrate": )" + (made.topography == "smooth" ? "null" : synthetic::resolved_roughness) + R"(}},
     "effective": {"normal_stiffness": {"value": 52231.0, "unit": "N/m", "sd": 120.0}},
     "balance": {"force": 2.1e-7, "moment": 3e-7, "energy": 0.0042},
     "cost": {"wall_time": 83.2, "peak_memory": 1.9e9, "ranks": 1},

@@ -119,6 +119,21 @@ Topography written_scan() {
   return map;
 }
 
+TEST(GeneratedSpec_analytic, a_wave_as_long_as_the_cutoff_belongs_to_the_surface_however_its_length_was_computed) {
+  SelfAffineSpectrum spectrum;
+  spectrum.rms = 1.5e-9;
+  spectrum.hurst = 0.8;
+  spectrum.rolloff = 200e-9;
+  for (const double cutoff : {20e-9, 40e-9, 128e-9}) {
+    spectrum.cutoff = cutoff;
+    for (int waves = 1; waves <= 700; ++waves) {
+      const double period = waves * cutoff;
+      EXPECT_GT(spectrum(2 * M_PI * waves / period), 0) << waves;
+      EXPECT_EQ(spectrum(2 * M_PI * (waves + 0.01) / period), 0) << waves;
+    }
+  }
+}
+
 }  // namespace
 
 TEST(ScanSpec_behaviour, a_file_alone_or_with_what_it_does_not_say) {

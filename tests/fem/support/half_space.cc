@@ -111,7 +111,19 @@ HalfSpaceContact half_space_contact(const std::function<double(double, double)>&
   for (const double p : pressure) closed += p > 0, result.largest_pressure = std::max(result.largest_pressure, p);
   const double excess = (M_PI - 1 + std::log(2.0)) / 24;
   result.area = (closed - excess * sides_of_the_edge(pressure, n)) * cell;
+  result.first_touch = *std::min_element(initial.begin(), initial.end());
+  for (std::size_t k = 0; k < cells; ++k) {
+    const double part = pressure[k] * cell / force;
+    result.centre_x += part * ((k % n + 0.5) * h - half_width);
+    result.centre_y += part * ((k / n + 0.5) * h - half_width);
+  }
   return result;
+}
+
+double half_space_stiffness(const std::function<double(double, double)>& gap, double half_width, int n, double modulus, double force) {
+  constexpr double share = 0.01;
+  const auto approach = [&](double f) { return half_space_contact(gap, half_width, n, modulus, f).approach; };
+  return 2 * share * force / (approach((1 + share) * force) - approach((1 - share) * force));
 }
 
 }  // namespace asperity::test

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "fem/contact/contact_solver.h"
-#include "fem/experiments/load_step_error.h"
 
 namespace asperity::test {
 
@@ -101,7 +100,6 @@ struct SmoothContact::Implementation {
   fem::ContactSolver solver;
   fem::ContactState state;
   double far_field = 0, force = 0;
-  fem::LoadStepError step_error;
 };
 
 SmoothContact::SmoothContact(const SmoothContactOptions& options) : it_(std::make_unique<Implementation>(options)) {}
@@ -118,13 +116,12 @@ ContactStep SmoothContact::load(double force) {
   const auto report = it_->solver.solve(state, force);
   const auto resultants = it_->solver.resultants(state);
   const auto cells = it_->system.bodies().cell_states(state.displacement);
-  const auto energies = it_->system.bodies().accept(before, state.displacement);
+  const auto energies = it_->system.bodies().accept(before, state.displacement, force - it_->force);
 
-  it_->step_error.add(energies.flow_turn, force - it_->force);
   it_->force = force;
 
   ContactStep step;
-  step.load_step_error = it_->step_error.of_approach(force);
+  step.load_step_error = energies.approach_error;
   step.force = resultants.force;
   step.raw_approach = state.approach;
   step.approach = state.approach - it_->far_field * force;
