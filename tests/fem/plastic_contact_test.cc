@@ -180,7 +180,8 @@ void expect_load_step_error(double f, double largest_area, double cells, std::ve
     std::snprintf(what, sizeof what,
                   "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f,
                   cells);
-    EXPECT_TRUE((Verified{"Stated errors", what, "extrapolated"}.between(stated / (approach - limit), 0.8, 2.5)));
+    const double ratio = stated / (approach - limit);
+    EXPECT_TRUE((Verified{"Stated errors", what, "extrapolated"}.between(ratio, 0.8, 2.5)));
   }
 }
 
