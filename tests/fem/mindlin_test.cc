@@ -74,7 +74,7 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
   for (const double ratio : ratios) {
     const Point p = shift_to(contact, ratio);
     char place[64];
-    std::snprintf(place, sizeof place, ", Q/(mu P) %.2f, a/h %g", p.force, cells);
+    std::snprintf(place, sizeof place, ", shift %g of full slip's, a/h %g", ratio, cells);
     const auto verified = [&](const char* what) { return asperity::test::Verified{"Sliding", what + std::string(place), "Cattaneo (1938)"}; };
     EXPECT_TRUE(verified("shift").within(p.shift, cattaneo_shift(p.force), 0.02));
     const double stick_radius = a * std::cbrt(1 - p.force), p0 = 1.5 * contact.options.load / (M_PI * a * a);
