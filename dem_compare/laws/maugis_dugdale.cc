@@ -24,12 +24,13 @@ struct Dugdale {
 
 /// u = tan t reaches far over 1 for small contacts: searched for as t in (0, pi/2).
 Dugdale dugdale(double a, double lambda) {
-  const auto balance = [&](double t) {  // and its derivative
+  const auto slope_by_m = [&](double u, double m, double t) {  // of the balance
+    return lambda * a * a * (u / m + m * t) + 4.0 / 3 * lambda * lambda * a * (m * t / u + 1 / m - 1);
+  };
+  const auto balance = [&](double t) {  // and its derivative; the search looks inside of (0, pi/2) only
     const double u = std::tan(t), m = 1 / std::cos(t);
     const double value = lambda * a * a / 2 * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * a * (u * t - m + 1) - 1;
-    const double by_m = lambda * a * a * (u / m + m * t) +
-                        4.0 / 3 * lambda * lambda * a * (u > 0 ? m * t / u + 1 / m - 1 : 1.0);
-    return std::make_tuple(value, by_m * m * u);
+    return std::make_tuple(value, slope_by_m(u, m, t) * m * u);
   };
   constexpr double quarter = pi / 2;
   std::uintmax_t iterations = 200;
@@ -37,8 +38,7 @@ Dugdale dugdale(double a, double lambda) {
                                                               std::numeric_limits<double>::digits - 2, iterations);
   const double u = std::tan(t), m = 1 / std::cos(t);
   const double by_a = lambda * a * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * (u * t - m + 1);
-  const double by_m = lambda * a * a * (u / m + m * t) + 4.0 / 3 * lambda * lambda * a * (m * t / u + 1 / m - 1);
-  const double m_slope = -by_a / by_m;
+  const double m_slope = -by_a / slope_by_m(u, m, t);
   return {a * a * a - lambda * a * a * (u + m * m * t),
           3 * a * a - 2 * lambda * a * (u + m * m * t) - lambda * a * a * 2 * m * (1 / u + t) * m_slope,
           a * a - 4.0 / 3 * lambda * a * u, 2 * a - 4.0 / 3 * lambda * (u + a * m / u * m_slope)};

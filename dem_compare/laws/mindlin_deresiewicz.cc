@@ -81,7 +81,7 @@ Profile refined(const Profile& profile, double kappa, double approach) {
       const StripNode last = now.back();
       const double across = last.shift.cross(next.shift).norm(), along = last.shift.dot(next.shift);
       const double angle = std::atan2(across, along), from = last.shift.norm(), to = next.shift.norm();
-      const int pieces = along < 0 && across == 0 ? 1 : static_cast<int>(std::ceil(angle / largest_turn));
+      const int pieces = static_cast<int>(std::ceil(angle / largest_turn));
       for (int i = 1; i < pieces; ++i) {  // of equal angle: the law of sines on the straight line from u to u'
         const double turned = angle * i / pieces, one = from * std::sin(turned), other = to * std::sin(angle - turned);
         const double depth = last.depth + (next.depth - last.depth) * one / (one + other);

@@ -158,7 +158,7 @@ void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights,
   if (columns > INT_MAX || rows > INT_MAX || (rows > 0 && columns > most_points / rows)) refuse(announced);
   int storage = NC_CONTIGUOUS;
   std::size_t chunk[2] = {0, 0};
-  if (is_classic(file) || nc_inq_var_chunking(netcdf.id(), heights, &storage, chunk) != NC_NOERR) return;
+  netcdf.check(nc_inq_var_chunking(netcdf.id(), heights, &storage, chunk));  // a classic file is contiguous
   if (storage == NC_CHUNKED && chunk[1] > 0 && chunk[0] > most_points / chunk[1])
     refuse("chunks of " + std::to_string(chunk[0]) + " x " + std::to_string(chunk[1]) + " points");
 }

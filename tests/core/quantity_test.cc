@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -33,6 +34,67 @@ TEST(Quantity_analytic, each_unit_has_its_factor) {
       {Dimension::stiffness, {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}}};
   for (const auto& [dimension, list] : units)
     for (const auto& [text, value] : list) EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
+}
+
+const std::vector<std::pair<Dimension, std::string>>& si_symbols() {
+  static const std::vector<std::pair<Dimension, std::string>> symbols{
+      {Dimension::none, ""},       {Dimension::length, "m"},  {Dimension::force, "N"},
+      {Dimension::pressure, "Pa"}, {Dimension::time, "s"},    {Dimension::angle, "rad"},
+      {Dimension::speed, "m/s"},   {Dimension::surface_energy, "J/m^2"},
+      {Dimension::area, "m^2"},    {Dimension::stiffness, "N/m"}};
+  return symbols;
+}
+
+TEST(Quantity_analytic, the_SI_unit_of_each_dimension_has_the_factor_1) {
+  for (const auto& [dimension, symbol] : si_symbols()) {
+    EXPECT_EQ(si_symbol(dimension), symbol);
+    EXPECT_EQ(unit_factor(symbol, dimension), 1) << symbol;
+    EXPECT_EQ(parse_quantity("-3.5 " + symbol, dimension), -3.5) << symbol;
+  }
+}
+
+TEST(Quantity_analytic, other_spellings_of_a_unit_have_its_factor) {
+  for (const char* micro : {"u", "\u00b5", "\u03bc"}) {  // the micro sign and the Greek letter
+    EXPECT_DOUBLE_EQ(parse_quantity(std::string("8.5 ") + micro + "m", Dimension::length), 8.5e-6) << micro;
+    EXPECT_DOUBLE_EQ(parse_quantity(std::string("8.5 ") + micro + "N", Dimension::force), 8.5e-6) << micro;
+  }
+  EXPECT_DOUBLE_EQ(parse_quantity("3 \u00c5", Dimension::length), 3e-10);
+  EXPECT_DOUBLE_EQ(parse_quantity("90\u00b0", Dimension::angle), M_PI / 2);
+}
+
+TEST(Quantity_analytic, any_prefix_that_is_written_is_read) {
+  const std::vector<std::pair<std::string, double>> prefixes{{"T", 1e12}, {"G", 1e9},  {"M", 1e6},  {"k", 1e3}, {"m", 1e-3},
+                                                             {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+  for (const auto& [dimension, symbol] : si_symbols())
+    for (const auto& [prefix, factor] : prefixes) {
+      if (dimension == Dimension::none || dimension == Dimension::area || dimension == Dimension::angle) continue;
+      EXPECT_EQ(format_quantity(2 * factor, dimension), "2 " + prefix + symbol);
+      EXPECT_NEAR(unit_factor(prefix + symbol, dimension) / factor, 1, 1e-14) << prefix << symbol;
+    }
+}
+
+TEST(Quantity_behaviour, a_refusal_names_the_text_and_the_units_that_fit) {
+  const auto message = [](const std::string& text, Dimension dimension) {
+    return test::message_of<InputError>([&] { parse_quantity(text, dimension); });
+  };
+  EXPECT_EQ(message(" 2 GPa", Dimension::time), "in '2 GPa' the unit 'GPa' does not fit; use one of s, ms, us, min, h");
+  EXPECT_EQ(message("2 m", Dimension::none), "in '2 m' the unit 'm' does not fit; use one of %");
+  EXPECT_EQ(message("um", Dimension::length), "'um' is not a number with a unit; write for example '2.5 m'");
+  EXPECT_EQ(message(" ", Dimension::force), "' ' is not a number with a unit; write for example '2.5 N'");
+  EXPECT_THROW(unit_factor("km^2", Dimension::area), InputError);  // 1e6 or 1e3?
+  EXPECT_THROW(unit_factor("k", Dimension::none), InputError);
+  EXPECT_THROW(unit_factor("krad", Dimension::angle), InputError);
+}
+
+TEST(Quantity_behaviour, what_has_no_prefix_is_written_in_SI_or_as_a_plain_number) {
+  EXPECT_EQ(format_quantity(1e-13, Dimension::length), "1e-13 m");  // below the smallest prefix
+  EXPECT_EQ(format_quantity(-2.5e-6, Dimension::length), "-2.5 um");
+  EXPECT_EQ(format_quantity(0.02, Dimension::angle), "0.02 rad");
+  EXPECT_EQ(format_quantity(3e-12, Dimension::area), "3e-12 m^2");
+  EXPECT_EQ(format_quantity(1.0 / 3, Dimension::none), "0.333");
+  EXPECT_EQ(format_quantity(1.0 / 3, Dimension::none, 5), "0.33333");
+  EXPECT_EQ(format_quantity(-INFINITY, Dimension::pressure), "-inf");
+  EXPECT_EQ(format_quantity(5e15, Dimension::pressure), "5e+03 TPa");
 }
 
 TEST(Quantity_behaviour, refuses_what_is_no_quantity_of_that_dimension) {

@@ -38,4 +38,29 @@ TEST(ResidualImprint_analytic, there_is_none_where_nothing_was_unloaded) {
   EXPECT_TRUE(std::isnan(residual_imprint({1}, {1}, {1}, {1}).depth));
 }
 
+TEST(ResidualImprint_analytic, between_steps_of_the_loading_approach_is_linear_in_force_to_two_thirds) {
+  const std::vector<double> up{1, 5, 6}, force{1, 8, 27};  // force^(2/3): 1, 4, 9
+  const double at_2 = std::pow(2.0, 1.5), at_7 = std::pow(7.0, 1.5);
+  EXPECT_NEAR(residual_imprint(up, force, {6, 4}, {27, at_2}).depth, 4 - (1 + 4.0 / 3), 1e-12);
+  EXPECT_NEAR(residual_imprint(up, force, {6, 5.9}, {27, at_7}).depth, 5.9 - (5 + 3.0 / 5), 1e-12);
+  EXPECT_NEAR(residual_imprint(up, force, {6, 5.5}, {27, 8}).depth, 0.5, 1e-12);
+}
+
+TEST(ResidualImprint_analytic, a_force_above_the_loading_counts_as_its_last_one) {
+  EXPECT_NEAR(residual_imprint({1, 5}, {1, 8}, {5, 5.25}, {8, 8.001}).depth, 0.25, 1e-12);
+}
+
+TEST(ResidualImprint_analytic, a_loading_that_does_not_rise_tells_no_approach) {
+  for (const std::vector<double>& force : {std::vector<double>{0, 8}, {8, 8}, {-1, 8}})
+    EXPECT_TRUE(std::isnan(residual_imprint({1, 5}, force, {5, 3}, {8, 2}).depth));
+  for (const std::vector<double>& up : {std::vector<double>{0, 5}, {5, 5}})
+    EXPECT_TRUE(std::isnan(residual_imprint(up, {1, 8}, {5, 3}, {8, 2}).depth));
+  EXPECT_TRUE(std::isnan(residual_imprint({1}, {1}, {5, 3}, {8, 2}).depth));
+  // Without force there is no loading to be compared with.
+  const ResidualImprint free = residual_imprint({1}, {1}, {5, 3}, {8, -0.5});
+  EXPECT_EQ(free.depth, 3);
+  EXPECT_EQ(free.force, 0);
+  EXPECT_EQ(free.error, 0);
+}
+
 }  // namespace asperity

@@ -113,5 +113,52 @@ TEST(Hertz_analytic, a_body_that_cannot_yield_has_no_first_yield_load) {
   EXPECT_TRUE(std::isinf(Hertz({52e9, radius}).first_yield_force(0.17, std::numeric_limits<double>::infinity())));
 }
 
+TEST(Hertz_analytic, unit_contact_has_the_values_of_the_formulas) {
+  const Hertz hertz{1, 1};  // E* = R = 1, approach 1: a = 1
+  const double force = 4.0 / 3, pi = boost::math::double_constants::pi;
+  EXPECT_NEAR(hertz.force(1), force, 1e-15);
+  EXPECT_NEAR(hertz.approach(force), 1, 1e-15);
+  EXPECT_NEAR(hertz.contact_radius(force), 1, 1e-15);
+  EXPECT_NEAR(hertz.contact_area(force), pi, 1e-14);
+  EXPECT_NEAR(hertz.peak_pressure(force), 2 / pi, 1e-15);
+  EXPECT_NEAR(hertz.normal_stiffness(force), 2, 1e-14);
+  EXPECT_NEAR(hertz.elastic_energy(force), 8.0 / 15, 1e-15);
+  EXPECT_NEAR(hertz.force_at_peak_pressure(2 / pi), force, 1e-14);
+  EXPECT_EQ(hertz.force(0), 0);
+  EXPECT_EQ(hertz.approach(0), 0);
+}
+
+TEST(Hertz_analytic, force_of_first_yield_goes_with_the_cube_of_the_yield_stress) {
+  const Hertz hertz{52e9, radius};
+  EXPECT_NEAR(hertz.first_yield_force(0.17, 2e9) / hertz.first_yield_force(0.17, 1e9), 8, 1e-12);
+  EXPECT_NEAR(hertz.peak_pressure(hertz.first_yield_force(0.17, 1e9)) / (hertz_yield_factor(0.17) * 1e9), 1, 1e-12);
+}
+
+TEST(Hertz_analytic, a_rigid_body_leaves_the_compliance_of_the_other) {
+  const ElasticBody rigid{std::numeric_limits<double>::infinity(), 0.3};
+  EXPECT_NEAR(reduced_modulus(borosilicate, rigid) / (71e9 / (1 - 0.17 * 0.17)), 1, 1e-14);
+  EXPECT_NEAR(reduced_modulus(borosilicate, borosilicate) / reduced_modulus(borosilicate, rigid), 0.5, 1e-14);
+  EXPECT_EQ(reduced_modulus(borosilicate, {179e9, 0.25}), reduced_modulus({179e9, 0.25}, borosilicate));
+}
+
+TEST(AxisStress_analytic, von_mises_and_shear_have_no_sign) {
+  EXPECT_EQ((AxisStress{0, -1}).von_mises(), 1);  // pressed along the axis
+  EXPECT_EQ((AxisStress{0, 1}).von_mises(), 1);   // drawn
+  EXPECT_EQ((AxisStress{-2, -5}).von_mises(), 3);
+  EXPECT_EQ((AxisStress{-5, -2}).von_mises(), 3);
+  EXPECT_EQ((AxisStress{-5, -2}).largest_shear(), 1.5);
+  EXPECT_EQ((AxisStress{-4, -4}).von_mises(), 0);
+}
+
+TEST(AxisStress_analytic, is_Johnsons_at_the_surface_and_Boussinesqs_far_below) {
+  for (const double nu : {0.0, 0.17, 0.3, 0.5}) {
+    const AxisStress top = hertz_axis_stress(1e-9, nu), deep = hertz_axis_stress(1e3, nu);
+    EXPECT_NEAR(top.radial, -(1 + 2 * nu) / 2, 1e-8);  // Johnson 1985, eq. 3.44
+    EXPECT_NEAR(top.axial, -1, 1e-8);
+    EXPECT_NEAR(deep.axial * 1e6, -1, 1e-5);  // -3 P/(2 pi z^2)
+    EXPECT_NEAR(deep.radial * 1e6, (1 - 2 * nu) / 6, 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -212,6 +212,92 @@ TEST(NormalLaw_analytic, any_law_inverts_its_force) {
   }
 }
 
+/// u = (m^2 - 1)^(1/2) follows from radius and approach; then force and balance are checked against Maugis' equations.
+TEST(MaugisDugdale_analytic, states_fulfil_the_equations_of_Maugis) {
+  const NormalState touching{0, 0, 0, 0, true};
+  for (const double lambda : {0.01, 0.3, 1.0, 5.0, 50.0}) {
+    const MaugisDugdale law = maugis_in_his_units(lambda);
+    for (const double approach : {-0.1, 0.0, 0.5, 3.0, 40.0}) {
+      const NormalState state = law.advance(touching, approach);
+      if (!state.touching) continue;
+      const double a = state.contact_radius, u = (a * a - approach) / (4.0 / 3 * lambda * a), t = std::atan(u);
+      const double m = std::sqrt(1 + u * u);
+      const double balance =
+          lambda * a * a / 2 * (u + (m * m - 2) * t) + 4 * lambda * lambda * a / 3 * (u * t - m + 1);
+      EXPECT_NEAR(balance, 1, 2e-6) << lambda << " " << approach;  // u of sticky contacts is a small difference
+      const double force = a * a * a - lambda * a * a * (u + m * m * t);
+      EXPECT_NEAR(state.force, force, 1e-7 * (1 + std::abs(force))) << lambda << " " << approach;
+    }
+  }
+}
+
+TEST(MaugisDugdale_analytic, forces_radii_and_approaches_scale_with_his_units) {
+  const MaugisDugdale law{modulus, radius, 0.08, 4e8};
+  const MaugisDugdale his = maugis_in_his_units(law.lambda());
+  const double k = 4 * modulus / 3, length = std::cbrt(pi * 0.08 * radius * radius / k), force = pi * 0.08 * radius;
+  EXPECT_NEAR(law.lambda() / (2 * 4e8 * std::cbrt(radius / (pi * 0.08 * k * k))), 1, 1e-14);
+  EXPECT_NEAR(law.pull_off_force() / (force * his.pull_off_force()), 1, 1e-12);
+  EXPECT_NEAR(law.approach(3 * force) / (length * length / radius * his.approach(3)), 1, 1e-12);
+  const NormalState state = law.advance({}, 2 * length * length / radius), unit = his.advance({}, 2);
+  EXPECT_NEAR(state.contact_radius / (length * unit.contact_radius), 1, 1e-12);
+  EXPECT_NEAR(state.force / (force * unit.force), 1, 1e-12);
+  EXPECT_NEAR(state.stiffness / (force * radius / (length * length) * unit.stiffness), 1, 1e-12);
+}
+
+TEST(MaugisDugdale_behaviour, forms_at_first_touch_and_says_what_it_cannot_carry) {
+  const MaugisDugdale law{modulus, radius, 0.08, 4e8};
+  EXPECT_FALSE(law.advance({}, -1e-12).touching);
+  EXPECT_EQ(law.advance({}, -1e-12).force, 0);
+  const NormalState formed = law.advance({}, 0);
+  EXPECT_TRUE(formed.touching);
+  EXPECT_LT(formed.force, 0);
+  EXPECT_TRUE(law.advance(formed, -1e-12).touching);
+  EXPECT_NEAR(law.advance(formed, law.approach(-0.99 * law.pull_off_force())).force / law.pull_off_force(), -0.99, 1e-8);
+  try {
+    law.approach(-1e-3);
+    FAIL() << "carried";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot carry -1000 uN; its pull-off force is "), std::string::npos) << error.what();
+  }
+}
+
+TEST(Dmt_analytic, is_Hertz_with_a_constant_attraction_while_it_touches) {
+  const Dmt dmt{modulus, radius, 0.06};
+  const double pull_off = 2 * pi * 0.06 * radius;
+  const NormalState state = dmt.advance({}, 5e-9);
+  EXPECT_NEAR(state.force, dmt.hertz().force(5e-9) - pull_off, 1e-18);
+  EXPECT_NEAR(state.contact_radius / std::sqrt(radius * 5e-9), 1, 1e-14);
+  EXPECT_NEAR(state.stiffness / (2 * modulus * state.contact_radius), 1, 1e-14);
+  EXPECT_FALSE(dmt.advance(state, -1e-15).touching);
+  EXPECT_EQ(dmt.advance(state, -1e-15).force, 0);
+  EXPECT_NEAR(dmt.approach(-pull_off), 0, 1e-20);
+}
+
+TEST(HertzOffset_analytic, has_no_reach_out_of_contact) {
+  const HertzOffset sticky{modulus, radius, 3e-6};
+  for (const double approach : {0.0, -1e-9}) {
+    EXPECT_FALSE(sticky.advance({}, approach).touching);
+    EXPECT_EQ(sticky.advance({}, approach).force, 0);
+  }
+  const NormalState state = sticky.advance({}, 5e-9);
+  EXPECT_NEAR(state.stiffness / (2 * modulus * state.contact_radius), 1, 1e-14);
+}
+
+TEST(LinearNormal_analytic, force_is_the_spring_less_the_attraction) {
+  const LinearNormal linear{2e4, radius, 3e-6};
+  const NormalState state = linear.advance({}, 5e-9);
+  EXPECT_NEAR(state.force, 1e-4 - 3e-6, 1e-18);
+  EXPECT_NEAR(state.contact_radius / std::sqrt(radius * 5e-9), 1, 1e-14);
+  EXPECT_EQ(state.stiffness, 2e4);
+  EXPECT_NEAR(linear.approach(1e-4 - 3e-6), 5e-9, 1e-22);
+  EXPECT_EQ(linear.advance({}, 0).force, 0);
+  EXPECT_FALSE(linear.advance({}, 0).touching);
+}
+
+TEST(Tabor_analytic, parameter_is_the_cube_root_of_its_powers) {
+  EXPECT_NEAR(tabor_parameter(2, 3, 5, 7), std::cbrt(3 * 25.0 / (4 * 343)), 1e-14);
+}
+
 TEST(Tabor_other_code, parameter_agrees_with_the_reference) {
   const auto path = asperity::test::reference_table("06_adhesion_table_system.csv");
   const CsvTable table = read_csv(path);

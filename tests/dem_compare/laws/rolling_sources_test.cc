@@ -9,6 +9,7 @@
 #include "dem_compare/laws/plastic_rolling.h"
 #include "dem_compare/laws/sliding_with_spin.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/laws/viscous.h"
 #include "tests/support/shared_files.h"
 
 namespace asperity {
@@ -90,6 +91,51 @@ TEST(SlidingWithSpin_analytic, its_ends_are_Coulomb_and_full_slip_torsion) {
   EXPECT_NEAR(spinning.moment, 3 * pi / 16 * 0.3 * 2 * 5, 1e-14);
   EXPECT_NEAR(law.limits(2, 5, 5e4).force / sliding.force, 1, 1e-8);
   EXPECT_NEAR(law.limits(2, 5, 5e-6).moment / spinning.moment, 1, 1e-8);
+}
+
+TEST(SlidingWithSpin_analytic, a_little_sliding_or_spin_meets_the_first_terms_of_the_series) {
+  const SlidingWithSpin law{0.3};
+  // F = mu v/(2 omega) int p/r dA = 3 pi/8 mu P eps; M = mu omega/(2 v) int p r^2 dA = mu P a/(5 eps).
+  const auto slow = law.limits(2, 5, 5e-5), fast = law.limits(2, 5, 5e3);
+  EXPECT_NEAR(slow.force / (0.3 * 2 * 3 * pi / 8 * 1e-5), 1, 1e-4);
+  EXPECT_NEAR(fast.moment / (0.3 * 2 * 5 / 5e3), 1, 1e-5);
+}
+
+TEST(SlidingWithSpin_analytic, nothing_jumps_where_the_centre_of_rotation_passes_the_edge) {
+  const SlidingWithSpin law{1};
+  const auto inside = law.limits(1, 1, 1 - 1e-7), at = law.limits(1, 1, 1), outside = law.limits(1, 1, 1 + 1e-7);
+  for (const auto& side : {inside, outside}) {
+    EXPECT_NEAR(side.force, at.force, 1e-6);
+    EXPECT_NEAR(side.moment, at.moment, 1e-6);
+  }
+  EXPECT_LT(inside.force, outside.force);
+  EXPECT_GT(inside.moment, outside.moment);
+}
+
+TEST(CreepForce_analytic, begins_with_its_linear_law_and_ends_in_full_slip) {
+  const CreepForce law{2, 0.3, 4};  // y = 4 G a^2 xi/(mu P)
+  const double creep_of_y = 0.3 * 5 / (4 * 2 * 0.49);
+  EXPECT_NEAR(law.force(1e-9 * creep_of_y, 5, 0.7) / (1e-9 * 0.3 * 5), 1, 1e-6);
+  EXPECT_NEAR(law.force(1.5 * creep_of_y, 5, 0.7) / (0.3 * 5), 1 - 0.125, 1e-14);
+  EXPECT_NEAR(law.force(3 * creep_of_y, 5, 0.7) / (0.3 * 5), 1, 1e-14);
+  EXPECT_NEAR(law.force(30 * creep_of_y, 5, 0.7) / (0.3 * 5), 1, 1e-14);
+  EXPECT_EQ(law.force(0, 5, 0.7), 0);
+  EXPECT_DOUBLE_EQ(CreepForce::vermeulen_johnson_along(0), 4);
+  EXPECT_DOUBLE_EQ(CreepForce::vermeulen_johnson_along(0.5), 6.4);
+  EXPECT_DOUBLE_EQ(CreepForce::vermeulen_johnson_across(0), 4);
+  EXPECT_DOUBLE_EQ(CreepForce::vermeulen_johnson_across(0.5), 16 / 3.5);
+}
+
+TEST(RollingSources_analytic, have_the_values_of_their_formulas) {
+  EXPECT_DOUBLE_EQ(HysteresisRolling{0.4}.moment(5, 0.7), 3.0 / 16 * 0.4 * 5 * 0.7);
+  const PlasticRolling ploughing{2 / pi, 3};
+  EXPECT_NEAR(ploughing.contact_radius(4), 2, 1e-14);  // P = H pi a^2/2
+  EXPECT_NEAR(ploughing.rolling_force(4), 2.0 / 3 * 2 / pi * 8 / 3, 1e-14);
+  const Jkr jkr{1, 1, 0.1};
+  const AdhesiveRolling adhesive{jkr, 0.01, 0.02};
+  EXPECT_NEAR(adhesive.pinning_moment(0) / (4 * 1.5 * pi * 0.1 * 0.01), 1, 1e-14);
+  EXPECT_NEAR(adhesive.hysteresis_force(0) / (2 * std::cbrt(4.5 * pi * 0.1) * 0.02), 1, 1e-12);  // a0^3 = 9 pi w R^2/(2 E*)
+  EXPECT_DOUBLE_EQ(ViscousDamping{0.5}.factor(4, 9), 3);
 }
 
 }  // namespace

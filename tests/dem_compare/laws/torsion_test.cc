@@ -87,6 +87,39 @@ TEST(Lubkin_analytic, unloading_after_Masing_reaches_the_mirrored_state) {
   EXPECT_NEAR(unit.moment_after_reversal(-angle, angle, m), -m, 1e-10);
 }
 
+TEST(Lubkin_analytic, a_moment_beyond_full_slip_has_no_angle_in_either_direction) {
+  const double full = 3 * pi / 16;
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_THROW(unit.angle(sign * full), InputError);
+    EXPECT_THROW(unit.angle(sign * 1.5 * full), InputError);
+    EXPECT_EQ(unit.angle(sign * 0.999 * full) > 0, sign > 0);
+    EXPECT_NEAR(unit.moment(sign * 1e6), sign * full, 1e-14);  // the stick zone is smaller than any number
+    EXPECT_NEAR(unit.moment(sign * 0.3), sign * unit.moment(0.3), 1e-15);
+  }
+  EXPECT_EQ(unit.angle(0), 0);
+  EXPECT_EQ(unit.moment(0), 0);
+}
+
+/// dM/d theta is the stiffness of a disc of the radius that sticks: with x = c/a, dM = (4/pi) mu P a x^3 dI and
+/// d theta = 3 mu P/(4 pi Gt a^2) dI.
+TEST(Lubkin_analytic, stiffness_is_that_of_the_disc_that_sticks) {
+  for (const double x : {0.05, 0.3, 0.7, 0.99}) {
+    const double h = 1e-4 * std::min(x, 1 - x);
+    const double slope = (unit.moment_at(x + h) - unit.moment_at(x - h)) / (unit.angle_at(x + h) - unit.angle_at(x - h));
+    EXPECT_NEAR(slope / (16.0 / 3 * x * x * x), 1, 1e-6) << x;
+  }
+}
+
+TEST(Lubkin_analytic, angle_and_moment_scale_with_load_radius_modulus_and_friction) {
+  const LubkinTorsion other{2, 0.3, 5, 0.7};
+  const double angles = 0.3 * 5 / (2 * 0.7 * 0.7), moments = 0.3 * 5 * 0.7;
+  EXPECT_NEAR(other.angle_at(0.4) / unit.angle_at(0.4), angles, 1e-12);
+  EXPECT_NEAR(other.moment_at(0.4) / unit.moment_at(0.4), moments, 1e-12);
+  EXPECT_NEAR(other.angle(0.4 * moments) / unit.angle(0.4), angles, 1e-10);
+  EXPECT_NEAR(other.moment(-0.4 * angles) / unit.moment(-0.4), moments, 1e-10);
+  EXPECT_NEAR(other.full_slip_moment() / unit.full_slip_moment(), moments, 1e-12);
+}
+
 TEST(Torsion_other_code, stiffness_and_full_slip_moment_agree_with_the_reference_for_all_pairs_and_loads) {
   const auto path = asperity::test::reference_table("04_torsion_table_loads.csv");
   const CsvTable table = read_csv(path);
@@ -144,6 +177,60 @@ TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) 
 TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
   const RollingResistance rolling{7.9e-4, -2e-4, RotationLength::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
   EXPECT_EQ(rolling.advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
+}
+
+TEST(Rolling_analytic, stiffness_of_each_kind_follows_from_its_value) {
+  const auto at = [](RotationalStiffness::Kind kind) { return RotationalStiffness{kind, 3}.at({0, 1, 2, 0, true}, 5, 7); };
+  EXPECT_EQ(at(RotationalStiffness::Kind::constant), 3);
+  EXPECT_EQ(at(RotationalStiffness::Kind::with_radius), 3 * 2);
+  EXPECT_EQ(at(RotationalStiffness::Kind::tangential_spring), 8 * 3 * 2 * 5 * 7);
+  EXPECT_EQ(at(RotationalStiffness::Kind::no_slip_torsion), 16.0 / 3 * 3 * 8);
+}
+
+TEST(Rolling_analytic, limit_takes_the_radius_of_the_particle_or_of_the_contact) {
+  const NormalState contact{0, 4, 2, 0, true};
+  RollingResistance rolling{0.5, 2, RotationLength::particle_radius, {}};
+  EXPECT_EQ(rolling.limit(contact, 10), 0.5 * 10 * (4 + 2));
+  rolling.length = RotationLength::contact_radius;
+  EXPECT_EQ(rolling.limit(contact, 10), 0.5 * 2 * (4 + 2));
+  TorsionResistance torsion{0.5, 2, RotationLength::contact_radius, {}};
+  EXPECT_EQ(torsion.limit(contact, 10), 0.5 * 2 * (4 + 2));
+  torsion.adhesion_force = -5;
+  EXPECT_EQ(torsion.limit(contact, 10), 0);
+}
+
+TEST(Rolling_behaviour, a_contact_that_opened_forgets_its_moment) {
+  const RotationalStiffness spring{RotationalStiffness::Kind::constant, 1e-9};
+  const RollingResistance rolling{0.1, 0, RotationLength::particle_radius, spring};
+  const TorsionResistance torsion{0.1, 0, RotationLength::particle_radius, spring};
+  const NormalState open{};
+  const auto rolled = rolling.advance({}, normal, lever, 1e-3 * Eigen::Vector3d::UnitY());
+  const auto twisted = torsion.advance({}, normal, lever, 1e-3);
+  EXPECT_GT(rolled.resistance.norm(), 0);
+  EXPECT_EQ(rolling.advance(rolled, open, lever, Eigen::Vector3d::UnitY()).resistance.norm(), 0);
+  EXPECT_GT(twisted.resistance, 0);
+  EXPECT_EQ(torsion.advance(twisted, open, lever, 1).resistance, 0);
+}
+
+TEST(SpringSlider_analytic, force_is_rescaled_where_the_spring_softens_and_kept_where_it_stiffens) {
+  using Slider = SpringSlider<double>;
+  const Slider before{6, 3, true};
+  EXPECT_EQ(Slider::advance(before, 2, 0, 100, ChangingLoad::rescale_on_unloading).resistance, 4);
+  EXPECT_EQ(Slider::advance(before, 6, 0, 100, ChangingLoad::rescale_on_unloading).resistance, 6);
+  EXPECT_EQ(Slider::advance(before, 2, 0, 100, ChangingLoad::plain).resistance, 6);
+  EXPECT_EQ(Slider::advance(before, 2, -0.5, 100, ChangingLoad::rescale_on_unloading).resistance, 3);
+  EXPECT_FALSE(Slider::advance(before, 2, 0, 100, ChangingLoad::plain).yields);
+}
+
+TEST(SpringSlider_analytic, force_stops_at_its_limit_in_the_direction_it_has) {
+  using Slider = SpringSlider<double>;
+  const Slider held = Slider::advance({}, 2, -3, 5, ChangingLoad::plain);
+  EXPECT_EQ(held.resistance, -5);
+  EXPECT_TRUE(held.yields);
+  EXPECT_EQ(held.stiffness, 2);
+  EXPECT_FALSE(Slider::advance({}, 2, -2.5, 5, ChangingLoad::plain).yields);  // it just bears that
+  EXPECT_EQ(Slider::advance({}, 2, 1, 0, ChangingLoad::plain).resistance, 0);
+  EXPECT_EQ(Slider::advance({}, 2, 1, -1, ChangingLoad::plain).resistance, 0);
 }
 
 }  // namespace

@@ -126,3 +126,42 @@ TEST(Netcdf_file_behaviour, of_hdf5_cut_off_is_refused) {
   for (const std::size_t length : {std::size_t{40}, bytes.size() / 2, bytes.size() - 1})
     EXPECT_SAYS(refusal(write_bytes("b.nc", bytes.substr(0, length))), "cut off");
 }
+
+TEST(Netcdf_file_behaviour, is_periodic_where_both_axes_are) {
+  NetcdfContent content;
+  content.periodic = 0;
+  EXPECT_FALSE(read_topography(write_netcdf("a.nc", content)).periodic);
+}
+
+TEST(Netcdf_file_analytic, heights_and_axes_are_scaled_by_units_of_their_own) {
+  NetcdfContent content;
+  content.heights_unit = "nm";
+  content.heights = {1, 2, 3, 4, 5, 6};
+  const Topography map = read_topography(write_netcdf("a.nc", content));
+  expect_common_map(map);
+  EXPECT_SAYS(map.source, "heights in nm");
+  EXPECT_EQ(map.channel, "heights");
+}
+
+TEST(Netcdf_file_behaviour, has_one_channel) {
+  const auto path = write_netcdf("a.nc", {});
+  ReadOptions options;
+  for (const std::string wish : {"heights", "Heights", "0"}) {
+    options.channel = wish;
+    expect_common_map(read_topography(path, options));
+  }
+  options.channel = "phase";
+  EXPECT_SAYS(refusal(path, options), "has no channel 'phase'; its only one is 'heights'");
+}
+
+TEST(Netcdf_file_behaviour, without_any_unit_is_metres_if_that_is_plausible) {
+  NetcdfContent content;
+  content.unit = content.heights_unit = "";
+  ReadOptions options;
+  options.size_x_m = 3e-6;
+  EXPECT_SAYS(refusal(write_netcdf("a.nc", content), options), "higher than wide");
+  for (double& height : content.heights) height *= 1e-6;
+  const Topography map = read_topography(write_netcdf("a.nc", content), options);
+  expect_common_map(map);
+  EXPECT_SAYS(map.source, "no unit of height given, metres taken");
+}
