@@ -14,22 +14,7 @@ double interpolated(const Values& x, const Values& y, std::size_t first, std::si
   std::size_t i = first;
   const bool rising = x[last] > x[first];
   while (i + 1 < last && (rising ? x[i + 1] < at : x[i + 1] > at)) ++i;
-  return y[i] + (at - x[i]) / (x[i + 1] - x[i]) * (y[i + 1] - y[i]);
-}
-
-/// Values at equal distances, one per median step.
-Values resampled(const Values& x, const Values& y, std::size_t first, std::size_t last) {
-  Values steps;
-  for (std::size_t i = first + 1; i <= last; ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
-  std::nth_element(steps.begin(), steps.begin() + static_cast<long>(steps.size() / 2), steps.end());
-  const double way = x[last] - x[first];
-  const auto count =
-      static_cast<std::size_t>(std::max(2.0, std::round(std::abs(way) / steps[steps.size() / 2]) + 1));
-  Values values;
-  for (std::size_t k = 0; k < count; ++k)
-    values.push_back(interpolated(x, y, first, last,
-                                  x[first] + way * static_cast<double>(k) / static_cast<double>(count - 1)));
-  return values;
+  return x[i + 1] == x[i] ? y[i] : y[i] + (at - x[i]) / (x[i + 1] - x[i]) * (y[i + 1] - y[i]);
 }
 
 }  // namespace
@@ -59,7 +44,20 @@ CorrelatedMean correlated_mean(const Values& values) {
 }
 
 Values resampled_along(const Values& position, const Values& values, std::size_t first, std::size_t last) {
-  return resampled(position, values, first, last);
+  // Rows at rest have no step.
+  Values steps, result;
+  for (std::size_t i = first + 1; i <= last; ++i)
+    if (position[i] != position[i - 1]) steps.push_back(std::abs(position[i] - position[i - 1]));
+  if (steps.empty()) return {values[first]};
+  const auto middle = steps.begin() + static_cast<long>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double way = position[last] - position[first];
+  const long intervals = std::max(1L, std::lround(std::abs(way) / *middle));
+  for (long k = 0; k <= intervals; ++k) {
+    const double part = static_cast<double>(k) / static_cast<double>(intervals);
+    result.push_back(interpolated(position, values, first, last, position[first] + way * part));
+  }
+  return result;
 }
 
 double sliding_partial_slip(double share) {

@@ -22,7 +22,7 @@ struct CorrelatedMean {
 /// Of values at equal distances; needs two or more.
 CorrelatedMean correlated_mean(const std::vector<double>& values);
 
-/// Values between two rows of a monotonic way, at equal distances of a median step.
+/// Values between two rows of a monotonic way, at equal distances of a median step. Rows may rest.
 std::vector<double> resampled_along(const std::vector<double>& position, const std::vector<double>& values, std::size_t first,
                                     std::size_t last);
 

@@ -88,5 +88,49 @@ TEST(PowerLaw_analytic, knows_its_value_as_well_as_the_mean_over_cases) {
   EXPECT_NEAR(fit_power({{1e-3, "a", 0, 2, 0.06}}, radius, 1).sd, 0.06, 1e-12);
 }
 
+/// Relative sample deviations of two loads, weighted with the values less one.
+TEST(CaseNumbers_analytic, scatter_is_pooled_over_loads) {
+  std::vector<CaseNumber> numbers;
+  for (const double value : {1.0, 1.2}) numbers.push_back({1, std::to_string(value), 0.01, value, 0});
+  for (const double value : {9.0, 10.0, 11.0}) numbers.push_back({2, std::to_string(value), 0.01, value, 0});
+  numbers.push_back({3, "alone", 0.01, 5, 0});
+  const auto scatter = realisation_scatter(numbers);
+  ASSERT_TRUE(scatter);
+  EXPECT_EQ(scatter->realisations, 3);
+  const double first = 0.1 * std::sqrt(2.0) / 1.1, second = 0.1;
+  EXPECT_NEAR(scatter->relative, std::sqrt((first * first + 2 * second * second) / 3), 1e-12);
+}
+
+TEST(CaseNumbers_behaviour, spacings_that_are_not_known_are_alike_and_like_no_other) {
+  EXPECT_TRUE(same_spacing(NAN, NAN));
+  EXPECT_FALSE(same_spacing(NAN, 0.01));
+  EXPECT_FALSE(same_spacing(0.01, NAN));
+  EXPECT_TRUE(same_spacing(1000, 1001));
+  EXPECT_FALSE(same_spacing(1002, 1000));
+}
+
+/// Radii of 1/e, 1 and e; logarithms off a straight line by d, -2 d and d: sum of squares 6 d^2, one degree of freedom.
+TEST(PowerLaw_analytic, knows_its_exponent_as_well_as_a_straight_line_its_slope) {
+  constexpr double d = 0.01, e = M_E;
+  const auto radius = [](double load) { return load; };
+  std::vector<CaseNumber> numbers{{1 / e, "", 0, 2 / e * std::exp(d), 0}, {1, "", 0, 2 * std::exp(-2 * d), 0}, {e, "", 0, 2 * e * std::exp(d), 0}};
+  const PowerLaw law = fit_power(numbers, radius, 1);
+  EXPECT_NEAR(law.at_load, 1, 1e-12);
+  EXPECT_NEAR(law.value, 2, 1e-12);
+  EXPECT_NEAR(law.sd, 2 * d, 1e-12);  // sample deviation d 3^(1/2) of three
+  EXPECT_NEAR(law.exponent, 1, 1e-12);
+  EXPECT_NEAR(law.exponent_sd, std::sqrt(6 * d * d / 1 / 2), 1e-12);
+  EXPECT_DOUBLE_EQ(law.loads.low, 1 / e);
+  EXPECT_DOUBLE_EQ(law.loads.high, e);
+  // What each case leaves open counts where it is more than the scatter.
+  for (auto& number : numbers) number.sd = 0.05 * number.value;
+  EXPECT_NEAR(fit_power(numbers, radius, 1).sd, 2 * 0.05, 1e-12);
+  numbers.pop_back();
+  EXPECT_TRUE(std::isnan(fit_power(numbers, radius, 1).exponent_sd));  // two points lie on a line
+  EXPECT_NEAR(fit_power(numbers, radius, 1).exponent, 1 - 3 * d, 1e-12);
+  numbers.pop_back();
+  EXPECT_TRUE(std::isnan(fit_power(numbers, radius, 1).exponent));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -271,6 +271,58 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
   EXPECT_NEAR(modulus.sd / hertz.reduced_modulus, 0.1, 1e-5);
 }
 
+/// Of the mean of two realisations: half of both errors' root of squares.
+TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
+  std::mt19937 random(15);
+  const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
+  const auto& cases = derivation.parameters.derivation["sliding"]["resistance"];
+  ASSERT_EQ(cases.size(), 2u);
+  double mean = 0, squares = 0;
+  for (const auto& item : cases) {
+    mean += item["mean"].get<double>() / 2;
+    squares += std::pow(item["standard_error"].get<double>(), 2);
+  }
+  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") + ", mean of 2 realisations";
+  const std::string text = to_text(derivation.laws[Derivation::sliding]);
+  EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
+}
+
+TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
+  std::mt19937 random(16);
+  Truth exact;
+  exact.noise = 0;
+  ParameterSet set;
+  set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
+  const ContactHistory& history = set.cases.front().history;
+  const auto said = [&] { return to_text(derive_parameters(set).laws[Derivation::sliding]); };
+  const double a = hertz.contact_radius(1e-3);
+  double way = 0;  // of the steady parts there and back
+  for (const double x : history.lateral_displacement) way = std::max(way, x);
+  const bool is_short = 2 * way < 4 * a;
+  EXPECT_EQ(said().find("contact diameters, two or more are wanted") != std::string::npos, is_short);
+  for (double& x : set.cases.front().history.lateral_displacement) x *= 6 * a / way;
+  EXPECT_EQ(said().find("contact diameters, two or more are wanted"), std::string::npos);
+  for (double& x : set.cases.front().history.lateral_displacement) x *= 0.1;
+  EXPECT_NE(said().find("contact diameters, two or more are wanted"), std::string::npos);
+}
+
+/// A spring of Mindlin's stiffness that yields: k = 8 G* a tells G*.
+TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_reversal) {
+  std::mt19937 random(17);
+  Truth exact;
+  exact.noise = 0;
+  ParameterSet set;
+  set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
+  SolvedCase& solved = set.cases.front();
+  const double k = 8 * sliding_modulus(glass, silicon) * hertz.contact_radius(1e-3);
+  solved.result["effective"] = {{"lateral_stiffness", {{"value", k}, {"sd", 0.1 * k}}}};
+  const ContactParameters p = derive_parameters(set).parameters;
+  EXPECT_NEAR(p.lateral_stiffness->value / k, 1, 1e-9);
+  EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
+  EXPECT_NEAR(p.reduced_shear_modulus->value / sliding_modulus(glass, silicon), 1, 1e-5);
+  EXPECT_NEAR(p.reduced_shear_modulus->sd / p.reduced_shear_modulus->value, 0.1, 1e-9);
+}
+
 TEST(Derivation_behaviour, says_that_material_yielded) {
   std::mt19937 random(14);
   ParameterSet set = make_set({}, wide, 1, random);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/error.h"
+#include "dem_compare/derive/case_numbers.h"
 #include "dem_compare/derive/length_choice.h"
 #include "tests/support/verification.h"
 
@@ -78,6 +80,131 @@ TEST(ResistanceLaw_analytic, of_two_loads_has_the_errors_of_a_straight_line_thro
   EXPECT_NEAR(law.offset / h, 1, 1e-6);
   EXPECT_NEAR(law.offset_sd() / std::hypot(by_v1 * s1, by_v2 * s2), 1, 1e-3);
 }
+
+/// One load, cases alike: their mean, and what their scatter leaves of it.
+TEST(ResistanceLaw_analytic, of_cases_at_one_load_is_their_mean) {
+  std::vector<ResistancePoint> points;
+  for (const double value : {0.9, 1.0, 1.1, 0.9, 1.1}) points.push_back({2, value, 1e-6, "a", 1, 1});
+  const ResistanceLaw law = fit_resistance(points, none);
+  EXPECT_NEAR(law.coefficient, 0.5, 1e-9);
+  EXPECT_NEAR(law.coefficient_sd(), 0.5 * 0.1 / std::sqrt(5.0), 0.5 * 0.006);  // scatters are tried in steps of a quarter
+  EXPECT_NEAR(law.case_scatter, 0.1, 0.015);
+  EXPECT_EQ(law.realisation_scatter, 0);
+  EXPECT_EQ(law.degrees_of_freedom, 4);
+  EXPECT_NEAR(law.misfit, std::sqrt(2 * (std::pow(1 / 9.0, 2) + std::pow(1 / 11.0, 2)) / 5), 1e-9);
+}
+
+/// A case that its way leaves open twice as wide counts a quarter.
+TEST(ResistanceLaw_analytic, weighs_cases_by_what_their_ways_leave_open) {
+  const std::vector<ResistancePoint> points{{1, 1, 0.05, "a", 1, 1}, {1, 1.05, 0.1, "a", 1, 1}};
+  const ResistanceLaw law = fit_resistance(points, none);
+  EXPECT_NEAR(law.coefficient, (4 * 1 + 1.05) / 5, 1e-4);
+  EXPECT_NEAR(law.coefficient_sd(), 0.1 / std::sqrt(5.0), 1e-4);
+  EXPECT_NEAR(law.case_scatter, 1e-3, 1e-9);
+}
+
+/// Peelle's puzzle: a common scatter taken of the measured values would draw the fit below all of them.
+TEST(ResistanceLaw_analytic, with_a_scatter_common_to_a_realisation_stays_between_its_values) {
+  std::vector<ResistancePoint> points;
+  for (const double value : {1.0, 1.02}) points.push_back({1, value, 1e-3, "a", 1, 1});
+  for (const double value : {1.5, 1.52}) points.push_back({1, value, 1e-3, "b", 1, 1});
+  const ResistanceLaw law = fit_resistance(points, none);
+  EXPECT_NEAR(law.coefficient, 1.26, 1e-6);
+  EXPECT_NEAR(law.coefficient_sd(), 0.25, 0.05);  // of two realisations, not of four cases
+  EXPECT_GT(law.realisation_scatter, 5 * law.case_scatter);
+  for (auto& point : points) point.realisation = "a";
+  EXPECT_EQ(fit_resistance(points, none).realisation_scatter, 0);
+}
+
+/// The definition of log_evidence() by inverse and determinant; for points whose geometric means are one.
+double evidence_by_definition(const std::vector<ResistancePoint>& points, bool has_common_scatter) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::VectorXd y(n), level(n), load(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    y[i] = points[static_cast<std::size_t>(i)].value, load[i] = points[static_cast<std::size_t>(i)].load;
+    double sum = 0, count = 0;
+    for (const auto& other : points)
+      if (std::abs(other.load / load[i] - 1) < 1e-3) sum += other.value, ++count;
+    level[i] = sum / count;
+  }
+  const auto density = [&](double own, double common) {
+    Eigen::MatrixXd V(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const auto &p = points[static_cast<std::size_t>(i)], &q = points[static_cast<std::size_t>(j)];
+        V(i, j) = load[i] * load[j] + 1;  // mu and mu h of sd one
+        if (p.realisation == q.realisation) V(i, j) += common * common * level[i] * level[j];
+        if (i == j) V(i, j) += p.sd * p.sd + own * own * level[i] * level[i];
+      }
+    return std::exp(-0.5 * y.dot(V.inverse() * y)) / std::sqrt((2 * M_PI * V).determinant());
+  };
+  double sum = 0;
+  int count = 0;
+  for (int o = 0; o <= 30; ++o)
+    for (int c = 0; c <= (has_common_scatter ? 30 : 0); ++c, ++count)
+      sum += density(std::pow(10, -3 + 0.1 * o), has_common_scatter ? std::pow(10, -3 + 0.1 * c) : 0);
+  return std::log(sum / count);
+}
+
+/// Four cases at loads of 1/2, 1/2, 2 and 2; product of the values one.
+std::vector<ResistancePoint> four_cases(const std::vector<std::string>& realisations) {
+  const double values[] = {0.5, 0.6, 1.8, 1 / (0.5 * 0.6 * 1.8)};
+  std::vector<ResistancePoint> points;
+  for (std::size_t i = 0; i < 4; ++i)
+    points.push_back({i < 2 ? 0.5 : 2, values[i], 0.03 * values[i], realisations[i], 1, 1});
+  return points;
+}
+
+TEST(ResistanceLaw_analytic, has_the_evidence_of_its_definition) {
+  const auto several = four_cases({"a", "b", "a", "b"}), one = four_cases({"a", "a", "a", "a"}),
+             apart = four_cases({"a", "b", "c", "d"});
+  EXPECT_NEAR(log_evidence(several, none), evidence_by_definition(several, true), 1e-9);
+  // Of a single realisation, or where each has one case, a common scatter is not apart from the cases' own.
+  EXPECT_NEAR(log_evidence(one, none), evidence_by_definition(one, false), 1e-9);
+  EXPECT_NEAR(log_evidence(apart, none), evidence_by_definition(apart, false), 1e-9);
+}
+
+TEST(ResistanceLaw_analytic, has_an_evidence_that_does_not_depend_on_units) {
+  auto points = four_cases({"a", "b", "a", "b"});
+  const double expected = log_evidence(points, contact_radius);
+  for (auto& point : points) point.load *= 1e-4, point.value *= 3e-11, point.sd *= 3e-11, point.contact_radius *= 1e-7;
+  EXPECT_NEAR(log_evidence(points, contact_radius), expected, 1e-9);
+}
+
+/// Through two loads the law is a line: predictions of the third by hand.
+TEST(ResistanceLaw_analytic, leaves_each_contact_out_once) {
+  std::vector<ResistancePoint> points;
+  const double values[] = {1, 2.1, 3};
+  for (int i = 0; i < 3; ++i) points.push_back({i + 1.0, values[i], 1e-3, "a", 1, 1});
+  const double first = (2 * 2.1 - 3) / 1 - 1, second = (1 + 3) / 2.0 / 2.1 - 1, third = (2 * 2.1 - 1) / 3 - 1;
+  const double expected = std::sqrt((first * first + second * second + third * third) / 3);
+  EXPECT_NEAR(leave_one_out(points, none), expected, 1e-9);
+  // A second realisation at the same load is the same contact, and left out with it.
+  points.push_back(points.back());
+  points.back().realisation = "b";
+  EXPECT_NEAR(leave_one_out(points, none), std::sqrt((first * first + second * second + 2 * third * third) / 4), 1e-9);
+  points.resize(2);
+  EXPECT_TRUE(std::isnan(leave_one_out(points, none)));
+}
+
+TEST(ResistanceLaw_analytic, tells_loads_apart_by_a_thousandth) {
+  const auto at = [](double load) { return ResistancePoint{load, 1, 0, "a", 1, 1}; };
+  EXPECT_EQ(distinct_loads({at(2), at(1), at(1.0005), at(2.003)}), (std::vector<double>{1, 2, 2.003}));
+  EXPECT_TRUE(same_load(1000, 1001));
+  EXPECT_TRUE(same_load(1001, 1000));
+  EXPECT_FALSE(same_load(1000, 1002));
+}
+
+TEST(ResistanceLaw_analytic, grows_with_its_length_and_the_load_above_the_offset) {
+  const ResistancePoint point{3, 0, 0, "a", 5, 7};
+  ResistanceLaw law;
+  law.coefficient = 0.5, law.offset = 1;
+  EXPECT_EQ(law.at(point, none), 0.5 * 4);
+  EXPECT_EQ(law.at(point, particle_radius), 0.5 * 5 * 4);
+  EXPECT_EQ(law.at(point, contact_radius), 0.5 * 7 * 4);
+}
+
+TEST(ResistanceLaw_behaviour, needs_a_case) { EXPECT_THROW(fit_resistance({}, none), InputError); }
 
 TEST(ResistanceLaw_analytic, finds_the_scatter_over_cases_that_they_were_made_with) {
   std::mt19937 random(9);

@@ -59,6 +59,24 @@ TEST(RollingStiffness_analytic, counts_up_to_half_the_width_of_the_loop) {
   EXPECT_NEAR(rolling_stiffness(angle, moment, resistance).value, stiffness, 1e-9 * stiffness);
 }
 
+/// No moment on the way out; it lacks 1.2, 1.8, 3.2 and 3.8 at 1 to 4 on the way back.
+TEST(RollingStiffness_analytic, is_the_least_squares_line_through_the_turn_with_its_error) {
+  std::vector<double> angle, moment;
+  for (int i = 0; i <= 8; ++i) angle.push_back(i), moment.push_back(0);
+  const double lack[] = {1.2, 1.8, 3.2, 3.8};
+  for (int i = 1; i <= 4; ++i) angle.push_back(8 - i), moment.push_back(-lack[i - 1]);
+  const double slope = (1.2 + 2 * 1.8 + 3 * 3.2 + 4 * 3.8) / 30;
+  double misfit = 0;
+  for (int i = 1; i <= 4; ++i) misfit += std::pow(lack[i - 1] - slope * i, 2);
+  const ReversalStiffness all = rolling_stiffness(angle, moment, 100);
+  EXPECT_NEAR(all.value, slope, 1e-12);
+  EXPECT_NEAR(all.error, std::sqrt(misfit / 3 / 30), 1e-12);
+  // Up to the row at which the lack has come to the resistance.
+  EXPECT_NEAR(rolling_stiffness(angle, moment, 3.1).value, (1.2 + 2 * 1.8 + 3 * 3.2) / 14, 1e-12);
+  // Three rows in any case.
+  EXPECT_NEAR(rolling_stiffness(angle, moment, 0.1).value, (1.2 + 2 * 1.8 + 3 * 3.2) / 14, 1e-12);
+}
+
 TEST(RollingStiffness_behaviour, needs_a_turn_and_three_rows_after_it) {
   const Rolled straight = there_and_back(0);
   EXPECT_TRUE(std::isnan(rolling_stiffness(straight.angle, straight.moment, resistance).value));

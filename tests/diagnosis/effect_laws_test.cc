@@ -1,0 +1,472 @@
+// Each effect's law against its own formula, at points and at its limits; and what a recording must hold to
+// show it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dem_compare/laws/shear_moduli.h"
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/scalar_root.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+using test::uN;
+
+constexpr double pi = boost::math::double_constants::pi;
+
+Mechanics assembled(const Experiment& e, const std::string& id, const std::vector<double>& values,
+                    double friction = 0.2) {
+  SimulationChoice choice;
+  for (const auto& name : {"sliding_friction", "rolling_friction", "torsion_friction"})
+    choice.parameters[name] = {friction, true};
+  Mechanics m = baseline_mechanics(e, choice);
+  if (!id.empty()) effect_of(id).assemble(m, values.data());
+  return m;
+}
+
+/// Jackson & Green 2005, eqs. (14), (25), (13), as printed.
+struct JacksonGreen {
+  double modulus, radius, yield, hardness_ratio, poisson;
+  double C() const { return 1.295 * std::exp(0.736 * poisson); }
+  double critical_depth() const { return std::pow(pi * C() * yield / (2 * modulus), 2) * radius; }
+  double critical_force() const {
+    return 4.0 / 3 * std::pow(radius / modulus, 2) * std::pow(C() / 2 * pi * yield, 3);
+  }
+  double radius_of_contact(double w) const {
+    return std::sqrt(radius * w * critical_depth() *
+                     std::pow(w / 1.9, 0.14 * std::exp(23 * yield / modulus)));
+  }
+  double force(double w) const {
+    const double H = hardness_ratio - 0.92 * (1 - std::cos(pi * radius_of_contact(w) / radius));
+    return critical_force() * (std::exp(-0.25 * std::pow(w, 5.0 / 12)) * std::pow(w, 1.5) +
+                               4 * H / C() * (1 - std::exp(-std::pow(w, 5.0 / 9) / 25)) * w);
+  }
+};
+
+TEST(BulkPlasticity_analytic, follows_its_printed_formulas_up_to_contacts_as_large_as_the_sphere_bears) {
+  const Experiment e = test::experiment(Mode::normal);
+  for (const double yield : {0.3e9, 1e9}) {
+    const JacksonGreen law{e.reduced_modulus(), e.radius, yield, 2.7,
+                           e.particle.poisson_ratio};  // the softer body's ratio
+    const auto contact = assembled(e, "bulk_plasticity", {yield, 2.7}).normal.contact->clone();
+    for (const double w : {2.0, 5.0, 30.0, 100.0}) {
+      EXPECT_NEAR(contact->force(w * law.critical_depth()) / law.force(w), 1, 1e-9) << w;
+      EXPECT_TRUE(std::isnan(contact->displacement(law.force(w))));  // never loaded: no closed form back
+    }
+    if (yield == 1e9) EXPECT_GT(law.radius_of_contact(100) / e.radius, 0.4);
+    EXPECT_NEAR(contact->force(law.critical_depth()) / law.critical_force(), 1, 1e-12);
+    EXPECT_NEAR(law.critical_force() / e.hertz().force(law.critical_depth()), 1, 1e-12);
+  }
+}
+
+TEST(BulkPlasticity_analytic, unloads_by_its_power_to_the_imprint_and_comes_back) {
+  const Experiment e = test::experiment(Mode::normal);
+  const JacksonGreen law{e.reduced_modulus(), e.radius, 0.5e9, 2.84, e.particle.poisson_ratio};
+  const double w = 12, deepest = w * law.critical_depth();
+  const double residual = deepest * (1 - std::pow(w, -0.28)) * (1 - std::pow(w, -0.69)),
+               power = 1.5 * std::pow(w, -0.0331);
+  const auto contact = assembled(e, "bulk_plasticity", {0.5e9, 2.84}).normal.contact->clone();
+  contact->accept(deepest);
+  contact->accept(0.9 * deepest);  // what was taken back does not count
+  for (const double part : {0.3, 0.7, 0.95}) {
+    const double d = residual + part * (deepest - residual), f = law.force(w) * std::pow(part, power);
+    EXPECT_NEAR(contact->force(d) / f, 1, 1e-9) << part;
+    EXPECT_NEAR(contact->displacement(f) / d, 1, 1e-9) << part;
+  }
+  EXPECT_EQ(contact->force(0.99 * residual), 0);
+  EXPECT_EQ(contact->force(0), 0);
+  EXPECT_NEAR(contact->force(deepest) / law.force(w), 1, 1e-12);
+  EXPECT_NEAR(contact->force(2 * deepest) / law.force(2 * w), 1, 1e-9);
+  EXPECT_TRUE(std::isnan(contact->displacement(0)));
+  EXPECT_TRUE(std::isnan(contact->displacement(1.01 * law.force(w))));
+}
+
+TEST(BulkPlasticity_analytic, takes_poissons_ratio_of_the_softer_body) {
+  Experiment e = test::experiment(Mode::normal);
+  std::swap(e.particle, e.substrate);
+  const JacksonGreen law{e.reduced_modulus(), e.radius, 1e9, 2.84, 0.17};
+  EXPECT_NEAR(assembled(e, "bulk_plasticity", {1e9, 2.84}).normal.contact->force(20 * law.critical_depth()) /
+                  law.force(20),
+              1, 1e-9);
+}
+
+TEST(BulkPlasticity_analytic, looks_for_yield_stresses_below_that_of_the_largest_load) {
+  Experiment e = test::experiment(Mode::normal);
+  const auto yield = effect_of("bulk_plasticity").parameters(e)[0];
+  const double onset = e.hertz().peak_pressure(e.largest_force) / 1.6;
+  EXPECT_NEAR(yield.low / onset, 0.01, 1e-12);
+  EXPECT_NEAR(yield.high / onset, 1.5, 1e-12);
+  EXPECT_EQ(yield.starts.size(), 3u);
+  e.yield_hint = 0.5 * onset;
+  EXPECT_EQ(effect_of("bulk_plasticity").parameters(e)[0].starts.back(), 0.5 * onset);
+  e.yield_hint = 2 * onset;
+  EXPECT_EQ(effect_of("bulk_plasticity").parameters(e)[0].starts.size(), 3u);
+}
+
+/// DMT: f = Hertz - h, released at d = 0. JKR: touches at a negative load, breaks at its smallest approach.
+TEST(Adhesion_analytic, is_hertz_less_the_pull_off_force_in_the_limit_of_DMT) {
+  const Experiment e = test::experiment(Mode::normal);
+  const double h = 40 * uN;
+  const auto contact = assembled(e, "adhesion", {h, 0}).normal.contact->clone();
+  contact->accept(1 * nm);
+  for (const double d : {0.0, 5 * nm, 20 * nm, 60 * nm})
+    EXPECT_NEAR(contact->force(d), e.hertz().force(d) - h, 1e-6 * h) << d;
+  EXPECT_EQ(contact->release(), 0);
+  EXPECT_EQ(contact->force(-0.01 * nm), 0);
+}
+
+TEST(Adhesion_analytic, of_JKR_has_its_equilibrium_and_its_release) {
+  const Experiment e = test::experiment(Mode::normal);
+  const double h = 40 * uN, K = 4.0 / 3 * e.reduced_modulus(), R = e.radius;
+  const auto contact = assembled(e, "adhesion", {h, 1}).normal.contact->clone();
+  // Before they touch there is no force; from then on down to d = -(h^2/(3 K^2 R))^(1/3).
+  EXPECT_EQ(contact->force(-1 * nm), 0);
+  const double least = -std::cbrt(h * h / (3 * K * K * R));
+  EXPECT_NEAR(contact->release() / least, 1, 0.03);
+  contact->accept(5 * nm);
+  EXPECT_LT(contact->force(0.9 * contact->release()), 0);
+  EXPECT_EQ(contact->force(1.01 * contact->release()), 0);
+  contact->accept(2 * contact->release());  // let go: it has to be pressed again
+  EXPECT_EQ(contact->force(0.9 * contact->release()), 0);
+  // At d = 0, f = -(8/9) h, and without load a^3 = 4 h R/K.
+  contact->accept(5 * nm);
+  EXPECT_NEAR(contact->force(0) / (-8.0 / 9 * h), 1, 0.02);
+  const double a0 = std::cbrt(4 * h * R / K);
+  EXPECT_NEAR(contact->displacement(0) / (a0 * a0 / (3 * R)), 1, 0.03);
+  EXPECT_NEAR(contact->force(contact->displacement(3 * h)) / (3 * h), 1, 1e-6);
+  EXPECT_TRUE(std::isnan(contact->displacement(-1.01 * h)));
+}
+
+TEST(Adhesion_analytic, on_a_law_that_yields_is_a_constant_pull_while_that_presses) {
+  const Experiment e = test::experiment(Mode::normal);
+  Mechanics m = assembled(e, "bulk_plasticity", {0.5e9, 2.84});
+  const auto alone = m.normal.contact->clone();
+  const double h[] = {30 * uN, 0.5};
+  effect_of("adhesion").assemble(m, h);
+  const auto both = m.normal.contact->clone();
+  alone->accept(50 * nm), both->accept(50 * nm);
+  for (const double d : {30 * nm, 49 * nm, 80 * nm})
+    EXPECT_NEAR(both->force(d), alone->force(d) - h[0], 1e-12) << d;
+  EXPECT_EQ(both->force(1 * nm), 0);
+  EXPECT_EQ(both->release(), alone->release());
+}
+
+TEST(AdhesionHysteresis_analytic, is_itself_where_opening_takes_a_fifth_more_work) {
+  const Effect& effect = effect_of("adhesion_hysteresis");
+  const double more[] = {1, 1.21}, alike[] = {1, 1.19}, less[] = {2, 1};
+  EXPECT_TRUE(effect.is_itself(more));
+  EXPECT_FALSE(effect.is_itself(alike));
+  EXPECT_FALSE(effect.is_itself(less));
+}
+
+/// The state of a pinned edge: f = 2 E* (a d - a^3/(3 R)) with the radius of the turn.
+TEST(AdhesionHysteresis_analytic, keeps_its_radius_between_both_works) {
+  const Experiment e = test::experiment(Mode::normal);
+  const double E = e.reduced_modulus(), R = e.radius;
+  const auto contact = assembled(e, "adhesion_hysteresis", {1e-9, 5.0}).normal.contact->clone();
+  EXPECT_EQ(contact->force(-1 * nm), 0);
+  contact->accept(40 * nm);
+  const double a = std::sqrt(R * 40 * nm);  // closing gives no work: Hertz
+  for (const double d : {39 * nm, 35 * nm})
+    EXPECT_NEAR(contact->force(d) / (2 * E * (a * d - a * a * a / (3 * R))), 1, 1e-4) << d;
+  EXPECT_NEAR(contact->force(60 * nm) / e.hertz().force(60 * nm), 1, 1e-4);
+  EXPECT_LT(contact->release(), 0);
+}
+
+/// Friction limit that an effect leaves of 0.2 under a sample.
+double changed(const std::string& id, const std::vector<double>& values, const Sample& sample,
+               double slip = 0, Mode mode = Mode::sliding) {
+  Mechanics m = assembled(test::experiment(mode), id, values);
+  SlipState state;
+  state.sample = &sample, state.speed = sample.speed, state.slip = slip;
+  double mu = 0.2;
+  for (auto& change : m.lateral.coefficient_changes) mu = change(mu, state);
+  return mu;
+}
+
+TEST(VelocityDependence_analytic, adds_the_same_for_every_factor_of_speed_down_to_a_tenth_of_the_slowest) {
+  Sample s;
+  const auto at = [&](double speed) { return s.speed = speed, changed("velocity_dependence", {0.01}, s); };
+  EXPECT_NEAR(at(std::sqrt(1e-6 * 1e-5)), 0.2, 1e-12);  // the geometric mean of the recorded speeds
+  EXPECT_NEAR(at(1e-5) - at(1e-6), 0.01 * std::log(10), 1e-12);
+  EXPECT_NEAR(at(1e-7), 0.2 + 0.01 * std::log(1e-7 / std::sqrt(1e-11)), 1e-12);
+  EXPECT_EQ(at(1e-9), at(1e-7));
+  EXPECT_EQ(at(0), at(1e-7));
+}
+
+TEST(ViscousRolling_analytic, adds_in_proportion_to_speed) {
+  Sample s;
+  s.speed = 2e-5;
+  EXPECT_NEAR(changed("viscous_rolling", {300}, s, 0, Mode::rolling), 0.206, 1e-12);
+  s.speed = 0;
+  EXPECT_EQ(changed("viscous_rolling", {300}, s, 0, Mode::rolling), 0.2);
+}
+
+TEST(StaticFrictionPeak_analytic, decays_with_the_path_slipped) {
+  const Sample s;
+  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 0), 0.3, 1e-12);
+  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 20 * nm), 0.2 * (1 + 0.5 * std::exp(-1)),
+              1e-12);
+  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 1000 * nm), 0.2, 1e-12);
+}
+
+TEST(RunIn_analytic, fades_with_cycles_and_their_parts) {
+  Sample s;
+  EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.3, 1e-12);
+  s.cycle = 1, s.cycle_part = 0.5;
+  EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.2 * (1 + 0.5 * std::exp(-0.75)), 1e-12);
+  EXPECT_NEAR(changed("run_in", {-0.5, 2}, s), 0.2 * (1 - 0.5 * std::exp(-0.75)), 1e-12);
+}
+
+TEST(RoughnessDependentRolling_analytic, falls_from_b_plus_c_of_a_smooth_plane_to_b) {
+  Sample s;
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling), 0.4, 1e-12);
+  s.rms_roughness = 4 * nm;
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling),
+              0.1 + 0.3 * std::exp(-2), 1e-12);
+  s.rms_roughness = 1000 * nm;
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling), 0.1, 1e-12);
+}
+
+/// mu = mu0 + a ln(v/v0) + b ln(v0 theta/L); at rest in time theta = L/v, and after a step over L it decays
+/// by exp(-v t/L).
+TEST(RateAndState_analytic, is_steady_at_a_minus_b_and_relaxes_over_its_slip_distance) {
+  const Experiment e = test::experiment(Mode::sliding);
+  const double a = 0.02, b = 0.05, L = 10 * nm, reference = std::sqrt(e.slowest * e.fastest);
+  Mechanics m = assembled(e, "rate_and_state", {a, b, L});
+  auto& change = m.lateral.coefficient_changes.at(0);
+  Sample s;
+  SlipState state;
+  state.sample = &s;
+  const auto at = [&](double speed, double time_step) {
+    state.speed = speed, state.time_step = time_step;
+    return change(0.2, state);
+  };
+  const double before = 0.2 + (a - b) * std::log(1e-6 / reference),
+               after = 0.2 + (a - b) * std::log(1e-5 / reference);
+  EXPECT_NEAR(at(1e-6, 0), before, 1e-12);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(at(1e-6, 1e-3), before, 1e-12);
+  EXPECT_NEAR(at(1e-5, 0), before + a * std::log(10), 1e-12);
+  double last = before + a * std::log(10);
+  for (int i = 0; i < 20; ++i) {
+    const double now = at(1e-5, 0.2 * L / 1e-5);
+    EXPECT_LT(now, last);
+    last = now;
+  }
+  for (int i = 0; i < 100; ++i) last = at(1e-5, 0.2 * L / 1e-5);
+  EXPECT_NEAR(last, after, 1e-9);
+}
+
+TEST(StickSlip_analytic, is_a_saw_tooth_about_the_limit_counted_from_the_middle_of_the_stroke) {
+  Experiment e = test::experiment(Mode::sliding);
+  Mechanics m = assembled(e, "stick_slip", {4 * uN, 10 * nm, 0.25});
+  const auto& change = m.lateral.limit_changes.at(0);
+  SlipState state;
+  const auto at = [&](double path) { return state.path = path, change(100 * uN, state); };
+  const double middle = e.stroke / 2;
+  EXPECT_NEAR(at(middle), 100 * uN - 1 * uN, 1e-15);           // a quarter of the way up from -2 uN
+  EXPECT_NEAR(at(middle + 5 * nm), 100 * uN + 1 * uN, 1e-12);  // three quarters
+  EXPECT_NEAR(at(middle + 15 * nm), at(middle + 5 * nm), 1e-12);
+  EXPECT_NEAR(at(middle - 5 * nm), at(middle + 5 * nm), 1e-12);
+  EXPECT_EQ(at(0), 100 * uN);  // before sliding there are no events
+}
+
+/// A saw-tooth on the way there and back.
+TEST(StickSlip_analytic, reads_period_and_amplitude_off_the_residuals) {
+  const double amplitude = 3 * uN, period = 9 * nm;
+  Samples samples = test::lateral_path(1e-3, {0, 200 * nm, 0}, 800);
+  samples.parts = 2;
+  std::vector<double> residual;
+  std::mt19937 random(21);
+  std::normal_distribution<double> noise(0, 0.1 * amplitude);
+  for (std::size_t i = 0; i < samples.list.size(); ++i) {
+    Sample& s = samples.list[i];
+    s.part = i < 800 ? 0 : 1;
+    s.since_reversal = i < 800 ? s.lateral_displacement : 200 * nm - s.lateral_displacement;
+    const double part = s.since_reversal / period;
+    residual.push_back(s.direction * amplitude * (part - std::floor(part) - 0.5) + noise(random));
+  }
+  const auto starts = effect_of("stick_slip").starts(samples, residual);
+  ASSERT_GE(starts.size(), 6u);
+  EXPECT_NEAR(starts[0][0] / amplitude, 1, 0.1);
+  EXPECT_NEAR(starts[0][1] / period, 1, 0.02);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(starts[i][1], starts[0][1]);
+  EXPECT_EQ(starts[3][2], 0.5);
+  Samples few = test::lateral_path(1e-3, {0, 10 * nm}, 10);
+  few.parts = 1;
+  EXPECT_TRUE(effect_of("stick_slip").starts(few, std::vector<double>(10, 0.0)).empty());
+}
+
+TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
+  const Experiment e = test::experiment(Mode::normal);
+  const auto of = [&](const char* id, const std::vector<double>& values, double force) {
+    return assembled(e, id, values).normal.series.at(0)(force);
+  };
+  EXPECT_NEAR(of("instrument_compliance", {5e-6}, 2e-3), 10 * nm, 1e-20);
+  const double first = 0.5 * e.hertz().force(2 * nm);
+  EXPECT_NEAR(of("roughness_compliance", {2 * nm, 0.5}, 0.3e-3), 2 * nm * std::log(1 + 0.3e-3 / first),
+              1e-20);
+  EXPECT_NEAR(of("roughness_compliance", {2 * nm, 0.5}, first), 2 * nm * std::log(2), 1e-20);
+  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, 0), 0);
+  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, -1), 0);
+}
+
+TEST(DelayedPart_analytic, follows_a_held_displacement_by_its_exponential_and_none_below_zero) {
+  DelayedPart part{0.25, 4};
+  part.last = 8 * nm;
+  EXPECT_NEAR(part.after(8 * nm, 4), 2 * nm * (1 - std::exp(-1)), 1e-20);
+  EXPECT_NEAR(part.after(8 * nm, 400), 2 * nm, 1e-20);
+  EXPECT_EQ(part.after(8 * nm, 0), 0);
+  part.accept(8 * nm, 400);
+  part.accept(-5 * nm, 0);
+  EXPECT_NEAR(part.delayed, 2 * nm, 1e-20);
+  EXPECT_NEAR(part.after(-5 * nm, 4), 2 * nm * std::exp(-1), 1e-20);
+  // A ramp from zero over t: share (1 - (1 - e^-t)/t) of its end.
+  DelayedPart ramp{0.25, 4};
+  EXPECT_NEAR(ramp.after(8 * nm, 8), 2 * nm * (1 - (1 - std::exp(-2)) / 2), 1e-20);
+}
+
+/// Which effects a recording shows once it holds what they need, and not before.
+TEST(Catalogue_behaviour, effects_ask_for_holds_turns_times_speeds_and_cycles) {
+  const auto shows = [](const char* id, Mode mode, auto change) {
+    Experiment e = test::experiment(mode);
+    e.cycles = 1, e.fastest = e.slowest = 1e-6;
+    change(e);
+    return effect_of(id).can_show(e);
+  };
+  const auto nothing = [](Experiment&) {};
+  const auto trace_and_time = [](Experiment& e) { e.has_trace = e.has_time = true; };
+  EXPECT_FALSE(shows("creep", Mode::normal, trace_and_time));
+  EXPECT_FALSE(shows("creep", Mode::normal, [](Experiment& e) { e.hold_duration = 5; }));
+  EXPECT_TRUE(shows("creep", Mode::normal, [](Experiment& e) { e.hold_duration = 5, e.has_time = true; }));
+  EXPECT_TRUE(shows("thermal_drift", Mode::normal, trace_and_time));
+  EXPECT_FALSE(shows("thermal_drift", Mode::normal, [](Experiment& e) { e.has_trace = true; }));
+  EXPECT_FALSE(shows("thermal_drift", Mode::normal, [](Experiment& e) { e.has_time = true; }));
+  EXPECT_TRUE(shows("adhesion_hysteresis", Mode::normal,
+                    [](Experiment& e) { e.has_trace = e.has_unloading = true; }));
+  EXPECT_FALSE(shows("adhesion_hysteresis", Mode::normal, [](Experiment& e) { e.has_trace = true; }));
+  EXPECT_FALSE(shows("adhesion_hysteresis", Mode::normal, [](Experiment& e) { e.has_unloading = true; }));
+  for (const char* id : {"stick_slip", "partial_slip", "lateral_compliance", "static_friction_peak"}) {
+    EXPECT_FALSE(shows(id, Mode::sliding, nothing)) << id;
+    EXPECT_TRUE(shows(id, Mode::sliding, trace_and_time)) << id;
+  }
+  EXPECT_FALSE(shows("run_in", Mode::sliding, [](Experiment& e) { e.cycles = 2; }));
+  EXPECT_TRUE(shows("run_in", Mode::sliding, [](Experiment& e) { e.cycles = 3; }));
+  EXPECT_FALSE(shows("surface_tilt", Mode::sliding, nothing));
+  EXPECT_TRUE(shows("surface_tilt", Mode::sliding, [](Experiment& e) { e.has_both_directions = true; }));
+  for (const char* id : {"velocity_dependence", "viscous_rolling"}) {
+    EXPECT_FALSE(shows(id, Mode::rolling, [](Experiment& e) { e.fastest = 1.4e-6; })) << id;
+    EXPECT_TRUE(shows(id, Mode::rolling, [](Experiment& e) { e.fastest = 1.6e-6; })) << id;
+    EXPECT_FALSE(shows(id, Mode::rolling, [](Experiment& e) { e.slowest = 0; })) << id;
+  }
+  EXPECT_FALSE(shows("rate_and_state", Mode::sliding, trace_and_time));
+  EXPECT_TRUE(shows("rate_and_state", Mode::sliding,
+                    [](Experiment& e) { e.has_trace = e.has_time = true, e.fastest = 1e-5; }));
+  EXPECT_FALSE(
+      shows("rate_and_state", Mode::sliding, [](Experiment& e) { e.has_trace = true, e.fastest = 1e-5; }));
+}
+
+// ---- what drives the laws
+// --------------------------------------------------------------------------------------------
+
+TEST(Simulate_analytic, a_record_that_begins_under_a_force_begins_with_it) {
+  const Experiment e = test::experiment(Mode::sliding);
+  for (const char* stick : {"", "partial_slip"})
+    for (const double start : {-0.15e-3, -0.02e-3, 0.1e-3}) {
+      Samples path = test::lateral_path(1e-3, {0, 1 * nm}, 11);
+      path.runs[0].first_response = start;
+      EXPECT_NEAR(simulate(assembled(e, stick, {}), path)[0], start, 2e-3 * 0.2e-3) << stick << start;
+      // More than the limit is not held.
+      path.runs[0].first_response = 4 * start;
+      const double most = std::min(4 * std::abs(start), 0.2e-3);
+      EXPECT_NEAR(simulate(assembled(e, stick, {}), path)[0], std::copysign(most, start), 2e-3 * 0.2e-3)
+          << stick << start;
+    }
+  Samples path = test::lateral_path(1e-3, {0, 1 * nm}, 11);
+  path.runs[0].first_response = 0.1e-3;
+  // What lies on top of the contact's force is no part of it: the record still begins where it did.
+  EXPECT_NEAR(simulate(assembled(e, "lateral_zero_offset", {0.04e-3}), path)[0], 0.1e-3, 1e-12);
+}
+
+/// Cattaneo & Mindlin with a compliance in series: x = 3 mu f_n/(2 k) [1 - (1 - q)^(2/3)] + C q mu f_n.
+TEST(Simulate_analytic, a_compliance_in_series_with_partial_slip_takes_its_part) {
+  const Experiment e = test::experiment(Mode::sliding);
+  const double load = 1e-3, most = 0.2 * load, C = 2e-6;
+  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
+  Mechanics m = assembled(e, "partial_slip", {});
+  m.lateral.compliance = C;
+  const auto way = [&](double q) { return 1.5 * most / k * (1 - std::pow(1 - q, 2.0 / 3)) + C * q * most; };
+  for (const double q : {0.3, 0.8})
+    for (const double sign : {1.0, -1.0})
+      EXPECT_NEAR(simulate(m, test::lateral_path(load, {0, sign * way(q)}, 41)).back() / (sign * q * most), 1,
+                  5e-3)
+          << q;
+}
+
+TEST(Simulate_analytic, a_spring_that_the_load_softens_keeps_its_stretch_and_one_that_it_stiffens_its_force) {
+  const Experiment e = test::experiment(Mode::sliding);
+  const auto after = [&](double first, double second) {
+    Samples path = test::lateral_path(first, {0, 0.5 * nm}, 6);
+    path.list.push_back(path.list.back());  // the load changes, the place does not
+    path.list.back().normal_force = second;
+    test::close_run(path, false);
+    return simulate(assembled(e, "", {}), path);
+  };
+  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
+  const auto softer = after(1e-3, 0.5e-3), stiffer = after(1e-3, 2e-3);
+  EXPECT_NEAR(softer[5], k * 0.5 * nm, 1e-12);
+  EXPECT_NEAR(softer[6], k * 0.5 * nm / std::cbrt(2.0), 1e-12);
+  EXPECT_NEAR(stiffer[6], k * 0.5 * nm, 1e-12);
+}
+
+TEST(Simulate_analytic, a_row_resists_its_own_direction) {
+  const Experiment e = test::experiment(Mode::rolling);
+  Samples row = test::row(e, 2e-3);
+  row.list[0].direction = -1;
+  EXPECT_NEAR(simulate(assembled(e, "", {}, 5e-4), row)[0], -1e-6, 1e-15);
+  EXPECT_NEAR(simulate(assembled(e, "surface_tilt", {0.01}, 5e-4), row)[0], -1e-6 + std::tan(0.01) * 2e-3,
+              1e-15);
+}
+
+TEST(Simulate_behaviour, rows_of_a_series_do_not_know_of_each_other) {
+  const Experiment e = test::experiment(Mode::normal);
+  Samples path = test::approach_and_back(10 * nm, 60 * nm, 30);
+  const Mechanics m = assembled(e, "bulk_plasticity", {0.5e9, 2.84});
+  const auto trace = simulate(m, path);
+  EXPECT_LT(trace[45], 0.9 * trace[14]);  // the imprint
+  path.runs[0].independent_rows = true;
+  const auto rows = simulate(m, path);
+  EXPECT_EQ(rows[45], rows[14]);
+  EXPECT_EQ(rows[14], trace[14]);
+}
+
+TEST(Simulate_behaviour, runs_begin_anew) {
+  const Experiment e = test::experiment(Mode::sliding);
+  Samples path = test::lateral_path(1e-3, {0, 100 * nm, 0}, 51);
+  const auto one = simulate(assembled(e, "", {}), path);
+  Samples twice = path;
+  twice.list.insert(twice.list.end(), path.list.begin(), path.list.end());
+  twice.runs.push_back(twice.runs[0]);
+  twice.runs[1].begin = path.list.size(), twice.runs[1].end = twice.list.size();
+  const auto two = simulate(assembled(e, "", {}), twice);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(two[one.size() + i], one[i]);
+}
+
+TEST(ScalarRoot_analytic, finds_roots_on_either_side_of_its_guess) {
+  for (const double guess : {-50.0, 0.0, 1.9, 2.0, 2.1, 300.0})
+    EXPECT_NEAR(increasing_root([](double x) { return x * x * x - 8; }, guess, 0.1, 1e-12), 2, 1e-11)
+        << guess;
+  // Of two branches that of the larger place: the function rises, falls and rises through its last root at 3.
+  const auto wavy = [](double x) { return (x - 1) * (x - 2) * (x - 3); };
+  EXPECT_NEAR(increasing_root(wavy, 10, 0.05, 1e-12), 3, 1e-11);
+  // Held by nothing: as far down as it looked.
+  EXPECT_LT(increasing_root([](double) { return 1.0; }, 5, 0.1, 1e-12), -1e6);
+  EXPECT_GT(increasing_root([](double) { return -1.0; }, 5, 0.1, 1e-12), 1e6);
+}
+
+}  // namespace
+}  // namespace asperity

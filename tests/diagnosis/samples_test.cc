@@ -1,0 +1,233 @@
+// What follows from the control alone: segments, directions, holds, cycles, speeds; and which samples are
+// kept when thinned.
+#include "diagnosis/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using Column = std::vector<double>;
+
+/// A trace with one driven channel.
+Recording driven(Mode mode, const Column& path) {
+  Recording recording;
+  recording.mode = mode;
+  recording.particle = test::borosilicate(), recording.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "t.csv";
+  const bool normal = mode == Mode::normal;
+  table.control = {normal ? "normal_displacement" : "lateral_displacement"};
+  table.response = normal ? "normal_force" : "lateral_force";
+  table.columns[table.control[0]] = path;
+  table.columns[table.response] = Column(path.size(), 1e-6);
+  recording.tables = {table};
+  return recording;
+}
+
+/// From turn to turn in equal steps.
+Column zigzag(const Column& turns, int steps) {
+  Column path{turns.front()};
+  for (std::size_t k = 1; k < turns.size(); ++k)
+    for (int i = 1; i <= steps; ++i) path.push_back(turns[k - 1] + (turns[k] - turns[k - 1]) * i / steps);
+  return path;
+}
+
+std::string segment_of(const Samples& samples, std::size_t i) {
+  return samples.segment_names[static_cast<std::size_t>(samples.list[i].segment)];
+}
+
+TEST(Samples_analytic, of_a_loop_know_their_direction_and_path_since_the_turn) {
+  const Samples samples = samples_of(driven(Mode::sliding, zigzag({0, 1e-7, -1e-7, 1e-7, -1e-7}, 40)));
+  ASSERT_EQ(samples.list.size(), 161u);
+  ASSERT_EQ(samples.runs.size(), 1u);
+  for (const auto& [i, direction, since, segment] :
+       {std::tuple{20u, 1, 0.5e-7, "forward"}, std::tuple{60u, -1, 1e-7, "backward"},
+        std::tuple{100u, 1, 1e-7, "forward"}, std::tuple{150u, -1, 1.5e-7, "backward"}}) {
+    EXPECT_EQ(samples.list[i].direction, direction) << i;
+    EXPECT_NEAR(samples.list[i].since_reversal, since, 0.06e-7) << i;  // within a step
+    EXPECT_EQ(segment_of(samples, i), segment) << i;
+  }
+  // A cycle begins where the first direction comes back.
+  EXPECT_EQ(samples.list[60].cycle, 0);
+  EXPECT_EQ(samples.list[100].cycle, 1);
+  EXPECT_EQ(samples.list[160].cycle, 1);
+  EXPECT_NEAR(samples.list[60].cycle_part, 2.0 / 3, 0.02);  // 2e-7 of 3e-7
+  EXPECT_NEAR(samples.list[160].cycle_part, 1, 1e-12);
+}
+
+TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {
+  Column path = zigzag({-1e-8, 5e-8}, 60);
+  path.insert(path.end(), 30, 5e-8);
+  for (const double x : zigzag({5e-8, -1e-8}, 60)) path.push_back(x);
+  Recording recording = driven(Mode::normal, path);
+  auto& time = recording.tables[0].columns["time"];
+  for (std::size_t i = 0; i < path.size(); ++i) time.push_back(0.5 * static_cast<double>(i));
+  const Samples samples = samples_of(recording);
+  EXPECT_EQ(segment_of(samples, 30), "load");
+  EXPECT_EQ(segment_of(samples, 75), "hold");
+  EXPECT_EQ(segment_of(samples, 130), "unload");
+  EXPECT_EQ(samples.list[30].direction, 1);
+  EXPECT_EQ(samples.list[75].direction, 1);
+  EXPECT_EQ(samples.list[130].direction, -1);
+  EXPECT_EQ(samples.list[30].hold, 0);
+  EXPECT_EQ(samples.list[75].hold, 1);
+  EXPECT_EQ(samples.list[30].hold_time, 0);
+  EXPECT_NEAR(samples.list[80].hold_time - samples.list[70].hold_time, 5, 1e-12);
+  EXPECT_NEAR(samples.list[75].hold_time, 7.5, 0.51);
+  EXPECT_EQ(samples.list[130].hold_time, 0);
+  EXPECT_EQ(samples.list[75].speed, 0);  // of approach there is none
+}
+
+TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {
+  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0}, 50));
+  const std::size_t rows = recording.tables[0].rows();
+  EXPECT_EQ(samples_of(recording).list[20].speed, 0);  // without time there is none
+  auto& time = recording.tables[0].columns["time"];
+  for (std::size_t i = 0; i < rows; ++i)
+    time.push_back(i < 50 ? 1e-3 * static_cast<double>(i) : 0.05 + 1e-4 * static_cast<double>(i - 50));
+  const Samples measured = samples_of(recording);
+  EXPECT_NEAR(measured.list[0].speed, 2e-6, 1e-12);
+  EXPECT_NEAR(measured.list[20].speed, 2e-6, 1e-12);
+  EXPECT_NEAR(measured.list[80].speed, 2e-5, 1e-11);
+  EXPECT_NEAR(measured.list[rows - 1].speed, 2e-5, 1e-11);
+  recording.tables[0].columns["speed"] = Column(rows, 3e-6);
+  EXPECT_EQ(samples_of(recording).list[20].speed, 3e-6);
+  Recording normal = driven(Mode::normal, zigzag({0, 1e-7, 0}, 50));
+  normal.tables[0].columns["time"] = time;
+  EXPECT_EQ(samples_of(normal).list[20].speed, 0);
+}
+
+TEST(Samples_behaviour, do_not_take_jitter_below_a_fiftieth_of_the_range_for_a_turn) {
+  Column path = zigzag({0, 1e-7, 0}, 100);
+  for (std::size_t i = 0; i < path.size(); i += 2) path[i] += 0.9e-9;
+  const Samples quiet = samples_of(driven(Mode::normal, path));
+  EXPECT_EQ(quiet.parts, 2);
+  path = zigzag({0, 0.5e-7, 0.46e-7, 1e-7, 0}, 100);
+  EXPECT_EQ(samples_of(driven(Mode::normal, path)).parts, 4);
+}
+
+TEST(Samples_behaviour, of_several_runs_each_begin_anew_and_count_cycles_from_zero) {
+  Recording recording = driven(Mode::sliding, Column(40, 0.0));
+  auto& table = recording.tables[0];
+  for (int i = 0; i < 40; ++i) {
+    table.columns["lateral_displacement"][static_cast<std::size_t>(i)] = 1e-9 * (i / 2);
+    table.columns["run"].push_back(i % 2 ? 9 : 4);  // rows of both runs in turn
+    table.columns["cycle"].push_back(i % 2 ? 3 : 1);
+  }
+  table.columns["lateral_force"][6] = NAN;
+  const Samples samples = samples_of(recording);
+  ASSERT_EQ(samples.runs.size(), 2u);
+  EXPECT_EQ(samples.runs[0].number, 4);
+  EXPECT_EQ(samples.runs[1].number, 9);
+  EXPECT_EQ(samples.runs[1].begin, 20u);
+  EXPECT_EQ(samples.runs[1].end, 40u);
+  EXPECT_EQ(samples.list[3].row, 6);
+  EXPECT_FALSE(samples.list[3].counts);
+  EXPECT_TRUE(samples.list[23].counts);
+  EXPECT_EQ(samples.list[23].row, 7);
+  EXPECT_EQ(samples.list[23].cycle, 0);
+  EXPECT_EQ(samples.list[23].index, 23u);
+}
+
+TEST(Samples_behaviour, of_a_series_are_rows_on_their_own_that_may_name_their_direction) {
+  Recording recording = driven(Mode::rolling, {0, 0, 0});
+  auto& table = recording.tables[0];
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.columns["normal_force"] = {3e-3, 1e-3, 2e-3};
+  table.columns["radius"] = {4e-6, NAN, 8e-6};
+  table.columns["lateral_force_sd"] = {1e-7, 2e-7, NAN};
+  table.segment = {"forward", "backward", ""};
+  recording.rail_angle = 0.3;
+  const Samples samples = samples_of(recording);
+  EXPECT_TRUE(samples.runs[0].independent_rows);
+  EXPECT_EQ(samples.list[2].part, samples.list[0].part);
+  EXPECT_EQ(samples.list[0].direction, 1);
+  EXPECT_EQ(samples.list[1].direction, -1);
+  EXPECT_EQ(samples.list[2].direction, 1);
+  EXPECT_EQ(segment_of(samples, 2), "series");
+  EXPECT_EQ(samples.list[0].radius, 4e-6);
+  EXPECT_EQ(samples.list[1].radius, 8.5e-6);
+  EXPECT_EQ(samples.list[1].sd, 2e-7);
+  EXPECT_EQ(samples.list[2].sd, 0);
+  EXPECT_EQ(samples.list[0].rail_angle, 0.3);
+  EXPECT_EQ(samples.list[0].rms_roughness, 0.3e-9);
+}
+
+TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {
+  const Samples all = samples_of(driven(Mode::sliding, zigzag({0, 1e-7, 0}, 1000)));
+  const Samples few = thinned(all, 200);
+  EXPECT_NEAR(static_cast<double>(few.list.size()), 200, 12);
+  EXPECT_EQ(few.runs[0].end, few.list.size());
+  EXPECT_EQ(few.list.front().index, 0u);
+  EXPECT_EQ(few.list.back().index, 2000u);
+  std::size_t begin = 0, rest = 0;  // of the way back
+  for (const auto& s : few.list) {
+    if (s.direction > 0) continue;
+    ++(s.since_reversal < 0.15e-7 ? begin : rest);
+  }
+  // 0.15 of the way with four times the density of the other 0.85.
+  EXPECT_NEAR(static_cast<double>(begin) / static_cast<double>(rest), 4 * 0.15 / 0.85, 0.1);
+  EXPECT_EQ(thinned(all, 2001).list.size(), 2001u);
+}
+
+TEST(Samples_behaviour, thinned_stay_in_their_runs) {
+  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0, 1e-7, 0}, 250));
+  for (int i = 0; i <= 1000; ++i) recording.tables[0].columns["run"].push_back(i > 500);
+  const Samples few = thinned(samples_of(recording), 100);
+  ASSERT_EQ(few.runs.size(), 2u);
+  EXPECT_EQ(few.runs[0].end, few.runs[1].begin);
+  for (std::size_t r = 0; r < 2; ++r)
+    for (std::size_t i = few.runs[r].begin; i < few.runs[r].end; ++i)
+      EXPECT_EQ(few.list[i].index > 500, r == 1);
+}
+
+TEST(Experiment_analytic, knows_the_sizes_of_a_trace) {
+  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, -1e-7, 1e-7}, 100));
+  auto& table = recording.tables[0];
+  table.columns["normal_force"] = Column(table.rows(), 2e-3);
+  table.columns["lateral_force"][7] = -5e-4;
+  table.columns["lateral_force"][9] = 4e-4;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    table.columns["time"].push_back(5 + 0.01 * static_cast<double>(i));
+  recording.particle.yield_stress = 2e9, recording.substrate.yield_stress = 1e9;
+  const Samples samples = samples_of(recording);
+  const Experiment e = experiment_of(recording, samples);
+  EXPECT_NEAR(e.stroke, 2e-7, 1e-12);
+  EXPECT_NEAR(e.duration, 3, 1e-9);
+  EXPECT_EQ(e.largest_force, 2e-3);
+  EXPECT_EQ(e.smallest_force, 2e-3);
+  EXPECT_EQ(e.typical_force, 2e-3);
+  EXPECT_EQ(e.largest_response, 5e-4);
+  EXPECT_EQ(e.yield_hint, 1e9);
+  EXPECT_EQ(e.cycles, 2);
+  EXPECT_TRUE(e.has_trace && e.has_time && e.has_both_directions);
+  EXPECT_FALSE(e.has_series || e.has_unloading || e.has_off_contact);
+  EXPECT_NEAR(e.largest_displacement, e.hertz().approach(2e-3), 1e-20);
+  EXPECT_NEAR(e.slowest, 1e-7, 1e-10);
+  EXPECT_NEAR(e.fastest, 2e-7, 1e-10);
+}
+
+TEST(Experiment_analytic, knows_the_sizes_of_an_approach) {
+  Recording recording = driven(Mode::normal, zigzag({-1e-8, 5e-8, -1e-8}, 100));
+  auto& force = recording.tables[0].columns["normal_force"];
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force[i] = i == 100 ? 3e-4 : i == 150 ? -4e-5 : i < 20 ? 0 : 1e-4;
+  Experiment e = experiment_of(recording, samples_of(recording));
+  EXPECT_EQ(e.largest_force, 3e-4);
+  EXPECT_EQ(e.smallest_force, 1e-4);
+  EXPECT_EQ(e.typical_force, 1e-4);
+  EXPECT_EQ(e.largest_response, 3e-4);
+  EXPECT_NEAR(e.largest_displacement, 5e-8, 1e-20);
+  EXPECT_TRUE(e.has_unloading && e.has_off_contact);
+  EXPECT_EQ(e.hold_duration, 0);
+  EXPECT_EQ(e.yield_hint, 0);
+}
+
+}  // namespace
+}  // namespace asperity
