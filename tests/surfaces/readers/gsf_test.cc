@@ -146,3 +146,27 @@ TEST(Gsf_real_other_code, diamond_scan_has_its_known_roughness) {
   EXPECT_NEAR(sq(map, Level::plane), 4.688e-9, 0.0005e-9);
   EXPECT_NEAR(sq(map, Level::quadratic), 3.763e-9, 0.0005e-9);
 }
+
+TEST(Gsf_analytic, heights_and_sizes_are_scaled_by_their_units) {
+  const std::string other = "XRes = 3\nYRes = 2\nXReal = 3\nYReal = 2\nXYUnits = um\nZUnits = nm\n";
+  const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(other, {1, 2, 3, 4, 5, 6})));
+  expect_common_map(map);
+  EXPECT_SAYS(map.source, "heights in nm");
+}
+
+TEST(Gsf_file_behaviour, with_one_side_only_asks_for_the_size) {
+  for (const std::string side : {"XReal = 3e-6\n", "YReal = 2e-6\n"})
+    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = m\nZUnits = m\n" + side, metres()))), "pass its size");
+  // A unit of length that is none is refused with either side.
+  for (const std::string side : {"XReal = 3e-6\n", "YReal = 2e-6\n"})
+    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = V\nZUnits = m\n" + side, metres()))),
+                "has XYUnits 'V', which is no length");
+}
+
+TEST(Gsf_file_behaviour, without_unit_of_length_is_metres_if_that_is_plausible) {
+  const std::string sized = "XRes = 3\nYRes = 2\nZUnits = m\n";
+  const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(sized + "XReal = 3e-6\nYReal = 2e-6\n", metres())));
+  expect_common_map(map);
+  EXPECT_SAYS(map.source, "XYUnits not given, metres taken");
+  EXPECT_SAYS(refusal(write_bytes("b.gsf", gsf_bytes(sized + "XReal = 3\nYReal = 2\n", metres()))), "names no unit of length");
+}
