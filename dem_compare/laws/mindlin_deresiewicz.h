@@ -8,7 +8,8 @@
 // u(s) stays piecewise linear on straight paths of (delta, xi), so any step along one line is exact: virgin curve, Masing's
 // rule, memory and its wiping out, oblique loading at every ratio, unloading. Gross slip is f_l = mu (f_n + h).
 // Shear that turns is cut along the direction it ends in: exact for vanishing steps, of first order for finite ones; and the
-// profile is followed along chords on at most 200 nodes: within 6e-5 of the limit in size, and within 4e-3 rad in direction.
+// profile is followed along chords on at most 200 nodes: within 6e-5 of the limit in size, 4e-3 rad in
+// direction.
 // With h > 0 and changing load kappa changes too, and long steps are no longer exact.
 // Limits: elastically similar bodies; slip along the force (the transverse slip that is left out changes the shift by less
 // than 0.2 %); without area (a = 0) there is no lateral force, whatever h. SI units.

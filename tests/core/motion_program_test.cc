@@ -66,22 +66,28 @@ ExperimentInput experiment_with(const std::string& program) {
 TEST(MotionProgram_behaviour, presses_at_most_as_far_as_the_particle_was_pressed_first) {
   EXPECT_EQ(objection_to_program(experiment_with("press 100 uN; slide 5 nm; press 1 nN")), "");
   const std::string more = objection_to_program(experiment_with("slide 5 nm; press 101 uN"));
-  EXPECT_EQ(more.rfind("Experiment/Program presses to 101 uN; give more than 0 and at most the 100 uN", 0), 0u) << more;
+  EXPECT_EQ(more.rfind("Experiment/Program presses to 101 uN; give more than 0 and at most the 100 uN", 0),
+            0u)
+      << more;
   EXPECT_NE(objection_to_program(experiment_with("press 0 N")), "");
   EXPECT_NE(objection_to_program(experiment_with("press -3 uN")), "");
   ExperimentInput displaced = experiment_with("press 5 nm; slide 5 nm");
   displaced.control = ExperimentInput::Control::displacement;
   EXPECT_EQ(objection_to_program(displaced), "");
   displaced.program = "press 6 nm";
-  EXPECT_EQ(objection_to_program(displaced).rfind("Experiment/Program presses to 6 nm; give more than 0 and at most the 5 nm", 0), 0u);
+  EXPECT_EQ(objection_to_program(displaced).rfind(
+                "Experiment/Program presses to 6 nm; give more than 0 and at most the 5 nm", 0),
+            0u);
 }
 
 TEST(MotionProgram_behaviour, presses_to_what_is_controlled) {
   ExperimentInput experiment = experiment_with("press 3 nm");
-  EXPECT_NE(objection_to_program(experiment).find("presses to an approach, but Control is force"), std::string::npos);
+  EXPECT_NE(objection_to_program(experiment).find("presses to an approach, but Control is force"),
+            std::string::npos);
   experiment.control = ExperimentInput::Control::displacement;
   experiment.program = "press 3 uN";
-  EXPECT_NE(objection_to_program(experiment).find("presses to a load, but Control is displacement"), std::string::npos);
+  EXPECT_NE(objection_to_program(experiment).find("presses to a load, but Control is displacement"),
+            std::string::npos);
 }
 
 TEST(MotionProgram_behaviour, belongs_to_its_type_of_experiment_and_is_moved_through_once) {
@@ -98,7 +104,8 @@ TEST(MotionProgram_behaviour, belongs_to_its_type_of_experiment_and_is_moved_thr
 }
 
 TEST(MotionProgram_analytic, motions_named_twice_in_a_part_add_up) {
-  const auto parts = parse_motion_program("slide 3 nm and slide 4 nm and indenter 10 nm and roll 2 nm and spin 1 mrad and spin -3 mrad");
+  const auto parts = parse_motion_program(
+      "slide 3 nm and slide 4 nm and indenter 10 nm and roll 2 nm and spin 1 mrad and spin -3 mrad");
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_DOUBLE_EQ(parts[0].slide, 7e-9);
   EXPECT_EQ(parts[0].slide_across, 0);

@@ -38,10 +38,11 @@ TEST(Quantity_analytic, each_unit_has_its_factor) {
 
 const std::vector<std::pair<Dimension, std::string>>& si_symbols() {
   static const std::vector<std::pair<Dimension, std::string>> symbols{
-      {Dimension::none, ""},       {Dimension::length, "m"},  {Dimension::force, "N"},
-      {Dimension::pressure, "Pa"}, {Dimension::time, "s"},    {Dimension::angle, "rad"},
-      {Dimension::speed, "m/s"},   {Dimension::surface_energy, "J/m^2"},
-      {Dimension::area, "m^2"},    {Dimension::stiffness, "N/m"}};
+      {Dimension::none, ""},     {Dimension::length, "m"},
+      {Dimension::force, "N"},   {Dimension::pressure, "Pa"},
+      {Dimension::time, "s"},    {Dimension::angle, "rad"},
+      {Dimension::speed, "m/s"}, {Dimension::surface_energy, "J/m^2"},
+      {Dimension::area, "m^2"},  {Dimension::stiffness, "N/m"}};
   return symbols;
 }
 
@@ -63,11 +64,12 @@ TEST(Quantity_analytic, other_spellings_of_a_unit_have_its_factor) {
 }
 
 TEST(Quantity_analytic, any_prefix_that_is_written_is_read) {
-  const std::vector<std::pair<std::string, double>> prefixes{{"T", 1e12}, {"G", 1e9},  {"M", 1e6},  {"k", 1e3}, {"m", 1e-3},
-                                                             {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+  const std::vector<std::pair<std::string, double>> prefixes{
+      {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
   for (const auto& [dimension, symbol] : si_symbols())
     for (const auto& [prefix, factor] : prefixes) {
-      if (dimension == Dimension::none || dimension == Dimension::area || dimension == Dimension::angle) continue;
+      if (dimension == Dimension::none || dimension == Dimension::area || dimension == Dimension::angle)
+        continue;
       EXPECT_EQ(format_quantity(2 * factor, dimension), "2 " + prefix + symbol);
       EXPECT_NEAR(unit_factor(prefix + symbol, dimension) / factor, 1, 1e-14) << prefix << symbol;
     }
@@ -77,7 +79,8 @@ TEST(Quantity_behaviour, a_refusal_names_the_text_and_the_units_that_fit) {
   const auto message = [](const std::string& text, Dimension dimension) {
     return test::message_of<InputError>([&] { parse_quantity(text, dimension); });
   };
-  EXPECT_EQ(message(" 2 GPa", Dimension::time), "in '2 GPa' the unit 'GPa' does not fit; use one of s, ms, us, min, h");
+  EXPECT_EQ(message(" 2 GPa", Dimension::time),
+            "in '2 GPa' the unit 'GPa' does not fit; use one of s, ms, us, min, h");
   EXPECT_EQ(message("2 m", Dimension::none), "in '2 m' the unit 'm' does not fit; use one of %");
   EXPECT_EQ(message("um", Dimension::length), "'um' is not a number with a unit; write for example '2.5 m'");
   EXPECT_EQ(message(" ", Dimension::force), "' ' is not a number with a unit; write for example '2.5 N'");

@@ -51,7 +51,8 @@ TEST(SteadyMotion_analytic, rolling_is_steady_after_a_contact_radius_of_way_in_e
   }
 }
 
-TEST(SteadyMotion_analytic, without_sticking_it_is_steady_where_two_slopes_are_below_a_fiftieth_of_the_steepest) {
+TEST(SteadyMotion_analytic,
+     without_sticking_it_is_steady_where_two_slopes_are_below_a_fiftieth_of_the_steepest) {
   MotionRows rows;
   rows.position = {0, 2, 4, 6, 8, 10, 12, 14};
   rows.resistance = {0, 100, 150, 151, 160, 161, 162, 163};  // slopes 50, 25, 0.5, 4.5, 0.5, 0.5, 0.5

@@ -131,7 +131,8 @@ TEST(Hertz_analytic, unit_contact_has_the_values_of_the_formulas) {
 TEST(Hertz_analytic, force_of_first_yield_goes_with_the_cube_of_the_yield_stress) {
   const Hertz hertz{52e9, radius};
   EXPECT_NEAR(hertz.first_yield_force(0.17, 2e9) / hertz.first_yield_force(0.17, 1e9), 8, 1e-12);
-  EXPECT_NEAR(hertz.peak_pressure(hertz.first_yield_force(0.17, 1e9)) / (hertz_yield_factor(0.17) * 1e9), 1, 1e-12);
+  EXPECT_NEAR(hertz.peak_pressure(hertz.first_yield_force(0.17, 1e9)) / (hertz_yield_factor(0.17) * 1e9), 1,
+              1e-12);
 }
 
 TEST(Hertz_analytic, a_rigid_body_leaves_the_compliance_of_the_other) {

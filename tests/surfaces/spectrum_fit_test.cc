@@ -1,4 +1,5 @@
-// The fit of the self-affine model to spectra that are written down ring by ring, so that value and error are known.
+// The fit of the self-affine model to spectra that are written down ring by ring, so that value and error are
+// known.
 #include "surfaces/spectrum_fit.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ constexpr double fundamental = 2e6;  // [rad/m]: a scan of 3.14 um
 
 double wavelength(double q) { return 2 * M_PI / q; }
 
-/// Ring i at i + 1 times the fundamental wave number, of 3 (i + 1) periodograms. The fit leaves out the first.
+/// Ring i at i + 1 times the fundamental wave number, of 3 (i + 1) periodograms. The fit leaves out the
+/// first.
 RadialSpectrum rings_of(int count, const std::function<double(double)>& C) {
   RadialSpectrum spectrum;
   for (int i = 1; i <= count; ++i) {
@@ -78,8 +80,8 @@ TEST(SpectrumFit_analytic, of_a_pure_power_has_its_exponent_and_the_error_of_the
   }
 }
 
-/// Rings that scatter more than their periodograms do: the fit is still the maximum of the likelihood, and its errors are widened by the
-/// root of the misfit.
+/// Rings that scatter more than their periodograms do: the fit is still the maximum of the likelihood, and
+/// its errors are widened by the root of the misfit.
 TEST(SpectrumFit_analytic, errors_grow_with_the_root_of_the_misfit) {
   for (const double scatter : {0.3, -0.3}) {
     RadialSpectrum spectrum = rings_of(60, self_affine(0.7, fundamental));
@@ -95,7 +97,8 @@ TEST(SpectrumFit_analytic, errors_grow_with_the_root_of_the_misfit) {
   }
 }
 
-/// The Fisher information by its definition, J^T n J with J the derivatives of ln C by ln C0, H and the wavelength of the roll-off.
+/// The Fisher information by its definition, J^T n J with J the derivatives of ln C by ln C0, H and the
+/// wavelength of the roll-off.
 TEST(SpectrumFit_analytic, errors_of_hurst_and_rolloff_are_those_of_the_cramer_rao_bound) {
   constexpr int count = 60;
   const double hurst = 0.7, q_r = 8.5 * fundamental;  // between two rings
@@ -103,12 +106,15 @@ TEST(SpectrumFit_analytic, errors_of_hurst_and_rolloff_are_those_of_the_cramer_r
   ASSERT_TRUE(fit.has_rolloff && !fit.has_cutoff && !fit.has_noise) << fit.sentence();
   EXPECT_NEAR(fit.hurst.value, hurst, 2e-3);  // the knee is searched on a grid
   EXPECT_NEAR(fit.rolloff.value / wavelength(q_r), 1, 2e-3);
-  const auto log_C = [&](int i, double h, double rolloff) { return std::log(self_affine(h, wavelength(rolloff))(fundamental * i)); };
+  const auto log_C = [&](int i, double h, double rolloff) {
+    return std::log(self_affine(h, wavelength(rolloff))(fundamental * i));
+  };
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (int i = 2; i <= count; ++i) {
     const double h = 1e-6, l = 1e-6 * wavelength(q_r);
-    const Eigen::Vector3d by(1, (log_C(i, hurst + h, wavelength(q_r)) - log_C(i, hurst - h, wavelength(q_r))) / (2 * h),
-                             (log_C(i, hurst, wavelength(q_r) + l) - log_C(i, hurst, wavelength(q_r) - l)) / 2e-6);
+    const Eigen::Vector3d by(
+        1, (log_C(i, hurst + h, wavelength(q_r)) - log_C(i, hurst - h, wavelength(q_r))) / (2 * h),
+        (log_C(i, hurst, wavelength(q_r) + l) - log_C(i, hurst, wavelength(q_r) - l)) / 2e-6);
     information += 3 * i * by * by.transpose();
   }
   const Eigen::Matrix3d bound = information.inverse();
@@ -133,11 +139,13 @@ TEST(SpectrumFit_analytic, a_fit_is_the_maximum_of_the_likelihood_also_where_few
   EXPECT_GE(compared, 6);
 }
 
-/// A sharp end lies anywhere between two rings: the deviation of a uniform distribution is its width over the root of twelve.
+/// A sharp end lies anywhere between two rings: the deviation of a uniform distribution is its width over the
+/// root of twelve.
 TEST(SpectrumFit_analytic, a_sharp_end_is_known_to_the_distance_of_two_rings_over_the_root_of_twelve) {
   for (const double factor : {1e-6, 1e4}) {
     const auto line = self_affine(0.7, fundamental);
-    const SpectrumFit fit = fit_spectrum(rings_of(60, [&](double q) { return line(q) * (q > 35.5 * fundamental ? factor : 1); }));
+    const SpectrumFit fit =
+        fit_spectrum(rings_of(60, [&](double q) { return line(q) * (q > 35.5 * fundamental ? factor : 1); }));
     EXPECT_EQ(fit.has_cutoff, factor < 1) << fit.sentence();
     EXPECT_EQ(fit.has_noise, factor > 1) << fit.sentence();
     const SpectrumFit::Number& end = factor < 1 ? fit.cutoff : fit.noise;
@@ -162,7 +170,8 @@ TEST(SpectrumFit_analytic, a_gradual_end_is_known_less_well_than_a_sharp_one) {
   EXPECT_NEAR(std::log(fit.noise.value / wavelength(crossing)), 0, 0.7);
 }
 
-/// Errors are those that repeated scans show: rings scatter as the means of n periodograms do, gamma distributed.
+/// Errors are those that repeated scans show: rings scatter as the means of n periodograms do, gamma
+/// distributed.
 TEST(SpectrumFit_analytic, values_of_repeated_scans_scatter_as_their_errors_say) {
   std::mt19937 random(1953);
   constexpr int scans = 100;
@@ -176,7 +185,8 @@ TEST(SpectrumFit_analytic, values_of_repeated_scans_scatter_as_their_errors_say)
     ASSERT_TRUE(fit.has_rolloff) << fit.sentence();
     if (fit.has_cutoff || fit.has_noise) continue;  // an end that chance feigns
     const double by_hurst = (fit.hurst.value - 0.7) / fit.hurst.error;
-    const double by_rolloff = std::log(fit.rolloff.value / wavelength(6.5 * fundamental)) / (fit.rolloff.error / fit.rolloff.value);
+    const double by_rolloff =
+        std::log(fit.rolloff.value / wavelength(6.5 * fundamental)) / (fit.rolloff.error / fit.rolloff.value);
     hurst += by_hurst * by_hurst, rolloff += by_rolloff * by_rolloff, bias += by_hurst;
     ++compared;
   }
@@ -206,16 +216,19 @@ TEST(SpectrumFit_behaviour, a_sentence_says_what_was_seen_and_what_was_not) {
   fit.hurst = {0.812, 0.0234};
   fit.misfit = 1.23;
   fit.longest = 2e-6, fit.shortest = 10e-9;
-  EXPECT_EQ(fit.sentence(), "Hurst exponent 0.812 +- 0.02, no roll-off up to 2 um, no cut-off down to 10 nm; misfit 1.2 "
-                            "(1: an isotropic self-affine surface)");
+  EXPECT_EQ(fit.sentence(),
+            "Hurst exponent 0.812 +- 0.02, no roll-off up to 2 um, no cut-off down to 10 nm; misfit 1.2 "
+            "(1: an isotropic self-affine surface)");
   fit.has_rolloff = fit.has_noise = true;
   fit.rolloff = {250e-9, 12e-9}, fit.noise = {30e-9, 2e-9};
-  EXPECT_NE(fit.sentence().find(", roll-off at 250 nm +- 12 nm, noise below 30 nm +- 2 nm; misfit"), std::string::npos);
+  EXPECT_NE(fit.sentence().find(", roll-off at 250 nm +- 12 nm, noise below 30 nm +- 2 nm; misfit"),
+            std::string::npos);
   fit.has_noise = false, fit.has_cutoff = true;
   fit.cutoff = {25e-9, 1e-9};
   EXPECT_NE(fit.sentence().find(", cut-off at 25 nm +- 1 nm; misfit"), std::string::npos);
   fit.hurst.value = 1.2;
-  EXPECT_NE(fit.sentence().find("1.2 +- 0.02 (above 1: smoother than any self-affine surface), roll-off"), std::string::npos);
+  EXPECT_NE(fit.sentence().find("1.2 +- 0.02 (above 1: smoother than any self-affine surface), roll-off"),
+            std::string::npos);
   fit.hurst.value = -0.1;
   EXPECT_NE(fit.sentence().find("(below 0: no self-affine surface)"), std::string::npos);
 }

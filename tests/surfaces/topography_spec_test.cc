@@ -262,7 +262,8 @@ TEST(ScanSpec_analytic, a_cutoff_keeps_long_waves_in_any_direction_of_a_map_that
     return 2e-9 * x(ix, 10) + 1.5e-9 * y(iy, 5) + 1e-9 * x(ix, 10) * y(iy, 3);
   };
   for (int iy = 0; iy < map.ny; ++iy)
-    for (int ix = 0; ix < map.nx; ++ix)  // and waves of 80 nm, of 75 nm, and of 128 and 150 nm crossed (97 nm)
+    for (int ix = 0; ix < map.nx;
+         ++ix)  // and waves of 80 nm, of 75 nm, and of 128 and 150 nm crossed (97 nm)
       map.at(ix, iy) = kept(ix, iy) + 3e-9 * x(ix, 24) + 2e-9 * y(iy, 8) + 1e-9 * x(ix, 15) * y(iy, 4);
   write_gsf(folder.path / "scan.gsf", map);
   const std::string file = (folder.path / "scan.gsf").string();
@@ -272,8 +273,10 @@ TEST(ScanSpec_analytic, a_cutoff_keeps_long_waves_in_any_direction_of_a_map_that
   EXPECT_DOUBLE_EQ(smoothed.lx, map.lx);
   EXPECT_DOUBLE_EQ(smoothed.ly, map.ly);
   for (int iy = 0; iy < map.ny; ++iy)
-    for (int ix = 0; ix < map.nx; ++ix) ASSERT_NEAR(smoothed.at(ix, iy), kept(ix, iy), 2e-15) << ix << " " << iy;
-  EXPECT_NE(smoothed.source.find(", levelled: mean, without waves shorter than 110 nm"), std::string::npos) << smoothed.source;
+    for (int ix = 0; ix < map.nx; ++ix)
+      ASSERT_NEAR(smoothed.at(ix, iy), kept(ix, iy), 2e-15) << ix << " " << iy;
+  EXPECT_NE(smoothed.source.find(", levelled: mean, without waves shorter than 110 nm"), std::string::npos)
+      << smoothed.source;
 }
 
 TEST(ScanSpec_analytic, a_cutoff_works_on_an_odd_number_of_pixels_and_on_missing_ones) {
@@ -281,26 +284,35 @@ TEST(ScanSpec_analytic, a_cutoff_works_on_an_odd_number_of_pixels_and_on_missing
   Topography map;
   map.nx = 45, map.ny = 33, map.lx = 0.45e-6, map.ly = 0.33e-6;
   map.heights.resize(45 * 33);
-  const auto kept = [](int ix, int iy) { return 2e-9 * std::cos(M_PI * 3 * (ix + 0.5) / 45) * std::cos(M_PI * 2 * (iy + 0.5) / 33); };
+  const auto kept = [](int ix, int iy) {
+    return 2e-9 * std::cos(M_PI * 3 * (ix + 0.5) / 45) * std::cos(M_PI * 2 * (iy + 0.5) / 33);
+  };
   for (int iy = 0; iy < map.ny; ++iy)
-    for (int ix = 0; ix < map.nx; ++ix) map.at(ix, iy) = kept(ix, iy) + 1e-9 * std::cos(M_PI * 20 * (iy + 0.5) / 33);
+    for (int ix = 0; ix < map.nx; ++ix)
+      map.at(ix, iy) = kept(ix, iy) + 1e-9 * std::cos(M_PI * 20 * (iy + 0.5) / 33);
   write_gsf(folder.path / "scan.gsf", map);
-  const Topography smoothed = topography_for("scan(" + (folder.path / "scan.gsf").string() + ", level=mean, cutoff=60 nm)");
+  const Topography smoothed =
+      topography_for("scan(" + (folder.path / "scan.gsf").string() + ", level=mean, cutoff=60 nm)");
   for (int iy = 0; iy < map.ny; ++iy)
-    for (int ix = 0; ix < map.nx; ++ix) ASSERT_NEAR(smoothed.at(ix, iy), kept(ix, iy), 2e-15) << ix << " " << iy;
+    for (int ix = 0; ix < map.nx; ++ix)
+      ASSERT_NEAR(smoothed.at(ix, iy), kept(ix, iy), 2e-15) << ix << " " << iy;
   map.at(20, 16) = std::nan("");
   write_gsf(folder.path / "holes.gsf", map);
-  const Topography filled = topography_for("scan(" + (folder.path / "holes.gsf").string() + ", level=mean, cutoff=60 nm)");
+  const Topography filled =
+      topography_for("scan(" + (folder.path / "holes.gsf").string() + ", level=mean, cutoff=60 nm)");
   for (const double height : filled.heights) ASSERT_TRUE(std::isfinite(height));
   EXPECT_NEAR(filled.at(3, 3), kept(3, 3), 2e-10);
 }
 
 TEST(ScanSpec_behaviour, each_argument_that_is_wrong_is_named_with_the_reason) {
-  const auto message = [](const std::string& spec) { return test::message_of<InputError>([&] { parse_scan(spec); }); };
+  const auto message = [](const std::string& spec) {
+    return test::message_of<InputError>([&] { parse_scan(spec); });
+  };
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"scan()", "names no file; write for example scan(FILE, size=2.5 um"},
       {"scan(size=1 um)", "names no file"},
-      {"scan(a.gsf, b.gsf)", "at 'b.gsf': a file is named already, and other arguments are written key=value"},
+      {"scan(a.gsf, b.gsf)",
+       "at 'b.gsf': a file is named already, and other arguments are written key=value"},
       {"scan(a.gsf, size=)", "at 'size': there is no value"},
       {"scan(a.gsf, size=0 um)", "'0 um' is no length above 0"},
       {"scan(a.gsf, size=-1 um)", "'-1 um' is no length above 0"},
@@ -310,13 +322,15 @@ TEST(ScanSpec_behaviour, each_argument_that_is_wrong_is_named_with_the_reason) {
       {"scan(a.gsf, unit=V)", "at 'unit': unit 'V' does not fit"},
       {"scan(a.gsf, depth=1 nm)", "those known are size, channel, unit, level, cutoff, outside"},
       {"scan(a.gsf, size=1 um, size=2 um)", "the entry 'size' stands twice"}};
-  for (const auto& [spec, reason] : wrong) EXPECT_NE(message(spec).find(reason), std::string::npos) << message(spec);
+  for (const auto& [spec, reason] : wrong)
+    EXPECT_NE(message(spec).find(reason), std::string::npos) << message(spec);
 }
 
 TEST(ScanSpec_behaviour, its_text_holds_what_is_not_the_usual) {
   EXPECT_EQ(parse_scan(" a.gsf ").text(), "a.gsf");
   EXPECT_EQ(parse_scan("scan(a.gsf, level=plane, outside=refuse)").text(), "a.gsf");
-  for (const std::string only : {"size=2.5 um", "channel=Height", "unit=nm", "level=mean", "cutoff=80 nm", "outside=mirror"})
+  for (const std::string only :
+       {"size=2.5 um", "channel=Height", "unit=nm", "level=mean", "cutoff=80 nm", "outside=mirror"})
     EXPECT_EQ(parse_scan("scan(a.gsf, " + only + ")").text(), "scan(a.gsf, " + only + ")");
   EXPECT_DOUBLE_EQ(parse_scan("scan(a.gsf, cutoff=80 nm)").cutoff, 80e-9);
   EXPECT_EQ(parse_scan("scan(a.gsf, outside=refuse)").outside, Outside::refuse);
@@ -333,8 +347,10 @@ TEST(ScanSpec_behaviour, a_scan_covers_a_square_up_to_its_narrower_side) {
   map.periodic = true;
   EXPECT_NO_THROW(require_cover("a.gsf", map, 5e-6));
   map.periodic = false;
-  const auto message = test::message_of<ScanError>([&] { require_cover("scan(a.gsf, size=0.8 um)", map, 0.7e-6); });
-  EXPECT_NE(message.find("Topography = scan(a.gsf, size=800 nm, outside=mirror)"), std::string::npos) << message;
+  const auto message =
+      test::message_of<ScanError>([&] { require_cover("scan(a.gsf, size=0.8 um)", map, 0.7e-6); });
+  EXPECT_NE(message.find("Topography = scan(a.gsf, size=800 nm, outside=mirror)"), std::string::npos)
+      << message;
 }
 
 TEST(ScanSpec_behaviour, a_text_file_without_scale_is_refused_until_size_and_unit_are_given) {

@@ -212,7 +212,8 @@ TEST(NormalLaw_analytic, any_law_inverts_its_force) {
   }
 }
 
-/// u = (m^2 - 1)^(1/2) follows from radius and approach; then force and balance are checked against Maugis' equations.
+/// u = (m^2 - 1)^(1/2) follows from radius and approach; then force and balance are checked against Maugis'
+/// equations.
 TEST(MaugisDugdale_analytic, states_fulfil_the_equations_of_Maugis) {
   const NormalState touching{0, 0, 0, 0, true};
   for (const double lambda : {0.01, 0.3, 1.0, 5.0, 50.0}) {
@@ -220,11 +221,13 @@ TEST(MaugisDugdale_analytic, states_fulfil_the_equations_of_Maugis) {
     for (const double approach : {-0.1, 0.0, 0.5, 3.0, 40.0}) {
       const NormalState state = law.advance(touching, approach);
       if (!state.touching) continue;
-      const double a = state.contact_radius, u = (a * a - approach) / (4.0 / 3 * lambda * a), t = std::atan(u);
+      const double a = state.contact_radius, u = (a * a - approach) / (4.0 / 3 * lambda * a),
+                   t = std::atan(u);
       const double m = std::sqrt(1 + u * u);
       const double balance =
           lambda * a * a / 2 * (u + (m * m - 2) * t) + 4 * lambda * lambda * a / 3 * (u * t - m + 1);
-      EXPECT_NEAR(balance, 1, 2e-6) << lambda << " " << approach;  // u of sticky contacts is a small difference
+      EXPECT_NEAR(balance, 1, 2e-6) << lambda << " "
+                                    << approach;  // u of sticky contacts is a small difference
       const double force = a * a * a - lambda * a * a * (u + m * m * t);
       EXPECT_NEAR(state.force, force, 1e-7 * (1 + std::abs(force))) << lambda << " " << approach;
     }
@@ -234,7 +237,8 @@ TEST(MaugisDugdale_analytic, states_fulfil_the_equations_of_Maugis) {
 TEST(MaugisDugdale_analytic, forces_radii_and_approaches_scale_with_his_units) {
   const MaugisDugdale law{modulus, radius, 0.08, 4e8};
   const MaugisDugdale his = maugis_in_his_units(law.lambda());
-  const double k = 4 * modulus / 3, length = std::cbrt(pi * 0.08 * radius * radius / k), force = pi * 0.08 * radius;
+  const double k = 4 * modulus / 3, length = std::cbrt(pi * 0.08 * radius * radius / k),
+               force = pi * 0.08 * radius;
   EXPECT_NEAR(law.lambda() / (2 * 4e8 * std::cbrt(radius / (pi * 0.08 * k * k))), 1, 1e-14);
   EXPECT_NEAR(law.pull_off_force() / (force * his.pull_off_force()), 1, 1e-12);
   EXPECT_NEAR(law.approach(3 * force) / (length * length / radius * his.approach(3)), 1, 1e-12);
@@ -252,12 +256,15 @@ TEST(MaugisDugdale_behaviour, forms_at_first_touch_and_says_what_it_cannot_carry
   EXPECT_TRUE(formed.touching);
   EXPECT_LT(formed.force, 0);
   EXPECT_TRUE(law.advance(formed, -1e-12).touching);
-  EXPECT_NEAR(law.advance(formed, law.approach(-0.99 * law.pull_off_force())).force / law.pull_off_force(), -0.99, 1e-8);
+  EXPECT_NEAR(law.advance(formed, law.approach(-0.99 * law.pull_off_force())).force / law.pull_off_force(),
+              -0.99, 1e-8);
   try {
     law.approach(-1e-3);
     FAIL() << "carried";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("cannot carry -1000 uN; its pull-off force is "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("cannot carry -1000 uN; its pull-off force is "),
+              std::string::npos)
+        << error.what();
   }
 }
 

@@ -320,7 +320,8 @@ Vector3d resistance_of_shift(double approach, const std::function<Vector3d(doubl
   const double step = std::sqrt(radius * approach) / panels;
   const auto at = [&](double x) { return shift(std::min(approach, x * x / radius)); };
   Vector3d sum = Vector3d::Zero();
-  for (int i = 0; i < panels; ++i) sum += step / 6 * (at(i * step) + 4 * at((i + 0.5) * step) + at((i + 1) * step));
+  for (int i = 0; i < panels; ++i)
+    sum += step / 6 * (at(i * step) + 4 * at((i + 0.5) * step) + at((i + 1) * step));
   return 8 * shear * sum;
 }
 
@@ -371,28 +372,33 @@ TEST(PartialSlip_analytic, a_second_turn_cuts_what_the_first_has_left) {
     }
 }
 
-/// With an offset h the limit of a strip, kappa (delta - s), has another slope at another load: strips that were sheared under a small
-/// load may be steeper than the limit under a larger one.
+/// With an offset h the limit of a strip, kappa (delta - s), has another slope at another load: strips that
+/// were sheared under a small load may be steeper than the limit under a larger one.
 TEST(PartialSlip_analytic, strips_sheared_under_another_load_are_cut_to_the_present_limit) {
   MindlinDeresiewicz sticky = law;
   const Hertz contact{hertz.reduced_modulus, radius};
   sticky.friction.adhesion_force = contact.force(1e-9 / 0.36);  // a^3 = h at an approach of 2.78 nm
   const auto at = [&](double approach) { return hertz.advance({}, approach); };
-  const auto kappa = [&](const NormalState& normal) { return sticky.gross_slip_shift(normal) / normal.approach; };
+  const auto kappa = [&](const NormalState& normal) {
+    return sticky.gross_slip_shift(normal) / normal.approach;
+  };
   const NormalState low = at(0.25 / 0.36 * 1e-9), high = at(1e-9);
   const SlidingHistory pressed = sticky.advance({}, low, Vector3d::Zero());
-  const SlidingHistory slid = sticky.advance(pressed, low, 3 * sticky.gross_slip_shift(low) * Vector3d::UnitX());
+  const SlidingHistory slid =
+      sticky.advance(pressed, low, 3 * sticky.gross_slip_shift(low) * Vector3d::UnitX());
   const double first = kappa(low), second = kappa(high);
   ASSERT_GT(first, 1.3 * second);
   for (const double back : {0.0, 0.2, 0.35, 0.6, 1.0}) {
     const Vector3d step = -back * sticky.gross_slip_shift(high) * Vector3d::UnitX();
     const SlidingHistory now = sticky.advance(slid, high, step);
     const Vector3d expected = resistance_of_shift(high.approach, [&](double s) {
-      const Vector3d before = s < low.approach ? Vector3d(first * (low.approach - s) * Vector3d::UnitX() + step)
-                                               : Vector3d(step * ((high.approach - s) / (high.approach - low.approach)));
+      const Vector3d before = s < low.approach
+                                  ? Vector3d(first * (low.approach - s) * Vector3d::UnitX() + step)
+                                  : Vector3d(step * ((high.approach - s) / (high.approach - low.approach)));
       return cut(before, second * (high.approach - s));
     });
-    EXPECT_NEAR(now.spring.resistance.x() / sticky.friction.limit(high.force), expected.x() / sticky.friction.limit(high.force), 1e-7)
+    EXPECT_NEAR(now.spring.resistance.x() / sticky.friction.limit(high.force),
+                expected.x() / sticky.friction.limit(high.force), 1e-7)
         << back;
   }
 }
@@ -426,7 +432,8 @@ TEST(Coulomb_analytic, limit_is_mu_times_load_and_offset_and_never_negative) {
 
 TEST(LinearSliding_analytic, keeps_its_stiffness_at_any_load) {
   const LinearSliding linear{1e4, {mu, 0}};
-  SlidingHistory history = linear.advance({}, hertz.advance({}, hertz.approach(load)), 1e-10 * Vector3d::UnitY());
+  SlidingHistory history =
+      linear.advance({}, hertz.advance({}, hertz.approach(load)), 1e-10 * Vector3d::UnitY());
   EXPECT_NEAR(history.spring.resistance.y(), 1e-6, 1e-20);
   history = linear.advance(history, hertz.advance({}, hertz.approach(0.5 * load)), Vector3d::Zero());
   EXPECT_NEAR(history.spring.resistance.y(), 1e-6, 1e-20);

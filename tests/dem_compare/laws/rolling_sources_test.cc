@@ -7,8 +7,8 @@
 #include "dem_compare/laws/creep_force.h"
 #include "dem_compare/laws/hysteresis_rolling.h"
 #include "dem_compare/laws/plastic_rolling.h"
-#include "dem_compare/laws/sliding_with_spin.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/laws/sliding_with_spin.h"
 #include "dem_compare/laws/viscous.h"
 #include "tests/support/shared_files.h"
 
@@ -103,7 +103,8 @@ TEST(SlidingWithSpin_analytic, a_little_sliding_or_spin_meets_the_first_terms_of
 
 TEST(SlidingWithSpin_analytic, nothing_jumps_where_the_centre_of_rotation_passes_the_edge) {
   const SlidingWithSpin law{1};
-  const auto inside = law.limits(1, 1, 1 - 1e-7), at = law.limits(1, 1, 1), outside = law.limits(1, 1, 1 + 1e-7);
+  const auto inside = law.limits(1, 1, 1 - 1e-7), at = law.limits(1, 1, 1),
+             outside = law.limits(1, 1, 1 + 1e-7);
   for (const auto& side : {inside, outside}) {
     EXPECT_NEAR(side.force, at.force, 1e-6);
     EXPECT_NEAR(side.moment, at.moment, 1e-6);
@@ -134,7 +135,8 @@ TEST(RollingSources_analytic, have_the_values_of_their_formulas) {
   const Jkr jkr{1, 1, 0.1};
   const AdhesiveRolling adhesive{jkr, 0.01, 0.02};
   EXPECT_NEAR(adhesive.pinning_moment(0) / (4 * 1.5 * pi * 0.1 * 0.01), 1, 1e-14);
-  EXPECT_NEAR(adhesive.hysteresis_force(0) / (2 * std::cbrt(4.5 * pi * 0.1) * 0.02), 1, 1e-12);  // a0^3 = 9 pi w R^2/(2 E*)
+  EXPECT_NEAR(adhesive.hysteresis_force(0) / (2 * std::cbrt(4.5 * pi * 0.1) * 0.02), 1,
+              1e-12);  // a0^3 = 9 pi w R^2/(2 E*)
   EXPECT_DOUBLE_EQ(ViscousDamping{0.5}.factor(4, 9), 3);
 }
 

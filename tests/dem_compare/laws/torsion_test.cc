@@ -100,12 +100,13 @@ TEST(Lubkin_analytic, a_moment_beyond_full_slip_has_no_angle_in_either_direction
   EXPECT_EQ(unit.moment(0), 0);
 }
 
-/// dM/d theta is the stiffness of a disc of the radius that sticks: with x = c/a, dM = (4/pi) mu P a x^3 dI and
-/// d theta = 3 mu P/(4 pi Gt a^2) dI.
+/// dM/d theta is the stiffness of a disc of the radius that sticks: with x = c/a, dM = (4/pi) mu P a x^3 dI
+/// and d theta = 3 mu P/(4 pi Gt a^2) dI.
 TEST(Lubkin_analytic, stiffness_is_that_of_the_disc_that_sticks) {
   for (const double x : {0.05, 0.3, 0.7, 0.99}) {
     const double h = 1e-4 * std::min(x, 1 - x);
-    const double slope = (unit.moment_at(x + h) - unit.moment_at(x - h)) / (unit.angle_at(x + h) - unit.angle_at(x - h));
+    const double slope =
+        (unit.moment_at(x + h) - unit.moment_at(x - h)) / (unit.angle_at(x + h) - unit.angle_at(x - h));
     EXPECT_NEAR(slope / (16.0 / 3 * x * x * x), 1, 1e-6) << x;
   }
 }
@@ -180,7 +181,9 @@ TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
 }
 
 TEST(Rolling_analytic, stiffness_of_each_kind_follows_from_its_value) {
-  const auto at = [](RotationalStiffness::Kind kind) { return RotationalStiffness{kind, 3}.at({0, 1, 2, 0, true}, 5, 7); };
+  const auto at = [](RotationalStiffness::Kind kind) {
+    return RotationalStiffness{kind, 3}.at({0, 1, 2, 0, true}, 5, 7);
+  };
   EXPECT_EQ(at(RotationalStiffness::Kind::constant), 3);
   EXPECT_EQ(at(RotationalStiffness::Kind::with_radius), 3 * 2);
   EXPECT_EQ(at(RotationalStiffness::Kind::tangential_spring), 8 * 3 * 2 * 5 * 7);

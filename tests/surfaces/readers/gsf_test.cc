@@ -156,17 +156,22 @@ TEST(Gsf_analytic, heights_and_sizes_are_scaled_by_their_units) {
 
 TEST(Gsf_file_behaviour, with_one_side_only_asks_for_the_size) {
   for (const std::string side : {"XReal = 3e-6\n", "YReal = 2e-6\n"})
-    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = m\nZUnits = m\n" + side, metres()))), "pass its size");
+    EXPECT_SAYS(refusal(write_bytes(
+                    "a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = m\nZUnits = m\n" + side, metres()))),
+                "pass its size");
   // A unit of length that is none is refused with either side.
   for (const std::string side : {"XReal = 3e-6\n", "YReal = 2e-6\n"})
-    EXPECT_SAYS(refusal(write_bytes("a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = V\nZUnits = m\n" + side, metres()))),
+    EXPECT_SAYS(refusal(write_bytes(
+                    "a.gsf", gsf_bytes("XRes = 3\nYRes = 2\nXYUnits = V\nZUnits = m\n" + side, metres()))),
                 "has XYUnits 'V', which is no length");
 }
 
 TEST(Gsf_file_behaviour, without_unit_of_length_is_metres_if_that_is_plausible) {
   const std::string sized = "XRes = 3\nYRes = 2\nZUnits = m\n";
-  const Topography map = read_topography(write_bytes("a.gsf", gsf_bytes(sized + "XReal = 3e-6\nYReal = 2e-6\n", metres())));
+  const Topography map =
+      read_topography(write_bytes("a.gsf", gsf_bytes(sized + "XReal = 3e-6\nYReal = 2e-6\n", metres())));
   expect_common_map(map);
   EXPECT_SAYS(map.source, "XYUnits not given, metres taken");
-  EXPECT_SAYS(refusal(write_bytes("b.gsf", gsf_bytes(sized + "XReal = 3\nYReal = 2\n", metres()))), "names no unit of length");
+  EXPECT_SAYS(refusal(write_bytes("b.gsf", gsf_bytes(sized + "XReal = 3\nYReal = 2\n", metres()))),
+              "names no unit of length");
 }

@@ -91,7 +91,8 @@ TEST(Gwy_file_behaviour, with_wrong_bytes_is_refused_or_read_but_never_crashes) 
 namespace {
 
 /// A field of 3 x 2 points with the given parts in the place of the usual ones.
-std::string field_with(const std::string& parts, const std::string& unit = "m", const std::vector<double>& heights = metres()) {
+std::string field_with(const std::string& parts, const std::string& unit = "m",
+                       const std::vector<double>& heights = metres()) {
   return gwy_object("GwyDataField", parts + gwy_component("si_unit_z", 'o', gwy_unit(unit)) +
                                         gwy_component("data", 'D', gwy_doubles(heights)));
 }
@@ -99,7 +100,8 @@ std::string pixels(double columns, double rows) {
   return gwy_component("xres", 'd', raw(columns)) + gwy_component("yres", 'd', raw(rows));
 }
 std::string extent(double x, double y, const std::string& unit) {
-  return gwy_component("xreal", 'd', raw(x)) + gwy_component("yreal", 'd', raw(y)) + gwy_component("si_unit_xy", 'o', gwy_unit(unit));
+  return gwy_component("xreal", 'd', raw(x)) + gwy_component("yreal", 'd', raw(y)) +
+         gwy_component("si_unit_xy", 'o', gwy_unit(unit));
 }
 std::filesystem::path file_of(const std::string& field) {
   return write_bytes("a.gwy", gwy_bytes(gwy_component("/0/data", 'o', field)));
@@ -109,11 +111,17 @@ std::filesystem::path file_of(const std::string& field) {
 
 TEST(Gwy_file_behaviour, only_a_data_field_under_a_channels_name_is_a_channel) {
   // Masks and presentations are fields, too, and names alone are none.
-  EXPECT_SAYS(refusal(write_bytes("a.gwy", gwy_bytes(gwy_component("/0/mask", 'o', gwy_field(metres(), "m"))))), "no image channel");
-  EXPECT_SAYS(refusal(write_bytes("b.gwy", gwy_bytes(gwy_component("/0/data", 's', std::string("text") + '\0')))), "no image channel");
-  EXPECT_SAYS(refusal(write_bytes("c.gwy", gwy_bytes(gwy_component("/0/data", 'o', gwy_unit("m"))))), "no image channel");
+  EXPECT_SAYS(
+      refusal(write_bytes("a.gwy", gwy_bytes(gwy_component("/0/mask", 'o', gwy_field(metres(), "m"))))),
+      "no image channel");
+  EXPECT_SAYS(
+      refusal(write_bytes("b.gwy", gwy_bytes(gwy_component("/0/data", 's', std::string("text") + '\0')))),
+      "no image channel");
+  EXPECT_SAYS(refusal(write_bytes("c.gwy", gwy_bytes(gwy_component("/0/data", 'o', gwy_unit("m"))))),
+              "no image channel");
   for (const std::string name : {"/x/data", "/data", "0/data", "/-1/data", "/0/data/title"})
-    EXPECT_SAYS(refusal(write_bytes("d.gwy", gwy_bytes(gwy_component(name, 'o', gwy_field(metres(), "m"))))), "no image channel");
+    EXPECT_SAYS(refusal(write_bytes("d.gwy", gwy_bytes(gwy_component(name, 'o', gwy_field(metres(), "m"))))),
+                "no image channel");
 }
 
 TEST(Gwy_file_behaviour, channels_are_ordered_by_number_and_titled_by_it_where_they_have_no_name) {
@@ -124,32 +132,41 @@ TEST(Gwy_file_behaviour, channels_are_ordered_by_number_and_titled_by_it_where_t
   options.channel = "1";
   EXPECT_EQ(read_topography(path, options).channel, "channel 10");
   options.channel = "2";
-  EXPECT_SAYS(refusal(path, options), "has no channel '2'; pass the name or number of one of 0: 'channel 2' in m, 1: 'channel 10' in m");
+  EXPECT_SAYS(
+      refusal(path, options),
+      "has no channel '2'; pass the name or number of one of 0: 'channel 2' in m, 1: 'channel 10' in m");
 }
 
 TEST(Gwy_analytic, heights_and_sizes_are_scaled_by_their_units) {
   std::vector<double> heights;
   for (const double nm : heights_nm()) heights.push_back(nm);
-  const Topography map = read_topography(file_of(field_with(pixels(3, 2) + extent(3, 2, "um"), "nm", heights)));
+  const Topography map =
+      read_topography(file_of(field_with(pixels(3, 2) + extent(3, 2, "um"), "nm", heights)));
   expect_common_map(map);
   EXPECT_SAYS(map.source, "heights in nm");
 }
 
 TEST(Gwy_file_behaviour, without_size_or_its_unit_asks_for_it) {
-  for (const std::string parts : {pixels(3, 2), pixels(3, 2) + extent(0, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 0, "m"),
-                                  pixels(3, 2) + extent(-3e-6, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 2e-6, "V")})
+  for (const std::string parts :
+       {pixels(3, 2), pixels(3, 2) + extent(0, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 0, "m"),
+        pixels(3, 2) + extent(-3e-6, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 2e-6, "V")})
     EXPECT_SAYS(refusal(file_of(field_with(parts))), "pass its size");
 }
 
 TEST(Gwy_file_behaviour, whose_data_do_not_fit_its_pixels_is_damaged) {
-  for (const auto& [columns, rows] : std::vector<std::pair<double, double>>{{3, 3}, {2, 2}, {0, 2}, {3, 0}, {-3, -2}, {1.5, 4}, {4, 1.5}})
-    EXPECT_SAYS(refusal(file_of(field_with(pixels(columns, rows) + extent(3e-6, 2e-6, "m")))), "data do not fit its pixels") << columns;
-  EXPECT_SAYS(refusal(file_of(field_with(pixels(6, 1) + extent(3e-6, 2e-6, "m")))), "a profile and not a map");
+  for (const auto& [columns, rows] :
+       std::vector<std::pair<double, double>>{{3, 3}, {2, 2}, {0, 2}, {3, 0}, {-3, -2}, {1.5, 4}, {4, 1.5}})
+    EXPECT_SAYS(refusal(file_of(field_with(pixels(columns, rows) + extent(3e-6, 2e-6, "m")))),
+                "data do not fit its pixels")
+        << columns;
+  EXPECT_SAYS(refusal(file_of(field_with(pixels(6, 1) + extent(3e-6, 2e-6, "m")))),
+              "a profile and not a map");
 }
 
 TEST(Gwy_file_behaviour, half_masked_points_are_missing_and_masks_of_another_size_are_none) {
   const auto with_mask = [](const std::vector<double>& marks) {
-    return read_topography(write_bytes("a.gwy", gwy_bytes(height_channel() + gwy_component("/1/mask", 'o', gwy_field(marks, "")))));
+    return read_topography(write_bytes(
+        "a.gwy", gwy_bytes(height_channel() + gwy_component("/1/mask", 'o', gwy_field(marks, "")))));
   };
   const Topography map = with_mask({0, 0.5, 0.49, 1, 0, 2});
   EXPECT_EQ(map.missing_count(), 3u);

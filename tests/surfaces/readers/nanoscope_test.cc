@@ -204,16 +204,18 @@ TEST(Nanoscope_analytic, volts_of_scale_and_sensitivity_may_have_prefixes) {
 
 TEST(Nanoscope_file_behaviour, without_a_scale_to_lengths_holds_no_heights) {
   const std::string bytes = nanoscope_bytes({{}}, 2);
-  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{{"16.00000 nm/V", "16.00000 pA/V"},
-                                                                                 {"16.00000 nm/V", "16.00000 nm/A"},
-                                                                                 {"4.096000 V", "4.096000 A"},
-                                                                                 {"\\@Sens. Zsens", "\\@Sens. Ysens"}})
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"16.00000 nm/V", "16.00000 pA/V"},
+                                                        {"16.00000 nm/V", "16.00000 nm/A"},
+                                                        {"4.096000 V", "4.096000 A"},
+                                                        {"\\@Sens. Zsens", "\\@Sens. Ysens"}})
     EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, from, to))), "holds no heights") << to;
 }
 
 TEST(Nanoscope_analytic, a_scale_of_lengths_needs_no_sensitivity) {
   // 65.536 nm over 2^16 steps: 1 nm per 1000 steps.
-  const std::string bytes = with(nanoscope_bytes({{}}, 2), "V [Sens. Zsens] (0.0000625 V/LSB) 4.096000 V", "V (0.001 nm/LSB) 65.536 nm");
+  const std::string bytes = with(nanoscope_bytes({{}}, 2), "V [Sens. Zsens] (0.0000625 V/LSB) 4.096000 V",
+                                 "V (0.001 nm/LSB) 65.536 nm");
   const Topography map = read_topography(write_bytes("a.001", bytes));
   expect_common_map(map);
   EXPECT_SAYS(map.source, "heights 65.536 nm over 2^16 steps");
@@ -222,14 +224,17 @@ TEST(Nanoscope_analytic, a_scale_of_lengths_needs_no_sensitivity) {
 TEST(Nanoscope_file_behaviour, names_the_line_direction_if_it_is_said) {
   const std::string bytes = nanoscope_bytes({{}}, 2);
   EXPECT_SAYS(read_topography(write_bytes("a.001", bytes)).source, "channel 0 of 1, trace");
-  const Topography silent = read_topography(write_bytes("a.001", with(bytes, "\\Line Direction: Trace", "\\Lone Direction: Trace")));
+  const Topography silent = read_topography(
+      write_bytes("a.001", with(bytes, "\\Line Direction: Trace", "\\Lone Direction: Trace")));
   EXPECT_EQ(silent.source.find(", trace"), std::string::npos) << silent.source;
 }
 
 TEST(Nanoscope_file_behaviour, numbers_that_cannot_be_are_refused_by_their_entry) {
   const std::string bytes = nanoscope_bytes({{}}, 2);
-  EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, "\\Samps/line: 3", "\\Samps/line: x"))), "has 'x' for 'samps/line'");
-  EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, "\\Number of lines: 2", "\\Number of lines: -"))), "has '-' for 'number of lines'");
+  EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, "\\Samps/line: 3", "\\Samps/line: x"))),
+              "has 'x' for 'samps/line'");
+  EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, "\\Number of lines: 2", "\\Number of lines: -"))),
+              "has '-' for 'number of lines'");
   EXPECT_SAYS(refusal(write_bytes("a.001", with(bytes, "\\Number of lines: 2", "\\Number of lines: 9"))),
               "keeps 12 bytes for 27 pixels, which is too few");
 }

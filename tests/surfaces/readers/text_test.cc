@@ -182,7 +182,8 @@ TEST(Any_file_behaviour, size_passed_is_compared_with_the_files) {
   EXPECT_SAYS(source(3e-6, 5e-6), instead);
   EXPECT_SAYS(source(3e-6, 1e-6), instead);
   EXPECT_SAYS(source(4e-6, std::nullopt), instead);
-  for (const std::string same : {source(3e-6, std::nullopt), source(std::nullopt, 2e-6), source(3e-6, 2e-6)}) {
+  for (const std::string same :
+       {source(3e-6, std::nullopt), source(std::nullopt, 2e-6), source(3e-6, 2e-6)}) {
     EXPECT_SAYS(same, "size as passed");
     EXPECT_EQ(same.find("instead"), std::string::npos) << same;
   }
@@ -206,13 +207,17 @@ TEST(Any_file_behaviour, a_size_of_no_length_is_refused_whoever_gives_it) {
     EXPECT_SAYS(text_refusal(gwyddion_header + rows, y), "the size of a topography is a length above 0");
   }
   for (const std::string wrong : {"0 um", "-3 um", "inf um", "nan um"}) {
-    EXPECT_SAYS(text_refusal("# Width: " + wrong + "\n# Height: 2 um\n# Value units: nm\n" + rows), "gives a size that is no length above 0");
-    EXPECT_SAYS(text_refusal("# Width: 3 um\n# Height: " + wrong + "\n# Value units: nm\n" + rows), "gives a size that is no length above 0");
+    EXPECT_SAYS(text_refusal("# Width: " + wrong + "\n# Height: 2 um\n# Value units: nm\n" + rows),
+                "gives a size that is no length above 0");
+    EXPECT_SAYS(text_refusal("# Width: 3 um\n# Height: " + wrong + "\n# Value units: nm\n" + rows),
+                "gives a size that is no length above 0");
   }
 }
 
 TEST(Any_file_behaviour, metres_are_taken_for_a_scan_of_a_tenth_of_one_and_heights_up_to_the_narrower_side) {
-  const auto sized = [](const std::string& width, const std::string& heights) { return "# Width: " + width + "\n# Height: 0.05\n" + heights; };
+  const auto sized = [](const std::string& width, const std::string& heights) {
+    return "# Width: " + width + "\n# Height: 0.05\n" + heights;
+  };
   const Topography map = read_text(sized("0.1", "0.05 0 0\n0 0 0\n"));
   EXPECT_DOUBLE_EQ(map.lx, 0.1);
   EXPECT_SAYS(map.source, "no unit of height given, metres taken; no unit of size given, metres taken");
@@ -224,7 +229,8 @@ TEST(Any_file_behaviour, metres_are_taken_for_a_scan_of_a_tenth_of_one_and_heigh
 TEST(Any_file_behaviour, heights_that_are_not_finite_are_missing) {
   const Topography map = read_text(gwyddion_header + "inf 2 3\n-inf 5 nan\n");
   EXPECT_EQ(map.missing_count(), 3u);
-  for (const auto& [ix, iy] : std::vector<std::pair<int, int>>{{0, 1}, {0, 0}, {2, 0}}) EXPECT_TRUE(std::isnan(map.at(ix, iy)));
+  for (const auto& [ix, iy] : std::vector<std::pair<int, int>>{{0, 1}, {0, 0}, {2, 0}})
+    EXPECT_TRUE(std::isnan(map.at(ix, iy)));
   EXPECT_SAYS(describe(map), "heights from 2 nm to 5 nm");
   EXPECT_SAYS(describe(map), "3 missing points");
 }
@@ -233,10 +239,13 @@ TEST(Description_behaviour, leaves_out_what_a_map_has_not) {
   Topography map;
   map.nx = 2, map.ny = 2, map.lx = 2e-6, map.ly = 1e-6;
   map.heights = {1e-9, -2e-9, 0, 3e-9};
-  EXPECT_EQ(describe(map), "2 x 2 pixels, 2 um x 1 um (x right, y up), heights from -2 nm to 3 nm, no missing points");
+  EXPECT_EQ(describe(map),
+            "2 x 2 pixels, 2 um x 1 um (x right, y up), heights from -2 nm to 3 nm, no missing points");
   map.periodic = true;
   map.source = "somewhere";
-  EXPECT_EQ(describe(map), "2 x 2 pixels, 2 um x 1 um (x right, y up), heights from -2 nm to 3 nm, no missing points, periodic; from somewhere");
+  EXPECT_EQ(describe(map),
+            "2 x 2 pixels, 2 um x 1 um (x right, y up), heights from -2 nm to 3 nm, no missing points, "
+            "periodic; from somewhere");
 }
 
 TEST(Text_matrix_analytic, scales_of_its_header_are_lengths) {
@@ -257,19 +266,23 @@ TEST(Text_matrix_analytic, scales_of_its_header_are_lengths) {
   expect("# pixel size: 5 nm\n", 20e-9, 10e-9);
   expect("# dx: 5\n# xy unit: nm\n", 20e-9, 10e-9);
   expect("# lx: 3\n# ly: 200 nm\n# lateral units: um\n", 3e-6, 200e-9);  // a unit of its own wins
-  expect("# Width: 3 um\n# pixel size: 5 nm\n", 3e-6, 1.5e-6);  // and a size over a pixel
+  expect("# Width: 3 um\n# pixel size: 5 nm\n", 3e-6, 1.5e-6);           // and a size over a pixel
   EXPECT_SAYS(text_refusal("# Width: 3 V\n# Value units: nm\n" + rows), "does not say how wide");
   EXPECT_SAYS(text_refusal("# Width: wide\n# Value units: nm\n" + rows), "does not say how wide");
 }
 
 TEST(Text_matrix_analytic, heights_are_in_any_unit_of_length) {
   for (const auto& [unit, factor] : std::vector<std::pair<std::string, double>>{
-           {"m", 1}, {"mm", 1e-3}, {"um", 1e-6}, {"~m", 1e-6}, {"\xB5m", 1e-6}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}, {"micron", 1e-6},
-           {"microns", 1e-6}, {"micrometer", 1e-6}, {"micrometers", 1e-6}, {"micrometre", 1e-6}, {"nm", 1e-9}, {"nanometer", 1e-9},
-           {"nanometers", 1e-9}, {"nanometre", 1e-9}, {"A", 1e-10}, {"Ang", 1e-10}, {"Angstrom", 1e-10}, {"angstrom", 1e-10},
-           {"\u00c5", 1e-10}, {"\xC5", 1e-10}, {"pm", 1e-12}, {"meter", 1}, {"meters", 1}, {"metre", 1}, {"millimeter", 1e-3},
-           {"millimetre", 1e-3}})
-    EXPECT_NEAR(read_text("# Width: 3 um\n# Value units: " + unit + "\n" + rows).at(0, 0) / (4 * factor), 1, 1e-12) << unit;
+           {"m", 1},          {"mm", 1e-3},         {"um", 1e-6},          {"~m", 1e-6},
+           {"\xB5m", 1e-6},   {"\u00b5m", 1e-6},    {"\u03bcm", 1e-6},     {"micron", 1e-6},
+           {"microns", 1e-6}, {"micrometer", 1e-6}, {"micrometers", 1e-6}, {"micrometre", 1e-6},
+           {"nm", 1e-9},      {"nanometer", 1e-9},  {"nanometers", 1e-9},  {"nanometre", 1e-9},
+           {"A", 1e-10},      {"Ang", 1e-10},       {"Angstrom", 1e-10},   {"angstrom", 1e-10},
+           {"\u00c5", 1e-10}, {"\xC5", 1e-10},      {"pm", 1e-12},         {"meter", 1},
+           {"meters", 1},     {"metre", 1},         {"millimeter", 1e-3},  {"millimetre", 1e-3}})
+    EXPECT_NEAR(read_text("# Width: 3 um\n# Value units: " + unit + "\n" + rows).at(0, 0) / (4 * factor), 1,
+                1e-12)
+        << unit;
 }
 
 TEST(Text_matrix_behaviour, a_unit_of_the_file_wins_over_one_that_is_passed) {
@@ -285,10 +298,12 @@ TEST(Text_matrix_behaviour, a_unit_of_the_file_wins_over_one_that_is_passed) {
 }
 
 TEST(Text_matrix_behaviour, each_word_for_a_missing_point_is_understood_and_no_other) {
-  for (const std::string word : {"nan", "NaN", "na", "n/a", "bad", "missing", "void", "null", "-", "--", "---", "***"})
+  for (const std::string word :
+       {"nan", "NaN", "na", "n/a", "bad", "missing", "void", "null", "-", "--", "---", "***"})
     EXPECT_EQ(read_text(gwyddion_header + "1 " + word + " 3\n4 5 6\n").missing_count(), 1u) << word;
   EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 none 6\n"), "line 6 of");
-  EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5 6 and here are many more words\n"), "('4 5 6 and here are m...')");
+  EXPECT_SAYS(text_refusal(gwyddion_header + "1 2 3\n4 5 6 and here are many more words\n"),
+              "('4 5 6 and here are m...')");
 }
 
 TEST(Text_matrix_behaviour, decimal_commas_are_told_from_commas_between_numbers) {
@@ -299,12 +314,14 @@ TEST(Text_matrix_behaviour, decimal_commas_are_told_from_commas_between_numbers)
 
 namespace {
 
-/// Points of a grid, listed by the given order of columns and rows; the height at (ix, iy) is 1 + ix + 10 iy nm.
+/// Points of a grid, listed by the given order of columns and rows; the height at (ix, iy) is 1 + ix + 10 iy
+/// nm.
 std::string grid_points(const std::vector<double>& x, const std::vector<double>& y) {
   std::string text = "# unit: nm\n";
   for (std::size_t iy = 0; iy < y.size(); ++iy)
     for (std::size_t ix = 0; ix < x.size(); ++ix)
-      text += std::to_string(x[ix]) + " " + std::to_string(y[iy]) + " " + std::to_string(1 + ix + 10 * iy) + "\n";
+      text +=
+          std::to_string(x[ix]) + " " + std::to_string(y[iy]) + " " + std::to_string(1 + ix + 10 * iy) + "\n";
   return text;
 }
 
@@ -327,13 +344,16 @@ TEST(Xyz_file_analytic, axes_may_begin_anywhere_and_fall) {
 
 TEST(Xyz_file_behaviour, coordinates_may_be_rounded_by_a_quarter_of_the_spacing_to_either_side) {
   for (const double off : {-0.2, 0.2}) {
-    const Topography map = read_topography(write_bytes("a.xyz", grid_points({0, 1, 2 + off, 3, 4}, {0, 1, 2})));
+    const Topography map =
+        read_topography(write_bytes("a.xyz", grid_points({0, 1, 2 + off, 3, 4}, {0, 1, 2})));
     ASSERT_EQ(map.nx, 5);
     EXPECT_NEAR(map.at(2, 0), 3e-9, 1e-18);
   }
   for (const double off : {-0.3, 0.3}) {
-    EXPECT_SAYS(refusal(write_bytes("a.xyz", grid_points({0, 1, 2 + off, 3, 4}, {0, 1, 2}))), "no regular grid");
-    EXPECT_SAYS(refusal(write_bytes("a.xyz", grid_points({0, 1, 2}, {0, 1, 2 + off, 3, 4}))), "no regular grid");
+    EXPECT_SAYS(refusal(write_bytes("a.xyz", grid_points({0, 1, 2 + off, 3, 4}, {0, 1, 2}))),
+                "no regular grid");
+    EXPECT_SAYS(refusal(write_bytes("a.xyz", grid_points({0, 1, 2}, {0, 1, 2 + off, 3, 4}))),
+                "no regular grid");
   }
 }
 
@@ -341,21 +361,29 @@ TEST(Xyz_file_behaviour, points_that_fill_less_than_a_quarter_of_their_grid_are_
   std::string diagonal = "# unit: nm\n", filled = diagonal;
   for (int i = 0; i < 5; ++i) diagonal += std::to_string(i) + " " + std::to_string(i) + " 1\n";
   for (int i = 0; i < 4; ++i) filled += std::to_string(i) + " " + std::to_string(i) + " 1\n";
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", diagonal)), "no regular grid");  // 5 of 25
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", diagonal)), "no regular grid");        // 5 of 25
   EXPECT_EQ(read_topography(write_bytes("b.xyz", filled)).missing_count(), 12u);  // 4 of 16
 }
 
 TEST(Xyz_file_behaviour, what_is_wrong_with_a_point_is_said_with_its_row) {
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n1 nan 2\n0 1 3\n1 1 4\n")), "has a point without x or y (row 2 of numbers)");
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n1 0 2\n0 1 3\ninf 1 4\n")), "has a point without x or y (row 4 of numbers)");
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", points() + "0.5 0.5 9\n")), "two points at one place of its grid (row 7 of numbers)");
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", points("# Lateral units: V\n# Value units: nm\n"))), "coordinates in 'V', which is no length");
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", points("x [um] y [um] z [V]\n"))), "values in 'V', which is no length");
-  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n0 1 2\n0 2 3\n")), "all its points on one line");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n1 nan 2\n0 1 3\n1 1 4\n")),
+              "has a point without x or y (row 2 of numbers)");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n1 0 2\n0 1 3\ninf 1 4\n")),
+              "has a point without x or y (row 4 of numbers)");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", points() + "0.5 0.5 9\n")),
+              "two points at one place of its grid (row 7 of numbers)");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", points("# Lateral units: V\n# Value units: nm\n"))),
+              "coordinates in 'V', which is no length");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", points("x [um] y [um] z [V]\n"))),
+              "values in 'V', which is no length");
+  EXPECT_SAYS(refusal(write_bytes("a.xyz", "# unit: um\n0 0 1\n0 1 2\n0 2 3\n")),
+              "all its points on one line");
 }
 
 TEST(Xyz_file_behaviour, a_header_wins_over_the_titles_of_columns) {
-  expect_common_map(read_topography(write_bytes("a.xyz", points("# Lateral units: um\nx [mm] y [mm] z [nm]\n"))));
-  const Topography map = read_topography(write_bytes("b.xyz", points("x [um] y [um]\n# Value units: nm\n# xy unit: um\n")));
+  expect_common_map(
+      read_topography(write_bytes("a.xyz", points("# Lateral units: um\nx [mm] y [mm] z [nm]\n"))));
+  const Topography map =
+      read_topography(write_bytes("b.xyz", points("x [um] y [um]\n# Value units: nm\n# xy unit: um\n")));
   expect_common_map(map);  // two titles tell nothing
 }
