@@ -78,7 +78,8 @@ TEST(NoiseEstimate_analytic, of_repeats_is_not_moved_by_two_outliers_in_a_hundre
 }
 
 TEST(NoiseEstimate_behaviour, takes_only_runs_of_the_same_control_and_speed_for_repeats) {
-  const std::vector<std::vector<double>> runs(2, std::vector<double>(40, 1.0));
+  const std::vector<std::vector<double>> runs{std::vector<double>(40, 1.0), std::vector<double>(40, 1.5)};
+  EXPECT_EQ(noise_of(repeated_runs(runs), std::vector<double>(80, 0.0)).from[0], "repeats");
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   std::vector<double> residual(80);
@@ -90,9 +91,29 @@ TEST(NoiseEstimate_behaviour, takes_only_runs_of_the_same_control_and_speed_for_
   recording = repeated_runs(runs);
   for (int i = 0; i < 80; ++i) recording.tables[0].columns["speed"].push_back(i < 40 ? 1e-6 : 1.2e-6);
   EXPECT_EQ(noise_of(recording, residual).from[0], "high frequencies");
-  recording = repeated_runs({std::vector<double>(40, 1.0), std::vector<double>(41, 1.0)});
+  recording = repeated_runs({std::vector<double>(40, 1.0), std::vector<double>(41, 1.5)});
   residual.push_back(0);
   EXPECT_EQ(noise_of(recording, residual).from[0], "high frequencies");
+}
+
+/// Loops that are alike in their way and not in their load are no repeats.
+TEST(NoiseEstimate_behaviour, compares_every_channel_that_drives) {
+  Recording recording = repeated_runs({std::vector<double>(40, 1.0), std::vector<double>(40, 1.5)});
+  recording.mode = Mode::sliding;
+  RecordingTable& table = recording.tables[0];
+  table.columns["lateral_displacement"] = table.columns["normal_displacement"];
+  table.columns["lateral_force"] = table.columns["normal_force"];
+  table.columns["normal_force"].assign(80, 1e-3);
+  table.control = {"lateral_displacement", "normal_force"}, table.response = "lateral_force";
+  const std::vector<double> residual(80, 0.0);
+  EXPECT_EQ(noise_of(recording, residual).from[0], "repeats");
+  EXPECT_NEAR(noise_of(recording, residual).sd[0], 0.5 / std::sqrt(2.0), 1e-12);
+  Recording other = recording;
+  for (std::size_t i = 40; i < 80; ++i) other.tables[0].columns["normal_force"][i] = 1.01e-3;
+  EXPECT_NE(noise_of(other, residual).from[0], "repeats");
+  other = recording;
+  for (std::size_t i = 40; i < 80; ++i) other.tables[0].columns["lateral_displacement"][i] *= 1.01;
+  EXPECT_NE(noise_of(other, residual).from[0], "repeats");
 }
 
 TEST(NoiseEstimate_analytic, of_one_run_is_its_scatter_over_neighbours) {

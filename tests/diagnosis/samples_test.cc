@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "diagnosis/import/segments.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -227,6 +228,30 @@ TEST(Experiment_analytic, knows_the_sizes_of_an_approach) {
   EXPECT_TRUE(e.has_unloading && e.has_off_contact);
   EXPECT_EQ(e.hold_duration, 0);
   EXPECT_EQ(e.yield_hint, 0);
+  // One way alone.
+  recording = driven(Mode::normal, zigzag({0, 5e-8}, 100));
+  e = experiment_of(recording, samples_of(recording));
+  EXPECT_FALSE(e.has_unloading || e.has_both_directions || e.has_off_contact);
+}
+
+TEST(FoundSegments_analytic, do_not_depend_on_the_zero_nor_the_unit_of_the_signal) {
+  std::vector<double> signal = zigzag({0, 1}, 100);
+  signal.insert(signal.end(), 40, 1.0);
+  for (const double x : zigzag({1, 0}, 100)) signal.push_back(x);
+  for (const double x : zigzag({0, 1, 0}, 100)) signal.push_back(x);
+  for (const auto& [zero, unit] : {std::pair{0.0, 1.0}, std::pair{5.0, 1.0}, std::pair{-5.0, 1e-9}}) {
+    std::vector<double> given;
+    for (const double x : signal) given.push_back(unit * (x + zero));
+    const FoundSegments found = find_segments(given);
+    EXPECT_EQ(found.segment[50], "load") << zero;
+    EXPECT_EQ(found.segment[120], "hold") << zero;
+    EXPECT_EQ(found.segment[190], "unload") << zero;
+    EXPECT_EQ(found.segment[300], "load") << zero;
+    EXPECT_EQ(found.segment[400], "unload") << zero;
+    EXPECT_EQ(found.cycle[190], 0) << zero;
+    EXPECT_EQ(found.cycle[300], 1) << zero;
+    EXPECT_EQ(found.cycle[400], 1) << zero;
+  }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// A trace up and down with white noise of one.
+/// A trace up and down with white noise of a standard deviation of 4; residuals are counted in it.
 struct ScannedTrace {
   static constexpr std::size_t half = 400, count = 2 * half;
   Samples samples = test::approach_and_back(0, 4e-8, half);
@@ -25,14 +25,17 @@ struct ScannedTrace {
     for (std::size_t i = half; i < count; ++i) samples.list[i].segment = samples.list[i].part = 1;
     samples.table_names = {"t.csv"};
     samples.response_channels = {"normal_force"};
-    noise.sd.assign(count, 1.0);
+    noise.sd.assign(count, 4.0);
     noise.shared = {{}};
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
     for (std::size_t i = 0; i < count; ++i) residual.push_back(normal(random));
   }
   ScanResult scan(const std::vector<double>& tolerated = {}) const {
-    return Scanner(samples, experiment, noise, 1).scan(residual, tolerated);
+    std::vector<double> sized = residual, allowed = tolerated;
+    for (double& r : sized) r *= 4;
+    for (double& t : allowed) t *= 4;
+    return Scanner(samples, experiment, noise, 1).scan(sized, allowed);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dem_compare/derive/law_report.h"
+#include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
 #include "dem_compare/laws/hertz.h"
 
@@ -109,27 +110,82 @@ TEST(CaseNumbers_behaviour, spacings_that_are_not_known_are_alike_and_like_no_ot
   EXPECT_FALSE(same_spacing(1002, 1000));
 }
 
-/// Radii of 1/e, 1 and e; logarithms off a straight line by d, -2 d and d: sum of squares 6 d^2, one degree of freedom.
+/// Logarithms of the radii of -3, -1, 1 and 3, stiffnesses off a straight line by d, -d, -d and d.
+std::vector<CaseNumber> about_a_line(double d) {
+  std::vector<CaseNumber> numbers;
+  for (const auto& [x, off] : {std::pair{-3, d}, std::pair{-1, -d}, std::pair{1, -d}, std::pair{3, d}})
+    numbers.push_back({5 * std::exp(x), "", 0, 2 * std::exp(x + off), 0});
+  return numbers;
+}
+
 TEST(PowerLaw_analytic, knows_its_exponent_as_well_as_a_straight_line_its_slope) {
-  constexpr double d = 0.01, e = M_E;
-  const auto radius = [](double load) { return load; };
-  std::vector<CaseNumber> numbers{{1 / e, "", 0, 2 / e * std::exp(d), 0}, {1, "", 0, 2 * std::exp(-2 * d), 0}, {e, "", 0, 2 * e * std::exp(d), 0}};
+  constexpr double d = 0.01;
+  const auto radius = [](double load) { return load / 5; };
+  auto numbers = about_a_line(d);
   const PowerLaw law = fit_power(numbers, radius, 1);
-  EXPECT_NEAR(law.at_load, 1, 1e-12);
+  EXPECT_NEAR(law.at_load, 5, 1e-12);  // the geometric mean
   EXPECT_NEAR(law.value, 2, 1e-12);
-  EXPECT_NEAR(law.sd, 2 * d, 1e-12);  // sample deviation d 3^(1/2) of three
+  EXPECT_NEAR(law.sd, 2 * std::sqrt(4 * d * d / 3) / 2, 1e-12);  // of the mean of four
   EXPECT_NEAR(law.exponent, 1, 1e-12);
-  EXPECT_NEAR(law.exponent_sd, std::sqrt(6 * d * d / 1 / 2), 1e-12);
-  EXPECT_DOUBLE_EQ(law.loads.low, 1 / e);
-  EXPECT_DOUBLE_EQ(law.loads.high, e);
+  EXPECT_NEAR(law.exponent_sd, std::sqrt(4 * d * d / 2 / 20), 1e-12);  // two degrees of freedom; sum x^2 = 20
+  EXPECT_DOUBLE_EQ(law.loads.low, 5 * std::exp(-3));
+  EXPECT_DOUBLE_EQ(law.loads.high, 5 * std::exp(3));
   // What each case leaves open counts where it is more than the scatter.
   for (auto& number : numbers) number.sd = 0.05 * number.value;
   EXPECT_NEAR(fit_power(numbers, radius, 1).sd, 2 * 0.05, 1e-12);
-  numbers.pop_back();
+  numbers.resize(2);
   EXPECT_TRUE(std::isnan(fit_power(numbers, radius, 1).exponent_sd));  // two points lie on a line
-  EXPECT_NEAR(fit_power(numbers, radius, 1).exponent, 1 - 3 * d, 1e-12);
-  numbers.pop_back();
+  EXPECT_NEAR(fit_power(numbers, radius, 1).exponent, 1 - d, 1e-12);
+  numbers.resize(1);
   EXPECT_TRUE(std::isnan(fit_power(numbers, radius, 1).exponent));
+}
+
+TEST(LawReport_behaviour, asks_for_other_seeds_of_rough_surfaces_alone) {
+  const auto told = [](const std::vector<CaseNumber>& numbers) {
+    LawReport report;
+    tell_scatter_and_mesh(numbers, "k", report);
+    return report;
+  };
+  EXPECT_EQ(told({{1, "smoothonsmooth", 0.01, 5, 0}}).not_told.size(), 1u);  // the mesh
+  const LawReport rough = told({{1, "a", 0.01, 5, 0}});
+  ASSERT_EQ(rough.not_told.size(), 2u);
+  EXPECT_EQ(rough.not_told[0].find("scatter of k between realisations"), 0u);
+  EXPECT_EQ(rough.not_told[1].find("error of the mesh in k"), 0u);
+  const LawReport both = told({{1, "a", 0.01, 5.05, 0}, {1, "a", 0.02, 5.1, 0}, {1, "b", 0.01, 6.06, 0}, {1, "b", 0.02, 6.12, 0}});
+  EXPECT_TRUE(both.not_told.empty());
+  EXPECT_NEAR(both.details["mesh_error"].get<double>(), 0.05 / 5.05, 1e-12);
+  EXPECT_EQ(both.findings[1], "error of the mesh (k): 0.99 %, mean of 2 contacts; not part of the uncertainty above");
+}
+
+TEST(LawReport_behaviour, writes_errors_in_the_unit_of_the_value) {
+  EXPECT_EQ(with_error(1.234e-3, 4.6e-5, Dimension::force), "1.234 +- 0.046 mN");
+  EXPECT_EQ(with_error(2.5e-12, NAN, "N m"), "2.5 pN m");
+  EXPECT_EQ(with_error(460, 12, ""), "460 +- 12");
+  EXPECT_EQ(percent(0.0123), "1.2 %");
+  EXPECT_EQ(percent(1.5), "150 %");
+  EXPECT_EQ(extent_of({{1e-4, "a", 2e-8, 1, 0}, {1e-3, "b", 2e-8, 1, 0}}), "2 cases, load 100 uN to 1 mN, 2 realisations, spacing 20 nm");
+  EXPECT_EQ(extent_of({{1e-4, "a", NAN, 1, 0}}), "1 case, load 100 uN, 1 realisation");
+}
+
+TEST(LengthChoice_behaviour, names_the_likelier_length_with_its_odds) {
+  const auto told = [](double log_odds) {
+    LengthChoice choice;
+    choice.log_odds = log_odds;
+    choice.with_radius.coefficient = choice.with_contact.coefficient = 1;
+    LawReport report;
+    tell_choice(choice, report);
+    return report;
+  };
+  EXPECT_EQ(told(std::log(50.0)).findings[2].find("odds 50 to 1 for lambda = a"), 0u);
+  EXPECT_EQ(told(-std::log(50.0)).findings[2].find("odds 50 to 1 for lambda = r"), 0u);
+  EXPECT_EQ(told(std::log(2e6)).findings[2].find("odds more than 10^6 to 1 for lambda = a"), 0u);
+  EXPECT_TRUE(told(-std::log(50.0)).not_told.empty());
+  EXPECT_EQ(told(std::log(19.0)).not_told.size(), 1u);
+  LengthChoice choice;
+  choice.log_odds = -std::log(19.0);
+  EXPECT_EQ(choice.scale(), LengthScale::contact_radius);  // not told: as friction over the contact demands
+  choice.log_odds = -std::log(21.0);
+  EXPECT_EQ(choice.scale(), LengthScale::particle_radius);
 }
 
 }  // namespace

@@ -277,12 +277,13 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
   const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
   const auto& cases = derivation.parameters.derivation["sliding"]["resistance"];
   ASSERT_EQ(cases.size(), 2u);
-  double mean = 0, squares = 0;
+  double mean = 0, squares = 0, fluctuation = 0;
   for (const auto& item : cases) {
     mean += item["mean"].get<double>() / 2;
+    fluctuation += item["fluctuation"].get<double>() / item["mean"].get<double>() / 2;
     squares += std::pow(item["standard_error"].get<double>(), 2);
   }
-  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") + ", mean of 2 realisations";
+  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") + ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
   const std::string text = to_text(derivation.laws[Derivation::sliding]);
   EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
 }
@@ -321,6 +322,67 @@ TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_rever
   EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
   EXPECT_NEAR(p.reduced_shear_modulus->value / sliding_modulus(glass, silicon), 1, 1e-5);
   EXPECT_NEAR(p.reduced_shear_modulus->sd / p.reduced_shear_modulus->value, 0.1, 1e-9);
+}
+
+/// Errors of the fits, of as many as there are: two alike are known better by a factor of 2^(1/2).
+TEST(Derivation_analytic, knows_a_modulus_as_well_as_its_fits) {
+  std::mt19937 random(18);
+  ParameterSet one, two;
+  for (int seed = 1; seed <= 2; ++seed) two.cases.push_back(make_case({}, "sliding", 1e-3, seed, random));
+  for (auto& solved : two.cases)
+    for (std::size_t i = 0; i < 8; ++i) solved.history.normal_displacement[i] *= i % 2 ? 1.01 : 0.99;
+  one.cases = {two.cases[0]};
+  const EffectiveQuantity alone = *derive_parameters(one).parameters.reduced_modulus;
+  const EffectiveQuantity both = *derive_parameters(two).parameters.reduced_modulus;
+  EXPECT_GT(alone.sd / alone.value, 1e-3);
+  EXPECT_LT(alone.sd / alone.value, 3e-2);
+  EXPECT_NEAR(both.value / alone.value, 1, 1e-12);
+  EXPECT_NEAR(both.sd / alone.sd, std::sqrt(0.5), 1e-9);
+}
+
+TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and_misses_both) {
+  std::mt19937 random(19);
+  Truth exact;
+  exact.noise = 0;
+  const SolvedCase reversed = make_case(exact, "sliding", 1e-3, 1, random);
+  SolvedCase forward = reversed;
+  for (const auto& column : history_columns()) (forward.history.*column.values).resize(8 + 100);
+  SolvedCase probed = forward;
+  probed.result["effective"] = {{"lateral_stiffness", {{"value", 5e4}, {"sd", 5e3}}}};
+  const auto derived = [](const SolvedCase& solved) {
+    ParameterSet set;
+    set.cases = {solved};
+    return derive_parameters(set);
+  };
+  EXPECT_NEAR(derived(probed).parameters.lateral_stiffness->value, 5e4, 1e-6);
+  EXPECT_EQ(derived(probed).parameters.lateral_stiffness->provenance.find("without slip"), 0u);
+  EXPECT_EQ(derived(reversed).parameters.lateral_stiffness->provenance.find("slope after the reversal"), 0u);
+  EXPECT_FALSE(derived(forward).parameters.lateral_stiffness);
+  EXPECT_NE(to_text(derived(forward)).find("no case was reversed after full slip; set Experiment/Reverse = true"), std::string::npos);
+  EXPECT_EQ(to_text(derived(forward)).find("Experiment/Way back"), std::string::npos);  // that is for rolling
+}
+
+TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {
+  std::mt19937 random(20);
+  ParameterSet set;
+  set.cases.push_back(make_case({}, "sliding", 1e-3, 1, random));
+  auto& effective = set.cases.front().result["effective"]["normal_stiffness"];
+  effective = {{"value", nullptr}, {"sd", 5}};
+  EXPECT_FALSE(derive_parameters(set).parameters.normal_stiffness);
+  effective = {{"value", 3e4}, {"sd", nullptr}};
+  EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->value, 3e4, 1e-6);
+  EXPECT_TRUE(std::isnan(derive_parameters(set).parameters.normal_stiffness->sd));
+  effective = {{"value", 3e4}, {"sd", 300}};
+  EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->sd, 300, 1e-9);
+}
+
+TEST(Derivation_behaviour, says_which_local_friction_went_in) {
+  std::mt19937 random(21);
+  ParameterSet set = make_set({}, {1e-3}, 1, random);
+  set.inputs = {{"Interface/Friction coefficient", "0.2"}, {"Particle/Radius", "8.5 um"}};
+  const std::string provenance = derive_parameters(set).parameters.sliding_friction->provenance;
+  EXPECT_NE(provenance.find("local friction coefficient that went in: 0.2"), std::string::npos) << provenance;
+  EXPECT_EQ(provenance.find("8.5 um"), std::string::npos) << provenance;
 }
 
 TEST(Derivation_behaviour, says_that_material_yielded) {

@@ -94,6 +94,16 @@ TEST(ResistanceLaw_analytic, of_cases_at_one_load_is_their_mean) {
   EXPECT_NEAR(law.misfit, std::sqrt(2 * (std::pow(1 / 9.0, 2) + std::pow(1 / 11.0, 2)) / 5), 1e-9);
 }
 
+TEST(ResistanceLaw_analytic, counts_its_coefficient_over_the_length) {
+  const std::vector<ResistancePoint> points{{2, 0.9, 0.06, "a", 4, 5}, {2, 1.1, 0.06, "a", 4, 5}};
+  const double of_load = fit_resistance(points, none).coefficient_sd();
+  for (const auto& [scale, length] : {std::pair{particle_radius, 4.0}, std::pair{contact_radius, 5.0}}) {
+    const ResistanceLaw law = fit_resistance(points, scale);
+    EXPECT_NEAR(law.coefficient, 1 / (2 * length), 1e-9);
+    EXPECT_NEAR(law.coefficient_sd(), of_load / length, 1e-9);
+  }
+}
+
 /// A case that its way leaves open twice as wide counts a quarter.
 TEST(ResistanceLaw_analytic, weighs_cases_by_what_their_ways_leave_open) {
   const std::vector<ResistancePoint> points{{1, 1, 0.05, "a", 1, 1}, {1, 1.05, 0.1, "a", 1, 1}};
