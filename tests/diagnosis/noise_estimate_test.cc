@@ -128,6 +128,21 @@ TEST(NoiseEstimate_analytic, of_one_run_is_its_scatter_over_neighbours) {
   EXPECT_EQ(noise.shared[0].memory, 0);
 }
 
+TEST(NoiseEstimate_analytic, of_each_table_is_its_own) {
+  Recording recording = repeated_runs({std::vector<double>(2000, 1.0)});
+  recording.tables.push_back(recording.tables[0]);
+  recording.tables.push_back(rolling_series(std::vector<double>(2000, 1.0)).tables[0]);
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<double> residual(6000);
+  for (std::size_t i = 0; i < 6000; ++i) residual[i] = normal(random) * (i < 2000 ? 1 : i < 4000 ? 5 : 25);
+  const Noise noise = noise_of(recording, residual);
+  EXPECT_EQ(noise.from, (std::vector<std::string>{"high frequencies", "high frequencies", "neighbouring rows"}));
+  EXPECT_NEAR(noise.sd[100], 1, 0.07);
+  EXPECT_NEAR(noise.sd[2100], 5, 0.35);
+  EXPECT_NEAR(noise.sd[4100], 25, 2);
+}
+
 TEST(NoiseEstimate_analytic, that_is_given_is_taken_as_it_is) {
   Recording recording = repeated_runs({std::vector<double>(40, 1.0)});
   recording.noise["normal_force"] = 0.25;
@@ -289,6 +304,10 @@ TEST(SharedVariance_analytic, is_that_of_an_autoregression_that_was_taken_for_wh
   for (int k = 1; k <= 30; ++k) expected += 2 * (1 - k / 31.0) * std::pow(rho, k);
   EXPECT_NEAR(shared_variance(samples, autoregression(count, rho, 4), unit_noise(count)), expected, 0.2);
   EXPECT_NEAR(shared_variance(samples, autoregression(count, 0, 5), unit_noise(count)), 1, 0.15);
+  // A share of the variance: it does not depend on the size.
+  auto small = autoregression(count, rho, 4);
+  for (double& r : small) r *= 0.5;
+  EXPECT_NEAR(shared_variance(samples, small, unit_noise(count)), expected, 0.2);
   std::vector<double> alternating(count);
   for (std::size_t i = 0; i < count; ++i) alternating[i] = i % 2 ? 1 : -1;
   EXPECT_EQ(shared_variance(samples, alternating, unit_noise(count)), 1);

@@ -112,6 +112,22 @@ TEST(Samples_behaviour, do_not_take_jitter_below_a_fiftieth_of_the_range_for_a_t
   EXPECT_EQ(samples_of(driven(Mode::normal, path)).parts, 4);
 }
 
+TEST(Samples_behaviour, go_the_way_their_segment_is_named_for_or_else_that_of_its_ends) {
+  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0}, 50));
+  auto& names = recording.tables[0].segment;
+  const auto directions = [&](const char* first, const char* second) {
+    names.assign(51, first);
+    names.insert(names.end(), 50, second);
+    const Samples samples = samples_of(recording);
+    return std::pair{samples.list[20].direction, samples.list[80].direction};
+  };
+  EXPECT_EQ(directions("out", "home"), (std::pair{1, -1}));
+  EXPECT_EQ(directions("backward", "forward"), (std::pair{-1, 1}));
+  EXPECT_EQ(directions("unload", "load"), (std::pair{-1, 1}));
+  EXPECT_EQ(directions("backward", "hold"), (std::pair{-1, -1}));  // a hold keeps the way that led to it
+  EXPECT_EQ(directions("hold", "home"), (std::pair{1, -1}));
+}
+
 TEST(Samples_behaviour, of_several_runs_each_begin_anew_and_count_cycles_from_zero) {
   Recording recording = driven(Mode::sliding, Column(40, 0.0));
   auto& table = recording.tables[0];
