@@ -151,10 +151,14 @@ TEST(LawReport_behaviour, asks_for_other_seeds_of_rough_surfaces_alone) {
   ASSERT_EQ(rough.not_told.size(), 2u);
   EXPECT_EQ(rough.not_told[0].find("scatter of k between realisations"), 0u);
   EXPECT_EQ(rough.not_told[1].find("error of the mesh in k"), 0u);
-  const LawReport both = told({{1, "a", 0.01, 5.05, 0}, {1, "a", 0.02, 5.1, 0}, {1, "b", 0.01, 6.06, 0}, {1, "b", 0.02, 6.12, 0}});
+  const LawReport both = told({{1, "a", 0.01, 5.05, 0},
+                               {1, "a", 0.02, 5.1, 0},
+                               {1, "b", 0.01, 6.06, 0},
+                               {1, "b", 0.02, 6.12, 0}});
   EXPECT_TRUE(both.not_told.empty());
   EXPECT_NEAR(both.details["mesh_error"].get<double>(), 0.05 / 5.05, 1e-12);
-  EXPECT_EQ(both.findings[1], "error of the mesh (k): 0.99 %, mean of 2 contacts; not part of the uncertainty above");
+  EXPECT_EQ(both.findings[1],
+            "error of the mesh (k): 0.99 %, mean of 2 contacts; not part of the uncertainty above");
 }
 
 TEST(LawReport_behaviour, writes_errors_in_the_unit_of_the_value) {
@@ -163,7 +167,8 @@ TEST(LawReport_behaviour, writes_errors_in_the_unit_of_the_value) {
   EXPECT_EQ(with_error(460, 12, ""), "460 +- 12");
   EXPECT_EQ(percent(0.0123), "1.2 %");
   EXPECT_EQ(percent(1.5), "150 %");
-  EXPECT_EQ(extent_of({{1e-4, "a", 2e-8, 1, 0}, {1e-3, "b", 2e-8, 1, 0}}), "2 cases, load 100 uN to 1 mN, 2 realisations, spacing 20 nm");
+  EXPECT_EQ(extent_of({{1e-4, "a", 2e-8, 1, 0}, {1e-3, "b", 2e-8, 1, 0}}),
+            "2 cases, load 100 uN to 1 mN, 2 realisations, spacing 20 nm");
   EXPECT_EQ(extent_of({{1e-4, "a", NAN, 1, 0}}), "1 case, load 100 uN, 1 realisation");
 }
 

@@ -283,7 +283,8 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
     fluctuation += item["fluctuation"].get<double>() / item["mean"].get<double>() / 2;
     squares += std::pow(item["standard_error"].get<double>(), 2);
   }
-  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") + ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
+  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") +
+                               ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
   const std::string text = to_text(derivation.laws[Derivation::sliding]);
   EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
 }
@@ -358,8 +359,9 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
   EXPECT_EQ(derived(probed).parameters.lateral_stiffness->provenance.find("without slip"), 0u);
   EXPECT_EQ(derived(reversed).parameters.lateral_stiffness->provenance.find("slope after the reversal"), 0u);
   EXPECT_FALSE(derived(forward).parameters.lateral_stiffness);
-  EXPECT_NE(to_text(derived(forward)).find("no case was reversed after full slip; set Experiment/Reverse = true"), std::string::npos);
-  EXPECT_EQ(to_text(derived(forward)).find("Experiment/Way back"), std::string::npos);  // that is for rolling
+  const std::string text = to_text(derived(forward));
+  EXPECT_NE(text.find("no case was reversed after full slip; set Experiment/Reverse = true"), std::string::npos);
+  EXPECT_EQ(text.find("Experiment/Way back"), std::string::npos);  // that is for rolling
 }
 
 TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {

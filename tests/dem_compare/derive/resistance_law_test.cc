@@ -87,7 +87,8 @@ TEST(ResistanceLaw_analytic, of_cases_at_one_load_is_their_mean) {
   for (const double value : {0.9, 1.0, 1.1, 0.9, 1.1}) points.push_back({2, value, 1e-6, "a", 1, 1});
   const ResistanceLaw law = fit_resistance(points, none);
   EXPECT_NEAR(law.coefficient, 0.5, 1e-9);
-  EXPECT_NEAR(law.coefficient_sd(), 0.5 * 0.1 / std::sqrt(5.0), 0.5 * 0.006);  // scatters are tried in steps of a quarter
+  // Scatters are tried in steps of a quarter.
+  EXPECT_NEAR(law.coefficient_sd(), 0.5 * 0.1 / std::sqrt(5.0), 0.5 * 0.006);
   EXPECT_NEAR(law.case_scatter, 0.1, 0.015);
   EXPECT_EQ(law.realisation_scatter, 0);
   EXPECT_EQ(law.degrees_of_freedom, 4);
@@ -177,7 +178,10 @@ TEST(ResistanceLaw_analytic, has_the_evidence_of_its_definition) {
 TEST(ResistanceLaw_analytic, has_an_evidence_that_does_not_depend_on_units) {
   auto points = four_cases({"a", "b", "a", "b"});
   const double expected = log_evidence(points, contact_radius);
-  for (auto& point : points) point.load *= 1e-4, point.value *= 3e-11, point.sd *= 3e-11, point.contact_radius *= 1e-7;
+  for (auto& point : points) {
+    point.load *= 1e-4, point.contact_radius *= 1e-7;
+    point.value *= 3e-11, point.sd *= 3e-11;
+  }
   EXPECT_NEAR(log_evidence(points, contact_radius), expected, 1e-9);
 }
 
@@ -192,7 +196,8 @@ TEST(ResistanceLaw_analytic, leaves_each_contact_out_once) {
   // A second realisation at the same load is the same contact, and left out with it.
   points.push_back(points.back());
   points.back().realisation = "b";
-  EXPECT_NEAR(leave_one_out(points, none), std::sqrt((first * first + second * second + 2 * third * third) / 4), 1e-9);
+  const double twice = std::sqrt((first * first + second * second + 2 * third * third) / 4);
+  EXPECT_NEAR(leave_one_out(points, none), twice, 1e-9);
   points.resize(2);
   EXPECT_TRUE(std::isnan(leave_one_out(points, none)));
 }
