@@ -112,7 +112,7 @@ std::string resolved_roughness_sentence(const SolvedCase& solved, const std::str
   std::string text = "Roughness of the " + body + ":";
   if (std::isfinite(cells))
     text += " " + general(cells, 2) + " cells over its shortest wave of " + in_units(number("shortest_wave"), Dimension::length) + ";";
-  text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) + " of its slope variance, so the largest pressures read too small";
+  text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) + " of its slope variance, so the largest pressures read too small (their ± sd says by how much)";
   if (shorter > worth_saying) text += "; waves shorter still, with " + percent_text(shorter) + " of the scan's slope variance, are not in the simulation";
   if (std::isfinite(period)) text += "; the surface repeats every " + in_units(period, Dimension::length);
   return text + ".";
