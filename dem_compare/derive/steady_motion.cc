@@ -38,7 +38,7 @@ CorrelatedMean correlated_mean(const Values& values) {
   }
   // Fewer than two independent stretches cannot tell how far the mean is off: then as far as the values
   // scatter.
-  result.independent = std::max(n / sum, 1.0);
+  result.independent = n / sum;  // above 1: there are fewer than n / 2 lags, none above the variance
   result.standard_error = result.sd / std::sqrt(std::max(n / sum - 1, 1.0));
   return result;
 }

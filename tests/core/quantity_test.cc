@@ -52,6 +52,7 @@ TEST(Quantity_analytic, the_SI_unit_of_each_dimension_has_the_factor_1) {
     EXPECT_EQ(unit_factor(symbol, dimension), 1) << symbol;
     EXPECT_EQ(parse_quantity("-3.5 " + symbol, dimension), -3.5) << symbol;
   }
+  EXPECT_EQ(unit_factor("", Dimension::none), 1);
 }
 
 TEST(Quantity_analytic, other_spellings_of_a_unit_have_its_factor) {

@@ -278,4 +278,24 @@ TEST(PossibleSpectra_behaviour, says_which_published_pairs_a_gaussian_surface_ca
     EXPECT_NEAR(expected_measured_Sq(example.spectrum, afm).mean, 1.5e-9, 1e-6 * 1.5e-9);
 }
 
+TEST(PossibleSpectra_behaviour, refuses_published_values_that_say_nothing) {
+  const AfmSettings afm;
+  const std::vector<RatioCurve> some(1);
+  const auto refusal = [&](const PublishedRoughness& published, const std::vector<RatioCurve>& curves) {
+    try {
+      possible_spectra(published, afm, curves);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  const std::string values = "RMS and peak to valley must be larger than zero, and the uncertainty of the RMS smaller than it";
+  EXPECT_EQ(refusal({1e-9, 1e-9, 5e-9, 1e-9}, some), values) << "an uncertainty as large as the RMS";
+  EXPECT_EQ(refusal({1e-9, -1e-10, 5e-9, 1e-9}, some), values);
+  EXPECT_EQ(refusal({1e-9, 1e-10, 5e-9, -1e-9}, some), values);
+  EXPECT_EQ(refusal({0, 0, 5e-9, 1e-9}, some), values);
+  EXPECT_EQ(refusal({1e-9, 1e-10, 0, 1e-9}, some), values);
+  EXPECT_EQ(refusal({1e-9, 1e-10, 5e-9, 1e-9}, {}), "no Hurst exponent to look for spectra with");
+}
+
 }  // namespace asperity

@@ -53,6 +53,23 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_NE(p.rolling_stiffness->provenance.find("over the own track"), std::string::npos);
 }
 
+/// The same history on two meshes: 3 h/a of the stiffness is the mesh's share of its sd (docs/verification.md, rolling stiffness).
+TEST(RollingDerivation_analytic, stiffness_of_rolling_back_states_what_the_mesh_leaves) {
+  const test::TemporaryFolder root;
+  const auto derived = [&](const char* name, double spacing) {
+    test::MovingFolder made;
+    made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.reverse = true, made.spacing = spacing;
+    test::write_moving(root.path / name, made);
+    return *derive_parameters(collect_parameter_sets({root.path / name}).sets.front()).parameters.rolling_stiffness;
+  };
+  const EffectiveQuantity fine = derived("fine", 10e-9), coarse = derived("coarse", 40e-9);
+  ASSERT_GT(fine.value, 0);
+  EXPECT_DOUBLE_EQ(coarse.value, fine.value);
+  const double a = test::MovingFolder{"rolling"}.contact_radius();
+  const double added = 3 * std::sqrt(40e-9 * 40e-9 - 10e-9 * 10e-9) / a * fine.value;
+  EXPECT_NEAR(std::sqrt(coarse.sd * coarse.sd - fine.sd * fine.sd), added, 1e-3 * added);
+}
+
 /// Energies are there, but no steady stretch: the moment of hills must not stand in.
 TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   const test::TemporaryFolder root;
