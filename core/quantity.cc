@@ -1,5 +1,6 @@
 #include "core/quantity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -113,7 +114,8 @@ std::string format_quantity(double si_value, Dimension dimension, int digits) {
   if (rounded != 0.0 && takes_prefixes(dimension))
     for (const auto& [prefix, factor] : prefixes())
       if (std::abs(rounded) >= factor * (1 - 1e-12)) {
-        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", digits, rounded / factor, prefix.c_str(), symbol.c_str());
+        // Two digits of 316 um are 320 um, not 3.2e+02 um.
+        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", std::max(digits, 3), rounded / factor, prefix.c_str(), symbol.c_str());
         return buffer;
       }
   std::snprintf(buffer, sizeof buffer, "%.*g %s", digits, si_value, symbol.c_str());

@@ -6,8 +6,8 @@
 namespace asperity {
 
 NoiseFilter::NoiseFilter(const Samples& samples, const std::vector<double>& sd, const std::vector<SharedNoise>& shared)
-    : place_(samples.list.size(), 0), sd_(samples.list.size(), 1.0), decay_(samples.list.size(), 0.0), gain_(samples.list.size(), 0.0),
-      deviation_(samples.list.size(), 1.0) {
+    : place_(samples.list.size()), sd_(samples.list.size()), decay_(samples.list.size()), gain_(samples.list.size()),
+      deviation_(samples.list.size()) {
   for (std::size_t r = 0; r < samples.runs.size(); ++r) {
     const SampleRun& run = samples.runs[r];
     const SharedNoise noise = run.independent_rows ? SharedNoise{} : shared[r];

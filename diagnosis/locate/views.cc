@@ -47,7 +47,7 @@ std::vector<Bin> binned(const Samples& samples, std::vector<std::size_t> members
     if (distinct.size() > most_bins) break;
   }
   const double low = *distinct.begin(), high = *distinct.rbegin();
-  if (distinct.size() < 2 || high - low <= varies * std::max(std::abs(low), std::abs(high))) return {};
+  if (distinct.size() < 2 || high - low <= varies * std::max(-low, high)) return {};
   std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) { return value(samples.list[a]) < value(samples.list[b]); });
   std::vector<Bin> bins;
   const std::size_t fewest = trace ? samples_in_a_bin : 1;

@@ -124,6 +124,13 @@ TEST(Quantity_behaviour, what_rounds_to_a_thousand_takes_the_next_prefix) {
   EXPECT_EQ(format_quantity(0.99999e-9, Dimension::length, 6), "999.99 pm");
 }
 
+TEST(Quantity_behaviour, hundreds_in_two_digits_have_no_exponent) {
+  EXPECT_EQ(format_quantity(316e-6, Dimension::length, 2), "320 um");
+  EXPECT_EQ(format_quantity(-316e-6, Dimension::length, 1), "-300 um");
+  EXPECT_EQ(format_quantity(1.26e-6, Dimension::length, 2), "1.3 um");
+  EXPECT_EQ(format_quantity(99.6e-9, Dimension::force, 2), "100 nN");
+}
+
 TEST(Quantity_analytic, is_read_as_it_is_written_whatever_its_magnitude) {
   for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
                                     Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness})

@@ -78,6 +78,22 @@ TEST(ConcealedRecording_behaviour, refuses_what_is_unknown_or_excludes_each_othe
   EXPECT_NE(message({Mode::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"), std::string::npos);
 }
 
+TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_its_first_step_of_sliding) {
+  const TemporaryFolder folder;
+  test::SolvedFolder solved;
+  solved.roughness = "smooth";
+  test::write_solved(folder.path, solved);
+  const ConcealOptions options{Mode::sliding, {}, 0, 1, ""};
+  const auto forwards = conceal_case(folder.path, options).recording.tables[0];
+  ContactHistory history = read_history(folder.path / "history.csv");
+  for (auto* values : {&history.lateral_displacement, &history.lateral_force})
+    for (double& v : *values) v = -v;
+  write_file_atomically(folder.path / "history.csv", format_history(history));
+  const auto backwards = conceal_case(folder.path, options).recording.tables[0];
+  ASSERT_EQ(backwards.rows(), forwards.rows());
+  for (std::size_t i = 0; i < forwards.rows(); ++i) EXPECT_EQ(backwards.column("lateral_force")[i], -forwards.column("lateral_force")[i]);
+}
+
 TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accepted_steps) {
   const TemporaryFolder folder;
   test::SolvedFolder solved;

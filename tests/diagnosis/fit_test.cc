@@ -43,6 +43,16 @@ TEST(BoundedFit_analytic, stays_at_a_bound_that_the_optimum_lies_beyond) {
   EXPECT_EQ(fit.x[0], 2);
 }
 
+TEST(RandomSearch_analytic, crosses_a_flat_stretch_to_a_step_that_no_slope_tells_of) {
+  const auto residuals = [](const VectorXd& p) { return VectorXd::Constant(3, p[0] < 0.3 ? 1.0 : 0.0).eval(); };
+  BoundedFit start;
+  start.x = VectorXd::Constant(1, -0.5);
+  const BoundedFit fit = search_at_random(residuals, start, VectorXd::Constant(1, -1), VectorXd::Constant(1, 1));
+  EXPECT_GE(fit.x[0], 0.3);
+  EXPECT_LE(fit.x[0], 1);
+  EXPECT_EQ(fit.cost, 0);
+}
+
 TEST(BoundedFit_analytic, one_wild_residual_moves_the_mean_by_no_more_than_its_bend) {
   const auto residuals = [](const VectorXd& p) {
     VectorXd r = VectorXd::Constant(11, p[0]);

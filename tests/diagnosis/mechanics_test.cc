@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dem_compare/laws/jkr.h"
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/rail_balance.h"
@@ -150,6 +151,28 @@ TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_ce
     state = law.advance(state, path.list[i].normal_displacement);
     if (std::abs(path.list[i].normal_displacement) < 1e-15 || path.list[i].normal_displacement < 0.9 * law.smallest_approach()) continue;
     EXPECT_NEAR(f[i], state.force, 0.01 * h + 0.01 * std::abs(state.force)) << path.list[i].normal_displacement;
+  }
+}
+
+/// Maugis (1992), solved, against the fit of Carpick et al. (1999) to it: lambda = -0.924 ln(1 - 1.02 alpha).
+TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_per_cent) {
+  const Experiment e = experiment(Mode::normal);
+  const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(), pi = boost::math::double_constants::pi;
+  for (const double alpha : {0.3, 0.6, 0.9}) {
+    const double lambda = -0.924 * std::log(1 - 1.02 * alpha);
+    // The work that has this pull-off force.
+    MaugisDugdale law{e.reduced_modulus(), R, 0, 0};
+    double work = h / (1.75 * pi * R);
+    for (int i = 0; i < 20; ++i) {
+      law.work_of_adhesion = work, law.cohesive_stress = lambda / (2 * std::cbrt(R / (pi * work * K * K)));
+      work *= h / law.pull_off_force();
+    }
+    ASSERT_NEAR(law.lambda(), lambda, 1e-6);
+    const auto contact = with(e, {{"adhesion", {h, alpha}}}).normal.contact->clone();
+    contact->accept(5 * nm);
+    const double unit = law.approach(h);
+    for (const double force : {-0.5 * h, 0.0, h, 5 * h, 20 * h})
+      EXPECT_NEAR(contact->displacement(force), law.approach(force), 0.02 * std::max(unit, law.approach(force))) << alpha << " " << force / h;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "core/error.h"
 #include "surfaces/philox.h"
@@ -101,6 +102,14 @@ TEST(Generate_behaviour, is_the_same_surface_on_a_finer_grid) {
   for (int i = 0; i < 100; ++i) {
     const double x = 0.9e-6 * std::sin(1.7 * i), y = 0.9e-6 * std::cos(2.3 * i);
     EXPECT_NEAR(coarse.height(x, y), fine.height(x, y), 0.002 * 1.5e-9);
+  }
+}
+
+TEST(Generate_behaviour, refuses_a_line_a_point_and_no_size) {
+  GenerateOptions options;
+  for (const auto& [nx, ny, lx, ly] : {std::tuple{1, 8, 1e-6, 1e-6}, {8, 1, 1e-6, 1e-6}, {8, 8, 0.0, 1e-6}, {8, 8, 1e-6, -1e-6}}) {
+    options.nx = nx, options.ny = ny, options.lx = lx, options.ly = ly;
+    EXPECT_THROW(generate_periodic(SelfAffineSpectrum{1e-9, 0.8, 200e-9, 50e-9}, options), InputError) << nx << " " << ny << " " << lx << " " << ly;
   }
 }
 

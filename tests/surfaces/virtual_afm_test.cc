@@ -278,6 +278,23 @@ TEST(PossibleSpectra_behaviour, says_which_published_pairs_a_gaussian_surface_ca
     EXPECT_NEAR(expected_measured_Sq(example.spectrum, afm).mean, 1.5e-9, 1e-6 * 1.5e-9);
 }
 
+TEST(PossibleSpectra_behaviour, curves_reach_from_the_shortest_rolloff_to_the_longest) {
+  AfmSettings afm;
+  afm.size = 0.5e-6, afm.pixels = 32;
+  RatioOptions options;
+  options.hursts = {0.8}, options.points = 3, options.windows = 2;
+  auto points = ratio_curves(afm, options).front().points;
+  EXPECT_DOUBLE_EQ(points[0].rolloff, 2.5 * 20e-9);  // of the cut-off
+  EXPECT_DOUBLE_EQ(points[2].rolloff, 2 * 0.5e-6);   // of the scan
+  EXPECT_DOUBLE_EQ(points[1].rolloff, std::sqrt(points[0].rolloff * points[2].rolloff));
+  options.shortest_rolloff = 80e-9, options.longest_rolloff = 320e-9;
+  points = ratio_curves(afm, options).front().points;
+  EXPECT_DOUBLE_EQ(points[0].rolloff, 80e-9);
+  EXPECT_DOUBLE_EQ(points[2].rolloff, 320e-9);
+  options.longest_rolloff = 80e-9;
+  EXPECT_THROW(ratio_curves(afm, options), InputError);
+}
+
 TEST(PossibleSpectra_behaviour, refuses_published_values_that_say_nothing) {
   const AfmSettings afm;
   const std::vector<RatioCurve> some(1);

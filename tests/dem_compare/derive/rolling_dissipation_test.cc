@@ -53,6 +53,15 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_NE(p.rolling_stiffness->provenance.find("over the own track"), std::string::npos);
 }
 
+TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has) {
+  const test::TemporaryFolder root;
+  test::MovingFolder made;
+  made.way_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
+  test::write_moving(root.path / "short", made);
+  const std::string text = to_text(derive_parameters(collect_parameter_sets({root.path}).sets.front()));
+  EXPECT_NE(text.find("the shortest steady way is 1.5 contact diameters, two or more are wanted"), std::string::npos) << text;
+}
+
 /// The same history on two meshes: 3 h/a of the stiffness is the mesh's share of its sd (docs/verification.md, rolling stiffness).
 TEST(RollingDerivation_analytic, stiffness_of_rolling_back_states_what_the_mesh_leaves) {
   const test::TemporaryFolder root;

@@ -2,6 +2,7 @@
 #include <netcdf.h>
 
 #include "core/read_limits.h"
+#include "surfaces/readers/netcdf_classic.h"
 #include "tests/support/peak_memory.h"
 #include "tests/surfaces/readers/stored_files.h"
 
@@ -92,6 +93,20 @@ TEST(Limits_of_x3p_analytic, xml_nested_300000_deep_or_of_many_megabytes_is_refu
   std::string wide = "<a>";
   for (int i = 0; i < 2000000; ++i) wide += "<a/>";
   expect_refused_within(reading(write_zip("b.x3p", {{"main.xml", wide + "</a>"}})), 32 * MiB);
+}
+
+TEST(Limits_of_netcdf_analytic, a_header_says_how_long_its_file_is_once_it_is_whole) {
+  const auto number = [](std::uint32_t value) {
+    std::string bytes(4, 0);
+    for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<char>(value >> (24 - 8 * i));
+    return bytes;
+  };
+  const std::string none = number(0) + number(0), x = number(1) + std::string("x\0\0\0", 4);
+  // No records; one dimension x of 3; no attributes; one variable x(x) of doubles that begins at byte 0x5a5b5c.
+  const std::string header = "CDF\x01" + number(0) + number(10) + number(1) + x + number(3) + none + number(11) + number(1) + x + number(1) +
+                             number(0) + none + number(6) + number(24) + number(0x5a5b5c);
+  EXPECT_EQ(netcdf_classic_length(header), 0x5a5b5cu + 24);
+  for (std::size_t length = 4; length < header.size(); ++length) EXPECT_FALSE(netcdf_classic_length(header.substr(0, length))) << length;
 }
 
 TEST(Limits_of_netcdf_analytic, announced_records_are_not_allocated) {

@@ -68,6 +68,16 @@ TEST(X3p_file_behaviour, with_missing_parts_is_refused) {
               "lacks main.xml; unpack it and pass one of its height maps (it holds 'scan.001', 'meta.yml')");
 }
 
+TEST(X3p_file_behaviour, with_a_number_of_points_that_is_none_is_refused) {
+  for (const char* points : {"0", "-4", "2.5", "2000000", "x"}) {
+    std::string main = x3p_main("D", "", "");
+    const auto begin = main.find("<SizeX>") + 7;
+    main.replace(begin, main.find("</SizeX>") - begin, points);
+    EXPECT_SAYS(refusal(write_zip("a.x3p", {{"main.xml", main}, {"bindata/data.bin", stored<double>(1e-9)}})),
+                "gives no valid number of points 'SizeX'");
+  }
+}
+
 TEST(X3p_file_behaviour, of_a_profile_is_refused) {
   std::string main = x3p_main("D", "", "");
   main.replace(main.find(">SUR<"), 5, ">PRF<");
