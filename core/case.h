@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "core/hertz.h"
+
 namespace asperity {
 
 /// One elastic-plastic body of a contact (small-strain J2 plasticity with associated flow).
@@ -85,5 +87,17 @@ struct CaseInput {
   /// for result.json, where cases of the same contact are known by them. Empty for a case that no file was read for.
   std::map<std::string, std::string> physical_entries;
 };
+
+/// The bodies as if they were smooth and elastic.
+inline Hertz hertz_of(const CaseInput& input) {
+  const auto elastic = [](const BodyInput& body) { return ElasticBody{body.youngs_modulus, body.poisson_ratio}; };
+  return {reduced_modulus(elastic(input.particle), elastic(input.substrate)), input.radius};
+}
+
+/// Their approach at the largest load, or the one that is asked for [m].
+inline double hertz_approach_of(const CaseInput& input) {
+  const ExperimentInput& e = input.experiment;
+  return e.control == ExperimentInput::Control::displacement ? e.normal_approach : hertz_of(input).approach(e.normal_load);
+}
 
 }  // namespace asperity

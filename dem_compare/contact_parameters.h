@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/samples.h"
 
 namespace asperity {

@@ -79,19 +79,12 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
 
 /// Hertz' contact at the largest load.
 void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
-  const double R = input.radius;
-  const auto compliance = [](const BodyInput& b) { return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus; };
-  setup.reduced_modulus = 1 / (compliance(input.particle) + compliance(input.substrate));
+  const Hertz hertz = hertz_of(input);
+  setup.reduced_modulus = hertz.reduced_modulus;
+  setup.hertz_approach = hertz_approach_of(input);
   const bool force = input.experiment.control == ExperimentInput::Control::force;
-  if (force) {
-    setup.largest_load = input.experiment.normal_load;
-    setup.hertz_radius = std::cbrt(3 * setup.largest_load * R / (4 * setup.reduced_modulus));
-    setup.hertz_approach = setup.hertz_radius * setup.hertz_radius / R;
-  } else {
-    setup.hertz_approach = input.experiment.normal_approach;
-    setup.hertz_radius = std::sqrt(R * setup.hertz_approach);
-    setup.largest_load = 4.0 / 3 * setup.reduced_modulus * std::sqrt(R) * std::pow(setup.hertz_approach, 1.5);
-  }
+  setup.largest_load = force ? input.experiment.normal_load : hertz.force(setup.hertz_approach);
+  setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
 }
 
 /// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves them.

@@ -5,7 +5,7 @@
 #include <ctime>
 
 #include "dem_compare/comparison.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "report/axis.h"
 #include "report/curves.h"
 #include "report/motion_figures.h"

@@ -79,7 +79,7 @@ std::string branch_name(HistoryBranch::Kind kind, int loadings, int unloadings) 
 }
 
 /// Branches of a history, each as a series of one of its columns.
-std::vector<Series> branch_series(const ContactHistory& history, const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<Series> branch_series(const History& history, const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<Series> list;
   int loadings = 0, unloadings = 0;
   for (const auto& branch : history_branches(history)) {
@@ -123,7 +123,7 @@ ForceUnit force_unit(double largest_force) {
 }
 
 Chart load_approach_chart(const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   Chart chart;
   chart.x_label = "approach δ of the bodies [nm]";
@@ -155,7 +155,7 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
 }
 
 Chart contact_area_chart(const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   const Hertz hertz = solved.hertz();
   Chart chart;
@@ -181,7 +181,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     bool named = false;
     for (const auto& solved : curves[i].largest->cases) {
-      const ContactHistory& history = solved.history;
+      const History& history = solved.history;
       const auto branches = history_branches(history);
       if (branches.empty()) continue;
       // Loading and first unloading; further cycles would hide the difference between the surfaces.

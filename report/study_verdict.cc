@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "dem_compare/hertz_verdict.h"
 #include "report/axis.h"
 #include "report/page.h"

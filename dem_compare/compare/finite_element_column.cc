@@ -86,7 +86,7 @@ void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup
 
 }  // namespace
 
-double stiffness_to_sliding(const ContactHistory& history, double sliding_force) {
+double stiffness_to_sliding(const History& history, double sliding_force) {
   // From the last step at rest to the first one that slides.
   const std::size_t size = history.lateral_force.size();
   constexpr double rest = 1e-2, sliding = 0.98;

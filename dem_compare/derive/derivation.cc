@@ -8,7 +8,7 @@
 #include "dem_compare/compare/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 

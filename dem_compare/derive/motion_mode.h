@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "dem_compare/contact_parameters.h"
 #include "dem_compare/derive/steady_motion.h"
 
@@ -15,8 +15,8 @@ namespace asperity {
 struct MotionMode {
   const char* experiment;  ///< of the case file
   const char* title;
-  std::vector<double> ContactHistory::*position;
-  std::vector<double> ContactHistory::*resistance;
+  std::vector<double> History::*position;
+  std::vector<double> History::*resistance;
   const char* resistance_unit;
   const char* stiffness_key;  ///< in `effective` of result.json
   const char* stiffness_unit;

@@ -189,7 +189,7 @@ void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawRe
   double largest = 0, from = std::numeric_limits<double>::infinity();
   int yielded = 0;
   for (const auto& solved : set.cases) {
-    const ContactHistory& history = solved.history;
+    const History& history = solved.history;
     bool here = false;
     for (std::size_t i = 0; i < history.size(); ++i) {
       if (!(history.plastic_volume[i] > 0)) continue;

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "dem_compare/case_collection.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {

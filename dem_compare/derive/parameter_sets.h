@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 namespace asperity {
 

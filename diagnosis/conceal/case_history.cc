@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "dem_compare/laws/maugis_dugdale.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 #include "diagnosis/conceal/add_noise.h"
 
 namespace asperity {
@@ -26,8 +26,8 @@ double next_run(const RecordingTable& table) {
 }
 
 /// The accepted steps from `first` on, without anything between them, recorded again and again with noise of its own each time.
-void add_repeated_steps(RecordingTable& table, const ContactHistory& history, std::size_t first, const std::vector<HistoryColumn>& channels,
-                        std::vector<double> ContactHistory::*driven, const char* up, const char* down) {
+void add_repeated_steps(RecordingTable& table, const History& history, std::size_t first, const std::vector<HistoryColumn>& channels,
+                        std::vector<double> History::*driven, const char* up, const char* down) {
   constexpr std::size_t samples = 240;
   const std::size_t steps = history.size() - first, repeats = (samples + steps - 1) / steps;
   const std::vector<double>& position = history.*driven;
@@ -46,10 +46,10 @@ void add_repeated_steps(RecordingTable& table, const ContactHistory& history, st
 
 /// Approach without force (none where the surfaces attract: solved cases begin at touch), loading and unloading as one dense trace:
 /// between accepted steps F^(2/3) is straight in the approach, as it is by Hertz. The approach of a case is counted from first touch.
-void add_loading(RecordingTable& table, const ContactHistory& solved) {
+void add_loading(RecordingTable& table, const History& solved) {
   constexpr double way_before = 0.4;  // of the largest approach
   const bool attracts = *std::min_element(solved.normal_force.begin(), solved.normal_force.end()) < 0;
-  ContactHistory history;
+  History history;
   if (!attracts) {
     history.normal_displacement = {-way_before * *std::max_element(solved.normal_displacement.begin(), solved.normal_displacement.end()), 0};
     history.normal_force = {0, 0};
@@ -79,7 +79,7 @@ void add_loading(RecordingTable& table, const ContactHistory& solved) {
 }
 
 /// From the last step before the shift on: what solvers leave of rounding before it is no motion.
-void add_sliding(RecordingTable& table, const ContactHistory& history, const std::string& folder) {
+void add_sliding(RecordingTable& table, const History& history, const std::string& folder) {
   constexpr double rounding = 1e-4;  // of the largest shift
   double largest = 0;
   for (const double x : history.lateral_displacement) largest = std::max(largest, std::abs(x));
@@ -90,15 +90,15 @@ void add_sliding(RecordingTable& table, const ContactHistory& history, const std
   table.control = {"lateral_displacement", "normal_force"};
   table.response = "lateral_force";
   add_repeated_steps(table, history, first,
-                     {{"lateral_displacement", &ContactHistory::lateral_displacement},
-                      {"normal_force", &ContactHistory::normal_force},
-                      {"lateral_force", &ContactHistory::lateral_force}},
-                     &ContactHistory::lateral_displacement, "forward", "backward");
+                     {{"lateral_displacement", &History::lateral_displacement},
+                      {"normal_force", &History::normal_force},
+                      {"lateral_force", &History::lateral_force}},
+                     &History::lateral_displacement, "forward", "backward");
 }
 
 /// The moment where the contact slips everywhere, as a force at the particle's radius; three measurements of each load.
 void add_torsion(RecordingTable& table, const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const double radius = solved.entries.quantity("Particle/Radius", Dimension::length);
   const auto largest = std::max_element(history.torsion_moment.begin(), history.torsion_moment.end());
   if (!(*largest > 0)) throw InputError(solved.folder.string() + ": its history.csv has no torsion");

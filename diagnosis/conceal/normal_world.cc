@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/conceal/world.h"
 

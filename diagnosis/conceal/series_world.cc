@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/conceal/sphere.h"
 #include "diagnosis/conceal/world.h"
 

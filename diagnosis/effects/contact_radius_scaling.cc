@@ -1,5 +1,5 @@
 // The length over which rolling (or torsion) resists is the radius of the contact, not of the particle: mu r -> mu a.
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {

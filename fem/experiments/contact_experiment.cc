@@ -222,7 +222,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     adhesion_energy = report.adhesion_energy;
     plastic_work += energies.plastic_work;
   }
-  StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
+  HistoryRow r = record(static_cast<int>(records_.size()) + 1, last_report_);
   r.elastic_energy = energies.elastic;
   r.hardening_energy = energies.hardening;
   r.plastic_work = plastic_work;
@@ -240,9 +240,9 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
 }
 
-StepRecord ContactExperiment::record(int step, const SolveReport& report) {
+HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
   const ContactResultants c = solver_->resultants(state_);
-  StepRecord r;
+  HistoryRow r;
   r.step = r.time = step;
   r.normal_force = c.force;
   r.attraction = c.attraction;
@@ -326,7 +326,7 @@ void ContactExperiment::write_step(int index) {
   c.coupling = state_.coupling;
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
-  if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));
+  if (speaks()) write_file_atomically(options_.output / "history.csv", format_history(history_of(records_)));
 }
 
 void ContactExperiment::say_load_steps() const {

@@ -1,5 +1,5 @@
 // Every physical entry of a case file is in the key of "the same contact", and nothing else is.
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 #include <gtest/gtest.h>
 

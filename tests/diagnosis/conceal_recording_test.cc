@@ -85,7 +85,7 @@ TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_i
   test::write_solved(folder.path, solved);
   const ConcealOptions options{Mode::sliding, {}, 0, 1, ""};
   const auto forwards = conceal_case(folder.path, options).recording.tables[0];
-  ContactHistory history = read_history(folder.path / "history.csv");
+  History history = read_history(folder.path / "history.csv");
   for (auto* values : {&history.lateral_displacement, &history.lateral_force})
     for (double& v : *values) v = -v;
   write_file_atomically(folder.path / "history.csv", format_history(history));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/paper/rail_balance.h"
 #include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/instrument_noise.h"

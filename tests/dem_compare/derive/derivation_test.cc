@@ -47,7 +47,7 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
                                    : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
   // Virgin curve: bilinear is enough, the stiffness has tests of its own.
   const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
-  ContactHistory history;
+  History history;
   double correlated = 0;
   const auto add = [&](double force, double position, double resistance) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
@@ -229,7 +229,7 @@ TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apar
   std::mt19937 random(9);
   ParameterSet set;
   set.cases.push_back(make_case({}, "normal", 1e-3, 1, random));
-  ContactHistory& history = set.cases.front().history;
+  History& history = set.cases.front().history;
   for (const double force : {5e-4, 1e-4, -3e-6, -2e-6}) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
@@ -295,7 +295,7 @@ TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
   exact.noise = 0;
   ParameterSet set;
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
-  const ContactHistory& history = set.cases.front().history;
+  const History& history = set.cases.front().history;
   const auto said = [&] { return to_text(derive_parameters(set).laws[Derivation::sliding]); };
   const double a = hertz.contact_radius(1e-3);
   double way = 0;  // of the steady parts there and back

@@ -2,7 +2,7 @@
 
 #include "core/csv.h"
 #include "core/error.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/rolling_resistance.h"
 #include "dem_compare/laws/shear_moduli.h"

@@ -1,4 +1,4 @@
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +56,24 @@ std::vector<std::string> add_listed_entries(const Json& result, Entries& entries
   return listed;
 }
 
+/// Parts of a result that are of one kind or missing.
+void check_kinds(const Json& result, const fs::path& file) {
+  const auto check = [&](std::initializer_list<const char*> names, bool (Json::*is_kind)() const noexcept, const char* kind) {
+    for (const char* name : names)
+      if (result.contains(name) && !(result[name].*is_kind)())
+        throw InputError(file.string() + ": '" + name + "' is no " + kind + "; solve the case again, or remove the file");
+  };
+  check({"format", "title", "experiment", "commit", "inputs_sha256"}, &Json::is_string, "text");
+  check({"inputs", "hertz", "mesh", "effective", "balance", "cost", "versions"}, &Json::is_object, "object");
+  check({"complete"}, &Json::is_boolean, "true or false");
+}
+
 Json read_result(const fs::path& file) {
   if (!fs::exists(file)) return nullptr;
   Json result = json_if_valid(read_file(file));
   if (!result.is_object())
     throw InputError(file.string() + ": is not valid JSON; solve the case again, or remove the file");
+  check_kinds(result, file);
   if (result.value("format", "") != "asperity-result/1")
     throw InputError(file.string() + ": has the format '" + result.value("format", "") +
                      "' where this program reads 'asperity-result/1'");
@@ -119,7 +132,7 @@ double SolvedCase::interface_spacing() const {
   if (finished() && result.contains("mesh") && result["mesh"].contains("interface_spacing")) {
     const Json& spacing = result["mesh"]["interface_spacing"];
     if (spacing.is_number()) return spacing.get<double>();
-    if (spacing.is_object() && spacing.contains("value")) return spacing["value"].get<double>();
+    if (spacing.is_object() && spacing.contains("value") && spacing["value"].is_number()) return spacing["value"].get<double>();
   }
   const double asked = entries.quantity("Mesh/Interface spacing", Dimension::length, 0);
   return asked > 0 ? asked : std::numeric_limits<double>::quiet_NaN();

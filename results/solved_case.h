@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/quantity.h"
-#include "dem_compare/contact_history.h"
-#include "dem_compare/laws/hertz.h"
+#include "results/history.h"
+#include "core/hertz.h"
 
 namespace asperity {
 
@@ -40,7 +40,7 @@ struct SolvedCase {
   std::filesystem::path folder;
   CaseEntries entries;
   nlohmann::ordered_json result;  ///< null as long as the case is not finished
-  ContactHistory history;
+  History history;
   /// "Section/Entry" of the entries that decide the answer, as result.json lists them; empty for a result of an earlier version.
   std::vector<std::string> physical_entries;
 

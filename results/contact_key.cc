@@ -1,4 +1,4 @@
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "dem_compare/surface_text.h"
+#include "results/surface_text.h"
 
 namespace asperity {
 namespace {
