@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "diagnosis/import/instrument_text.h"
 #include "diagnosis/import/segments.h"
+#include "diagnosis/import/text_formats.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -55,6 +56,12 @@ TEST(Import_analytic, counts_cycles_of_partial_unloading) {
     for (int i = 0; i < 50; ++i) signal.push_back(cycle * 10 * (1 - 0.7 * i / 50.0));
   }
   EXPECT_EQ(find_segments(signal).cycle.back(), 7);
+}
+
+TEST(Import_behaviour, a_file_is_fischers_with_a_block_and_its_table_alone) {
+  EXPECT_TRUE(is_fischer({"a", {"Block : 1", "F\th\tt"}}));
+  EXPECT_FALSE(is_fischer({"a", {"Block : 1", "F;h;t"}}));
+  EXPECT_FALSE(is_fischer({"a", {"F\th\tt", "1\t2\t3"}}));
 }
 
 TEST(Import_behaviour, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
