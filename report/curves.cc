@@ -145,11 +145,10 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
     chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour, Series::Style::dashed));
   chart.series.push_back(hertz_over_load(numbers.largest_force, unit,
                                          [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
-  const nlohmann::ordered_json effective = solved.result.is_object() ? solved.result.value("effective", nlohmann::ordered_json::object())
-                                                                     : nlohmann::ordered_json::object();
-  if (effective.contains("normal_stiffness") && effective["normal_stiffness"].value("unit", "") == "N/m")
+  const EffectiveNumber elastic = solved.effective("normal_stiffness");
+  if (std::isfinite(elastic.value) && elastic.unit == "N/m")
     chart.series.push_back({"elastic, at the largest load", "#111111", Series::Style::points, {numbers.largest_force / unit.si},
-                            {effective["normal_stiffness"].value("value", 0.0) / kN_per_m}, {}});
+                            {elastic.value / kN_per_m}, {}});
   chart.width = 520;
   return chart;
 }

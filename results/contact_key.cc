@@ -99,8 +99,8 @@ ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
 ContactInputs contact_inputs(const SolvedCase& solved) {
   if (!solved.lists_physical_entries()) return inputs_of_earlier_version(solved);
   ContactInputs inputs;
-  for (const auto& path : solved.physical_entries)
-    if (!is_of_section(path, "Experiment")) add_canonical(solved, path, solved.entries.text(path), inputs);
+  for (const auto& [path, text] : solved.result->physical_entries)
+    if (!is_of_section(path, "Experiment")) add_canonical(solved, path, text, inputs);
   return inputs;
 }
 

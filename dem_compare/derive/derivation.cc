@@ -36,12 +36,11 @@ Json cases_json(const ParameterSet& set) {
     double load = 0;
     for (const double force : solved.history.normal_force) load = std::max(load, force);
     Json entry{{"folder", solved.folder.string()},
-               {"experiment", experiment_of(solved)},
+               {"experiment", solved.experiment()},
                {"load", load},
                {"realisation", realisation_of(solved)}};
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
-    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
-      entry["asperity"] = solved.result["versions"]["asperity"];
+    if (solved.finished() && !solved.result->version.empty()) entry["asperity"] = solved.result->version;
     if (std::isfinite(solved.open_energy())) entry["open_energy"] = solved.open_energy();
     cases.push_back(std::move(entry));
   }
@@ -52,8 +51,7 @@ Json cases_json(const ParameterSet& set) {
 std::string versions_of(const ParameterSet& set) {
   std::set<std::string> versions;
   for (const auto& solved : set.cases)
-    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
-      versions.insert(solved.result["versions"]["asperity"].get<std::string>());
+    if (solved.finished() && !solved.result->version.empty()) versions.insert(solved.result->version);
   std::string text;
   for (const auto& version : versions) text += (text.empty() ? "asperity " : ", ") + version;
   return text.empty() ? "a version that is not said" : text;

@@ -253,7 +253,7 @@ LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, Contact
   report.title = mode.title;
   std::vector<MotionCase> seen;
   for (const auto& solved : set.cases)
-    if (experiment_of(solved) == mode.experiment) seen.push_back(observe(solved, mode));
+    if (solved.experiment() == mode.experiment) seen.push_back(observe(solved, mode));
   std::stable_sort(seen.begin(), seen.end(),
                    [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {

@@ -30,7 +30,4 @@ ParameterSets collect_parameter_sets(const std::vector<std::filesystem::path>& f
 /// set.
 std::string differences(const std::vector<ParameterSet>& sets);
 
-/// What `solve` did: normal, sliding, rolling or torsion.
-std::string experiment_of(const SolvedCase& solved);
-
 }  // namespace asperity

@@ -181,7 +181,7 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
 
 const MotionMode* mode_of(const SolvedCase& solved) {
   for (const MotionMode* mode : {&sliding_mode(), &rolling_mode(), &torsion_mode()})
-    if (experiment_of(solved) == mode->experiment) return mode;
+    if (solved.experiment() == mode->experiment) return mode;
   return nullptr;
 }
 

@@ -92,10 +92,11 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
   SolvedCase solved;
   solved.folder = type + "_" + std::to_string(load) + "_" + std::to_string(seed);
   solved.entries = CaseEntries(entries);
-  solved.result = {{"format", "asperity-result/1"},
-                   {"experiment", type},
-                   {"mesh", {{"interface_spacing", 1e-8}}},
-                   {"versions", {{"asperity", "0.1.0"}}}};
+  solved.result = case_result_of({{"format", CaseResult::format},
+                                  {"experiment", type},
+                                  {"mesh", {{"interface_spacing", 1e-8}}},
+                                  {"versions", {{"asperity", "0.1.0"}}}},
+                                 "made");
   solved.history = history;
   return solved;
 }
@@ -317,7 +318,7 @@ TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_rever
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   SolvedCase& solved = set.cases.front();
   const double k = 8 * sliding_modulus(glass, silicon) * hertz.contact_radius(1e-3);
-  solved.result["effective"] = {{"lateral_stiffness", {{"value", k}, {"sd", 0.1 * k}}}};
+  solved.result->effective = {{"lateral_stiffness", {k, 0.1 * k, "N/m"}}};
   const ContactParameters p = derive_parameters(set).parameters;
   EXPECT_NEAR(p.lateral_stiffness->value / k, 1, 1e-9);
   EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
@@ -441,7 +442,7 @@ void write_case(const std::filesystem::path& folder, const SolvedCase& solved, c
       << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
          "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
       << solved.entries.text("Substrate/Topography") << "\nend\n";
-  nlohmann::ordered_json result = solved.result;
+  nlohmann::ordered_json result = solved.result->document;
   result["inputs"] = {{"friction_coefficient", friction}};
   if (finished) std::ofstream(folder / "result.json") << result.dump();
 }
