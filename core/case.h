@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/hertz.h"
+#include "core/motion.h"
 
 namespace asperity {
 
@@ -34,7 +35,7 @@ struct InterfaceInput {
 
 /// How the particle is moved.
 struct ExperimentInput {
-  enum class Type { normal, sliding, rolling, torsion, program } type = Type::normal;
+  Motion type = Motion::normal;  ///< not rail, which is a program
   enum class Control { force, displacement } control = Control::force;
   double normal_load = 0;      ///< largest normal force F [N] (force control)
   double normal_approach = 0;  ///< largest approach [m] (displacement control)

@@ -13,11 +13,9 @@
 #include <vector>
 
 #include "core/hertz.h"
+#include "core/length_scale.h"
 
 namespace asperity {
-
-/// What a quantity is multiplied by, or grows with as the load changes.
-enum class LengthScale { none, particle_radius, contact_radius };
 
 /// Normal loads [N].
 struct LoadRange {

@@ -10,7 +10,7 @@
 namespace asperity {
 
 struct Experiment {
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   ElasticBody particle, substrate, indenter;
   double radius = 0;              ///< nominal, of the particle [m]
   double yield_hint = 0;          ///< smallest known yield stress [Pa]; 0: none is known

@@ -145,7 +145,7 @@ MotionLead lead_of_program(const SolvedCase& solved) {
 std::optional<MotionLead> motion_lead(const SolvedCase& solved) {
   if (solved.history.size() == 0) return std::nullopt;
   if (const MotionMode* mode = mode_of(solved)) return lead_of_motion(solved, *mode);
-  if (solved.experiment() == "program") return lead_of_program(solved);
+  if (solved.motion() == Motion::program) return lead_of_program(solved);
   return std::nullopt;
 }
 

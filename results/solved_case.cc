@@ -103,8 +103,11 @@ double SolvedCase::open_energy() const {
   return finished() ? std::abs(result->balance_of("energy")) : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string SolvedCase::experiment() const {
-  return finished() && !result->experiment.empty() ? result->experiment : entries.text("Experiment/Type", "normal");
+Motion SolvedCase::motion() const {
+  const std::string name = finished() && !result->experiment.empty() ? result->experiment : entries.text("Experiment/Type", "normal");
+  const auto motion = motion_named(name);
+  if (!motion) throw InputError(folder.string() + ": there is no experiment '" + name + "'; its result.json or case.prm was changed");
+  return *motion;
 }
 
 bool is_case_folder(const fs::path& folder) { return fs::exists(folder / "history.csv"); }

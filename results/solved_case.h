@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "core/quantity.h"
 #include "results/case_result.h"
 #include "results/history.h"
@@ -40,8 +41,8 @@ struct SolvedCase {
   std::string title() const;
   bool finished() const { return result.has_value(); }
   bool lists_physical_entries() const { return finished() && !result->physical_entries.empty(); }
-  /// "normal", "sliding", ...
-  std::string experiment() const;
+  /// What moved it. Throws InputError for a name that is none.
+  Motion motion() const;
   /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it does not.
   double open_energy() const;
   EffectiveNumber effective(const std::string& name) const { return finished() ? result->effective_number(name) : EffectiveNumber{}; }

@@ -36,7 +36,7 @@ Json cases_json(const ParameterSet& set) {
     double load = 0;
     for (const double force : solved.history.normal_force) load = std::max(load, force);
     Json entry{{"folder", solved.folder.string()},
-               {"experiment", solved.experiment()},
+               {"experiment", name_of(solved.motion())},
                {"load", load},
                {"realisation", realisation_of(solved)}};
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
@@ -129,14 +129,17 @@ Derivation derive_parameters(const ParameterSet& set) {
   record["cases"] = cases_json(set);
   for (const auto& solved : set.cases)
     if (is_energy_flagged(solved)) record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
-  const char* names[] = {"normal", "sliding", "torsion", "rolling"};
-  for (std::size_t i = 0; i < derivation.laws.size(); ++i) {
-    Json law = derivation.laws[i].details;
-    law["findings"] = derivation.laws[i].findings;
-    law["not_told"] = derivation.laws[i].not_told;
-    record[names[i]] = std::move(law);
+  for (const LawReport& report : derivation.laws) {
+    Json law = report.details;
+    law["findings"] = report.findings;
+    law["not_told"] = report.not_told;
+    record[name_of(report.motion)] = std::move(law);
   }
   return derivation;
+}
+
+const LawReport& Derivation::law_of(Motion motion) const {
+  return *std::find_if(laws.begin(), laws.end(), [&](const LawReport& law) { return law.motion == motion; });
 }
 
 std::string to_text(const LawReport& report) {

@@ -3,7 +3,7 @@
 namespace asperity {
 
 const MotionMode& sliding_mode() {
-  static const MotionMode mode{"sliding",
+  static const MotionMode mode{Motion::sliding,
                                "Sliding, f_l = mu (f + h)",
                                &History::lateral_displacement,
                                &History::lateral_force,
@@ -22,7 +22,7 @@ const MotionMode& sliding_mode() {
 }
 
 const MotionMode& torsion_mode() {
-  static const MotionMode mode{"torsion",
+  static const MotionMode mode{Motion::torsion,
                                "Torsion, M = mu lambda (f + h)",
                                &History::torsion_angle,
                                &History::torsion_moment,
@@ -41,7 +41,7 @@ const MotionMode& torsion_mode() {
 }
 
 const MotionMode& rolling_mode() {
-  static const MotionMode mode{"rolling",
+  static const MotionMode mode{Motion::rolling,
                                "Rolling, M = mu lambda (f + h)",
                                &History::rolling_angle,
                                &History::rolling_moment,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/motion.h"
 #include "results/history.h"
 #include "dem_compare/contact_parameters.h"
 #include "dem_compare/derive/steady_motion.h"
@@ -13,7 +14,7 @@ namespace asperity {
 
 /// What tells the modes apart.
 struct MotionMode {
-  const char* experiment;  ///< of the case file
+  Motion motion;
   const char* title;
   std::vector<double> History::*position;
   std::vector<double> History::*resistance;

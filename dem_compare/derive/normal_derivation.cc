@@ -222,7 +222,7 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
                  largest = *std::max_element(force.begin(), force.end());
     // Solved to about 1e-6 of the load: smaller pulls are none.
     constexpr double noise_share = 1e-5;
-    if (!(-least > noise_share * largest) || solved.experiment() != "normal") continue;
+    if (!(-least > noise_share * largest) || solved.motion() != Motion::normal) continue;
     pulls.push_back(-least);
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }

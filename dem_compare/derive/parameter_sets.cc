@@ -75,7 +75,7 @@ class Collector {
     for (const auto& [entry, value] : set.inputs)
       if (is_friction(entry) && value.find_first_of("123456789") != std::string::npos) return false;
     return std::all_of(set.cases.begin(), set.cases.end(),
-                       [](const SolvedCase& solved) { return solved.experiment() == "normal"; });
+                       [](const SolvedCase& solved) { return solved.motion() == Motion::normal; });
   }
 
   void share_frictionless_cases() {

@@ -139,7 +139,7 @@ std::map<std::string, TrueParameter> known_parameters(const std::string& effect,
 ConcealedRecording conceal_case(const std::filesystem::path& folder, const ConcealOptions& options) { return conceal_cases({folder}, options); }
 
 ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folders, const ConcealOptions& options) {
-  if (options.mode != Mode::normal && options.mode != Mode::sliding && options.mode != Mode::torsion)
+  if (options.mode != Motion::normal && options.mode != Motion::sliding && options.mode != Motion::torsion)
     throw InputError(folders.front().string() + ": a case becomes a recording in modes normal, sliding and torsion, not " + name_of(options.mode));
   std::vector<SolvedCase> cases;
   for (const auto& folder : folders) cases.push_back(read_solved_case(folder));
@@ -153,16 +153,16 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
   recording.tables.emplace_back();
   for (const SolvedCase& solved : cases) {
     RecordingTable& table = recording.tables[0];
-    if (options.mode == Mode::normal) add_loading(table, solved.history);
-    else if (options.mode == Mode::sliding) add_sliding(table, solved.history, solved.folder.string());
+    if (options.mode == Motion::normal) add_loading(table, solved.history);
+    else if (options.mode == Motion::sliding) add_sliding(table, solved.history, solved.folder.string());
     else add_torsion(table, solved);
   }
-  if (options.mode != Mode::normal) {
+  if (options.mode != Motion::normal) {
     recording.simulation_is_given = true;
     constexpr double guess = 0.3, torsion_guess = 0.01;
-    if (options.mode == Mode::torsion) recording.simulation.torsion = "constant";
-    recording.simulation.parameters[options.mode == Mode::sliding ? "sliding_friction" : "torsion_friction"] = {
-        options.mode == Mode::sliding ? guess : torsion_guess, true};
+    if (options.mode == Motion::torsion) recording.simulation.torsion = "constant";
+    recording.simulation.parameters[options.mode == Motion::sliding ? "sliding_friction" : "torsion_friction"] = {
+        options.mode == Motion::sliding ? guess : torsion_guess, true};
   }
   for (const auto& id : options.effects) {
     TrueEffect effect;
@@ -176,7 +176,7 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
   const auto& response = recording.tables[0].column(recording.tables[0].response);
   double largest = 0;
   for (const double value : response) largest = std::max(largest, std::abs(value));
-  if (options.noise > 0 && options.mode != Mode::torsion) recording.noise[recording.tables[0].response] = options.noise * largest;
+  if (options.noise > 0 && options.mode != Motion::torsion) recording.noise[recording.tables[0].response] = options.noise * largest;
   hidden::add_noise(concealed, {}, options);
   check_recording(recording);
   return concealed;

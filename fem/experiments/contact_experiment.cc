@@ -133,7 +133,7 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   RigidMotion motion = station.motion;
   if (!previous) return motion;
   // What free rolling gave way to stays.
-  if (input_.experiment.type == ExperimentInput::Type::program) {
+  if (input_.experiment.type == Motion::program) {
     motion.x = state_.motion.x + station.motion.x - previous->motion.x;
     motion.y = state_.motion.y + station.motion.y - previous->motion.y;
   }
@@ -284,12 +284,11 @@ HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
 void ContactExperiment::measure_stiffness() {
   const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
   stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
-  using Type = ExperimentInput::Type;
-  const Type type = input_.experiment.type;
-  const bool moves_as_written = type == Type::program && solver_->has_friction();
-  if (type == Type::sliding || type == Type::rolling || moves_as_written)
+  const Motion type = input_.experiment.type;
+  const bool moves_as_written = type == Motion::program && solver_->has_friction();
+  if (type == Motion::sliding || type == Motion::rolling || moves_as_written)
     lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
-  if (type == Type::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
+  if (type == Motion::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
 }
 
 void ContactExperiment::step_to(const Station& station, int index) {

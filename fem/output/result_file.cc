@@ -22,16 +22,6 @@ json number(double value, const char* unit, double sd) {
   return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
 }
 
-const char* name_of(ExperimentInput::Type type) {
-  switch (type) {
-    case ExperimentInput::Type::sliding: return "sliding";
-    case ExperimentInput::Type::rolling: return "rolling";
-    case ExperimentInput::Type::torsion: return "torsion";
-    case ExperimentInput::Type::program: return "program";
-    default: return "normal";
-  }
-}
-
 json body_inputs(const BodyInput& body) {
   return {{"youngs_modulus", body.youngs_modulus},
           {"poissons_ratio", body.poisson_ratio},
@@ -135,7 +125,7 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
     effective.add("load_step_error", steps, "", {load_step_doubt});
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
-  if (input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint.depth)) {
+  if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
     // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
     const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
     const double sd = last.plastic_volume > 0
@@ -154,7 +144,7 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
 /// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
 void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak, const std::vector<HistoryRow>& records,
                 const DiscretisationError& error) {
-  if (input.experiment.type == ExperimentInput::Type::program) {  // steady in nothing
+  if (input.experiment.type == Motion::program) {  // steady in nothing
     effective.add("friction_work", records.back().friction_work, "J", {error.resistance(1), records.back().energy_error});
     return;
   }

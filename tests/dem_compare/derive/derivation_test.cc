@@ -248,10 +248,10 @@ TEST(Derivation_analytic, writes_the_standard_deviations_of_its_fits) {
   truth.noise = 0.05;
   const Derivation derivation = derive_parameters(make_set(truth, wide, 2, random));
   const ContactParameters& p = derivation.parameters;
-  const ResistanceLaw sliding = fit_resistance(derivation.laws[Derivation::sliding].points, LengthScale::none);
+  const ResistanceLaw sliding = fit_resistance(derivation.law_of(Motion::sliding).points, LengthScale::none);
   EXPECT_DOUBLE_EQ(p.sliding_friction->sd, std::sqrt(sliding.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.sliding_offset->sd, std::sqrt(sliding.covariance(1, 1)));
-  const ResistanceLaw torsion = fit_resistance(derivation.laws[Derivation::torsion].points, LengthScale::contact_radius);
+  const ResistanceLaw torsion = fit_resistance(derivation.law_of(Motion::torsion).points, LengthScale::contact_radius);
   EXPECT_DOUBLE_EQ(p.torsion_friction->sd, std::sqrt(torsion.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.torsion_offset->sd, std::sqrt(torsion.covariance(1, 1)));
 }
@@ -286,7 +286,7 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
   }
   const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") +
                                ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
-  const std::string text = to_text(derivation.laws[Derivation::sliding]);
+  const std::string text = to_text(derivation.law_of(Motion::sliding));
   EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
 }
 
@@ -297,7 +297,7 @@ TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
   ParameterSet set;
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   const History& history = set.cases.front().history;
-  const auto said = [&] { return to_text(derive_parameters(set).laws[Derivation::sliding]); };
+  const auto said = [&] { return to_text(derive_parameters(set).law_of(Motion::sliding)); };
   const double a = hertz.contact_radius(1e-3);
   double way = 0;  // of the steady parts there and back
   for (const double x : history.lateral_displacement) way = std::max(way, x);
