@@ -211,12 +211,11 @@ void add_experiment(std::vector<CaseEntry>& entries) {
   const auto at = [](auto ExperimentInput::*member) {
     return [=](CaseInput& input) -> auto& { return input.experiment.*member; };
   };
-  using Type = ExperimentInput::Type;
   using Control = ExperimentInput::Control;
   const std::string section = "Experiment";
-  entries.push_back(choice<Type>(section, "Type", at(&ExperimentInput::type),
-                                 {{"normal", Type::normal}, {"sliding", Type::sliding}, {"rolling", Type::rolling}, {"torsion", Type::torsion},
-                                  {"program", Type::program}},
+  entries.push_back(choice<Motion>(section, "Type", at(&ExperimentInput::type),
+                                 {{"normal", Motion::normal}, {"sliding", Motion::sliding}, {"rolling", Motion::rolling}, {"torsion", Motion::torsion},
+                                  {"program", Motion::program}},
                                  "normal", "How the particle is moved after the normal load is applied; program: as Program says."));
   entries.push_back(choice<Control>(section, "Control", at(&ExperimentInput::control),
                                     {{"force", Control::force}, {"displacement", Control::displacement}}, "force",

@@ -59,18 +59,8 @@ class Checker {
     throw InputError(where_set(settings_, path, file_) + ": " + sentence);
   }
 
-  static double plane_strain_compliance(const BodyInput& body) {
-    return (1 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
-  }
-
-  /// Radius of the contact by Hertz 1881: a = (3 F R / (4 E*))^(1/3) or sqrt(R delta).
-  double hertz_radius() const {
-    const auto& experiment = input_.experiment;
-    if (experiment.control == ExperimentInput::Control::displacement)
-      return std::sqrt(input_.radius * experiment.normal_approach);
-    return std::cbrt(0.75 * experiment.normal_load * input_.radius *
-                     (plane_strain_compliance(input_.particle) + plane_strain_compliance(input_.substrate)));
-  }
+  /// Radius of the contact of smooth elastic bodies.
+  double hertz_radius() const { return std::sqrt(input_.radius * hertz_approach_of(input_)); }
 
   void check_program() const {
     const std::string objection = objection_to_program(input_.experiment);

@@ -13,7 +13,7 @@
 #include "core/output_folder.h"
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "report/comparison_page.h"
 
 namespace asperity {

@@ -34,7 +34,7 @@ void run_conceal(const ConcealArguments& arguments) {
 
 std::string list_of_effects() {
   std::string text = "Effects by mode (outside of the catalogue in brackets):\n";
-  for (const Mode mode : all_modes()) {
+  for (const Motion mode : all_modes()) {
     text += "  " + name_of(mode) + ":";
     for (const auto& effect : concealable_effects(mode)) text += " " + effect;
     for (const auto& effect : outsiders(mode)) text += " (" + effect + ")";

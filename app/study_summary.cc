@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "core/atomic_file.h"
-#include "core/json_text.h"
+#include "core/error.h"
+#include "results/case_result.h"
 
 namespace asperity {
 namespace {
@@ -18,15 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const std::string result_format = "asperity-result/1";
+using Results = std::vector<std::optional<CaseResult>>;
 
 /// result.json of a case; nothing if it is missing, cut off, of another format, or says that it is not complete.
-std::optional<Json> read_result(const fs::path& folder) {
-  if (!fs::is_regular_file(folder / "result.json")) return std::nullopt;
-  Json result = json_if_valid(read_file(folder / "result.json"));
-  if (!result.is_object() || result.value("format", "") != result_format || !result.value("complete", true))
+std::optional<CaseResult> read_result(const fs::path& folder) {
+  try {
+    return fs::is_regular_file(folder / "result.json") ? read_case_result(folder / "result.json") : std::nullopt;
+  } catch (const InputError&) {
     return std::nullopt;
-  return result;
+  }
 }
 
 std::string word_for(CaseProgress::State state) {
@@ -47,21 +48,22 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-std::string number(const Json& value) {
-  if (!value.is_number()) return "";
+/// Nothing for NaN.
+std::string number(double value) {
+  if (std::isnan(value)) return "";
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value.get<double>());
+  std::snprintf(buffer, sizeof buffer, "%.9g", value);
   return buffer;
 }
 
 /// An effective quantity over the realisations of one cell of the matrix.
 class Scatter {
  public:
-  void add(const Json& quantity) {
-    if (!quantity.contains("value") || !quantity["value"].is_number()) return;
-    unit_ = quantity.value("unit", "");
-    values_.push_back(quantity["value"].get<double>());
-    if (quantity.contains("sd") && quantity["sd"].is_number()) case_sds_.push_back(quantity["sd"].get<double>());
+  void add(const EffectiveNumber& number) {
+    if (std::isnan(number.value)) return;
+    unit_ = number.unit;
+    values_.push_back(number.value);
+    if (!std::isnan(number.sd)) case_sds_.push_back(number.sd);
   }
 
   /// Mean over realisations; `realisation_sd` their sample standard deviation, `case_sd` the mean of the cases' own.
@@ -94,7 +96,7 @@ Json varied_values(const Study& study, const std::vector<std::string>& labels) {
   return object;
 }
 
-Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& progress, const std::optional<Json>& result) {
+Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& progress, const std::optional<CaseResult>& result) {
   Json object{{"name", cell.name},
               {"folder", cell.name},
               {"values", varied_values(study, cell.labels)},
@@ -103,11 +105,11 @@ Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& pr
   if (!progress.message.empty()) object["message"] = progress.message;
   if (result)
     for (const char* part : {"inputs_sha256", "commit", "effective", "balance", "cost"})
-      if (result->contains(part)) object[part] = (*result)[part];
+      if (result->document.contains(part)) object[part] = result->document[part];
   return object;
 }
 
-Json groups_json(const Study& study, const std::vector<std::optional<Json>>& results) {
+Json groups_json(const Study& study, const Results& results) {
   std::vector<std::pair<std::vector<std::string>, std::vector<std::size_t>>> groups;
   std::map<std::vector<std::string>, std::size_t> group_of;
   for (std::size_t i = 0; i < study.cases.size(); ++i) {
@@ -119,12 +121,13 @@ Json groups_json(const Study& study, const std::vector<std::optional<Json>>& res
   for (const auto& [labels, members] : groups) {
     std::vector<std::pair<std::string, Scatter>> quantities;
     for (const std::size_t i : members) {
-      if (!results[i] || !results[i]->contains("effective")) continue;
-      for (const auto& [name, quantity] : (*results[i])["effective"].items()) {
+      if (!results[i]) continue;
+      for (const auto& [key, number] : results[i]->effective) {
+        const std::string& name = key;
         auto at = quantities.begin();
         while (at != quantities.end() && at->first != name) ++at;
         if (at == quantities.end()) at = quantities.insert(at, {name, Scatter()});
-        at->second.add(quantity);
+        at->second.add(number);
       }
     }
     Json effective = Json::object();
@@ -136,13 +139,13 @@ Json groups_json(const Study& study, const std::vector<std::optional<Json>>& res
 }
 
 std::string csv_text(const Study& study, const std::vector<CaseProgress>& progress,
-                     const std::vector<std::optional<Json>>& results) {
+                     const Results& results) {
   // Columns: every effective quantity that any case has, with the unit it is given in.
   std::vector<std::pair<std::string, std::string>> quantities;
   for (const auto& result : results)
-    if (result && result->contains("effective"))
-      for (const auto& [name, quantity] : (*result)["effective"].items()) {
-        const std::pair<std::string, std::string> column{name, quantity.value("unit", "")};
+    if (result)
+      for (const auto& [name, number] : result->effective) {
+        const std::pair<std::string, std::string> column{name, number.unit};
         if (std::find(quantities.begin(), quantities.end(), column) == quantities.end()) quantities.push_back(column);
       }
   std::string text = "case,state,realisation";
@@ -157,9 +160,8 @@ std::string csv_text(const Study& study, const std::vector<CaseProgress>& progre
     text += cell.name + "," + word_for(progress[i].state) + "," + std::to_string(cell.realisation);
     for (const auto& label : cell.labels) text += "," + quoted(label);
     for (const auto& [name, unit] : quantities) {
-      Json quantity = Json::object();
-      if (results[i] && results[i]->contains("effective")) quantity = (*results[i])["effective"].value(name, Json::object());
-      text += "," + number(quantity.value("value", Json())) + "," + number(quantity.value("sd", Json()));
+      const EffectiveNumber found = results[i] ? results[i]->effective_number(name) : EffectiveNumber{};
+      text += "," + number(found.value) + "," + number(found.sd);
     }
     text += "\n";
   }
@@ -171,7 +173,7 @@ std::string csv_text(const Study& study, const std::vector<CaseProgress>& progre
 bool has_result(const fs::path& folder) { return read_result(folder).has_value(); }
 
 void write_study_summary(const Study& study, const std::vector<CaseProgress>& progress, const fs::path& output) {
-  std::vector<std::optional<Json>> results;
+  Results results;
   for (std::size_t i = 0; i < study.cases.size(); ++i)
     results.push_back(progress[i].state == CaseProgress::State::done ? read_result(output / study.cases[i].name)
                                                                      : std::nullopt);

@@ -5,6 +5,9 @@
 #include <map>
 #include <string>
 
+#include "core/hertz.h"
+#include "core/motion.h"
+
 namespace asperity {
 
 /// One elastic-plastic body of a contact (small-strain J2 plasticity with associated flow).
@@ -32,7 +35,7 @@ struct InterfaceInput {
 
 /// How the particle is moved.
 struct ExperimentInput {
-  enum class Type { normal, sliding, rolling, torsion, program } type = Type::normal;
+  Motion type = Motion::normal;  ///< not rail, which is a program
   enum class Control { force, displacement } control = Control::force;
   double normal_load = 0;      ///< largest normal force F [N] (force control)
   double normal_approach = 0;  ///< largest approach [m] (displacement control)
@@ -85,5 +88,17 @@ struct CaseInput {
   /// for result.json, where cases of the same contact are known by them. Empty for a case that no file was read for.
   std::map<std::string, std::string> physical_entries;
 };
+
+/// The bodies as if they were smooth and elastic.
+inline Hertz hertz_of(const CaseInput& input) {
+  const auto elastic = [](const BodyInput& body) { return ElasticBody{body.youngs_modulus, body.poisson_ratio}; };
+  return {reduced_modulus(elastic(input.particle), elastic(input.substrate)), input.radius};
+}
+
+/// Their approach at the largest load, or the one that is asked for [m].
+inline double hertz_approach_of(const CaseInput& input) {
+  const ExperimentInput& e = input.experiment;
+  return e.control == ExperimentInput::Control::displacement ? e.normal_approach : hertz_of(input).approach(e.normal_load);
+}
 
 }  // namespace asperity

@@ -103,7 +103,7 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
 }
 
 std::string objection_to_program(const ExperimentInput& e) {
-  if (e.type != ExperimentInput::Type::program)
+  if (e.type != Motion::program)
     return e.program.empty() ? "" : "Experiment/Program is given but Type is another; set Type = program";
   const auto parts = parse_motion_program(e.program);
   if (parts.empty()) return "Experiment/Type = program needs Experiment/Program, e.g. 'slide 200 nm and spin 20 mrad; roll 30 mrad'";

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "dem_compare/derive/case_numbers.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {

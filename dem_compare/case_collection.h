@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 #include "dem_compare/normal_numbers.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity {
 

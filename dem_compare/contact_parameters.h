@@ -12,12 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
+#include "core/length_scale.h"
 
 namespace asperity {
-
-/// What a quantity is multiplied by, or grows with as the load changes.
-enum class LengthScale { none, particle_radius, contact_radius };
 
 /// Normal loads [N].
 struct LoadRange {

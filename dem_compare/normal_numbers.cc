@@ -37,7 +37,7 @@ struct Branch {
   Values approach, force;
 };
 
-Branch branch_of(const ContactHistory& history, const HistoryBranch& range) {
+Branch branch_of(const History& history, const HistoryBranch& range) {
   Branch branch;
   for (std::size_t i = range.first; i <= range.last; ++i) {
     if (history.normal_force[i] <= 0) continue;
@@ -75,7 +75,7 @@ FittedNumber parameter(const LeastSquaresFit& fit, Eigen::Index i, double unit) 
 }
 
 /// The steps of the first loading; stiffnesses are those of `numbers`.
-std::vector<LoadPoint> load_points(const ContactHistory& history, const HistoryBranch& loading, const Hertz& hertz,
+std::vector<LoadPoint> load_points(const History& history, const HistoryBranch& loading, const Hertz& hertz,
                                    const NormalNumbers& numbers) {
   std::vector<LoadPoint> points;
   for (std::size_t i = loading.first; i <= loading.last; ++i) {
@@ -167,7 +167,7 @@ double NormalNumbers::at_load(double force, double LoadPoint::*member) const {
   return unknown;
 }
 
-NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz) {
+NormalNumbers normal_numbers(const History& history, const Hertz& hertz) {
   NormalNumbers numbers;
   numbers.residual_imprint = unknown;
   if (history.size() == 0) return numbers;

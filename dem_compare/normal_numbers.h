@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "dem_compare/contact_history.h"
-#include "dem_compare/laws/hertz.h"
+#include "results/history.h"
+#include "core/hertz.h"
 
 namespace asperity {
 
@@ -85,6 +85,6 @@ struct NormalNumbers {
   double at_load(double force, double LoadPoint::*member) const;
 };
 
-NormalNumbers normal_numbers(const ContactHistory& history, const Hertz& hertz);
+NormalNumbers normal_numbers(const History& history, const Hertz& hertz);
 
 }  // namespace asperity

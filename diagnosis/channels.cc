@@ -26,15 +26,6 @@ const std::vector<std::pair<std::string, Dimension>>& channels() {
   return list;
 }
 
-const std::vector<std::pair<Mode, std::string>>& modes() {
-  static const std::vector<std::pair<Mode, std::string>> list{{Mode::normal, "normal"},
-                                                              {Mode::sliding, "sliding"},
-                                                              {Mode::rolling, "rolling"},
-                                                              {Mode::rail, "rail"},
-                                                              {Mode::torsion, "torsion"}};
-  return list;
-}
-
 std::string remedy(const std::string& written, const std::vector<std::string>& names) {
   const std::string meant = nearest_name(written, names);
   return meant.empty() ? "use one of " + joined(names, ", ") : "did you mean '" + meant + "'?";
@@ -42,26 +33,16 @@ std::string remedy(const std::string& written, const std::vector<std::string>& n
 
 }  // namespace
 
-std::string name_of(Mode mode) {
-  for (const auto& [known, name] : modes())
-    if (known == mode) return name;
-  return "";
-}
-
-Mode mode_of(const std::string& written) {
+Motion mode_of(const std::string& written) {
   std::vector<std::string> names;
-  for (const auto& [mode, name] : modes()) {
-    if (name == written) return mode;
-    names.push_back(name);
+  for (const Motion mode : all_modes()) {
+    if (name_of(mode) == written) return mode;
+    names.push_back(name_of(mode));
   }
   throw InputError("there is no mode '" + written + "'; " + remedy(written, names));
 }
 
-std::vector<Mode> all_modes() {
-  std::vector<Mode> list;
-  for (const auto& entry : modes()) list.push_back(entry.first);
-  return list;
-}
+std::vector<Motion> all_modes() { return {Motion::normal, Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion}; }
 
 std::vector<std::string> known_channels() {
   std::vector<std::string> names;

@@ -42,10 +42,10 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
     double left = std::numeric_limits<double>::infinity(), right = -left;
     for (std::size_t i = run.begin; i < run.end; ++i) {
       const Sample& s = samples.list[i];
-      const double force = recording.mode == Mode::normal && !run.response_is_displacement ? s.response : s.normal_force;
+      const double force = recording.mode == Motion::normal && !run.response_is_displacement ? s.response : s.normal_force;
       forces.push_back(force);
       if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
-      deepest = std::max(deepest, recording.mode == Mode::normal && run.response_is_displacement ? s.response : s.normal_displacement);
+      deepest = std::max(deepest, recording.mode == Motion::normal && run.response_is_displacement ? s.response : s.normal_displacement);
       shallowest = std::min(shallowest, s.normal_displacement);
       if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
       left = std::min(left, s.lateral_displacement);
@@ -73,10 +73,10 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   for (const double f : forces) sizes.push_back(std::abs(f));
   e.typical_force = median(sizes);
   if (e.typical_force <= 0) e.typical_force = e.largest_force;
-  e.largest_displacement = recording.mode == Mode::normal && deepest > 0 ? deepest : e.hertz().approach(std::max(e.largest_force, 0.0));
+  e.largest_displacement = recording.mode == Motion::normal && deepest > 0 ? deepest : e.hertz().approach(std::max(e.largest_force, 0.0));
   e.has_both_directions = forward && backward;
-  e.has_unloading = recording.mode == Mode::normal && backward;
-  e.has_off_contact = recording.mode == Mode::normal && shallowest < 0;
+  e.has_unloading = recording.mode == Motion::normal && backward;
+  e.has_off_contact = recording.mode == Motion::normal && shallowest < 0;
   if (!speeds.empty()) {
     constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
     std::sort(speeds.begin(), speeds.end());

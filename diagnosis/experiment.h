@@ -4,13 +4,13 @@
 #include <map>
 #include <string>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/samples.h"
 
 namespace asperity {
 
 struct Experiment {
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   ElasticBody particle, substrate, indenter;
   double radius = 0;              ///< nominal, of the particle [m]
   double yield_hint = 0;          ///< smallest known yield stress [Pa]; 0: none is known

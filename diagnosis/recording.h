@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "core/quantity.h"
 
 namespace asperity {
 
-/// What moves: approach along the normal; shift; roll; roll and spin in a V-groove; spin about the normal.
-enum class Mode { normal, sliding, rolling, rail, torsion };
-
-std::string name_of(Mode mode);
 /// Throws InputError with the nearest name.
-Mode mode_of(const std::string& name);
-std::vector<Mode> all_modes();
+Motion mode_of(const std::string& name);
+/// Of recordings: all but programs.
+std::vector<Motion> all_modes();
 
 /// One of the two (three) bodies in contact. Unknown values are NaN.
 struct RecordedBody {
@@ -70,7 +68,7 @@ struct RecordingTable {
 struct Recording {
   std::filesystem::path folder;  ///< where it was read; empty for one made in memory
   std::string title;
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   RecordedBody particle, substrate;
   std::optional<RecordedBody> indenter;  ///< rolling and rail
   double rail_angle = RecordedBody::unknown;  ///< of inclination [rad]

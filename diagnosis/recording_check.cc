@@ -95,8 +95,8 @@ void check_table(const Recording& recording, const RecordingTable& table) {
   if (table.has(sd))
     for (std::size_t row = 0; row < rows; ++row)
       if (table.column(sd)[row] <= 0) throw InputError(file + ": row " + std::to_string(row + 1) + " of '" + sd + "' is not above zero");
-  const std::string other = recording.mode == Mode::normal ? "normal_displacement" : "normal_force";
-  if (recording.mode != Mode::normal && !table.has(other)) table.column(other);
+  const std::string other = recording.mode == Motion::normal ? "normal_displacement" : "normal_force";
+  if (recording.mode != Motion::normal && !table.has(other)) table.column(other);
   check_time(recording, table);
 }
 
@@ -119,7 +119,7 @@ void check_recording(const Recording& recording) {
   check_body(recording, recording.particle, "particle");
   check_body(recording, recording.substrate, "substrate");
   if (!(recording.particle.radius > 0)) throw InputError(file + ": 'particle' needs its 'radius', for example \"8.5 um\"");
-  const bool rolls = recording.mode == Mode::rolling || recording.mode == Mode::rail;
+  const bool rolls = recording.mode == Motion::rolling || recording.mode == Motion::rail;
   if (recording.indenter) check_body(recording, *recording.indenter, "indenter");
   else if (rolls) throw InputError(file + ": '" + name_of(recording.mode) + "' needs the 'indenter', the body that pushes from above");
   check_simulation(recording);
@@ -128,7 +128,7 @@ void check_recording(const Recording& recording) {
   if (recording.tables.empty()) throw InputError(file + ": there are no tables");
   for (const auto& table : recording.tables) {
     check_table(recording, table);
-    if (recording.mode == Mode::rail && !table.has("rail_angle") && !std::isfinite(recording.rail_angle))
+    if (recording.mode == Motion::rail && !table.has("rail_angle") && !std::isfinite(recording.rail_angle))
       throw InputError(file + ": 'rail' needs the 'rail_angle', for example \"45 deg\"");
   }
 }

@@ -101,7 +101,7 @@ SimulationChoice simulation_of(const Json& json, const std::string& file) {
   return choice;
 }
 
-RecordingTable table_of(const Json& json, Mode mode, const fs::path& folder, const std::string& file) {
+RecordingTable table_of(const Json& json, Motion mode, const fs::path& folder, const std::string& file) {
   check_keys(json, {"file", "kind", "control", "response", "at"}, "'tables'", file);
   RecordingTable table;
   table.file = text_of(json, "file", "", file);
@@ -125,11 +125,11 @@ RecordingTable table_of(const Json& json, Mode mode, const fs::path& folder, con
   }
   read_table_file(folder / table.file, table);
   if (table.control.empty()) {
-    if (mode == Mode::normal) table.control = {"normal_displacement"};
+    if (mode == Motion::normal) table.control = {"normal_displacement"};
     else if (table.kind == TableKind::trace) table.control = {"lateral_displacement", "normal_force"};
     else table.control = {"normal_force"};
   }
-  table.response = text_of(json, "response", mode == Mode::normal ? "normal_force" : "lateral_force", file);
+  table.response = text_of(json, "response", mode == Motion::normal ? "normal_force" : "lateral_force", file);
   return table;
 }
 

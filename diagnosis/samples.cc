@@ -178,7 +178,7 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
 Samples samples_of(const Recording& recording) {
   Samples samples;
   Named segments{samples.segment_names};
-  const bool normal = recording.mode == Mode::normal;
+  const bool normal = recording.mode == Motion::normal;
   for (std::size_t t = 0; t < recording.tables.size(); ++t) {
     const RecordingTable& table = recording.tables[t];
     samples.table_names.push_back(table.file);

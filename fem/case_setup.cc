@@ -79,19 +79,12 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
 
 /// Hertz' contact at the largest load.
 void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
-  const double R = input.radius;
-  const auto compliance = [](const BodyInput& b) { return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus; };
-  setup.reduced_modulus = 1 / (compliance(input.particle) + compliance(input.substrate));
+  const Hertz hertz = hertz_of(input);
+  setup.reduced_modulus = hertz.reduced_modulus;
+  setup.hertz_approach = hertz_approach_of(input);
   const bool force = input.experiment.control == ExperimentInput::Control::force;
-  if (force) {
-    setup.largest_load = input.experiment.normal_load;
-    setup.hertz_radius = std::cbrt(3 * setup.largest_load * R / (4 * setup.reduced_modulus));
-    setup.hertz_approach = setup.hertz_radius * setup.hertz_radius / R;
-  } else {
-    setup.hertz_approach = input.experiment.normal_approach;
-    setup.hertz_radius = std::sqrt(R * setup.hertz_approach);
-    setup.largest_load = 4.0 / 3 * setup.reduced_modulus * std::sqrt(R) * std::pow(setup.hertz_approach, 1.5);
-  }
+  setup.largest_load = force ? input.experiment.normal_load : hertz.force(setup.hertz_approach);
+  setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
 }
 
 /// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves them.
@@ -152,13 +145,12 @@ double hertz_separation(double r, double a, double R) {
 }
 
 CaseInput with_derived_way(const CaseInput& input) {
-  using Type = ExperimentInput::Type;
   CaseInput derived = input;
   CaseSetup setup;
   find_hertz_scales(input, setup);
   auto& e = derived.experiment;
-  if ((e.type == Type::sliding || e.type == Type::rolling) && e.distance == 0) e.distance = 5 * setup.hertz_radius;
-  if (e.type == Type::torsion && e.angle == 0) e.angle = 6 * motion_scales(input, setup, 0).full_slip_angle;
+  if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0) e.distance = 5 * setup.hertz_radius;
+  if (e.type == Motion::torsion && e.angle == 0) e.angle = 6 * motion_scales(input, setup, 0).full_slip_angle;
   return derived;
 }
 
@@ -244,11 +236,10 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   sizes.spacing_particle = sizes.spacing_substrate = spacing;
   sizes.region_particle = region;
   sizes.region_substrate = region + 3 * spacing;
-  using Type = ExperimentInput::Type;
-  const Type type = input.experiment.type;
+  const Motion type = input.experiment.type;
   const bool rough = upper != "smooth" || lower != "smooth";
-  options.tilted_normals = type == Type::sliding || type == Type::rolling || type == Type::program || (type == Type::torsion && rough);
-  if (type == Type::rolling) {
+  options.tilted_normals = type == Motion::sliding || type == Motion::rolling || type == Motion::program || (type == Motion::torsion && rough);
+  if (type == Motion::rolling) {
     sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
     const double reach = region + sizes.reach_particle, longest = longest_reach(region, R);
     if (sizes.reach_particle > longest)
@@ -257,7 +248,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
                        at_most(2 * longest) + " or less");
     sizes.region_substrate += R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
   }
-  if (type == Type::sliding) {
+  if (type == Motion::sliding) {
     // The particle slides from the origin along x.
     sizes.reach_substrate = sizes.offset_substrate_x = input.experiment.distance / 2;
     const double longest = sizes.block_half_width / 2;
@@ -267,7 +258,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
                        at_most(2 * (longest - sizes.region_substrate)) + " or less");
   }
   setup.motion = motion_scales(input, setup, spacing);
-  if (type == Type::program) fit_to_program(input, setup);
+  if (type == Motion::program) fit_to_program(input, setup);
   options.mesh.layers = input.mesh.layers;
   for (auto& body : setup.roughness) body.spacing = spacing;
   setup.roughness[0].region = 2 * (sizes.region_particle + sizes.reach_particle);

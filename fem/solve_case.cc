@@ -14,12 +14,11 @@ namespace {
 /// What can be said of a case before it is meshed.
 void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
-  using Type = ExperimentInput::Type;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };
-  const auto parts = e.type == Type::program ? parse_motion_program(e.program) : std::vector<ProgramPart>{};
+  const auto parts = e.type == Motion::program ? parse_motion_program(e.program) : std::vector<ProgramPart>{};
   const std::string objection = objection_to_program(e);
   if (!objection.empty()) refuse(objection);
-  const bool rolls = e.type == Type::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
+  const bool rolls = e.type == Motion::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
   if (rolls && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
   if (i.work_of_adhesion > 0 && i.adhesion_range == 0)
@@ -28,11 +27,11 @@ void require_solvable(const CaseInput& input) {
     refuse("Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
-  if (e.type != Type::normal && input.interface.friction_coefficient == 0 && input.interface.shear_strength == 0 && e.type == Type::torsion)
+  if (e.type != Motion::normal && input.interface.friction_coefficient == 0 && input.interface.shear_strength == 0 && e.type == Motion::torsion)
     refuse("torsion without friction meets no resistance; set Interface/Friction coefficient or Shear strength");
-  if (e.type != Type::normal && e.cycles > 1 && !e.reverse)
+  if (e.type != Motion::normal && e.cycles > 1 && !e.reverse)
     refuse("Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
-  if (e.way_back > 0 && (!e.reverse || e.cycles > 1 || (e.type != Type::sliding && e.type != Type::rolling)))
+  if (e.way_back > 0 && (!e.reverse || e.cycles > 1 || (e.type != Motion::sliding && e.type != Motion::rolling)))
     refuse("Experiment/Way back is for one cycle of sliding or rolling with Reverse = true; set it to 0");
 }
 

@@ -5,7 +5,7 @@
 #include <ctime>
 
 #include "dem_compare/comparison.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "report/axis.h"
 #include "report/curves.h"
 #include "report/motion_figures.h"
@@ -87,7 +87,7 @@ std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupCo
   if (group.numbers.differencing_error > 0)
     sentences.push_back("The finite load steps change the stiffness by at most " +
                         percent_bound(group.numbers.differencing_error) + ".");
-  if (solved.finished() && solved.result.contains("mesh") && solved.result["mesh"].value("contact_reaches_rim", false))
+  if (solved.finished() && solved.result->reaches_rim)
     sentences.push_back("<b>The contact reached the rim of the finely meshed region:</b> what lies beyond it is missing; solve again "
                         "with a larger Mesh/Contact region.");
   const std::string balance = balance_sentence(solved);
@@ -138,14 +138,12 @@ std::string tables_of(const SolvedCase& solved, const GroupComparison& group, co
 
 }  // namespace
 
-std::string subtitle_of(const fs::path& folder, const nlohmann::ordered_json& result) {
+std::string subtitle_of(const fs::path& folder, const SolvedCase& solved) {
   const std::time_t now = std::time(nullptr);
   char date[32];
   std::strftime(date, sizeof date, "%Y-%m-%d %H:%M", std::localtime(&now));
   std::string text = "asperity report of " + escaped(fs::absolute(folder).lexically_normal().filename().string()) + ", written " + date;
-  if (result.is_object() && result.contains("versions") && result["versions"].is_object() && result["versions"].contains("asperity") &&
-      result["versions"]["asperity"].is_string())
-    text += ", computed by asperity " + escaped(result["versions"]["asperity"].get<std::string>());
+  if (solved.finished() && !solved.result->version.empty()) text += ", computed by asperity " + escaped(solved.result->version);
   return text;
 }
 
@@ -177,7 +175,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += section_html("Pressure and gap in the contact", contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += tables_of(solved, group, numbers);
-  return page_html(solved.title(), subtitle_of(folder, solved.result), body);
+  return page_html(solved.title(), subtitle_of(folder, solved), body);
 }
 
 }  // namespace asperity::report

@@ -10,6 +10,6 @@ namespace asperity::report {
 std::string case_report_html(const std::filesystem::path& folder, SectionPainter& painter);
 
 /// "Written on 2026-11-21 by asperity ..., from ...": below the title.
-std::string subtitle_of(const std::filesystem::path& folder, const nlohmann::ordered_json& result);
+std::string subtitle_of(const std::filesystem::path& folder, const SolvedCase& solved);
 
 }  // namespace asperity::report

@@ -79,7 +79,7 @@ std::string branch_name(HistoryBranch::Kind kind, int loadings, int unloadings) 
 }
 
 /// Branches of a history, each as a series of one of its columns.
-std::vector<Series> branch_series(const ContactHistory& history, const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<Series> branch_series(const History& history, const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<Series> list;
   int loadings = 0, unloadings = 0;
   for (const auto& branch : history_branches(history)) {
@@ -123,7 +123,7 @@ ForceUnit force_unit(double largest_force) {
 }
 
 Chart load_approach_chart(const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   Chart chart;
   chart.x_label = "approach δ of the bodies [nm]";
@@ -145,17 +145,16 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
     chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour, Series::Style::dashed));
   chart.series.push_back(hertz_over_load(numbers.largest_force, unit,
                                          [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
-  const nlohmann::ordered_json effective = solved.result.is_object() ? solved.result.value("effective", nlohmann::ordered_json::object())
-                                                                     : nlohmann::ordered_json::object();
-  if (effective.contains("normal_stiffness") && effective["normal_stiffness"].value("unit", "") == "N/m")
+  const EffectiveNumber elastic = solved.effective("normal_stiffness");
+  if (std::isfinite(elastic.value) && elastic.unit == "N/m")
     chart.series.push_back({"elastic, at the largest load", "#111111", Series::Style::points, {numbers.largest_force / unit.si},
-                            {effective["normal_stiffness"].value("value", 0.0) / kN_per_m}, {}});
+                            {elastic.value / kN_per_m}, {}});
   chart.width = 520;
   return chart;
 }
 
 Chart contact_area_chart(const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   const Hertz hertz = solved.hertz();
   Chart chart;
@@ -181,7 +180,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     bool named = false;
     for (const auto& solved : curves[i].largest->cases) {
-      const ContactHistory& history = solved.history;
+      const History& history = solved.history;
       const auto branches = history_branches(history);
       if (branches.empty()) continue;
       // Loading and first unloading; further cycles would hide the difference between the surfaces.

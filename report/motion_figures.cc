@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/csv.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "report/axis.h"
@@ -109,8 +108,7 @@ Chart program_forces_chart(const SolvedCase& solved) {
   Chart chart = chart_over_steps("force [µN]");
   add_over_steps("normal", load_colour, solved.history.normal_force, uN, chart);
   add_over_steps("lateral, along", computed_colour, solved.history.lateral_force, uN, chart);
-  const CsvTable table = read_csv(solved.folder / "history.csv");
-  add_over_steps("lateral, across", other_colour, table.numbers("lateral_force_across [N]"), uN, chart);
+  add_over_steps("lateral, across", other_colour, solved.history.lateral_force_across, uN, chart);
   return chart;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/csv.h"
 #include "dem_compare/derive/parameter_sets.h"
 #include "dem_compare/resistance/moving_case.h"
 #include "dem_compare/resistance/sentences.h"
@@ -121,15 +120,14 @@ MotionLead lead_of_program(const SolvedCase& solved) {
     for (const double value : values) size = std::isfinite(value) ? std::max(size, std::abs(value)) : size;
     return size;
   };
-  const ContactHistory& h = solved.history;
+  const History& h = solved.history;
   const double load = largest(h.normal_force), lateral = largest(h.lateral_force);
   MotionLead lead;
   lead.headline = "Moved as written under up to " + in_units(load, Dimension::force) + ": at most " + in_units(lateral, Dimension::force) +
                   " lateral force along, " + resistance_text({largest(h.rolling_moment), NAN}, rolling_mode()) + " rolling and " +
                   resistance_text({largest(h.torsion_moment), NAN}, torsion_mode()) + " torsion moment";
-  const CsvTable table = read_csv(solved.folder / "history.csv");
-  const auto last = [&](const char* column) { return table.has(column) && !table.numbers(column).empty() ? table.numbers(column).back() : NAN; };
-  const double slip = last("friction_work [J]"), plastic = last("plastic_work [J]") - last("hardening_energy [J]"), bonds = last("adhesion_loss [J]");
+  const auto last = [](const std::vector<double>& values) { return values.empty() ? NAN : values.back(); };
+  const double slip = last(h.friction_work), plastic = last(h.plastic_work) - last(h.hardening_energy), bonds = last(h.adhesion_loss);
   const double sum = slip + plastic + bonds;
   lead.tiles.push_back({in_units(lateral, Dimension::force), "largest lateral force", percent_text(lateral / load) + " of the largest load"});
   if (sum > 0) {
@@ -147,7 +145,7 @@ MotionLead lead_of_program(const SolvedCase& solved) {
 std::optional<MotionLead> motion_lead(const SolvedCase& solved) {
   if (solved.history.size() == 0) return std::nullopt;
   if (const MotionMode* mode = mode_of(solved)) return lead_of_motion(solved, *mode);
-  if (experiment_of(solved) == "program") return lead_of_program(solved);
+  if (solved.motion() == Motion::program) return lead_of_program(solved);
   return std::nullopt;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 #include "report/page.h"
 
 namespace asperity::report {

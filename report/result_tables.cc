@@ -65,54 +65,43 @@ const char* meaning_of_balance(const std::string& name) {
 
 }  // namespace
 
-double number_of(const Json& value) {
-  if (value.is_number()) return value.get<double>();
-  if (value.is_object() && value.contains("value") && value["value"].is_number()) return value["value"].get<double>();
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 std::string effective_table(const SolvedCase& solved) {
-  if (!solved.finished() || !solved.result.contains("effective")) return "";
+  if (!solved.finished()) return "";
   Table table{{"effective quantity", "value", "± sd", "unit"}, {}, true};
-  for (const auto& [name, quantity] : solved.result["effective"].items()) {
-    if (!quantity.is_object()) continue;
-    const double sd = quantity.contains("sd") ? number_of(quantity["sd"]) : std::numeric_limits<double>::quiet_NaN();
-    table.rows.push_back({escaped(spaced(name)), general(number_of(quantity), 5), std::isfinite(sd) ? general(sd, 2) : "–",
-                          escaped(quantity.value("unit", ""))});
-  }
+  for (const auto& [name, number] : solved.result->effective)
+    table.rows.push_back({escaped(spaced(name)), general(number.value, 5), std::isfinite(number.sd) ? general(number.sd, 2) : "–",
+                          escaped(number.unit)});
   return table.rows.empty() ? "" : table_html(table);
 }
 
 std::string balance_table(const SolvedCase& solved) {
-  if (!solved.finished() || !solved.result.contains("balance")) return note("The balances are known when the case is finished.");
+  if (!solved.finished() || solved.result->balance.empty()) return note("The balances are known when the case is finished.");
   Table table{{"balance", "relative error", "compares"}, {}, true};
-  for (const auto& [name, value] : solved.result["balance"].items())
-    table.rows.push_back({escaped(spaced(name)), general(number_of(value), 2), meaning_of_balance(name)});
+  for (const auto& [name, error] : solved.result->balance)
+    table.rows.push_back({escaped(spaced(name)), general(error, 2), meaning_of_balance(name)});
   return table_html(table);
 }
 
 std::string balance_sentence(const SolvedCase& solved) {
-  if (!solved.finished() || !solved.result.contains("balance")) return "";
+  if (!solved.finished()) return "";
   std::string parts;
-  for (const auto& [name, value] : solved.result["balance"].items()) {
-    const double error = std::abs(number_of(value));
-    if (std::isfinite(error)) parts += (parts.empty() ? "" : ", ") + spaced(name) + " within " + percent_bound(error);
-  }
+  for (const auto& [name, error] : solved.result->balance)
+    if (std::isfinite(error)) parts += (parts.empty() ? "" : ", ") + spaced(name) + " within " + percent_bound(std::abs(error));
   return parts.empty() ? "" : "The computation balances: " + parts + ".";
 }
 
 std::string resolved_roughness_sentence(const SolvedCase& solved, const std::string& body) {
   if (!solved.finished()) return "";
-  const Json roughness = solved.result.value("mesh", Json::object()).value("roughness", Json::object()).value(body, Json());
-  if (!roughness.is_object()) return "";
-  const auto number = [&](const char* name) { return number_of(roughness.value(name, Json())); };
-  const double cells = number("cells_over_shortest_wave"), shorter = number("slope_variance_in_shorter_waves"), period = number("repeats_every");
-  const double missed = number_of(roughness.value("missed_by_facets", Json::object()).value("slope_variance", Json()));
+  const std::optional<ResolvedRoughness>& said = solved.result->roughness[body == "particle" ? 0 : 1];
+  if (!said) return "";
+  const double cells = said->cells_over_shortest_wave, shorter = said->slope_variance_in_shorter_waves, period = said->repeats_every;
+  const double missed = said->missed_slope_variance;
   constexpr double worth_saying = 0.01;
   std::string text = "Roughness of the " + body + ":";
   if (std::isfinite(cells))
-    text += " " + general(cells, 2) + " cells over its shortest wave of " + in_units(number("shortest_wave"), Dimension::length) + ";";
-  text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) + " of its slope variance, so the largest pressures read too small (their ± sd says by how much)";
+    text += " " + general(cells, 2) + " cells over its shortest wave of " + in_units(said->shortest_wave, Dimension::length) + ";";
+  text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) + " of its slope variance, "
+          "so the largest pressures read too small (their ± sd says by how much)";
   if (shorter > worth_saying) text += "; waves shorter still, with " + percent_text(shorter) + " of the scan's slope variance, are not in the simulation";
   if (std::isfinite(period)) text += "; the surface repeats every " + in_units(period, Dimension::length);
   return text + ".";
@@ -121,7 +110,7 @@ std::string resolved_roughness_sentence(const SolvedCase& solved, const std::str
 std::string remaining_tables(const SolvedCase& solved) {
   if (!solved.finished()) return "";
   Table table{{"", ""}, {}, true};
-  for (const auto& [name, value] : solved.result.items()) {
+  for (const auto& [name, value] : solved.result->document.items()) {
     if (name == "inputs" || name == "effective" || name == "balance" || name == "title" || name == "experiment") continue;
     if (name == "cost" && value.is_object()) {
       for (const auto& [part, inner] : value.items()) {
@@ -141,9 +130,9 @@ std::string inputs_table(const SolvedCase& solved) {
   Table table{{"entry of the case file", "value"}, {}, true};
   for (const auto& [path, text] : solved.entries.all()) table.rows.push_back({escaped(path), escaped(text)});
   const std::string entries = details_html("All entries of the case", table_html(table));
-  if (!solved.finished() || !solved.result.contains("inputs")) return entries;
+  if (!solved.finished() || !solved.result->document.contains("inputs")) return entries;
   Table taken;
-  add_rows(taken, "", solved.result["inputs"]);
+  add_rows(taken, "", solved.result->document["inputs"]);
   return entries + details_html("What the solver made of them (SI units), and what its results mean", table_html(taken));
 }
 

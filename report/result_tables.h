@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dem_compare/comparison.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 
@@ -24,7 +24,5 @@ std::string fit_table(const NormalNumbers& numbers, double true_radius);
 
 /// Largest relative balance error in the words of a verdict, or that none was given.
 std::string balance_sentence(const SolvedCase& solved);
-/// Number of a JSON value that is one, or an object {value, unit}; NaN else.
-double number_of(const nlohmann::ordered_json& value);
 
 }  // namespace asperity::report

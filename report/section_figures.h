@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 #include "report/section_picture.h"
 #include "report/virtual_display.h"
 

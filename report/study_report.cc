@@ -124,7 +124,7 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
                        (pressed.groups.empty() ? note(worst_balance_sentence(collection)) : "") + case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(first)));
   body += section_html("What went in", note("Of the first case:") + inputs_table(first));
-  report.page = page_html(title, subtitle_of(folder, first.result), body);
+  report.page = page_html(title, subtitle_of(folder, first), body);
   return report;
 }
 

@@ -133,15 +133,14 @@ std::string case_list(const CaseCollection& collection) {
   Table table{{"folder", "cells", "unknowns", "force", "moment", "energy", "wall time", "peak memory [GiB]"}, {}, true};
   for (const auto& group : collection.groups)
     for (const auto& solved : group.cases) {
-      const auto entry = [&](const char* part, const char* name) {
-        return solved.result.contains(part) && solved.result[part].contains(name) ? number_of(solved.result[part][name]) : NAN;
-      };
+      if (!solved.finished()) continue;
+      const CaseResult& result = *solved.result;
       const auto count = [](double value) { return std::isfinite(value) ? std::to_string(std::llround(value)) : std::string("–"); };
       constexpr double GiB = 1024.0 * 1024 * 1024;
-      table.rows.push_back({escaped(solved.folder.filename().string()), count(entry("mesh", "cells")), count(entry("mesh", "dofs")),
-                            percent_text(entry("balance", "force")), percent_text(entry("balance", "moment")),
-                            percent_text(entry("balance", "energy")), duration_text(entry("cost", "wall_time")),
-                            plus_minus({1, entry("cost", "peak_memory"), NAN, NAN}, GiB)});
+      table.rows.push_back({escaped(solved.folder.filename().string()), count(result.cells), count(result.unknowns),
+                            percent_text(result.balance_of("force")), percent_text(result.balance_of("moment")),
+                            percent_text(result.balance_of("energy")), duration_text(result.wall_time),
+                            plus_minus({1, result.peak_memory, NAN, NAN}, GiB)});
     }
   return table_html(table) + note("force, moment and energy are the relative errors of the balances. <code>asperity report</code> on "
                                   "one of the folders writes the full page of that case.");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "dem_compare/hertz_verdict.h"
 #include "report/axis.h"
 #include "report/page.h"
@@ -90,9 +90,9 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
   std::map<std::string, double> worst;
   for (const auto& group : collection.groups)
     for (const auto& solved : group.cases)
-      if (solved.result.contains("balance"))
-        for (const auto& [name, value] : solved.result["balance"].items())
-          if (std::isfinite(number_of(value))) worst[name] = std::max(worst[name], std::abs(number_of(value)));
+      if (solved.finished())
+        for (const auto& [name, error] : solved.result->balance)
+          if (std::isfinite(error)) worst[name] = std::max(worst[name], std::abs(error));
   std::string text;
   for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
   return text.empty() ? "" : "Largest relative errors of the balances over all cases: " + text + ".";

@@ -15,11 +15,7 @@ std::string entry_of(const SolvedCase& solved, const std::string& section) {
 
 /// What result.json says of a surface within the contact region [m]; NaN if it does not.
 double meshed_rms_of(const SolvedCase& solved, const std::string& section) {
-  if (!solved.result.is_object()) return std::numeric_limits<double>::quiet_NaN();
-  const nlohmann::ordered_json inputs = solved.result.value("inputs", nlohmann::ordered_json::object());
-  const nlohmann::ordered_json rms = inputs.value("rms_in_region", nlohmann::ordered_json::object());
-  const std::string body = section == "Particle" ? "particle" : "substrate";
-  return rms.contains(body) ? number_of(rms[body]) : std::numeric_limits<double>::quiet_NaN();
+  return solved.finished() ? solved.result->rms_in_region[section == "Particle" ? 0 : 1] : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dem_compare/comparison.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 

@@ -7,7 +7,6 @@
 namespace asperity {
 namespace {
 
-using Type = EngineExperiment::Type;
 
 /// Quasi-static: the density sets the time step of the engine and no result.
 ContactParameters with_density(ContactParameters p) {
@@ -44,7 +43,7 @@ ContactParameters of_bodies(const ComparedContact& contact) {
 
 ContactParameters as_given(const ComparedContact& contact) { return with_density(*contact.record); }
 
-EngineExperiment engine_experiment(Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
+EngineExperiment engine_experiment(Motion type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
                                    double rail_angle) {
   EngineExperiment experiment;
   experiment.type = type;
@@ -53,7 +52,7 @@ EngineExperiment engine_experiment(Type type, const ContactParameters& substrate
   if (!std::isfinite(experiment.indenter.particle.density)) experiment.indenter.particle.density = substrate.particle.density;
   experiment.load = load;
   experiment.rail_angle = rail_angle;
-  if (type == Type::twisting) return experiment;  // goes by its limit, not by an amplitude
+  if (type == Motion::torsion) return experiment;  // goes by its limit, not by an amplitude
   const ClosedForm form = closed_form(experiment);
   constexpr double room = 10;
   experiment.amplitude = room * std::max(form.first_yield, form.full_yield);
@@ -63,7 +62,7 @@ EngineExperiment engine_experiment(Type type, const ContactParameters& substrate
 EngineExperiment glued(ContactParameters p, double load) {
   constexpr double any_friction = 0.1;
   if (!p.sliding_friction || p.sliding_friction->value <= 0) p.sliding_friction = constant(any_friction);
-  return engine_experiment(Type::glued, p, p, load);
+  return engine_experiment(Motion::sliding, p, p, load);
 }
 
 EngineExperiment twisting(const ComparedContact& contact, double load, double stiffness, double limit) {
@@ -72,7 +71,7 @@ EngineExperiment twisting(const ComparedContact& contact, double load, double st
   p.torsion_friction = constant(limit / (load * contact.radius), LengthScale::particle_radius);
   p.torsion_offset.reset();
   if (!p.sliding_friction) p.sliding_friction = constant(contact.friction);
-  return engine_experiment(Type::twisting, p, p, load);
+  return engine_experiment(Motion::torsion, p, p, load);
 }
 
 EngineRequest rail_run(const ComparedContact& contact, double load, const RailCase& rail, double torsion, bool with_offsets) {
@@ -84,7 +83,7 @@ EngineRequest rail_run(const ComparedContact& contact, double load, const RailCa
     p.rolling_offset.reset();
     p.torsion_offset.reset();
   }
-  return EngineRequest{engine_experiment(Type::rail, p, p, load, rail.angle), "rail coefficient"};
+  return EngineRequest{engine_experiment(Motion::rail, p, p, load, rail.angle), "rail coefficient"};
 }
 
 }  // namespace asperity

@@ -33,7 +33,7 @@ ContactParameters of_bodies(const ComparedContact& contact);
 ContactParameters as_given(const ComparedContact& contact);
 
 /// With an amplitude that reaches every limit with room to spare. load [N], rail_angle [rad].
-EngineExperiment engine_experiment(EngineExperiment::Type type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
+EngineExperiment engine_experiment(Motion type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
                                    double rail_angle = 0);
 /// The glued sphere's loop. The approach is asked for where the case has no friction, too: it does not depend on it.
 EngineExperiment glued(ContactParameters p, double load);

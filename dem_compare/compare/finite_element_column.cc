@@ -25,7 +25,7 @@ ComparedValue scaled(ComparedValue value, double factor) {
 
 /// Steady resistance over load and `length`; where the history has no steady way, what the solver says.
 ComparedValue steady_over_load(const SolvedCase& solved, const MotionMode& mode, double length, const ComparedValue& otherwise) {
-  if (experiment_of(solved) != mode.experiment || solved.history.size() == 0) return otherwise;
+  if (solved.motion() != mode.motion || solved.history.size() == 0) return otherwise;
   const MovingCase moving = moving_case(solved, mode);
   if (!moving.reached()) return moving.has_energies() ? ComparedValue{} : otherwise;
   const Uncertain resistance = moving.resistance();
@@ -64,7 +64,7 @@ FiniteElementValue value_of(const Estimate& estimate, double own_sd) {
 void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group,
                 const GroupComparison& compared) {
   if (compared.loads.empty()) return;
-  const bool is_normal = experiment_of(group.first()) == "normal";
+  const bool is_normal = group.first().motion() == Motion::normal;
   for (std::size_t i = is_normal ? 0 : compared.loads.size() - 1; i < compared.loads.size(); ++i) {
     const LoadComparison& load = compared.loads[i];
     const bool is_largest = i + 1 == compared.loads.size();
@@ -86,7 +86,7 @@ void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup
 
 }  // namespace
 
-double stiffness_to_sliding(const ContactHistory& history, double sliding_force) {
+double stiffness_to_sliding(const History& history, double sliding_force) {
   // From the last step at rest to the first one that slides.
   const std::size_t size = history.lateral_force.size();
   constexpr double rest = 1e-2, sliding = 0.98;
@@ -129,7 +129,7 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
       return steady_over_load(solved, sliding_mode(), 1, effective(solved, "sliding_friction"));
     });
     add(points, g, group, Quantity::rolling_stiffness, load, [](const SolvedCase& solved) -> ComparedValue {
-      const auto moving = experiment_of(solved) == "rolling" ? moving_case(solved, rolling_mode()) : MovingCase{};
+      const auto moving = solved.motion() == Motion::rolling ? moving_case(solved, rolling_mode()) : MovingCase{};
       if (!moving.reached() || !moving.has_energies()) return effective(solved, "rolling_stiffness");
       const ReversalStiffness back =
           rolling_stiffness(solved.history.rolling_angle, solved.history.rolling_moment, moving.resistance().value);

@@ -10,7 +10,6 @@
 namespace asperity {
 namespace {
 
-using Type = EngineExperiment::Type;
 constexpr double equal_work = 5.0 / 6;  // Mindlin & Deresiewicz over Mindlin without slip: finite_element_column.h
 
 std::string file_of(const ComparedContact& contact) { return std::filesystem::path(contact.record->file).filename().string(); }
@@ -135,7 +134,7 @@ std::vector<LawValue> rolling_laws(Quantity quantity, const ComparedContact& con
   }
   // The plate's force acts over the diameter: M_s + M_i = 2 r f. Both contacts resist the rotation.
   const auto run = [&](const ContactParameters& below, const ContactParameters& above) {
-    const EngineExperiment experiment = engine_experiment(Type::rolling, below, above, load);
+    const EngineExperiment experiment = engine_experiment(Motion::rolling, below, above, load);
     return quantity == Quantity::rolling_stiffness ? EngineRequest{experiment, "stiffness against rotation", 2}
                                                    : EngineRequest{experiment, "plateau", load};
   };
@@ -221,15 +220,15 @@ std::vector<LawValue> rail_laws(Quantity quantity, const ComparedContact& contac
 
 std::vector<LawValue> law_values(Quantity quantity, const ComparedContact& contact, double load, const RailCase* rail) {
   switch (display_of(quantity).mode) {
-    case ComparedMode::normal:
+    case Motion::normal:
       return normal_laws(quantity, contact, load);
-    case ComparedMode::sliding:
+    case Motion::sliding:
       return sliding_laws(quantity, contact, load);
-    case ComparedMode::rolling:
+    case Motion::rolling:
       return rolling_laws(quantity, contact, load);
-    case ComparedMode::torsion:
+    case Motion::torsion:
       return torsion_laws(quantity, contact, load);
-    case ComparedMode::rail:
+    case Motion::rail:
       break;
   }
   if (!rail) return {no_law("no rail was named")};

@@ -2,36 +2,20 @@
 
 namespace asperity {
 
-const char* mode_name(ComparedMode mode) {
-  switch (mode) {
-    case ComparedMode::normal:
-      return "normal";
-    case ComparedMode::sliding:
-      return "sliding";
-    case ComparedMode::rolling:
-      return "rolling";
-    case ComparedMode::torsion:
-      return "torsion";
-    case ComparedMode::rail:
-      return "rail";
-  }
-  return "";
-}
-
 const QuantityDisplay& display_of(Quantity quantity) {
   static const std::vector<QuantityDisplay> displays{
-      {Quantity::approach, ComparedMode::normal, "approach", "approach", "m", "nm", 1e-9},
-      {Quantity::normal_stiffness, ComparedMode::normal, "normal_stiffness", "normal stiffness", "N/m", "kN/m", 1e3},
-      {Quantity::lateral_stiffness, ComparedMode::sliding, "lateral_stiffness", "lateral stiffness from rest", "N/m", "kN/m", 1e3},
-      {Quantity::lateral_stiffness_to_sliding, ComparedMode::sliding, "lateral_stiffness_to_sliding", "lateral stiffness up to sliding",
+      {Quantity::approach, Motion::normal, "approach", "approach", "m", "nm", 1e-9},
+      {Quantity::normal_stiffness, Motion::normal, "normal_stiffness", "normal stiffness", "N/m", "kN/m", 1e3},
+      {Quantity::lateral_stiffness, Motion::sliding, "lateral_stiffness", "lateral stiffness from rest", "N/m", "kN/m", 1e3},
+      {Quantity::lateral_stiffness_to_sliding, Motion::sliding, "lateral_stiffness_to_sliding", "lateral stiffness up to sliding",
        "N/m", "kN/m", 1e3},
-      {Quantity::sliding_friction, ComparedMode::sliding, "sliding_friction", "sliding force over load", "", "", 1},
-      {Quantity::rolling_stiffness, ComparedMode::rolling, "rolling_stiffness", "rolling stiffness", "N m/rad", "nN m/rad", 1e-9},
-      {Quantity::rolling_friction, ComparedMode::rolling, "rolling_friction", "rolling moment over load and radius", "", "×10⁻³", 1e-3},
-      {Quantity::torsion_stiffness, ComparedMode::torsion, "torsion_stiffness", "torsion stiffness", "N m/rad", "nN m/rad", 1e-9},
-      {Quantity::torsion_friction, ComparedMode::torsion, "torsion_friction", "torsion moment over load and radius", "", "×10⁻³", 1e-3},
-      {Quantity::rail_friction, ComparedMode::rail, "rail_friction", "rail coefficient", "", "×10⁻³", 1e-3},
-      {Quantity::rail_force, ComparedMode::rail, "rail_force", "rail force over load", "", "×10⁻³", 1e-3},
+      {Quantity::sliding_friction, Motion::sliding, "sliding_friction", "sliding force over load", "", "", 1},
+      {Quantity::rolling_stiffness, Motion::rolling, "rolling_stiffness", "rolling stiffness", "N m/rad", "nN m/rad", 1e-9},
+      {Quantity::rolling_friction, Motion::rolling, "rolling_friction", "rolling moment over load and radius", "", "×10⁻³", 1e-3},
+      {Quantity::torsion_stiffness, Motion::torsion, "torsion_stiffness", "torsion stiffness", "N m/rad", "nN m/rad", 1e-9},
+      {Quantity::torsion_friction, Motion::torsion, "torsion_friction", "torsion moment over load and radius", "", "×10⁻³", 1e-3},
+      {Quantity::rail_friction, Motion::rail, "rail_friction", "rail coefficient", "", "×10⁻³", 1e-3},
+      {Quantity::rail_force, Motion::rail, "rail_force", "rail force over load", "", "×10⁻³", 1e-3},
   };
   return displays[static_cast<std::size_t>(quantity)];
 }

@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "dem_compare/paper/uncertain.h"
 
 namespace asperity {
-
-/// Modes of motion of the paper's experiments.
-enum class ComparedMode { normal, sliding, rolling, torsion, rail };
-const char* mode_name(ComparedMode mode);
 
 enum class Quantity {
   approach,
@@ -32,7 +29,7 @@ enum class Quantity {
 /// How a quantity is named and shown.
 struct QuantityDisplay {
   Quantity quantity;
-  ComparedMode mode;
+  Motion mode;
   const char* key;    ///< in files
   const char* words;  ///< in tables and sentences
   const char* si;
@@ -67,7 +64,7 @@ struct ComparisonRow {
   ComparedValue reduced_law, engine, published;
   std::string verdict{};  ///< on this load alone
 
-  ComparedMode mode() const { return display_of(quantity).mode; }
+  Motion mode() const { return display_of(quantity).mode; }
 };
 
 /// The engine gets the law's number as it is: without the number's sd.

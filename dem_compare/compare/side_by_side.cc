@@ -62,13 +62,13 @@ class Assembly {
   std::vector<std::string> remarks() const {
     std::vector<std::string> remarks;
     std::string unsolved;
-    for (const ComparedMode mode : {ComparedMode::normal, ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion})
-      if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(mode_name(mode));
+    for (const Motion mode : {Motion::normal, Motion::sliding, Motion::rolling, Motion::torsion})
+      if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(name_of(mode));
     if (!unsolved.empty()) remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
     if (records_.empty())
       remarks.push_back(
           "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
-    if (is_solved(ComparedMode::sliding))
+    if (is_solved(Motion::sliding))
       remarks.push_back(
           "Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
           "both start from the same coefficient.");
@@ -130,31 +130,31 @@ class Assembly {
   FiniteElementValue solved_value(const Record& record, Quantity quantity, double load) const {
     if (const auto* point = solved_point(record, quantity, load)) return point->value;
     FiniteElementValue none;
-    const ComparedMode mode = display_of(quantity).mode;
+    const Motion mode = display_of(quantity).mode;
     const bool is_told = std::any_of(points_.begin(), points_.end(), [&](const auto& point) { return point.quantity == quantity; });
-    none.reason = !is_solved(mode) ? std::string("not solved by finite elements: no case of ") + mode_name(mode) + " is among the folders"
+    none.reason = !is_solved(mode) ? std::string("not solved by finite elements: no case of ") + name_of(mode) + " is among the folders"
                   : is_told        ? "no case of this contact at this load is among the folders"
-                                   : "the solved cases of " + std::string(mode_name(mode)) + " tell no " + display_of(quantity).words;
+                                   : "the solved cases of " + std::string(name_of(mode)) + " tell no " + display_of(quantity).words;
     return none;
   }
 
-  bool is_solved(ComparedMode mode) const {
+  bool is_solved(Motion mode) const {
     return std::any_of(points_.begin(), points_.end(),
                        [&](const auto& point) { return display_of(point.quantity).mode == mode; });
   }
 
   /// Ends of the fitted loads with their geometric mean, and the loads that were solved.
-  std::vector<double> loads_of(const Record& own, ComparedMode mode) const {
+  std::vector<double> loads_of(const Record& own, Motion mode) const {
     const ContactParameters& record = *own.contact.record;
     std::vector<double> loads;
     const auto add = [&](const std::optional<EffectiveQuantity>& quantity) {
       if (!quantity || !quantity->load_range) return;
       for (const double load : with_middle(*quantity->load_range)) loads.push_back(load);
     };
-    if (mode == ComparedMode::sliding) add(record.sliding_friction);
-    if (mode == ComparedMode::rolling || mode == ComparedMode::normal) add(record.rolling_friction);
-    if (mode == ComparedMode::normal && loads.empty()) add(record.sliding_friction);
-    if (mode == ComparedMode::torsion) add(record.torsion_friction);
+    if (mode == Motion::sliding) add(record.sliding_friction);
+    if (mode == Motion::rolling || mode == Motion::normal) add(record.rolling_friction);
+    if (mode == Motion::normal && loads.empty()) add(record.sliding_friction);
+    if (mode == Motion::torsion) add(record.torsion_friction);
     for (const auto& point : points_)
       if (display_of(point.quantity).mode == mode && own.is(contacts_[point.group]) &&
           is_load(point.load, input_.with_hertz.groups[point.group].numbers.force))

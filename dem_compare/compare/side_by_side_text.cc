@@ -21,7 +21,7 @@ Json value_json(const ComparedValue& value) {
 Json row_json(const ComparisonRow& row) {
   const QuantityDisplay& display = display_of(row.quantity);
   Json object{{"contact", row.contact},
-              {"mode", mode_name(row.mode())},
+              {"mode", name_of(row.mode())},
               {"quantity", display.key},
               {"unit", display.si},
               {"load_N", row.load},
@@ -103,7 +103,7 @@ std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& 
       "| --- | --- | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const ComparisonRow* row : rows) {
     const QuantityDisplay& display = display_of(row->quantity);
-    text += std::string("| ") + mode_name(row->mode()) + " | " + quantity_cell(*row) + " | " +
+    text += std::string("| ") + name_of(row->mode()) + " | " + quantity_cell(*row) + " | " +
             format_quantity(row->load, Dimension::force) + " | " + roughness(*row) + " | " +
             cell(row->finite_elements, display, notes) + " | " + (row->reduced_law.known() ? row->reduced_law.source : "") +
             " | " + cell(row->reduced_law, display, notes) + " | " + cell(ratio(row->reduced_law, row->finite_elements)) +
@@ -127,7 +127,7 @@ std::string good_table(const std::vector<LawVerdict>& verdicts) {
 
 Json verdict_json(const LawVerdict& verdict) {
   Json object{{"contact", verdict.contact},
-              {"mode", mode_name(display_of(verdict.quantity).mode)},
+              {"mode", name_of(display_of(verdict.quantity).mode)},
               {"quantity", display_of(verdict.quantity).key},
               {"rail_angle_rad", number_or_null(verdict.rail_angle)},
               {"law", verdict.law},
@@ -187,7 +187,7 @@ std::string to_csv(const SideBySide& comparison) {
     const QuantityDisplay& display = display_of(row.quantity);
     const Uncertain of_finite = ratio(row.reduced_law, row.finite_elements),
                     of_published = ratio(row.reduced_law, row.published);
-    text += quoted_for_csv(row.contact) + "," + mode_name(row.mode()) + "," + display.key + "," + display.si;
+    text += quoted_for_csv(row.contact) + "," + name_of(row.mode()) + "," + display.key + "," + display.si;
     for (const double value : {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
       text += "," + number_cell(value);
     text += "," + std::to_string(row.finite_elements.realisations) + "," + number_cell(row.finite_elements.mesh_error) + "," +

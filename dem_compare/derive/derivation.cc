@@ -8,7 +8,7 @@
 #include "dem_compare/compare/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 
@@ -36,12 +36,11 @@ Json cases_json(const ParameterSet& set) {
     double load = 0;
     for (const double force : solved.history.normal_force) load = std::max(load, force);
     Json entry{{"folder", solved.folder.string()},
-               {"experiment", experiment_of(solved)},
+               {"experiment", name_of(solved.motion())},
                {"load", load},
                {"realisation", realisation_of(solved)}};
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
-    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
-      entry["asperity"] = solved.result["versions"]["asperity"];
+    if (solved.finished() && !solved.result->version.empty()) entry["asperity"] = solved.result->version;
     if (std::isfinite(solved.open_energy())) entry["open_energy"] = solved.open_energy();
     cases.push_back(std::move(entry));
   }
@@ -52,8 +51,7 @@ Json cases_json(const ParameterSet& set) {
 std::string versions_of(const ParameterSet& set) {
   std::set<std::string> versions;
   for (const auto& solved : set.cases)
-    if (solved.result.contains("versions") && solved.result["versions"].contains("asperity"))
-      versions.insert(solved.result["versions"]["asperity"].get<std::string>());
+    if (solved.finished() && !solved.result->version.empty()) versions.insert(solved.result->version);
   std::string text;
   for (const auto& version : versions) text += (text.empty() ? "asperity " : ", ") + version;
   return text.empty() ? "a version that is not said" : text;
@@ -131,14 +129,17 @@ Derivation derive_parameters(const ParameterSet& set) {
   record["cases"] = cases_json(set);
   for (const auto& solved : set.cases)
     if (is_energy_flagged(solved)) record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
-  const char* names[] = {"normal", "sliding", "torsion", "rolling"};
-  for (std::size_t i = 0; i < derivation.laws.size(); ++i) {
-    Json law = derivation.laws[i].details;
-    law["findings"] = derivation.laws[i].findings;
-    law["not_told"] = derivation.laws[i].not_told;
-    record[names[i]] = std::move(law);
+  for (const LawReport& report : derivation.laws) {
+    Json law = report.details;
+    law["findings"] = report.findings;
+    law["not_told"] = report.not_told;
+    record[name_of(report.motion)] = std::move(law);
   }
   return derivation;
+}
+
+const LawReport& Derivation::law_of(Motion motion) const {
+  return *std::find_if(laws.begin(), laws.end(), [&](const LawReport& law) { return law.motion == motion; });
 }
 
 std::string to_text(const LawReport& report) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "dem_compare/contact_parameters.h"
 #include "dem_compare/derive/law_report.h"
 #include "dem_compare/derive/parameter_sets.h"
@@ -13,9 +14,9 @@ namespace asperity {
 
 struct Derivation {
   ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
-  enum Law { normal, sliding, torsion, rolling };
-  std::vector<LawReport> laws;  ///< in that order
-  std::string heading;          ///< bodies and cases in words
+  std::vector<LawReport> laws;   ///< of normal, sliding, torsion, rolling
+  const LawReport& law_of(Motion motion) const;
+  std::string heading;           ///< bodies and cases in words
 };
 
 Derivation derive_parameters(const ParameterSet& set);

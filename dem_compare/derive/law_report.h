@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "core/quantity.h"
 #include "dem_compare/derive/case_numbers.h"
 #include "dem_compare/derive/resistance_law.h"
@@ -12,6 +13,7 @@
 namespace asperity {
 
 struct LawReport {
+  Motion motion = Motion::normal;
   std::string title;
   std::vector<std::string> findings;
   std::vector<std::string> not_told;  ///< each with the cases that would tell it

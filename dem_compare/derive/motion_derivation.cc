@@ -250,15 +250,15 @@ void tell_local_friction(const ParameterSet& set, const MotionMode& mode, Contac
 
 LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters) {
   LawReport report;
+  report.motion = mode.motion;
   report.title = mode.title;
   std::vector<MotionCase> seen;
   for (const auto& solved : set.cases)
-    if (experiment_of(solved) == mode.experiment) seen.push_back(observe(solved, mode));
+    if (solved.motion() == mode.motion) seen.push_back(observe(solved, mode));
   std::stable_sort(seen.begin(), seen.end(),
                    [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {
-    report.not_told.push_back(std::string("all of it: there is no case with Experiment/Type = ") +
-                              mode.experiment);
+    report.not_told.push_back("all of it: there is no case with Experiment/Type = " + name_of(mode.motion));
     return report;
   }
   derive_resistance(mode, seen, parameters, report);

@@ -3,10 +3,10 @@
 namespace asperity {
 
 const MotionMode& sliding_mode() {
-  static const MotionMode mode{"sliding",
+  static const MotionMode mode{Motion::sliding,
                                "Sliding, f_l = mu (f + h)",
-                               &ContactHistory::lateral_displacement,
-                               &ContactHistory::lateral_force,
+                               &History::lateral_displacement,
+                               &History::lateral_force,
                                "N",
                                "lateral_stiffness",
                                "N/m",
@@ -22,10 +22,10 @@ const MotionMode& sliding_mode() {
 }
 
 const MotionMode& torsion_mode() {
-  static const MotionMode mode{"torsion",
+  static const MotionMode mode{Motion::torsion,
                                "Torsion, M = mu lambda (f + h)",
-                               &ContactHistory::torsion_angle,
-                               &ContactHistory::torsion_moment,
+                               &History::torsion_angle,
+                               &History::torsion_moment,
                                "N m",
                                "torsion_stiffness",
                                "N m/rad",
@@ -41,10 +41,10 @@ const MotionMode& torsion_mode() {
 }
 
 const MotionMode& rolling_mode() {
-  static const MotionMode mode{"rolling",
+  static const MotionMode mode{Motion::rolling,
                                "Rolling, M = mu lambda (f + h)",
-                               &ContactHistory::rolling_angle,
-                               &ContactHistory::rolling_moment,
+                               &History::rolling_angle,
+                               &History::rolling_moment,
                                "N m",
                                "rolling_stiffness",
                                "N m/rad",

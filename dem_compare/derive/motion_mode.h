@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "dem_compare/contact_history.h"
+#include "core/motion.h"
+#include "results/history.h"
 #include "dem_compare/contact_parameters.h"
 #include "dem_compare/derive/steady_motion.h"
 
@@ -13,10 +14,10 @@ namespace asperity {
 
 /// What tells the modes apart.
 struct MotionMode {
-  const char* experiment;  ///< of the case file
+  Motion motion;
   const char* title;
-  std::vector<double> ContactHistory::*position;
-  std::vector<double> ContactHistory::*resistance;
+  std::vector<double> History::*position;
+  std::vector<double> History::*resistance;
   const char* resistance_unit;
   const char* stiffness_key;  ///< in `effective` of result.json
   const char* stiffness_unit;

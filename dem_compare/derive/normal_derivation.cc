@@ -80,10 +80,8 @@ std::optional<CaseNumber> stiffness_of(const SolvedCase& solved) {
   const NormalNumbers numbers = normal_numbers(solved.history, solved.hertz());
   CaseNumber number{numbers.largest_force, realisation_of(solved), solved.interface_spacing(), unknown,
                     unknown};
-  if (solved.result.contains("effective") && solved.result["effective"].contains("normal_stiffness")) {
-    const Json& entry = solved.result["effective"]["normal_stiffness"];
-    if (entry.contains("value") && entry["value"].is_number()) number.value = entry["value"].get<double>();
-    if (entry.contains("sd") && entry["sd"].is_number()) number.sd = entry["sd"].get<double>();
+  if (const EffectiveNumber stiffness = solved.effective("normal_stiffness"); std::isfinite(stiffness.value)) {
+    number.value = stiffness.value, number.sd = stiffness.sd;
   } else {
     number.value = numbers.unloading_stiffness();
     if (!numbers.unloading.empty()) number.sd = numbers.unloading.front().error;
@@ -189,7 +187,7 @@ void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawRe
   double largest = 0, from = std::numeric_limits<double>::infinity();
   int yielded = 0;
   for (const auto& solved : set.cases) {
-    const ContactHistory& history = solved.history;
+    const History& history = solved.history;
     bool here = false;
     for (std::size_t i = 0; i < history.size(); ++i) {
       if (!(history.plastic_volume[i] > 0)) continue;
@@ -224,7 +222,7 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
                  largest = *std::max_element(force.begin(), force.end());
     // Solved to about 1e-6 of the load: smaller pulls are none.
     constexpr double noise_share = 1e-5;
-    if (!(-least > noise_share * largest) || experiment_of(solved) != "normal") continue;
+    if (!(-least > noise_share * largest) || solved.motion() != Motion::normal) continue;
     pulls.push_back(-least);
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "dem_compare/case_collection.h"
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {
@@ -75,7 +75,7 @@ class Collector {
     for (const auto& [entry, value] : set.inputs)
       if (is_friction(entry) && value.find_first_of("123456789") != std::string::npos) return false;
     return std::all_of(set.cases.begin(), set.cases.end(),
-                       [](const SolvedCase& solved) { return experiment_of(solved) == "normal"; });
+                       [](const SolvedCase& solved) { return solved.motion() == Motion::normal; });
   }
 
   void share_frictionless_cases() {
@@ -167,12 +167,6 @@ std::string differences(const std::vector<ParameterSet>& sets) {
     for (std::size_t k = 0; k < values.size(); ++k) text += (k ? ", " : "") + values[k];
   }
   return text;
-}
-
-std::string experiment_of(const SolvedCase& solved) {
-  return solved.finished() && solved.result.contains("experiment") && solved.result["experiment"].is_string()
-             ? solved.result["experiment"].get<std::string>()
-             : solved.entries.text("Experiment/Type", "normal");
 }
 
 }  // namespace asperity

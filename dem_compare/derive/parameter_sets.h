@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 namespace asperity {
 
@@ -29,8 +29,5 @@ ParameterSets collect_parameter_sets(const std::vector<std::filesystem::path>& f
 /// "Particle/Radius: 5 um, 8.5 um; ..." of the inputs that are not the same in all sets; empty for a single
 /// set.
 std::string differences(const std::vector<ParameterSet>& sets);
-
-/// What `solve` did: normal, sliding, rolling or torsion.
-std::string experiment_of(const SolvedCase& solved);
 
 }  // namespace asperity

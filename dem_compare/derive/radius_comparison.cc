@@ -15,10 +15,10 @@ bool same_but_for_radius(const ParameterSet& one, const ParameterSet& other) {
 
 /// Contacts of several sets.
 std::vector<ResistancePoint> points_of_sets(const std::vector<std::size_t>& family,
-                                            const std::vector<Derivation>& derivations, Derivation::Law law) {
+                                            const std::vector<Derivation>& derivations, Motion motion) {
   std::vector<ResistancePoint> points;
   for (const auto set : family)
-    for (auto point : derivations[set].laws[law].points) {
+    for (auto point : derivations[set].law_of(motion).points) {
       // The same seed under another sphere is another contact.
       point.realisation += " at " + format_quantity(point.particle_radius, Dimension::length);
       points.push_back(point);
@@ -27,9 +27,8 @@ std::vector<ResistancePoint> points_of_sets(const std::vector<std::size_t>& fami
 }
 
 /// Where a set alone could not tell lambda but all radii do, its law is written with theirs.
-void adopt_length(const LengthChoice& all, const MotionMode& mode, Derivation::Law law,
-                  Derivation& derivation) {
-  const LengthChoice own = choose_length(derivation.laws[law].points);
+void adopt_length(const LengthChoice& all, const MotionMode& mode, Derivation& derivation) {
+  const LengthChoice own = choose_length(derivation.law_of(mode.motion).points);
   if (own.is_told() || !all.is_told()) return;
   const bool is_radius = all.scale() == LengthScale::particle_radius;
   const ResistanceLaw& adopted = is_radius ? own.with_radius : own.with_contact;
@@ -54,12 +53,11 @@ std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
     std::vector<std::size_t> alike;
     for (std::size_t k = i; k < sets.size(); ++k)
       if (same_but_for_radius(sets[i], sets[k])) alike.push_back(k), seen[k] = true;
-    for (const auto& [mode, law] :
-         {std::pair{&torsion_mode(), Derivation::torsion}, std::pair{&rolling_mode(), Derivation::rolling}}) {
+    for (const MotionMode* mode : {&torsion_mode(), &rolling_mode()}) {
       std::vector<std::size_t> family;
       std::string radii;
       for (const auto set : alike) {
-        if (derivations[set].laws[law].points.empty()) continue;
+        if (derivations[set].law_of(mode->motion).points.empty()) continue;
         radii += (radii.empty() ? "" : ", ") +
                  format_quantity(derivations[set].parameters.particle.radius, Dimension::length);
         family.push_back(set);
@@ -67,13 +65,13 @@ std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
       if (family.size() < 2) continue;
       LawReport report;
       report.title = std::string(mode->title) + ", over the radii " + radii + " with one mu and h for all";
-      report.points = points_of_sets(family, derivations, law);
+      report.points = points_of_sets(family, derivations, mode->motion);
       const LengthChoice choice = choose_length(report.points);
       tell_choice(choice, report);
       report.details = to_json(choice);
       for (const auto set : family) {
-        adopt_length(choice, *mode, law, derivations[set]);
-        derivations[set].parameters.derivation[mode->experiment]["over_radii"] = report.details;
+        adopt_length(choice, *mode, derivations[set]);
+        derivations[set].parameters.derivation[name_of(mode->motion)]["over_radii"] = report.details;
       }
       reports.push_back(std::move(report));
     }

@@ -11,11 +11,10 @@ namespace asperity {
 namespace {
 
 using boost::math::double_constants::pi;
-using Type = EngineExperiment::Type;
 
-const std::vector<std::pair<std::string, Type>>& type_names() {
-  static const std::vector<std::pair<std::string, Type>> names{
-      {"glued", Type::glued}, {"rolling", Type::rolling}, {"rail", Type::rail}, {"twisting", Type::twisting}};
+const std::vector<std::pair<std::string, Motion>>& type_names() {
+  static const std::vector<std::pair<std::string, Motion>> names{
+      {"glued", Motion::sliding}, {"rolling", Motion::rolling}, {"rail", Motion::rail}, {"twisting", Motion::torsion}};
   return names;
 }
 
@@ -31,7 +30,7 @@ RotationSprings rotation_springs(const EngineExperiment& e) {
   const double K_i = e.indenter.rolling_stiffness_at(e.indenter_load()), M_i = e.indenter.rolling_limit(e.indenter_load());
   const double K_s = e.substrate.rolling_stiffness_at(e.load), M_s = e.substrate.rolling_limit(e.load);
   const double yield_i = M_i / K_i, yield_s = M_s / (K_s * c);
-  if (e.type == Type::rolling) return {K_i + K_s, M_i + M_s, std::min(yield_i, yield_s), std::max(yield_i, yield_s)};
+  if (e.type == Motion::rolling) return {K_i + K_s, M_i + M_s, std::min(yield_i, yield_s), std::max(yield_i, yield_s)};
   // Each slope sees phi cos(theta) as rolling and phi sin(theta) as torsion; eq:torsion of the paper for the limits.
   const double K_t = e.substrate.torsion_stiffness_at(e.load), M_t = e.substrate.torsion_limit(e.load);
   const double yield_t = M_t / (K_t * s);
@@ -43,7 +42,7 @@ RotationSprings rotation_springs(const EngineExperiment& e) {
 /// lateral springs: R(1 + c) f = K phi, x = R c phi + f/k_s, X = x + R phi + f/k_i, c = cos(theta), k_s of all slopes.
 ClosedForm free_sphere(const EngineExperiment& e) {
   const double c = e.rail_cosine(), R = e.substrate.particle.radius, lever = R * (1 + c);
-  const int slopes = e.type == Type::rail ? 2 : 1;
+  const int slopes = e.type == Motion::rail ? 2 : 1;
   const RotationSprings springs = rotation_springs(e);
   ClosedForm form;
   const double sliding = 1 / (slopes * e.substrate.lateral_stiffness_at(e.load)) + 1 / e.indenter.lateral_stiffness_at(e.indenter_load());
@@ -59,9 +58,9 @@ ClosedForm free_sphere(const EngineExperiment& e) {
 
 }  // namespace
 
-double EngineExperiment::rail_cosine() const { return type == Type::rail ? std::cos(rail_angle) : 1; }
+double EngineExperiment::rail_cosine() const { return type == Motion::rail ? std::cos(rail_angle) : 1; }
 
-double EngineExperiment::indenter_load() const { return type == Type::rail ? 2 * rail_cosine() * load : load; }
+double EngineExperiment::indenter_load() const { return type == Motion::rail ? 2 * rail_cosine() * load : load; }
 
 double EngineExperiment::mass() const {
   const double density = substrate.particle.density, R = substrate.particle.radius;
@@ -70,7 +69,7 @@ double EngineExperiment::mass() const {
   return 4.0 / 3 * pi * R * R * R * density;
 }
 
-Type engine_experiment_type(const std::string& name) {
+Motion engine_experiment_type(const std::string& name) {
   std::vector<std::string> names;
   std::string list;
   for (const auto& [known, type] : type_names()) {
@@ -83,7 +82,7 @@ Type engine_experiment_type(const std::string& name) {
                    (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
 }
 
-std::string engine_experiment_name(Type type) {
+std::string engine_experiment_name(Motion type) {
   for (const auto& [name, known] : type_names())
     if (known == type) return name;
   return "";
@@ -92,18 +91,18 @@ std::string engine_experiment_name(Type type) {
 ClosedForm closed_form(const EngineExperiment& e) {
   ClosedForm form;
   switch (e.type) {
-    case Type::glued:
+    case Motion::sliding:
       form.slope = e.substrate.lateral_stiffness_at(e.load);
       form.plateau = e.substrate.sliding_limit(e.load);
       form.first_yield = form.plateau / form.slope;
       break;
-    case Type::twisting:
+    case Motion::torsion:
       form.slope = e.substrate.torsion_stiffness_at(e.load);
       form.plateau = e.substrate.torsion_limit(e.load);
       form.first_yield = form.plateau / form.slope;
       break;
-    case Type::rolling:
-    case Type::rail: form = free_sphere(e); break;
+    case Motion::rolling:
+    case Motion::rail: form = free_sphere(e); break;
   }
   if (form.full_yield == 0) form.full_yield = form.first_yield;
   form.approach = e.substrate.hertz().approach(e.load);

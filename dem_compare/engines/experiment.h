@@ -5,17 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "dem_compare/contact_parameters.h"
 
 namespace asperity {
 
 struct EngineExperiment {
-  enum class Type {
-    glued,     ///< sphere glued to the indenter slides over the substrate, load control
-    rolling,   ///< free sphere between substrate and moving plate
-    rail,      ///< free sphere in a V-rail under a moving plate
-    twisting,  ///< sphere on the substrate spun about the normal
-  } type = Type::glued;
+  /// sliding: the sphere is glued to the indenter, load control; rolling: free between substrate and moving plate; rail: free in a V-rail
+  /// under a moving plate; torsion: spun about the normal.
+  Motion type = Motion::sliding;
   ContactParameters substrate;
   ContactParameters indenter;  ///< of rolling and rail
   double load = 1e-4;          ///< normal load on the substrate, in a rail on each of its slopes [N]
@@ -29,8 +27,8 @@ struct EngineExperiment {
 };
 
 /// "glued", ...; throws InputError naming what was meant.
-EngineExperiment::Type engine_experiment_type(const std::string& name);
-std::string engine_experiment_name(EngineExperiment::Type type);
+Motion engine_experiment_type(const std::string& name);
+std::string engine_experiment_name(Motion type);
 
 /// What the law says.
 struct ClosedForm {

@@ -9,7 +9,6 @@
 namespace asperity {
 namespace {
 
-using Type = EngineExperiment::Type;
 
 /// Rows of trace.csv from here on: `expressions` of the columns behind leg and time.
 struct TraceExpressions {
@@ -25,10 +24,10 @@ class Script {
   std::string text() {
     header();
     switch (e_.type) {
-      case Type::glued: glued(); break;
-      case Type::rolling: rolling(); break;
-      case Type::rail: rail(); break;
-      case Type::twisting: twisting(); break;
+      case Motion::sliding: glued(); break;
+      case Motion::rolling: rolling(); break;
+      case Motion::rail: rail(); break;
+      case Motion::torsion: twisting(); break;
     }
     return out_.str();
   }
@@ -37,7 +36,7 @@ class Script {
   using N = std::string;
   static N number(double value) { return text_number(value); }
 
-  bool is_free() const { return e_.type == Type::rolling || e_.type == Type::rail; }
+  bool is_free() const { return e_.type == Motion::rolling || e_.type == Motion::rail; }
 
   void header() {
     out_ << "# asperity: " << engine_experiment_name(e_.type) << ", one sphere, normal load " << number(e_.load) << " N; SI units\n"
@@ -58,7 +57,7 @@ class Script {
 
   std::string contact(const ContactParameters& parameters, double load) const {
     LammpsContact law = lammps_contact(parameters, load);
-    law.normal_damping = e_.type == Type::twisting ? 0 : plan_.damping / parameters.contact_radius(load);
+    law.normal_damping = e_.type == Motion::torsion ? 0 : plan_.damping / parameters.contact_radius(load);
     law.tangential_damping = is_free() ? 1 : 0;
     if (lammps_.marshall) law.torsion_stiffness = 0;
     return lammps_text(law, lammps_.tangential_style) + (lammps_.marshall ? " twisting marshall" : "");

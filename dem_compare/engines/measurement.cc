@@ -8,7 +8,6 @@
 namespace asperity {
 namespace {
 
-using Type = EngineExperiment::Type;
 
 /// Rows of one leg.
 struct Rows {
@@ -72,8 +71,8 @@ std::vector<double> rotation(const EngineTrace& trace) {
 std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan, const EngineTrace& trace) {
   const std::vector<Rows> legs = rows_of_legs(plan, trace);
   const ClosedForm law = closed_form(experiment);
-  const bool is_torque = experiment.type == Type::twisting;
-  const bool is_free = experiment.type == Type::rolling || experiment.type == Type::rail;
+  const bool is_torque = experiment.type == Motion::torsion;
+  const bool is_free = experiment.type == Motion::rolling || experiment.type == Motion::rail;
   const std::string stiffness_unit = is_torque ? "N m/rad" : "N/m", response_unit = is_torque ? "N m" : "N";
   // Where stiffness is read: before the first limit, with a margin for what inertia leaves.
   constexpr double share_of_yield = 0.8;
@@ -123,7 +122,7 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
     found.push_back({"normal force", "N", normal_force / plateau_count, experiment.load});
     found.push_back({"approach", "m", approach / plateau_count, law.approach});
   }
-  if (experiment.type == Type::rail)  // eq:murail: lateral over normal force, both at one slope
+  if (experiment.type == Motion::rail)  // eq:murail: lateral over normal force, both at one slope
     found.push_back({"rail coefficient", "", plateaus / 2 / normal_force, law.plateau / 2 / experiment.load});
   if (travel_count > 0) {
     const double c = experiment.rail_cosine();

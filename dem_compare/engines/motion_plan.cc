@@ -11,9 +11,8 @@ namespace asperity {
 namespace {
 
 using boost::math::double_constants::pi;
-using Type = EngineExperiment::Type;
 
-bool is_free(const EngineExperiment& e) { return e.type == Type::rolling || e.type == Type::rail; }
+bool is_free(const EngineExperiment& e) { return e.type == Motion::rolling || e.type == Motion::rail; }
 
 /// Springs on the sphere [N/m] and its angular frequencies [rad/s].
 struct Vibrations {
@@ -23,7 +22,7 @@ struct Vibrations {
 
 Vibrations vibrations(const EngineExperiment& e, const ClosedForm& form) {
   const double mass = e.mass(), R = e.substrate.particle.radius, inertia = 0.4 * mass * R * R;
-  const int slopes = e.type == Type::rail ? 2 : 1;
+  const int slopes = e.type == Motion::rail ? 2 : 1;
   double normal = slopes * e.substrate.normal_stiffness_at(e.load), lateral = slopes * e.substrate.lateral_stiffness_at(e.load);
   if (!is_free(e)) return {lateral, std::sqrt(normal / mass), std::sqrt(std::min(normal, lateral) / mass)};
   normal += e.indenter.normal_stiffness_at(e.indenter_load());
@@ -45,7 +44,7 @@ Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibration
   constexpr double steps_to_twist = 1000;  // cheap, and a limit laid on by a hook lags by one step
   constexpr double travel_haste = 10;
   if (!is_free(e)) {
-    const double slow = form.first_yield / ((e.type == Type::twisting ? steps_to_twist : steps_to_slide) * time_step);
+    const double slow = form.first_yield / ((e.type == Motion::torsion ? steps_to_twist : steps_to_slide) * time_step);
     return {e.haste * slow, e.haste * travel_haste * slow};
   }
   constexpr double periods_to_yield = 40;  // inertia is 1/(2 pi 40) of the limit
@@ -58,7 +57,7 @@ Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibration
 
 /// Way from rest to each reversal; throws InputError where it does not reach all limits.
 double checked_way(const EngineExperiment& e, const ClosedForm& form, double start) {
-  const double way = e.type == Type::rail ? 2 * e.amplitude : e.amplitude;
+  const double way = e.type == Motion::rail ? 2 * e.amplitude : e.amplitude;
   // Before a reversal all limits must have been reached, and after it once more, over twice the travel.
   const double least = 2 * std::max(start, form.full_yield);
   if (way >= least) return way;
@@ -90,7 +89,7 @@ MotionPlan plan_motion(const EngineExperiment& e) {
   };
 
   const double start = start_over_yield * form.first_yield, turn = 2 * start;
-  if (e.type == Type::twisting) {
+  if (e.type == Motion::torsion) {
     add(Leg::Purpose::start, start, speed.slow);
     add(Leg::Purpose::reversal, -turn, speed.slow);
     return plan;
@@ -101,7 +100,7 @@ MotionPlan plan_motion(const EngineExperiment& e) {
   add(Leg::Purpose::start, start, speed.slow);
   add(Leg::Purpose::travel, way - 2 * start, speed.fast);
   add(Leg::Purpose::before_reversal, start, speed.slow);
-  if (e.type == Type::rail) return plan;
+  if (e.type == Motion::rail) return plan;
   for (const double sign : {-1.0, 1.0}) {
     add(Leg::Purpose::reversal, sign * turn, speed.slow);
     if (2 * way > turn + start) add(Leg::Purpose::travel, sign * (2 * way - turn - start), speed.fast);

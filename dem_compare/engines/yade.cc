@@ -8,7 +8,6 @@
 namespace asperity {
 namespace {
 
-using Type = EngineExperiment::Type;
 using N = std::string;
 
 N number(double value) { return text_number(value); }
@@ -24,11 +23,11 @@ struct Plane {
 std::vector<Plane> planes_of(const EngineExperiment& e) {
   const double c = e.rail_cosine(), s = std::sin(e.rail_angle);
   std::vector<Plane> planes;
-  if (e.type == Type::rail)
+  if (e.type == Motion::rail)
     planes = {{"left", -s, c, &e.substrate, e.load}, {"right", s, c, &e.substrate, e.load}};
   else
     planes = {{"substrate", 0, 1, &e.substrate, e.load}};
-  if (e.type == Type::rolling || e.type == Type::rail) planes.push_back({"plate", 0, -1, &e.indenter, e.indenter_load()});
+  if (e.type == Motion::rolling || e.type == Motion::rail) planes.push_back({"plate", 0, -1, &e.indenter, e.indenter_load()});
   return planes;
 }
 
@@ -102,7 +101,7 @@ YadeContact yade_contact(const ContactParameters& p, double load) {
 }
 
 std::string Yade::input(const EngineExperiment& e, const MotionPlan& plan) const {
-  const bool is_free = e.type == Type::rolling || e.type == Type::rail, twists = e.type == Type::rail || e.type == Type::twisting;
+  const bool is_free = e.type == Motion::rolling || e.type == Motion::rail, twists = e.type == Motion::rail || e.type == Motion::torsion;
   const std::vector<Plane> planes = planes_of(e);
   std::ostringstream out;
   out << "# asperity: " << engine_experiment_name(e.type) << ", one sphere, normal load " << number(e.load)
@@ -113,19 +112,19 @@ std::string Yade::input(const EngineExperiment& e, const MotionPlan& plan) const
 
   // What is prescribed, and what answers to it.
   switch (e.type) {
-    case Type::glued:
+    case Motion::sliding:
       out << "O.bodies[particle].state.blockedDOFs = 'xyXYZ'  # glued\n"
           << "O.forces.setPermF(particle, (0, 0, " << number(-e.load) << "))\n"
           << "def move(v): O.bodies[particle].state.vel = (v, 0, O.bodies[particle].state.vel[2])\n"
           << "def response(): return -force_on_particle('substrate')[0]\n";
       break;
-    case Type::twisting:
+    case Motion::torsion:
       out << "O.bodies[particle].state.blockedDOFs = 'xyzXYZ'\n"
           << "def move(v): O.bodies[particle].state.angVel = (0, 0, v)\n"
           << "def response(): return -O.forces.t(particle)[2]\n";
       break;
-    case Type::rolling:
-    case Type::rail:
+    case Motion::rolling:
+    case Motion::rail:
       out << "def move(v): O.bodies[planes['plate']['id']].state.vel = (v, 0, 0)\n"
           << "def response(): return force_on_particle('plate')[0]\n";
       break;

@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 
 /// Particle and indenter with their velocities. The glued particle moves with the indenter and cannot turn.
-class Motion {
+class MovingParticle {
  public:
-  Motion(const SingleParticle& particle, double normal_load, const DynamicOptions& options)
+  MovingParticle(const SingleParticle& particle, double normal_load, const DynamicOptions& options)
       : particle_(particle), load_(normal_load), state_(at_rest(particle, normal_load)) {
     mass_ = 4.0 / 3 * boost::math::double_constants::pi * std::pow(particle.radius, 3) * options.density;
     inertia_ = 0.4 * mass_ * particle.radius * particle.radius;
@@ -102,7 +102,7 @@ void check_contacts(const SingleParticle& particle, const ParticleState& state) 
 
 FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram& program, const DynamicOptions& options) {
   if (!(options.speed > 0)) throw InputError("the indenter's speed is not positive; give one such as 1 mm/s");
-  Motion motion(particle, program.normal_load, options);
+  MovingParticle motion(particle, program.normal_load, options);
   const double increment =
       program.first_increment > 0 ? program.first_increment : resolving_increment(particle, motion.state());
   // Slow until a fifth beyond the first limit; as far before the end of a leg, to slide and roll steadily again after braking.

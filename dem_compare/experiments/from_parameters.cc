@@ -34,7 +34,7 @@ Resistance resistance(const ContactParameters& parameters, const std::optional<E
   if (!friction) return law;
   law.coefficient = friction->value;
   law.adhesion_force = value_or_zero(offset);
-  if (friction->length_scale == LengthScale::contact_radius) law.length = RotationLength::contact_radius;
+  if (friction->length_scale == LengthScale::contact_radius) law.length = LengthScale::contact_radius;
   if (friction->length_scale == LengthScale::none) law.coefficient /= parameters.particle.radius;  // it is a length
   law.stiffness = rotational_stiffness(parameters, stiffness);
   return law;

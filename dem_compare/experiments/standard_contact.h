@@ -11,7 +11,7 @@ namespace asperity {
 struct FrictionOfMode {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
-  RotationLength length = RotationLength::particle_radius;  ///< of rolling and torsion
+  LengthScale length = LengthScale::particle_radius;  ///< of rolling and torsion
 };
 
 struct StandardContact {

@@ -3,7 +3,7 @@
 // Valid for stiff, small spheres and long-range attraction: Tabor's mu = (R w^2/(E*^2 z0^3))^(1/3) < 0.1. SI units.
 #pragma once
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/laws/law_registry.h"
 #include "dem_compare/laws/normal_state.h"
 

@@ -4,7 +4,7 @@
 // contact: the attraction has no reach. h = 0 is Hertz. SI units.
 #pragma once
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/laws/law_registry.h"
 #include "dem_compare/laws/normal_state.h"
 

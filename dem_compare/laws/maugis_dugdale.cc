@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity {
 namespace {

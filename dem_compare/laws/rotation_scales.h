@@ -1,15 +1,13 @@
 // Length scale and stiffness that rolling and torsion resistance can have (Fuchs, Weinhart et al. 2014, sec. 3.2). SI units.
 #pragma once
 
+#include "core/length_scale.h"
 #include "dem_compare/laws/normal_state.h"
 
 namespace asperity {
 
-/// lambda of the limit mu lambda (f_n + h): the particle's lever arm r, or the contact radius a.
-enum class RotationLength { particle_radius, contact_radius };
-
-inline double length_of(RotationLength scale, const NormalState& normal, double lever) {
-  return scale == RotationLength::particle_radius ? lever : normal.contact_radius;
+inline double length_of(LengthScale scale, const NormalState& normal, double lever) {
+  return scale == LengthScale::none ? 1 : scale == LengthScale::particle_radius ? lever : normal.contact_radius;
 }
 
 /// Moment per angle [N m/rad] before the slider moves.

@@ -4,7 +4,7 @@
 // Valid for elastically similar bodies (Dundurs' beta = 0); a mismatch couples shear with pressure.
 #pragma once
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity {
 

@@ -16,7 +16,7 @@ namespace asperity {
 struct TorsionResistance {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
-  RotationLength length = RotationLength::particle_radius;
+  LengthScale length = LengthScale::particle_radius;
   RotationalStiffness stiffness;
 
   using History = SpringSlider<double>;  ///< resistance: moment about the normal [N m]

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/quantity.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/paper/uncertain.h"
 
 namespace asperity {

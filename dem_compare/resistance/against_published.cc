@@ -122,7 +122,7 @@ AgainstPublished against_published(const MovingStudy& study, const std::vector<R
       if (column.is_with_indenter(contact.bodies)) continue;  // half of the measured means, not a contact of Table 2
       const ComparedValue value = column.value(quantity_of(*state.mode), contact.bodies, state.load);
       if (!value.known()) {
-        reasons.insert(std::string(state.mode->experiment) + ": " + value.reason);
+        reasons.insert(name_of(state.mode->motion) + ": " + value.reason);
         continue;
       }
       const double length = state.mode == &sliding_mode() ? 1 : contact.bodies.radius;

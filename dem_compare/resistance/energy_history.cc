@@ -2,29 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-
-#include "core/csv.h"
 
 namespace asperity {
 namespace {
 
 using Values = std::vector<double>;
 
-constexpr const char* energy_columns[] = {"friction_work [J]", "plastic_work [J]",   "hardening_energy [J]",
-                                          "adhesion_loss [J]", "elastic_energy [J]", "adhesion_energy [J]",
-                                          "work [J]"};
+/// Whether the history tells the mechanisms apart.
+bool tells_energies(const History& steps) {
+  const Values* const columns[] = {&steps.friction_work,  &steps.plastic_work,    &steps.hardening_energy, &steps.adhesion_loss,
+                                   &steps.elastic_energy, &steps.adhesion_energy, &steps.work};
+  return std::none_of(std::begin(columns), std::end(columns), [](const Values* column) { return column->empty(); });
+}
 
-void add_energies(const CsvTable& table, EnergyHistory& history) {
-  const auto column = [&](const char* name) { return table.numbers(name); };
-  const Values plastic = column("plastic_work [J]"), hardening = column("hardening_energy [J]"),
-               elastic = column("elastic_energy [J]"), bonds = column("adhesion_energy [J]"), work = column("work [J]");
-  history.friction = column("friction_work [J]");
-  history.adhesion = column("adhesion_loss [J]");
-  for (std::size_t i = 0; i < plastic.size(); ++i) {
-    history.plastic.push_back(plastic[i] - hardening[i]);
-    history.unbalanced.push_back(work[i] - elastic[i] - bonds[i] - plastic[i] - history.friction[i] -
-                                 history.adhesion[i]);
+void add_energies(const History& steps, EnergyHistory& history) {
+  history.friction = steps.friction_work;
+  history.adhesion = steps.adhesion_loss;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    history.plastic.push_back(steps.plastic_work[i] - steps.hardening_energy[i]);
+    history.unbalanced.push_back(steps.work[i] - steps.elastic_energy[i] - steps.adhesion_energy[i] - steps.plastic_work[i] -
+                                 history.friction[i] - history.adhesion[i]);
   }
 }
 
@@ -53,22 +50,16 @@ void leave_out_unknown_rows(EnergyHistory& history) {
 }  // namespace
 
 EnergyHistory energy_history(const SolvedCase& solved, const MotionMode& mode) {
-  const ContactHistory& steps = solved.history;
+  const History& steps = solved.history;
   EnergyHistory history;
   history.position = steps.*mode.position;
   history.resistance = steps.*mode.resistance;
   history.normal_force = steps.normal_force;
   history.contact_radius = steps.radius_of_whole();
   history.contact_area = steps.contact_area;
-  if (!std::filesystem::exists(solved.folder / "history.csv")) {  // a history that was made, not read
-    leave_out_unknown_rows(history);
-    return history;
-  }
-  const CsvTable table = read_csv(solved.folder / "history.csv");
-  history.has_energies = std::all_of(std::begin(energy_columns), std::end(energy_columns),
-                                     [&](const char* name) { return table.has(name); });
-  if (history.has_energies) add_energies(table, history);
-  if (table.has("sticking_share")) history.sticking = table.numbers("sticking_share");
+  history.sticking = steps.sticking_share;
+  history.has_energies = tells_energies(steps);
+  if (history.has_energies) add_energies(steps, history);
   leave_out_unknown_rows(history);
   return history;
 }

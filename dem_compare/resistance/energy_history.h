@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dem_compare/derive/motion_mode.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity {
 
@@ -17,13 +17,13 @@ struct EnergyHistory {
   std::vector<double> plastic;     ///< plastic work less what hardening stores [J]
   std::vector<double> adhesion;    ///< lost by bonds that form and break [J]
   std::vector<double> unbalanced;  ///< work less stored less dissipated [J]; zero but for errors of the computation
-  std::vector<double> sticking;    ///< share of the closed nodes that stick; empty where the file lacks it
-  bool has_energies = false;       ///< the file tells the mechanisms apart
+  std::vector<double> sticking;    ///< share of the closed nodes that stick; empty where it is not known
+  bool has_energies = false;       ///< the history tells the mechanisms apart
 
   std::size_t size() const { return position.size(); }
 };
 
-/// Reads the folder's history.csv. Rows with unknown cells are left out.
+/// Rows with unknown cells are left out.
 EnergyHistory energy_history(const SolvedCase& solved, const MotionMode& mode);
 
 }  // namespace asperity

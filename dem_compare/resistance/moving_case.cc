@@ -89,11 +89,11 @@ bool SteadyWay::still_changes() const {
 }
 
 WayOfMotion way_of(const MotionMode& mode, double particle_radius) {
-  if (&mode == &rolling_mode()) return {WayOfMotion::Kind::roll, particle_radius};
-  return {&mode == &torsion_mode() ? WayOfMotion::Kind::spin : WayOfMotion::Kind::slide, 1};
+  if (&mode == &rolling_mode()) return {Motion::rolling, particle_radius};
+  return {&mode == &torsion_mode() ? Motion::torsion : Motion::sliding, 1};
 }
 
-double WayOfMotion::stretch_length(double contact_radius) const { return kind == Kind::spin ? 1 : contact_radius / arm; }
+double WayOfMotion::stretch_length(double contact_radius) const { return kind == Motion::torsion ? 1 : contact_radius / arm; }
 
 SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch) {
   SteadyWay steady;
@@ -181,7 +181,7 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
 
 const MotionMode* mode_of(const SolvedCase& solved) {
   for (const MotionMode* mode : {&sliding_mode(), &rolling_mode(), &torsion_mode()})
-    if (experiment_of(solved) == mode->experiment) return mode;
+    if (solved.motion() == mode->motion) return mode;
   return nullptr;
 }
 

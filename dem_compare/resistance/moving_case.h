@@ -72,10 +72,10 @@ struct MovingCase {
 
 /// What the position in a history means.
 struct WayOfMotion {
-  enum class Kind { slide, roll, spin } kind = Kind::slide;
+  Motion kind = Motion::sliding;  ///< or rolling, torsion
   double arm = 1;  ///< way of the contact over the surfaces per position: 1, or of rolling [m/rad]
 
-  bool rolls() const { return kind == Kind::roll; }
+  bool rolls() const { return kind == Motion::rolling; }
   /// Length of a stretch: the contact radius, for rolling as an angle; torsion: an angle of 1.
   double stretch_length(double contact_radius) const;
 };

@@ -212,7 +212,7 @@ class Sorter {
   }
 
   void remark(const MovingContact& contact, const MovingState& state) {
-    const std::string name = std::string(state.mode->experiment) + " of " + contact.label + " at " +
+    const std::string name = name_of(state.mode->motion) + " of " + contact.label + " at " +
                              format_quantity(state.load, Dimension::force);
     const double size = std::abs(state.resistance.value);
     constexpr double much = 0.1;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem_compare/compare/compared_contact.h"
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 #include "dem_compare/resistance/moving_case.h"
 #include "dem_compare/resistance/rails.h"
 

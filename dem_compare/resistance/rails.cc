@@ -57,14 +57,14 @@ void keep_finest_mesh(RailState& rail) {
 Uncertain RailState::over_sum() const { return ratio(resistance, sum); }
 
 std::optional<double> rail_inclination(const SolvedCase& solved) {
-  if (experiment_of(solved) != "program") return std::nullopt;
+  if (solved.motion() != Motion::program) return std::nullopt;
   const auto parts = parse_motion_program(solved.entries.text("Experiment/Program"));
   if (parts.size() != 1 || !parts[0].rolls_freely() || parts[0].spin == 0 || parts[0].load || parts[0].approach) return std::nullopt;
   return std::atan(std::abs(parts[0].spin / (parts[0].roll + parts[0].rolled_arc / solved.hertz().radius)));
 }
 
 bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclination) {
-  const WayOfMotion way{WayOfMotion::Kind::roll, solved.hertz().radius * std::cos(inclination)};
+  const WayOfMotion way{Motion::rolling, solved.hertz().radius * std::cos(inclination)};
   EnergyHistory history = about_the_axis(solved, inclination);
   MovingCase moving = moving_case(solved, history, way);
   if (!moving.first.reached()) return false;

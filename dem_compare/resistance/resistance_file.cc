@@ -58,7 +58,7 @@ Json json_of(const MovingContact& contact) {
   for (const auto& state : contact.states) {
     Json cases = Json::array();
     for (const auto& item : state.cases) cases.push_back(json_of(item));
-    states.push_back({{"experiment", state.mode->experiment},
+    states.push_back({{"experiment", name_of(state.mode->motion)},
                       {"load", state.load},
                       {"resistance", json_of(state.resistance)},
                       {"parts", json_of(state.parts)},
@@ -106,7 +106,7 @@ Json json_of(const RoughnessTrend& trend) {
   for (const auto& one : trend.coefficients)
     coefficients.push_back(
         {{"rms", one.rms}, {"coefficient", json_of(one.coefficient)}, {"offset", json_of(one.offset)}});
-  return {{"experiment", trend.mode->experiment},
+  return {{"experiment", name_of(trend.mode->motion)},
           {"contacts", contacts},
           {"relative_per_metre", json_of(trend.relative)},
           {"loads", loads},
@@ -124,7 +124,7 @@ Json json_of(const LengthAnswer& answer) {
                          {"with_r", exponent.with_radius},
                          {"with_a", exponent.with_contact},
                          {"with_bonds", number_or_null(exponent.with_bonds)}});
-  return {{"experiment", answer.mode->experiment},
+  return {{"experiment", name_of(answer.mode->motion)},
           {"contact", answer.contact},
           {"radii", answer.radii},
           {"exponents", exponents},
@@ -136,7 +136,7 @@ Json json_of(const Contribution& one) {
   return {{"mechanism", one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
           {"with", one.with->label},
           {"without", one.without->label},
-          {"experiment", one.mode->experiment},
+          {"experiment", name_of(one.mode->motion)},
           {"load", one.load},
           {"realisations", one.realisations},
           {"difference", json_of(one.difference)},
@@ -146,7 +146,7 @@ Json json_of(const Contribution& one) {
 
 Json json_of(const ContributionTrend& one) {
   return {{"mechanism", one.smoothest->mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
-          {"experiment", one.smoothest->mode->experiment},
+          {"experiment", name_of(one.smoothest->mode->motion)},
           {"load", one.smoothest->load},
           {"from", one.smoothest->with->label},
           {"to", one.roughest->with->label},
@@ -158,7 +158,7 @@ Json json_of(const InputExponent& one) {
           {"larger", one.larger->label},
           {"smaller", one.smaller->label},
           {"factor", one.factor},
-          {"experiment", one.mode->experiment},
+          {"experiment", name_of(one.mode->motion)},
           {"load", one.load},
           {"realisations", one.realisations},
           {"exponent", json_of(one.exponent)}};
@@ -166,7 +166,7 @@ Json json_of(const InputExponent& one) {
 
 Json json_of(const MeshEffect& one) {
   return {{"contact", one.contact->label},
-          {"experiment", one.state->mode->experiment},
+          {"experiment", name_of(one.state->mode->motion)},
           {"load", one.state->load},
           {"coarse", one.coarse},
           {"fine", one.fine},
@@ -181,14 +181,14 @@ Json json_of(const AgainstPublished& published) {
   for (const auto& one : published.laws)
     laws.push_back({{"contact", one.contact->label},
                     {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
-                    {"experiment", one.mode->experiment},
+                    {"experiment", name_of(one.mode->motion)},
                     {"loads", {one.lowest_load, one.highest_load}},
                     {"coefficient", {{"simulated", json_of(one.simulated.coefficient)}, {"measured", json_of(one.coefficient)}}},
                     {"offset", {{"simulated", json_of(one.simulated.offset)}, {"measured", json_of(one.offset)}}}});
   for (const auto& one : published.magnitudes)
     magnitudes.push_back({{"contact", one.contact->label},
                           {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
-                          {"experiment", one.mode->experiment},
+                          {"experiment", name_of(one.mode->motion)},
                           {"load", one.load},
                           {"simulated", json_of(one.simulated)},
                           {"measured", json_of(one.measured)},
@@ -196,7 +196,7 @@ Json json_of(const AgainstPublished& published) {
                           {"sigmas", number_or_null(one.sigmas())},
                           {"source", one.source}});
   for (const auto& one : published.trends)
-    trends.push_back({{"experiment", one.trend->mode->experiment},
+    trends.push_back({{"experiment", name_of(one.trend->mode->motion)},
                       {"load", number_or_null(one.load)},
                       {"simulated", json_of(one.simulated)},
                       {"measured", json_of(one.measured)},
@@ -227,7 +227,7 @@ std::string resistance_csv(const MovingStudy& study) {
       const auto over = [&](double unit) {
         return Uncertain{state.resistance.value / unit, state.resistance.sd / unit};
       };
-      text += quoted_label(contact.label) + "," + state.mode->experiment + "," + csv_cell(state.load) + "," +
+      text += quoted_label(contact.label) + "," + name_of(state.mode->motion) + "," + csv_cell(state.load) + "," +
               csv_cell(contact.bodies.radius) + "," + csv_cell(contact.bodies.rms) + "," +
               std::to_string(state.cases.size()) + "," + csv_cell(state.spacing) + csv_cells(state.resistance) +
               csv_cells(state.parts.friction) + csv_cells(state.parts.plastic) + csv_cells(state.parts.adhesion) +

@@ -27,7 +27,7 @@ std::string value_and_sd(double value, double sd) {
 }  // namespace
 
 std::string motion_name(const MotionMode& mode, bool capital) {
-  std::string name = mode.experiment;
+  std::string name = name_of(mode.motion);
   if (capital) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
 }

@@ -22,7 +22,7 @@ struct EffectDescription {
   std::string id, title, equation, source;
   std::string meaning;  ///< for the reader of a report: what it means physically
   EffectKind kind = EffectKind::contact;
-  std::vector<Mode> modes;
+  std::vector<Motion> modes;
   /// Parameters of the simulation that have no meaning any more with this effect.
   std::vector<std::string> replaces;
   /// Parts of the mechanics that only one effect can hold at once.
@@ -63,8 +63,8 @@ class Effect {
   virtual void assemble(Mechanics& mechanics, const double* parameters) const = 0;
 
   const std::string& id() const { return description().id; }
-  bool acts_in(Mode mode) const {
-    for (const Mode known : description().modes)
+  bool acts_in(Motion mode) const {
+    for (const Motion known : description().modes)
       if (known == mode) return true;
     return false;
   }

@@ -7,7 +7,7 @@ namespace asperity {
 namespace {
 
 /// Bounds and the like are told for a sphere of 8.5 um under up to 3 mN.
-Experiment example(Mode mode) {
+Experiment example(Motion mode) {
   Experiment e;
   e.mode = mode;
   e.particle = {71e9, 0.17};
@@ -47,7 +47,7 @@ std::string effects_manual() {
   for (const auto& effect : effect_catalogue()) {
     const EffectDescription& d = effect->description();
     std::string modes;
-    for (const Mode mode : d.modes) modes += (modes.empty() ? "" : ", ") + name_of(mode);
+    for (const Motion mode : d.modes) modes += (modes.empty() ? "" : ", ") + name_of(mode);
     text += "\n## " + d.id + "\n\n" + d.title + " (" + (d.kind == EffectKind::contact ? "contact" : "instrument") + "; modes: " + modes + ").\n\n";
     text += "    " + d.equation + "\n\n" + d.meaning + "\n\nSource: " + d.source + "\n";
     const NeededValues needed = effect->needs();

@@ -153,13 +153,13 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
     s.radius *= factor;
     list.push_back({"measure with a particle of radius " + format_quantity(s.radius, Dimension::length, 2), one_row(s)});
   }
-  if (e.mode == Mode::rolling || e.mode == Mode::rail)
+  if (e.mode == Motion::rolling || e.mode == Motion::rail)
     for (const double rms : {0.2e-9, 10e-9}) {
       Sample s = row;
       s.rms_roughness = rms;
       list.push_back({"measure on a substrate of " + format_quantity(rms, Dimension::length, 2) + " RMS roughness", one_row(s)});
     }
-  if (e.mode == Mode::rail)
+  if (e.mode == Motion::rail)
     for (const double degrees : {0.0, 70.0}) {
       Sample s = row;
       s.rail_angle = degrees * boost::math::double_constants::degree;
@@ -167,7 +167,7 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
       std::snprintf(words, sizeof words, degrees == 0 ? "measure on a plane substrate" : "measure in a rail of %.0f degrees", degrees);
       list.push_back({words, one_row(s)});
     }
-  if (e.mode == Mode::sliding || e.mode == Mode::rolling) {
+  if (e.mode == Motion::sliding || e.mode == Motion::rolling) {
     Sample s = row;
     s.direction = -s.direction;
     list.push_back({"measure in the opposite direction too", one_row(s)});
@@ -194,7 +194,7 @@ double difference(const ModelFit& one, const ModelFit& other, const Samples& sam
 
 std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFit& one, const ModelFit& other) {
   const Experiment& e = problem.experiment;
-  std::vector<Proposal> proposals = e.mode == Mode::normal ? for_normal(e, problem.samples)
+  std::vector<Proposal> proposals = e.mode == Motion::normal ? for_normal(e, problem.samples)
                                     : e.has_trace          ? for_traces(e)
                                                            : for_series(e, problem.samples);
   std::vector<double> sd = problem.noise.sd;

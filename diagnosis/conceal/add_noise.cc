@@ -33,7 +33,7 @@ void add_noise(ConcealedRecording& concealed, const std::vector<std::vector<doub
     const InstrumentNoise noise = noise_of(options, table.kind, largest);
     if (t < without_effects.size() && noise.sd > 0) {
       double scale = 1;
-      if (concealed.recording.mode != Mode::normal) {
+      if (concealed.recording.mode != Motion::normal) {
         double both = 0, own = 0;
         for (std::size_t i = 0; i < response.size(); ++i) both += response[i] * without_effects[t][i], own += without_effects[t][i] * without_effects[t][i];
         scale = both / own;

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "dem_compare/laws/maugis_dugdale.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 #include "diagnosis/conceal/add_noise.h"
 
 namespace asperity {
@@ -26,8 +26,8 @@ double next_run(const RecordingTable& table) {
 }
 
 /// The accepted steps from `first` on, without anything between them, recorded again and again with noise of its own each time.
-void add_repeated_steps(RecordingTable& table, const ContactHistory& history, std::size_t first, const std::vector<HistoryColumn>& channels,
-                        std::vector<double> ContactHistory::*driven, const char* up, const char* down) {
+void add_repeated_steps(RecordingTable& table, const History& history, std::size_t first, const std::vector<HistoryColumn>& channels,
+                        std::vector<double> History::*driven, const char* up, const char* down) {
   constexpr std::size_t samples = 240;
   const std::size_t steps = history.size() - first, repeats = (samples + steps - 1) / steps;
   const std::vector<double>& position = history.*driven;
@@ -46,10 +46,10 @@ void add_repeated_steps(RecordingTable& table, const ContactHistory& history, st
 
 /// Approach without force (none where the surfaces attract: solved cases begin at touch), loading and unloading as one dense trace:
 /// between accepted steps F^(2/3) is straight in the approach, as it is by Hertz. The approach of a case is counted from first touch.
-void add_loading(RecordingTable& table, const ContactHistory& solved) {
+void add_loading(RecordingTable& table, const History& solved) {
   constexpr double way_before = 0.4;  // of the largest approach
   const bool attracts = *std::min_element(solved.normal_force.begin(), solved.normal_force.end()) < 0;
-  ContactHistory history;
+  History history;
   if (!attracts) {
     history.normal_displacement = {-way_before * *std::max_element(solved.normal_displacement.begin(), solved.normal_displacement.end()), 0};
     history.normal_force = {0, 0};
@@ -79,7 +79,7 @@ void add_loading(RecordingTable& table, const ContactHistory& solved) {
 }
 
 /// From the last step before the shift on: what solvers leave of rounding before it is no motion.
-void add_sliding(RecordingTable& table, const ContactHistory& history, const std::string& folder) {
+void add_sliding(RecordingTable& table, const History& history, const std::string& folder) {
   constexpr double rounding = 1e-4;  // of the largest shift
   double largest = 0;
   for (const double x : history.lateral_displacement) largest = std::max(largest, std::abs(x));
@@ -90,15 +90,15 @@ void add_sliding(RecordingTable& table, const ContactHistory& history, const std
   table.control = {"lateral_displacement", "normal_force"};
   table.response = "lateral_force";
   add_repeated_steps(table, history, first,
-                     {{"lateral_displacement", &ContactHistory::lateral_displacement},
-                      {"normal_force", &ContactHistory::normal_force},
-                      {"lateral_force", &ContactHistory::lateral_force}},
-                     &ContactHistory::lateral_displacement, "forward", "backward");
+                     {{"lateral_displacement", &History::lateral_displacement},
+                      {"normal_force", &History::normal_force},
+                      {"lateral_force", &History::lateral_force}},
+                     &History::lateral_displacement, "forward", "backward");
 }
 
 /// The moment where the contact slips everywhere, as a force at the particle's radius; three measurements of each load.
 void add_torsion(RecordingTable& table, const SolvedCase& solved) {
-  const ContactHistory& history = solved.history;
+  const History& history = solved.history;
   const double radius = solved.entries.quantity("Particle/Radius", Dimension::length);
   const auto largest = std::max_element(history.torsion_moment.begin(), history.torsion_moment.end());
   if (!(*largest > 0)) throw InputError(solved.folder.string() + ": its history.csv has no torsion");
@@ -139,7 +139,7 @@ std::map<std::string, TrueParameter> known_parameters(const std::string& effect,
 ConcealedRecording conceal_case(const std::filesystem::path& folder, const ConcealOptions& options) { return conceal_cases({folder}, options); }
 
 ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folders, const ConcealOptions& options) {
-  if (options.mode != Mode::normal && options.mode != Mode::sliding && options.mode != Mode::torsion)
+  if (options.mode != Motion::normal && options.mode != Motion::sliding && options.mode != Motion::torsion)
     throw InputError(folders.front().string() + ": a case becomes a recording in modes normal, sliding and torsion, not " + name_of(options.mode));
   std::vector<SolvedCase> cases;
   for (const auto& folder : folders) cases.push_back(read_solved_case(folder));
@@ -153,16 +153,16 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
   recording.tables.emplace_back();
   for (const SolvedCase& solved : cases) {
     RecordingTable& table = recording.tables[0];
-    if (options.mode == Mode::normal) add_loading(table, solved.history);
-    else if (options.mode == Mode::sliding) add_sliding(table, solved.history, solved.folder.string());
+    if (options.mode == Motion::normal) add_loading(table, solved.history);
+    else if (options.mode == Motion::sliding) add_sliding(table, solved.history, solved.folder.string());
     else add_torsion(table, solved);
   }
-  if (options.mode != Mode::normal) {
+  if (options.mode != Motion::normal) {
     recording.simulation_is_given = true;
     constexpr double guess = 0.3, torsion_guess = 0.01;
-    if (options.mode == Mode::torsion) recording.simulation.torsion = "constant";
-    recording.simulation.parameters[options.mode == Mode::sliding ? "sliding_friction" : "torsion_friction"] = {
-        options.mode == Mode::sliding ? guess : torsion_guess, true};
+    if (options.mode == Motion::torsion) recording.simulation.torsion = "constant";
+    recording.simulation.parameters[options.mode == Motion::sliding ? "sliding_friction" : "torsion_friction"] = {
+        options.mode == Motion::sliding ? guess : torsion_guess, true};
   }
   for (const auto& id : options.effects) {
     TrueEffect effect;
@@ -176,7 +176,7 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
   const auto& response = recording.tables[0].column(recording.tables[0].response);
   double largest = 0;
   for (const double value : response) largest = std::max(largest, std::abs(value));
-  if (options.noise > 0 && options.mode != Mode::torsion) recording.noise[recording.tables[0].response] = options.noise * largest;
+  if (options.noise > 0 && options.mode != Motion::torsion) recording.noise[recording.tables[0].response] = options.noise * largest;
   hidden::add_noise(concealed, {}, options);
   check_recording(recording);
   return concealed;

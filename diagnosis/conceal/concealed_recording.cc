@@ -72,14 +72,14 @@ std::string family_of(const ConcealOptions& options, const Truth& truth) {
 
 }  // namespace
 
-std::vector<std::string> concealable_effects(Mode mode) { return hidden::concealable(mode); }
-std::vector<std::string> outsiders(Mode mode) { return hidden::concealable_outsiders(mode); }
+std::vector<std::string> concealable_effects(Motion mode) { return hidden::concealable(mode); }
+std::vector<std::string> outsiders(Motion mode) { return hidden::concealable_outsiders(mode); }
 
 ConcealedRecording conceal(const ConcealOptions& options) {
   check(options);
   const WorldRequest request{options.mode, options.effects, options.setting, options.seed};
-  hidden::World world = options.mode == Mode::normal    ? hidden::normal_world(request)
-                         : options.mode == Mode::sliding ? hidden::sliding_world(request)
+  hidden::World world = options.mode == Motion::normal    ? hidden::normal_world(request)
+                         : options.mode == Motion::sliding ? hidden::sliding_world(request)
                                                          : hidden::series_world(request);
   ConcealedRecording concealed{std::move(world.recording), {}};
   concealed.truth.effects = world.effects;

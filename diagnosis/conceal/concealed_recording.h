@@ -11,7 +11,7 @@
 namespace asperity {
 
 struct ConcealOptions {
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   std::vector<std::string> effects;  ///< of the catalogue or outsiders; none: a null
   double noise = 0.01;               ///< standard deviation of a sample over the largest response
   unsigned seed = 1;
@@ -32,8 +32,8 @@ ConcealedRecording conceal(const ConcealOptions& options);
 void write_concealed(const ConcealedRecording& concealed, const std::filesystem::path& folder);
 
 /// Effects that can be concealed in a mode; outsiders are not in the catalogue.
-std::vector<std::string> concealable_effects(Mode mode);
-std::vector<std::string> outsiders(Mode mode);
+std::vector<std::string> concealable_effects(Motion mode);
+std::vector<std::string> outsiders(Motion mode);
 
 /// A solved case's history as a recording of its mode with noise: the finite-element solver as truth. `folder` holds history.csv and
 /// result.json or case.prm; `effects` say what the case shows. Several cases: a run each, in torsion a load each. Throws InputError.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/conceal/world.h"
 
@@ -184,7 +184,7 @@ class NormalRun {
 World normal_world(const WorldRequest& request) {
   Random random(request.seed);
   World world;
-  world.recording = paper_bodies(Mode::normal, "concealed normal loading");
+  world.recording = paper_bodies(Motion::normal, "concealed normal loading");
   const NormalProgram program = normal_program(request, random);
   const Sphere nominal{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), world.recording.particle.radius};
   choose_normal_parameters(world, request, program, nominal, random);

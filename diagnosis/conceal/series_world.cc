@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/conceal/sphere.h"
 #include "diagnosis/conceal/world.h"
 
@@ -21,14 +21,14 @@ struct Row {
 std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   const double largest = between(random, 2e-3, 4e-3);
   std::vector<double> loads, speeds{1e-6}, roughness{0.3e-9}, angles{0};
-  const bool few_loads = request.asks_for("roughness_dependent_rolling") || request.asks_for("viscous_rolling") || request.mode == Mode::rail;
+  const bool few_loads = request.asks_for("roughness_dependent_rolling") || request.asks_for("viscous_rolling") || request.mode == Motion::rail;
   const int count = few_loads ? 7 : 24;
   for (int i = 0; i < count; ++i) loads.push_back(largest * (i + 1) / count);
   if (request.asks_for("viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
   if (request.asks_for("roughness_dependent_rolling")) roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
-  if (request.mode == Mode::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
+  if (request.mode == Motion::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
   // Both ways of rolling, as loops give them: what keeps its sign belongs to the instrument.
-  const std::vector<int> directions = request.mode == Mode::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
+  const std::vector<int> directions = request.mode == Motion::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
   std::vector<Row> rows;
   for (const double angle : angles)
     for (const double rms : roughness)
@@ -46,7 +46,7 @@ void choose_series_parameters(World& world, const WorldRequest& request, const s
       world.hide(id, "constant attraction at every contact", "adhesion_force", between(random, 0.15, 0.5) * largest);
     else if (id == "contact_radius_scaling") {
       const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(largest / 2);
-      if (request.mode == Mode::torsion)
+      if (request.mode == Motion::torsion)
         world.hide(id, "moment of the pressure of a Hertzian contact that slips everywhere, summed over rings", "rolling_friction", friction * radius / a);
       else
         world.hide(id, "radii of contact of a true sphere (Sneddon 1965)", "rolling_friction", friction * radius / a);
@@ -149,10 +149,10 @@ World series_world(const WorldRequest& request) {
   const std::vector<Row> rows = rows_of(request, random);
   const double friction = between(random, 4e-4, 2e-3);
   choose_series_parameters(world, request, rows, friction, random);
-  const std::string name = request.mode == Mode::torsion ? "torsion_friction" : "rolling_friction";
+  const std::string name = request.mode == Motion::torsion ? "torsion_friction" : "rolling_friction";
   world.coefficients[name] = friction;
   world.recording.simulation_is_given = true;
-  if (request.mode == Mode::torsion) world.recording.simulation.torsion = "constant";
+  if (request.mode == Motion::torsion) world.recording.simulation.torsion = "constant";
   world.recording.simulation.parameters[name] = {friction * between(random, 0.7, 1.4), true};
 
   RecordingTable table;
@@ -167,11 +167,11 @@ World series_world(const WorldRequest& request) {
     table.columns["normal_force"].push_back(row.load);
     if (several_speeds) table.columns["speed"].push_back(row.speed);
     if (several_rms) table.columns["rms_roughness"].push_back(row.rms);
-    if (request.mode == Mode::rail) table.columns["rail_angle"].push_back(row.angle);
+    if (request.mode == Motion::rail) table.columns["rail_angle"].push_back(row.angle);
     const auto force = [&](const SeriesLaw& law) {
-      return row.direction * (request.mode == Mode::rolling ? law.rolling(row) : request.mode == Mode::rail ? law.rail(row) : law.torsion(row));
+      return row.direction * (request.mode == Motion::rolling ? law.rolling(row) : request.mode == Motion::rail ? law.rail(row) : law.torsion(row));
     };
-    if (request.mode == Mode::rolling) table.segment.push_back(row.direction > 0 ? "forward" : "backward");
+    if (request.mode == Motion::rolling) table.segment.push_back(row.direction > 0 ? "forward" : "backward");
     table.columns["lateral_force"].push_back(force(with));
     without.push_back(force(plain));
   }

@@ -214,7 +214,7 @@ class SlidingRun {
 World sliding_world(const WorldRequest& request) {
   Random random(request.seed);
   World world;
-  world.recording = paper_bodies(Mode::sliding, "concealed friction loops");
+  world.recording = paper_bodies(Motion::sliding, "concealed friction loops");
   const SlidingProgram program = sliding_program(request, random);
   const double friction = between(random, 0.2, 0.45);
   choose_sliding_parameters(world, request, program, friction, random);

@@ -20,7 +20,7 @@ double World::hide(const std::string& effect, const std::string& model, const st
   TrueEffect added;
   added.id = effect;
   added.model = model;
-  for (const Mode mode : all_modes())
+  for (const Motion mode : all_modes())
     for (const auto& outsider : concealable_outsiders(mode))
       if (outsider == effect) added.in_catalogue = false;
   if (!parameter.empty()) added.parameters[parameter] = {value, is_the_catalogues};
@@ -40,37 +40,37 @@ double World::value(const std::string& effect, const std::string& parameter) con
   return 0;
 }
 
-std::vector<std::string> concealable(Mode mode) {
+std::vector<std::string> concealable(Motion mode) {
   switch (mode) {
-    case Mode::normal:
+    case Motion::normal:
       return {"instrument_compliance", "contact_point_offset", "thermal_drift", "adhesion", "effective_radius",
               "bulk_plasticity", "roughness_compliance", "creep", "baseline_tilt", "adhesion_hysteresis"};
-    case Mode::sliding:
+    case Motion::sliding:
       return {"lateral_compliance", "adhesion_offset", "static_friction_peak", "velocity_dependence", "partial_slip", "surface_tilt",
               "lateral_zero_offset", "area_proportional_friction", "run_in", "stick_slip", "rate_and_state"};
-    case Mode::rolling: return {"rolling_adhesion_offset", "contact_radius_scaling", "roughness_dependent_rolling", "viscous_rolling"};
-    case Mode::rail: return {"torsion_resistance", "rolling_adhesion_offset", "viscous_rolling"};
-    case Mode::torsion: return {"contact_radius_scaling"};
+    case Motion::rolling: return {"rolling_adhesion_offset", "contact_radius_scaling", "roughness_dependent_rolling", "viscous_rolling"};
+    case Motion::rail: return {"torsion_resistance", "rolling_adhesion_offset", "viscous_rolling"};
+    case Motion::torsion: return {"contact_radius_scaling"};
   }
   return {};
 }
 
-std::vector<std::string> concealable_outsiders(Mode mode) {
+std::vector<std::string> concealable_outsiders(Motion mode) {
   switch (mode) {
-    case Mode::normal: return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};
-    case Mode::sliding: return {"position_weakening", "lateral_oscillation"};
-    case Mode::rolling: return {"resistance_peak"};
+    case Motion::normal: return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};
+    case Motion::sliding: return {"position_weakening", "lateral_oscillation"};
+    case Motion::rolling: return {"resistance_peak"};
     default: return {};
   }
 }
 
-Recording paper_bodies(Mode mode, const std::string& title) {
+Recording paper_bodies(Motion mode, const std::string& title) {
   Recording recording;
   recording.title = title;
   recording.mode = mode;
   recording.particle = {"borosilicate", 71e9, 0.17, 8.5e-6, 0.7e-9, RecordedBody::unknown};
   recording.substrate = {"Si(100)", 179e9, 0.25, RecordedBody::unknown, 0.3e-9, RecordedBody::unknown};
-  if (mode == Mode::rolling || mode == Mode::rail)
+  if (mode == Motion::rolling || mode == Motion::rail)
     recording.indenter = RecordedBody{"diamond", 1140e9, 0.07, RecordedBody::unknown, 4e-9, RecordedBody::unknown};
   return recording;
 }

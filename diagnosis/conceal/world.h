@@ -32,7 +32,7 @@ struct World {
 
 /// What to conceal. `setting` "" is the ordinary experiment; others make effects indistinguishable ("one_load", "ramp_only").
 struct WorldRequest {
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   std::vector<std::string> effects;
   std::string setting;
   unsigned seed = 1;
@@ -43,8 +43,8 @@ struct WorldRequest {
 };
 
 /// Effects that can be concealed in a mode: of the catalogue, and outside of it.
-std::vector<std::string> concealable(Mode mode);
-std::vector<std::string> concealable_outsiders(Mode mode);
+std::vector<std::string> concealable(Motion mode);
+std::vector<std::string> concealable_outsiders(Motion mode);
 
 World normal_world(const WorldRequest& request);
 World sliding_world(const WorldRequest& request);
@@ -52,6 +52,6 @@ World sliding_world(const WorldRequest& request);
 World series_world(const WorldRequest& request);
 
 /// The paper's sphere on silicon, with diamond above.
-Recording paper_bodies(Mode mode, const std::string& title);
+Recording paper_bodies(Motion mode, const std::string& title);
 
 }  // namespace asperity::hidden

@@ -97,7 +97,7 @@ class Adhesion : public Effect {
         "Derjaguin, Muller & Toporov 1975; Johnson, Kendall & Roberts 1971; Maugis 1992; Carpick, Ogletree & Salmeron 1999, eq. (8); "
         "Pietrement & Troyon 2000, eq. (6)",
         "The surfaces attract each other: the contact is larger than its load alone makes it, and it takes a pull to open it.",
-        EffectKind::contact, {Mode::normal}, {}, {"attraction"}, 2, false};
+        EffectKind::contact, {Motion::normal}, {}, {"attraction"}, 2, false};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

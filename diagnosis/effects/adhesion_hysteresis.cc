@@ -40,7 +40,7 @@ class AdhesionHysteresis : public Effect {
         "Johnson, Kendall & Roberts 1971; Maugis & Barquins 1978; Chen, Helm & Israelachvili 1991",
         "Opening the contact takes more work than closing it gave: on unloading the edge of the contact stays pinned at first, and the "
         "curve returns on another branch than it came.",
-        EffectKind::contact, {Mode::normal}, {}, {"attraction", "normal_law"}, 2, false};
+        EffectKind::contact, {Motion::normal}, {}, {"attraction", "normal_law"}, 2, false};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_unloading && e.has_trace; }

@@ -10,7 +10,7 @@ class AdhesionOffset : public Effect {
     static const EffectDescription d{
         "adhesion_offset", "Offset of sliding friction by adhesion", "|f_l| <= mu (f_n + h)", "Derjaguin 1934; Fuchs, Weinhart et al. 2014, eq. (yield1)",
         "Friction does not vanish with the load: attraction acts like an additional normal force.",
-        EffectKind::contact, {Mode::sliding, Mode::torsion}, {}, {}, 2};
+        EffectKind::contact, {Motion::sliding, Motion::torsion}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -11,7 +11,7 @@ class AreaProportionalFriction : public Effect {
         "area_proportional_friction", "Friction proportional to the area of contact", "f_l = tau pi a^2, a^3 = 3 f_n R/(4 E*)",
         "Bowden & Tabor 1950; Carpick, Ogletree & Salmeron 1997; Homola et al. 1990",
         "The interface has a shear strength of its own: friction grows with the real area, f_n^(2/3) for a smooth sphere, and not with load.",
-        EffectKind::contact, {Mode::sliding}, {"sliding_friction"}, {"sliding_law"}, 1};
+        EffectKind::contact, {Motion::sliding}, {"sliding_friction"}, {"sliding_law"}, 1};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

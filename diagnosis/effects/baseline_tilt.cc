@@ -11,7 +11,7 @@ class BaselineTilt : public Effect {
         "baseline_tilt", "Tilted baseline", "f = f_contact + b d", "Butt, Cappella & Kappl 2005, sec. 3.2 (baseline of force curves)",
         "A spring of the instrument (support of the indenter, optical interference) adds a force in proportion to displacement; it is "
         "there without the sample too, and must not be taken for attraction.",
-        EffectKind::instrument, {Mode::normal}, {}, {}, 2};
+        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -70,7 +70,7 @@ class BulkPlasticity : public Effect {
         "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
         "Jackson & Green 2005, eqs. (14), (25); Etsion, Kligerman & Kadin 2005, eqs. (12)-(15)",
         "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and an imprint stays.",
-        EffectKind::contact, {Mode::normal}, {}, {"normal_law"}, 1, true, 0.1, 0.03};
+        EffectKind::contact, {Motion::normal}, {}, {"normal_law"}, 1, true, 0.1, 0.03};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

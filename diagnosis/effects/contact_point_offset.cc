@@ -11,7 +11,7 @@ class ContactPointOffset : public Effect {
         "contact_point_offset", "Offset of the contact point", "d = d_contact + d0",
         "Dimitriadis et al. 2002 (contact point as a fitted quantity)",
         "Zero displacement was set before or after the surfaces touched; the whole curve is shifted along its displacement.",
-        EffectKind::instrument, {Mode::normal}, {}, {}, 2};
+        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -1,5 +1,5 @@
 // The length over which rolling (or torsion) resists is the radius of the contact, not of the particle: mu r -> mu a.
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -12,7 +12,7 @@ class ContactRadiusScaling : public Effect {
         "contact_radius_scaling", "Resistance scales with the contact radius", "2 r f_l = sum over the contacts of mu a f_n; torsion: M = mu a f_n",
         "Tabor 1955; Johnson 1985, sec. 9.2; Lubkin 1951 for torsion; Fuchs, Weinhart et al. 2014, sec. 3.2.3",
         "The lever of the resistance is the contact's radius, which grows with load (f_n^(1/3)) and with the particle's: force grows as f_n^(4/3).",
-        EffectKind::contact, {Mode::rolling, Mode::rail, Mode::torsion}, {"rolling_friction", "torsion_friction"}, {"rolling_coefficient"}, 1};
+        EffectKind::contact, {Motion::rolling, Motion::rail, Motion::torsion}, {"rolling_friction", "torsion_friction"}, {"rolling_coefficient"}, 1};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
@@ -22,7 +22,7 @@ class ContactRadiusScaling : public Effect {
     return list;
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.lateral.length = ResistanceLength::contact_radius;
+    m.lateral.length = LengthScale::contact_radius;
     m.lateral.coefficient = p[0];
   }
 };

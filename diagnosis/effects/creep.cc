@@ -13,7 +13,7 @@ class Creep : public Effect {
         "creep", "Creep", "d = d_contact + q, tau dq/dt = A d_contact/d_H - q; held at the largest load: q = A [1 - exp(-t/tau)]",
         "Kelvin & Voigt; Johnson 1985, sec. 6.5; Chudoba & Richter 2001, eq. (1)",
         "The contact goes on giving way while the load is held, quickly at first and then to a limit.",
-        EffectKind::contact, {Mode::normal}, {}, {}, 2, true, 0.15};
+        EffectKind::contact, {Motion::normal}, {}, {}, 2, true, 0.15};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.hold_duration > 0 && e.has_time; }

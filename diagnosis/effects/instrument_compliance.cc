@@ -11,7 +11,7 @@ class InstrumentCompliance : public Effect {
         "instrument_compliance", "Compliance of the instrument", "d = d_contact + C f_n", "Oliver & Pharr 1992, eq. (7)",
         "Something between the displacement sensor and the contact gives way in proportion to the load, so that part of the "
         "recorded displacement never reaches the contact.",
-        EffectKind::instrument, {Mode::normal}, {}, {}, 2};
+        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -12,7 +12,7 @@ class LateralCompliance : public Effect {
         "lateral_compliance", "Lateral compliance in series", "x = x_contact + C f_l", "Carpick, Ogletree & Salmeron 1997, eq. (1)",
         "Indenter, cantilever or particle mounting gives way sideways: after a reversal the force turns more slowly than the contact's "
         "own stiffness would let it.",
-        EffectKind::instrument, {Mode::sliding, Mode::rolling, Mode::rail}, {}, {}, 2};
+        EffectKind::instrument, {Motion::sliding, Motion::rolling, Motion::rail}, {}, {}, 2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

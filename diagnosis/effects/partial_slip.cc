@@ -13,7 +13,7 @@ class PartialSlip : public Effect {
         "partial_slip", "Partial slip before sliding", "x = 3 mu f_n/(16 G* a) [1 - (1 - f_l/(mu f_n))^(2/3)]; Masing's rule after reversals",
         "Cattaneo 1938; Mindlin & Deresiewicz 1953; Johnson 1985, eq. (7.42)",
         "An annulus at the edge of the contact slips at any lateral force: the loop bends before gross sliding instead of turning a corner.",
-        EffectKind::contact, {Mode::sliding}, {}, {"stick"}, 1};
+        EffectKind::contact, {Motion::sliding}, {}, {"stick"}, 1};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

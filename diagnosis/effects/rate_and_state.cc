@@ -16,7 +16,7 @@ class RateAndState : public Effect {
         "rate_and_state", "Rate-and-state friction", "mu = mu0 + a ln(v/v0) + b ln(v0 theta/L), d theta/dt = 1 - v theta/L",
         "Dieterich 1979; Ruina 1983, eq. (1); Marone 1998",
         "A change of speed makes friction jump at once (a) and come back over a slip distance (b), while contacts are renewed.",
-        EffectKind::contact, {Mode::sliding}, {}, {"rate"}, 3, true, 0.15};
+        EffectKind::contact, {Motion::sliding}, {}, {"rate"}, 3, true, 0.15};
     return d;
   }
   bool can_show(const Experiment& e) const override {

@@ -11,7 +11,7 @@ class RollingAdhesionOffset : public Effect {
         "rolling_adhesion_offset", "Offset of rolling friction by adhesion", "f_l = mu_ro (f_n + h_ro)",
         "Fuchs, Weinhart et al. 2014, eq. (fs1); Dominik & Tielens 1995",
         "Rolling costs a force without a load: attraction holds the rear edge of the contact.",
-        EffectKind::contact, {Mode::rolling, Mode::rail}, {}, {}, 2};
+        EffectKind::contact, {Motion::rolling, Motion::rail}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -16,7 +16,7 @@ class RoughnessCompliance : public Effect {
         "roughness_compliance", "Soft layer of asperities", "d = d_Hertz(f_n) + l ln(1 + f_n/f_0), f_0 = onset 4/3 E* R^(1/2) l^(3/2)",
         "Greenwood & Williamson 1966; Persson 2007, eq. (12); Akarapu, Sharp & Robbins 2011",
         "Asperities are pressed flat before the bulk bears: the contact is soft at low load and approaches the smooth one at high load.",
-        EffectKind::contact, {Mode::normal}, {}, {}, 2};
+        EffectKind::contact, {Motion::normal}, {}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

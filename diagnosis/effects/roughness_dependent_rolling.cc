@@ -13,7 +13,7 @@ class RoughnessDependentRolling : public Effect {
         "roughness_dependent_rolling", "Rolling friction depends on roughness", "mu_ro = b + c exp(-rms/d)",
         "Fuchs, Weinhart et al. 2014, eq. (murofit)",
         "Asperities keep the surfaces apart: rougher substrates resist rolling less.",
-        EffectKind::contact, {Mode::rolling, Mode::rail}, {"rolling_friction"}, {"rolling_coefficient"}, 1};
+        EffectKind::contact, {Motion::rolling, Motion::rail}, {"rolling_friction"}, {"rolling_coefficient"}, 1};
     return d;
   }
   NeededValues needs() const override { return {"rms_roughness", one_more_than_its_constants}; }

@@ -13,7 +13,7 @@ class RunIn : public Effect {
     static const EffectDescription d{
         "run_in", "Running-in", "mu_n = mu [1 + change exp(-n/cycles)]", "Blau 2005, sec. 2; Colaco & Serro 2020",
         "The surfaces change while they slide (films, asperities, debris): friction goes to a steady value over some cycles.",
-        EffectKind::contact, {Mode::sliding, Mode::rolling, Mode::rail}, {}, {}, 3, true, 0.1};
+        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail}, {}, {}, 3, true, 0.1};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.cycles >= fewest_cycles; }

@@ -14,7 +14,7 @@ class StaticFrictionPeak : public Effect {
         "static_friction_peak", "Static friction above dynamic friction", "mu = mu_d [1 + (ratio - 1) exp(-s/L)]",
         "Rabinowicz 1951; Baumberger & Caroli 2006, sec. 3",
         "To set the contact in motion takes more than to keep it moving; the excess fades over a slip length.",
-        EffectKind::contact, {Mode::sliding, Mode::rolling, Mode::rail}, {}, {}, 2};
+        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail}, {}, {}, 2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

@@ -77,7 +77,7 @@ class StickSlip : public Effect {
     static const EffectDescription d{
         "stick_slip", "Stick-slip", "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]", "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
         "Sliding goes in jumps: force builds up while the contact sticks and drops when it lets go.",
-        EffectKind::contact, {Mode::sliding}, {}, {}, 3, false, 0.3};
+        EffectKind::contact, {Motion::sliding}, {}, {}, 3, false, 0.3};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

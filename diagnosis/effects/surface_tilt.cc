@@ -12,7 +12,7 @@ class SurfaceTilt : public Effect {
     static const EffectDescription d{
         "surface_tilt", "Tilt of the surface", "f_l = f + tan(theta) f_n", "Bhushan & Ruan 1994; Sundararajan & Bhushan 2000",
         "A part of the normal load points along the tilted surface; it keeps its sign when the motion reverses, and grows with load.",
-        EffectKind::instrument, {Mode::sliding, Mode::rolling}, {}, {}, 2};
+        EffectKind::instrument, {Motion::sliding, Motion::rolling}, {}, {}, 2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_both_directions; }

@@ -10,7 +10,7 @@ class ThermalDrift : public Effect {
     static const EffectDescription d{
         "thermal_drift", "Thermal drift", "d = d_contact + rate t", "Oliver & Pharr 1992, sec. III; ISO 14577-1, sec. 8",
         "Instrument or sample expand at a steady rate, so that displacement grows with time whether or not the load changes.",
-        EffectKind::instrument, {Mode::normal}, {}, {}, 2};
+        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_time && e.has_trace; }

@@ -12,7 +12,7 @@ class TorsionResistance : public Effect {
         "torsion_resistance", "Torsion resistance in the rail", "f_l = [2 mu_ro + tan(theta) mu_to]/(1 + cos(theta)) f_n at the plate",
         "Fuchs, Weinhart et al. 2014, eqs. (murail), (muto2)",
         "In a groove the particle does not only roll but spins against the slopes; the spin is resisted too, the more the steeper they are.",
-        EffectKind::contact, {Mode::rail}, {"torsion_friction"}, {}, 2};
+        EffectKind::contact, {Motion::rail}, {"torsion_friction"}, {}, 2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

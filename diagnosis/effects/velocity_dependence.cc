@@ -12,7 +12,7 @@ class VelocityDependence : public Effect {
     static const EffectDescription d{
         "velocity_dependence", "Friction depends on speed", "mu = mu0 + b ln(v/v0)", "Gnecco et al. 2000, eq. (3); Dieterich 1979 (steady state)",
         "Bonds of the contact break with the help of heat and time: friction changes by the same amount for every factor of speed.",
-        EffectKind::contact, {Mode::sliding, Mode::rolling, Mode::rail, Mode::torsion}, {}, {"rate"}, 3};
+        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion}, {}, {"rate"}, 3};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.slowest > 0 && e.fastest > least_ratio * e.slowest; }

@@ -10,7 +10,7 @@ class ViscousRolling : public Effect {
     static const EffectDescription d{
         "viscous_rolling", "Viscous rolling resistance", "f_l = (mu_ro + k v) f_n", "Brilliantov & Poschel 1998, eq. (13)",
         "The solid gives back less of the energy the faster it is deformed.",
-        EffectKind::contact, {Mode::rolling, Mode::rail}, {}, {"rate"}, 3};
+        EffectKind::contact, {Motion::rolling, Motion::rail}, {}, {"rate"}, 3};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.slowest > 0 && e.fastest > least_ratio * e.slowest; }

@@ -9,15 +9,15 @@ namespace {
 constexpr double smallest_friction = 1e-7, largest_friction = 20;
 
 /// Parameters of the simulation that the mode of motion makes use of.
-std::vector<std::string> used_in(Mode mode, const SimulationChoice& choice) {
+std::vector<std::string> used_in(Motion mode, const SimulationChoice& choice) {
   switch (mode) {
-    case Mode::normal: return {};
-    case Mode::sliding: return {"sliding_friction"};
-    case Mode::rolling: return {"rolling_friction"};
-    case Mode::rail:
+    case Motion::normal: return {};
+    case Motion::sliding: return {"sliding_friction"};
+    case Motion::rolling: return {"rolling_friction"};
+    case Motion::rail:
       if (choice.torsion == "constant") return {"rolling_friction", "torsion_friction"};
       return {"rolling_friction"};
-    case Mode::torsion: return {"torsion_friction"};
+    case Motion::torsion: return {"torsion_friction"};
   }
   return {};
 }

@@ -42,7 +42,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
   const Noise recorded_noise = problem.noise = estimate_noise(recording, problem.samples, recorded);
   constexpr int rounds = 2;  // a first noise to fit with, then that of the fit's own residuals
   for (int round = 0; round < rounds; ++round) {
-    if (round == 0 && problem.experiment.mode != Mode::normal) mark_beginnings(problem.samples, problem.noise);
+    if (round == 0 && problem.experiment.mode != Motion::normal) mark_beginnings(problem.samples, problem.noise);
     problem.thin = thinned(problem.samples, samples_of_search);
     problem.baseline_residual.clear();
     prepared.baseline = fit_explanation(problem, {});

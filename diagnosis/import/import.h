@@ -13,7 +13,7 @@ namespace asperity {
 struct ImportOptions {
   std::string format;   ///< "hysitron", "optics11", "fischer", "csv"; "": recognised from the text
   std::string title;
-  Mode mode = Mode::normal;
+  Motion mode = Motion::normal;
   std::optional<double> radius;                             ///< of the particle or tip [m]
   std::optional<double> particle_modulus, particle_poisson;  ///< default: diamond, or the sphere of the instrument
   std::optional<double> substrate_modulus, substrate_poisson;

@@ -83,7 +83,7 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
     for (const auto& name : source.names) list += (list.empty() ? "" : ", ") + name;
     throw InputError(text.file + ": say what its columns are with --column \"channel [unit] = column\"; there are " + list);
   }
-  const bool is_normal = options.mode == Mode::normal;
+  const bool is_normal = options.mode == Motion::normal;
   RecordingTable table;
   table.file = is_normal ? "loading.csv" : "loops.csv";
   table.control = is_normal ? std::vector<std::string>{"normal_displacement"} : std::vector<std::string>{"lateral_displacement", "normal_force"};

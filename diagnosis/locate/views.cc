@@ -20,7 +20,7 @@ struct NamedVariable {
   Variable value;
 };
 
-std::vector<NamedVariable> variables_for(Mode mode, bool trace, bool hold, bool force_drives) {
+std::vector<NamedVariable> variables_for(Motion mode, bool trace, bool hold, bool force_drives) {
   const NamedVariable displacement{"normal_displacement", [](const Sample& s) { return s.normal_displacement; }},
       load{"normal_force", [](const Sample& s) { return s.normal_force; }},
       way{"lateral_displacement", [](const Sample& s) { return s.lateral_displacement; }},
@@ -30,12 +30,12 @@ std::vector<NamedVariable> variables_for(Mode mode, bool trace, bool hold, bool 
       angle{"rail_angle", [](const Sample& s) { return s.rail_angle; }};
   std::vector<NamedVariable> list;
   if (hold) return {time, cycle};
-  if (mode == Mode::normal) list.push_back(force_drives ? load : displacement);
+  if (mode == Motion::normal) list.push_back(force_drives ? load : displacement);
   else if (trace) list = {way, load};
   else list = {load};
   if (trace) list.push_back(cycle);
-  if (mode != Mode::normal) list.push_back(speed);
-  if (mode != Mode::normal) list.insert(list.end(), {radius, roughness, angle});
+  if (mode != Motion::normal) list.push_back(speed);
+  if (mode != Motion::normal) list.insert(list.end(), {radius, roughness, angle});
   return list;
 }
 

@@ -17,7 +17,7 @@ double rolling_limit(const Mechanics& mechanics, const Sample& sample, double co
   const double cosine = std::cos(sample.rail_angle), sine = std::sin(sample.rail_angle);
   const double slope_force = plate_force / (2 * cosine);
   double above = 1, below = 1;  // lambda/r
-  if (lateral.length == ResistanceLength::contact_radius) {
+  if (lateral.length == LengthScale::contact_radius) {
     above = contact_radius(reduced_modulus(e.particle, e.indenter), sample.radius, plate_force) / sample.radius;
     // On a plane the two "slopes" are one contact that bears all.
     const double borne = sample.rail_angle == 0 ? plate_force : slope_force;
@@ -39,14 +39,14 @@ double hertz_radius(const Mechanics& mechanics, const Sample& sample) {
 double lateral_limit(const Mechanics& mechanics, const Sample& sample, double coefficient, bool at_substrate) {
   const LateralMechanics& lateral = mechanics.lateral;
   switch (mechanics.experiment.mode) {
-    case Mode::rolling:
+    case Motion::rolling:
       return rolling_limit(mechanics, sample, coefficient, sample.normal_force);
-    case Mode::rail: {
+    case Motion::rail: {
       if (!at_substrate) return rolling_limit(mechanics, sample, coefficient, sample.normal_force);
       return rolling_limit(mechanics, sample, coefficient, 2 * std::cos(sample.rail_angle) * sample.normal_force) / 2;
     }
-    case Mode::torsion: {
-      const double lever = lateral.length == ResistanceLength::contact_radius ? hertz_radius(mechanics, sample) / sample.radius : 1;
+    case Motion::torsion: {
+      const double lever = lateral.length == LengthScale::contact_radius ? hertz_radius(mechanics, sample) / sample.radius : 1;
       return coefficient * lever * (sample.normal_force + lateral.offset);
     }
     default:

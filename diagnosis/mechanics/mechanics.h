@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/length_scale.h"
 #include "diagnosis/mechanics/normal_contact.h"
 #include "diagnosis/experiment.h"
 
@@ -60,16 +61,13 @@ struct NormalMechanics {
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
 };
 
-/// Lengths over which rolling and torsion resist.
-enum class ResistanceLength { particle_radius, contact_radius };
-
 struct LateralMechanics {
   enum class Stick { spring, strips } stick = Stick::spring;
   double compliance = 0;         ///< C in series [m/N]
   double coefficient = 0;        ///< mu of sliding, rolling, or torsion in mode torsion
   double offset = 0;             ///< h added to the normal force [N]
   double torsion_coefficient = 0;                               ///< mu_to at the slopes of a rail
-  ResistanceLength length = ResistanceLength::particle_radius;  ///< of rolling and torsion
+  LengthScale length = LengthScale::particle_radius;  ///< of rolling and torsion
   bool follows_area = false;     ///< sliding: the limit is coefficient x pi a^2, coefficient a shear strength [Pa]
   std::vector<CoefficientChange> coefficient_changes;
   std::vector<LimitChange> limit_changes;

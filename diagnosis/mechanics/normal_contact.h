@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity {
 

@@ -227,7 +227,7 @@ class LateralRun {
 std::vector<double> simulate(const Mechanics& mechanics, const Samples& samples) {
   std::vector<double> response(samples.list.size(), 0.0);
   for (const auto& run : samples.runs) {
-    if (mechanics.experiment.mode == Mode::normal) {
+    if (mechanics.experiment.mode == Motion::normal) {
       NormalRun state(mechanics.normal);
       for (std::size_t i = run.begin; i < run.end; ++i) {
         if (run.independent_rows) state.forget();

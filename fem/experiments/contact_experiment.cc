@@ -133,7 +133,7 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   RigidMotion motion = station.motion;
   if (!previous) return motion;
   // What free rolling gave way to stays.
-  if (input_.experiment.type == ExperimentInput::Type::program) {
+  if (input_.experiment.type == Motion::program) {
     motion.x = state_.motion.x + station.motion.x - previous->motion.x;
     motion.y = state_.motion.y + station.motion.y - previous->motion.y;
   }
@@ -222,7 +222,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     adhesion_energy = report.adhesion_energy;
     plastic_work += energies.plastic_work;
   }
-  StepRecord r = record(static_cast<int>(records_.size()) + 1, last_report_);
+  HistoryRow r = record(static_cast<int>(records_.size()) + 1, last_report_);
   r.elastic_energy = energies.elastic;
   r.hardening_energy = energies.hardening;
   r.plastic_work = plastic_work;
@@ -240,9 +240,9 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
 }
 
-StepRecord ContactExperiment::record(int step, const SolveReport& report) {
+HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
   const ContactResultants c = solver_->resultants(state_);
-  StepRecord r;
+  HistoryRow r;
   r.step = r.time = step;
   r.normal_force = c.force;
   r.attraction = c.attraction;
@@ -284,12 +284,11 @@ StepRecord ContactExperiment::record(int step, const SolveReport& report) {
 void ContactExperiment::measure_stiffness() {
   const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
   stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
-  using Type = ExperimentInput::Type;
-  const Type type = input_.experiment.type;
-  const bool moves_as_written = type == Type::program && solver_->has_friction();
-  if (type == Type::sliding || type == Type::rolling || moves_as_written)
+  const Motion type = input_.experiment.type;
+  const bool moves_as_written = type == Motion::program && solver_->has_friction();
+  if (type == Motion::sliding || type == Motion::rolling || moves_as_written)
     lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
-  if (type == Type::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
+  if (type == Motion::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
 }
 
 void ContactExperiment::step_to(const Station& station, int index) {
@@ -326,7 +325,7 @@ void ContactExperiment::write_step(int index) {
   c.coupling = state_.coupling;
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
-  if (speaks()) write_file_atomically(options_.output / "history.csv", history_csv(records_));
+  if (speaks()) write_file_atomically(options_.output / "history.csv", format_history(history_of(records_)));
 }
 
 void ContactExperiment::say_load_steps() const {

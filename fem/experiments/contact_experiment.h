@@ -8,7 +8,7 @@
 #include "fem/case_setup.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/experiments/program.h"
-#include "fem/output/step_record.h"
+#include "results/history.h"
 #include "fem/solve_case.h"
 
 namespace asperity::fem {
@@ -35,7 +35,7 @@ class ContactExperiment {
   /// Into how many parts a step that was tried has to be divided.
   int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;
   void accept(ContactState& trial, double load);
-  StepRecord record(int step, const SolveReport& report);
+  HistoryRow record(int step, const SolveReport& report);
   void write_step(int step);
   void write_result();
   /// Says how many load steps would do where those made leave more than the mesh should.
@@ -53,7 +53,7 @@ class ContactExperiment {
   std::unique_ptr<ContactSystem> system_;
   std::unique_ptr<ContactSolver> solver_;
   ContactState state_;
-  std::vector<StepRecord> records_;
+  std::vector<HistoryRow> records_;
   double far_field_ = 0, lateral_far_field_ = 0;  ///< [m/N]
   double load_ = 0;                 ///< of the accepted state: force [N] or approach [m]
   double started_ = 0, time_before_ = 0;  ///< wall time of this run's start and of earlier runs [s]

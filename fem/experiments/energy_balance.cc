@@ -10,16 +10,16 @@ namespace asperity::fem {
 namespace {
 
 /// What the work up to a step has become: stored in the bodies and in attraction, or dissipated [J].
-double stored_energy(const StepRecord& r) {
+double stored_energy(const HistoryRow& r) {
   return r.elastic_energy + r.plastic_work + r.friction_work + r.adhesion_energy + r.adhesion_loss;
 }
 
 /// Work of shift, roll and spin in one step [J]: a trapezium.
-double sideways_work(const StepRecord& a, const StepRecord& b, double radius) {
+double sideways_work(const HistoryRow& a, const HistoryRow& b, double radius) {
   double work = 0.5 * (a.lateral_force + b.lateral_force) * (b.shift - a.shift) + 0.5 * (a.torsion_moment + b.torsion_moment) * (b.torsion_angle - a.torsion_angle);
   work += 0.5 * (a.lateral_force_across + b.lateral_force_across) * (b.shift_across - a.shift_across);
   // The moment about the contact comes with a lateral force at the particle's centre; the axis of rolling spins with the particle.
-  const auto about_centre = [&](const StepRecord& r) {
+  const auto about_centre = [&](const HistoryRow& r) {
     return r.rolling_moment - radius * (std::cos(r.torsion_angle) * r.lateral_force + std::sin(r.torsion_angle) * r.lateral_force_across);
   };
   return work + 0.5 * (about_centre(a) + about_centre(b)) * (b.rolling_angle - a.rolling_angle);
@@ -27,7 +27,7 @@ double sideways_work(const StepRecord& a, const StepRecord& b, double radius) {
 
 }  // namespace
 
-void balance_energy(std::vector<StepRecord>& records, bool has_adhesion, double rolling_radius) {
+void balance_energy(std::vector<HistoryRow>& records, bool has_adhesion, double rolling_radius) {
   if (records.empty()) return;
   std::vector<double> delta, pressing;
   for (const auto& r : records) delta.push_back(r.driven_displacement), pressing.push_back(r.normal_force + r.attraction);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fem/experiments/program.h"
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -20,6 +20,6 @@ struct RollingStep {
 
 /// The next step of a program of which `records` (one at least) are done. A quarter of what is given way to enters the way per angle,
 /// which is shorter than the radius by about the approach.
-RollingStep free_rolling(const std::vector<Station>& program, const std::vector<StepRecord>& records, const RollingContact& contact);
+RollingStep free_rolling(const std::vector<Station>& program, const std::vector<HistoryRow>& records, const RollingContact& contact);
 
 }  // namespace asperity::fem

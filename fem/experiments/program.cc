@@ -36,7 +36,7 @@ std::vector<double> even_path(double length, int steps) {
 }
 
 void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Station>& program) {
-  const bool torsion = e.type == ExperimentInput::Type::torsion, rolling = e.type == ExperimentInput::Type::rolling;
+  const bool torsion = e.type == Motion::torsion, rolling = e.type == Motion::rolling;
   const RigidMotion start = program.back().motion;
   const double length = torsion ? e.angle : e.distance;
   const double onset = torsion ? scales.full_slip_angle : rolling ? scales.largest_shift : scales.full_slip_shift;
@@ -75,8 +75,8 @@ std::vector<double> graded_path(double length, double onset, double largest) {
 std::vector<Station> make_program(const ExperimentInput& e, const MotionScales& scales) {
   std::vector<Station> program;
   RigidMotion start;
-  if (e.type == ExperimentInput::Type::rolling) start.x = -0.5 * e.distance, start.roll = start.x / scales.rolling_radius;
-  if (e.type == ExperimentInput::Type::program) {
+  if (e.type == Motion::rolling) start.x = -0.5 * e.distance, start.roll = start.x / scales.rolling_radius;
+  if (e.type == Motion::program) {
     const auto parts = parse_motion_program(e.program);
     start = start_of(extent_of(combined_program(parts, e, scales, {})));
     load(e, start, program);
@@ -87,7 +87,7 @@ std::vector<Station> make_program(const ExperimentInput& e, const MotionScales& 
   }
   for (int cycle = 0; cycle < e.cycles; ++cycle) {
     load(e, start, program);
-    if (e.type != ExperimentInput::Type::normal) move(e, scales, program);
+    if (e.type != Motion::normal) move(e, scales, program);
     if (e.unload) unload(e, program);
   }
   return program;

@@ -55,7 +55,7 @@ nlohmann::json read_manifest(const fs::path& folder) {
   if (!manifest.is_object() || !manifest.contains("sha256")) return nlohmann::json::object();
   manifest.erase("sha256");
   const bool whole = signed_text(manifest) == text && manifest.value("format", "") == format &&
-                     manifest.value("columns", std::size_t{0}) == StepRecord::columns().size();
+                     manifest.value("columns", std::size_t{0}) == history_columns().size();
   return whole ? manifest : nlohmann::json::object();
 }
 
@@ -94,7 +94,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   std::string bytes;
   std::vector<double> rows;
   for (const auto& record : c.records)
-    for (const auto& [name, member] : StepRecord::columns()) rows.push_back(record.*member);
+    for (const auto& column : history_columns()) rows.push_back(record.*column.of_row);
   const RigidMotion& at = c.coupling.frames;
   put(bytes, {static_cast<double>(c.steps), c.load, c.far_field, c.lateral_far_field, c.stiffness_at_peak, c.lateral_stiffness,
               c.torsion_stiffness, c.wall_time, c.approach, c.motion.x, c.motion.y, c.motion.spin, c.motion.roll, at.x,
@@ -105,7 +105,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   write_file_atomically(folder / name, bytes);
   const auto parts = dealii::Utilities::MPI::gather(communicator, description(name, bytes).dump());
   if (rank != 0) return;
-  nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", StepRecord::columns().size()},
+  nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", history_columns().size()},
                           {"inputs_sha256", c.provenance.inputs_sha256}, {"commit", c.provenance.commit}};
   for (const auto& part : parts) manifest["parts"].push_back(nlohmann::json::parse(part));
   write_file_atomically(folder / "latest.json", signed_text(manifest));
@@ -149,11 +149,10 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenan
   c.wall_time = head[7], c.approach = head[8], c.motion = {head[9], head[10], head[11], head[12]};
   c.coupling = {{head[13], head[14], head[15], head[16]}, {head[17], head[18], head[19]}};
   const auto rows = take(bytes, at);
-  const auto& columns = StepRecord::columns();
+  const auto& columns = history_columns();
   for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
     c.records.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      c.records.back().*(columns[i].second) = rows[k + i];
+    for (std::size_t i = 0; i < columns.size(); ++i) c.records.back().*columns[i].of_row = rows[k + i];
   }
   c.displacement = take(bytes, at);
   c.multiplier = take(bytes, at);

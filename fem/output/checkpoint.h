@@ -8,7 +8,7 @@
 
 #include "core/provenance.h"
 #include "fem/contact/contact_solver.h"
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -17,7 +17,7 @@ struct Checkpoint {
   int steps = 0;                       ///< accepted so far
   double load = 0, far_field = 0, lateral_far_field = 0, wall_time = 0;
   double stiffness_at_peak = 0, lateral_stiffness = 0, torsion_stiffness = 0;
-  std::vector<StepRecord> records;
+  std::vector<HistoryRow> records;
   std::vector<double> displacement;    ///< locally owned
   std::vector<double> multiplier;
   std::array<std::vector<double>, 2> shear;

@@ -5,7 +5,7 @@
 
 namespace asperity::fem {
 
-DiscretisationError::DiscretisationError(const StepRecord& peak, double spacing, double reduced_modulus, double shortest_wave)
+DiscretisationError::DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave)
     : spacing_(spacing),
       resolution_(peak.contact_area > 0 ? peak.contact_perimeter * spacing / peak.contact_area : 0),
       whole_(peak.pressure_radius > 0 ? spacing / peak.pressure_radius : 0),

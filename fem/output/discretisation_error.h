@@ -6,7 +6,7 @@
 // they come from boundary elements, tests/fem/stated_errors_test.cc asserts that two standard deviations hold nine of ten.
 #pragma once
 
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -14,7 +14,7 @@ class DiscretisationError {
  public:
   /// peak: the step at the largest load; spacing [m] of the interface; reduced_modulus: E* [Pa]; shortest_wave [m] of the surfaces,
   /// infinite for smooth ones.
-  DiscretisationError(const StepRecord& peak, double spacing, double reduced_modulus, double shortest_wave);
+  DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave);
 
   double resolution() const { return resolution_; }  ///< kappa
 

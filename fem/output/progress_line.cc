@@ -14,7 +14,7 @@ std::string moment(double value) {
 }
 
 /// What moves sideways.
-std::string motion_of(const StepRecord& r) {
+std::string motion_of(const HistoryRow& r) {
   std::string text;
   if (r.shift != 0)
     text += "  shift " + format_quantity(r.lateral_displacement, Dimension::length) + "  lateral force " + format_quantity(r.lateral_force, Dimension::force);
@@ -25,7 +25,7 @@ std::string motion_of(const StepRecord& r) {
 
 }  // namespace
 
-std::string progress_of(const StepRecord& r) {
+std::string progress_of(const HistoryRow& r) {
   return "  load " + format_quantity(r.normal_force, Dimension::force) + motion_of(r) + "  approach " +
          format_quantity(r.normal_displacement, Dimension::length) + "  area " + std::to_string(r.contact_area * 1e12).substr(0, 7) +
          " um^2  p_max " + format_quantity(r.max_pressure, Dimension::pressure) + "  newton " +

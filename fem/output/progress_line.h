@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
 /// "  load 300 uN  shift ...  approach ...": what moves, forces, area, pressure and iterations.
-std::string progress_of(const StepRecord& record);
+std::string progress_of(const HistoryRow& record);
 
 }  // namespace asperity::fem

@@ -22,16 +22,6 @@ json number(double value, const char* unit, double sd) {
   return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
 }
 
-const char* name_of(ExperimentInput::Type type) {
-  switch (type) {
-    case ExperimentInput::Type::sliding: return "sliding";
-    case ExperimentInput::Type::rolling: return "rolling";
-    case ExperimentInput::Type::torsion: return "torsion";
-    case ExperimentInput::Type::program: return "program";
-    default: return "normal";
-  }
-}
-
 json body_inputs(const BodyInput& body) {
   return {{"youngs_modulus", body.youngs_modulus},
           {"poissons_ratio", body.poisson_ratio},
@@ -56,7 +46,7 @@ json resolved_roughness(const MeshedRoughness& r) {
 }
 
 /// Largest size of a column.
-double largest_size(const std::vector<StepRecord>& records, double StepRecord::*column) {
+double largest_size(const std::vector<HistoryRow>& records, double HistoryRow::*column) {
   double largest = 0;
   for (const auto& r : records) largest = std::max(largest, std::abs(r.*column));
   return largest;
@@ -69,15 +59,15 @@ double root_of_squares(std::initializer_list<double> errors) {
 }
 
 /// Work that is not accounted for along the way rolled, per angle [N m].
-double unbalanced_per_angle(const std::vector<StepRecord>& records) {
+double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
   double angle = 0, largest_work = 0;
   for (std::size_t k = 1; k < records.size(); ++k) angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
   for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
-  return angle > 0 ? largest_size(records, &StepRecord::energy_error) * largest_work / angle : 0.0;
+  return angle > 0 ? largest_size(records, &HistoryRow::energy_error) * largest_work / angle : 0.0;
 }
 
 /// Approach that the first unloading leaves; NaN without one.
-ResidualImprint imprint_of(const std::vector<StepRecord>& records, double largest_force) {
+ResidualImprint imprint_of(const std::vector<HistoryRow>& records, double largest_force) {
   const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
   std::size_t peak = 0;
   while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise) ++peak;
@@ -108,7 +98,7 @@ class Effective {
 };
 
 /// The contact at the largest load.
-void add_contact(Effective& effective, const StepRecord& peak, const DiscretisationError& error, const ResultSummary& s) {
+void add_contact(Effective& effective, const HistoryRow& peak, const DiscretisationError& error, const ResultSummary& s) {
   if (s.stiffness_at_peak > 0) effective.add("normal_stiffness", s.stiffness_at_peak, "N/m", {error.stiffness()});
   if (s.lateral_stiffness > 0) effective.add("lateral_stiffness", s.lateral_stiffness, "N/m", {error.lateral_stiffness()});
   if (s.torsion_stiffness > 0) effective.add("torsion_stiffness", s.torsion_stiffness, "N m/rad", {error.torsion_stiffness()});
@@ -127,15 +117,15 @@ void add_contact(Effective& effective, const StepRecord& peak, const Discretisat
 }
 
 /// What yields, and what stays.
-void add_yielding(Effective& effective, const CaseInput& input, const StepRecord& peak, const std::vector<StepRecord>& records,
+void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak, const std::vector<HistoryRow>& records,
                   const DiscretisationError& error) {
-  const StepRecord& last = records.back();
+  const HistoryRow& last = records.back();
   if (peak.normal_displacement > 0) {
     const double steps = peak.load_step_error / peak.normal_displacement;
     effective.add("load_step_error", steps, "", {load_step_doubt});
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
-  if (input.experiment.type == ExperimentInput::Type::normal && std::isfinite(imprint.depth)) {
+  if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
     // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
     const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
     const double sd = last.plastic_volume > 0
@@ -143,8 +133,8 @@ void add_yielding(Effective& effective, const CaseInput& input, const StepRecord
                           : 0.0;
     effective.add_absolute("residual_imprint", depth, "m", sd);
   }
-  effective.add("particle_von_mises", largest_size(records, &StepRecord::particle_von_mises), "Pa", {error.largest_stress()});
-  effective.add("substrate_von_mises", largest_size(records, &StepRecord::substrate_von_mises), "Pa", {error.largest_stress()});
+  effective.add("particle_von_mises", largest_size(records, &HistoryRow::particle_von_mises), "Pa", {error.largest_stress()});
+  effective.add("substrate_von_mises", largest_size(records, &HistoryRow::substrate_von_mises), "Pa", {error.largest_stress()});
   effective.add("particle_plastic_strain", last.particle_plastic_strain, "", {error.largest_plastic_strain()});
   effective.add("substrate_plastic_strain", last.substrate_plastic_strain, "", {error.largest_plastic_strain()});
   effective.add("plastic_volume", last.plastic_volume, "m^3", {error.plasticity()});
@@ -152,9 +142,9 @@ void add_yielding(Effective& effective, const CaseInput& input, const StepRecord
 }
 
 /// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
-void add_moving(Effective& effective, const CaseInput& input, const StepRecord& peak, const std::vector<StepRecord>& records,
+void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak, const std::vector<HistoryRow>& records,
                 const DiscretisationError& error) {
-  if (input.experiment.type == ExperimentInput::Type::program) {  // steady in nothing
+  if (input.experiment.type == Motion::program) {  // steady in nothing
     effective.add("friction_work", records.back().friction_work, "J", {error.resistance(1), records.back().energy_error});
     return;
   }
@@ -178,19 +168,19 @@ void add_moving(Effective& effective, const CaseInput& input, const StepRecord& 
 
 }  // namespace
 
-std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& s) {
+std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<HistoryRow>& records, const ResultSummary& s) {
   const auto by_force = [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; };
-  const StepRecord& peak = *std::max_element(records.begin(), records.end(), by_force);
+  const HistoryRow& peak = *std::max_element(records.begin(), records.end(), by_force);
   const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const double force = largest_size(records, &StepRecord::force_error), moment = largest_size(records, &StepRecord::moment_error),
-               energy = largest_size(records, &StepRecord::energy_error);
+  const double force = largest_size(records, &HistoryRow::force_error), moment = largest_size(records, &HistoryRow::moment_error),
+               energy = largest_size(records, &HistoryRow::energy_error);
   Effective effective;
   const double wave = std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
   const DiscretisationError error(peak, spacing, setup.reduced_modulus, wave);
   add_contact(effective, peak, error, s);
   add_yielding(effective, input, peak, records, error);
   add_moving(effective, input, peak, records, error);
-  const StepRecord& least = *std::min_element(records.begin(), records.end(), by_force);
+  const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
   if (input.interface.work_of_adhesion > 0 && least.normal_force < 0)
     effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
   const json result{

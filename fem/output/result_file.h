@@ -6,7 +6,7 @@
 
 #include "core/provenance.h"
 #include "fem/case_setup.h"
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -22,6 +22,6 @@ struct ResultSummary {
   double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
 };
 
-std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<StepRecord>& records, const ResultSummary& summary);
+std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<HistoryRow>& records, const ResultSummary& summary);
 
 }  // namespace asperity::fem

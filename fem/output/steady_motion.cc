@@ -7,9 +7,9 @@
 namespace asperity::fem {
 namespace {
 
-using Column = double StepRecord::*;
+using Column = double HistoryRow::*;
 
-std::vector<double> values_of(const std::vector<StepRecord>& records, Column column) {
+std::vector<double> values_of(const std::vector<HistoryRow>& records, Column column) {
   std::vector<double> values;
   for (const auto& record : records) values.push_back(record.*column);
   return values;
@@ -23,16 +23,16 @@ struct Steady {
   double mean_force() const { return per_way(rows.position, work_against_motion(rows.position, rows.resistance), where.first, where.last); }
 };
 
-Steady steady_part(const std::vector<StepRecord>& records, Column position, Column resistance, double rolling_radius) {
-  Steady steady{{values_of(records, position), values_of(records, resistance), values_of(records, &StepRecord::pressure_radius),
-                 values_of(records, &StepRecord::sticking_share), rolling_radius},
+Steady steady_part(const std::vector<HistoryRow>& records, Column position, Column resistance, double rolling_radius) {
+  Steady steady{{values_of(records, position), values_of(records, resistance), values_of(records, &HistoryRow::pressure_radius),
+                 values_of(records, &HistoryRow::sticking_share), rolling_radius},
                 {}};
   steady.where = steady_rows_of_first_leg(steady.rows);
   return steady;
 }
 
-double dissipated_per_way(const std::vector<StepRecord>& records, const Steady& steady) {
-  return per_way(steady.rows.position, values_of(records, &StepRecord::dissipated_energy), steady.where.first, steady.where.last);
+double dissipated_per_way(const std::vector<HistoryRow>& records, const Steady& steady) {
+  return per_way(steady.rows.position, values_of(records, &HistoryRow::dissipated_energy), steady.where.first, steady.where.last);
 }
 
 double fluctuation(const Steady& steady) {
@@ -46,8 +46,8 @@ double fluctuation(const Steady& steady) {
 
 }  // namespace
 
-std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& records) {
-  const Steady steady = steady_part(records, &StepRecord::shift, &StepRecord::lateral_force, 0);
+std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& records) {
+  const Steady steady = steady_part(records, &HistoryRow::shift, &HistoryRow::lateral_force, 0);
   if (!steady.where.reached()) return std::nullopt;
   double load = 0;
   for (std::size_t i = steady.where.first; i <= steady.where.last; ++i)
@@ -55,20 +55,20 @@ std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& re
   return SteadyResistance{dissipated_per_way(records, steady) / load, fluctuation(steady) / load, steady.way()};
 }
 
-std::optional<SteadyResistance> steady_torsion(const std::vector<StepRecord>& records) {
-  const Steady steady = steady_part(records, &StepRecord::torsion_angle, &StepRecord::torsion_moment, 0);
+std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records) {
+  const Steady steady = steady_part(records, &HistoryRow::torsion_angle, &HistoryRow::torsion_moment, 0);
   if (!steady.where.reached()) return std::nullopt;
   return SteadyResistance{dissipated_per_way(records, steady), fluctuation(steady), steady.way()};
 }
 
-std::optional<SteadyResistance> steady_rolling(const std::vector<StepRecord>& records, double radius) {
-  const Steady steady = steady_part(records, &StepRecord::rolling_angle, &StepRecord::rolling_moment, radius);
+std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius) {
+  const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
   return SteadyResistance{steady.mean_force(), fluctuation(steady), steady.way()};
 }
 
-std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records, double radius) {
-  const Steady steady = steady_part(records, &StepRecord::rolling_angle, &StepRecord::rolling_moment, radius);
+std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
+  const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
   return dissipated_per_way(records, steady);
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fem/output/step_record.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -15,15 +15,15 @@ struct SteadyResistance {
 };
 
 /// What is dissipated per way over the normal force; none if it never slides as a whole.
-std::optional<SteadyResistance> steady_sliding(const std::vector<StepRecord>& records);
+std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& records);
 /// What is dissipated per angle.
-std::optional<SteadyResistance> steady_torsion(const std::vector<StepRecord>& records);
+std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records);
 /// Largest rolling moment of smooth elastic bodies without friction, eight spacings in the contact radius: noise of the mesh, over
 /// the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
 constexpr double rolling_noise = 5e-4;
 /// Mean moment against the motion: mostly that of hills, which give back what they take.
-std::optional<SteadyResistance> steady_rolling(const std::vector<StepRecord>& records, double radius);
+std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius);
 /// Energy dissipated per angle on the same way: what resists.
-std::optional<double> rolling_dissipation(const std::vector<StepRecord>& records, double radius);
+std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius);
 
 }  // namespace asperity::fem

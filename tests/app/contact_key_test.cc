@@ -1,5 +1,5 @@
 // Every physical entry of a case file is in the key of "the same contact", and nothing else is.
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,10 @@ std::string text_of(const CaseEntry& entry) { return entry.default_text.empty() 
 SolvedCase solved_with(const std::string& changed_path, const std::string& changed_text, bool is_listed) {
   std::map<std::string, std::string> texts;
   SolvedCase solved;
+  solved.result.emplace();
   for (const auto& entry : case_entries()) {
     texts[path_of(entry)] = path_of(entry) == changed_path ? changed_text : text_of(entry);
-    if (entry.is_physical && is_listed) solved.physical_entries.push_back(path_of(entry));
+    if (entry.is_physical && is_listed) solved.result->physical_entries[path_of(entry)] = texts[path_of(entry)];
   }
   solved.entries = CaseEntries(texts);
   return solved;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "dem_compare/contact_parameters.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "tests/app/called_program.h"
@@ -28,7 +28,7 @@ void write_sliding_case(const fs::path& folder, double radius, double load) {
   const Hertz hertz{reduced_modulus(glass, glass), radius};
   const double stiffness = 8 * sliding_modulus(glass, glass) * hertz.contact_radius(load),
                limit = local_friction * load;
-  ContactHistory history;
+  History history;
   const auto add = [&](double force, double position, double resistance) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
     history.normal_force.back() = force;

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/atomic_file.h"
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -57,7 +57,7 @@ TEST_F(ScanCase_behaviour, a_bare_matrix_beside_the_case_file_is_solved_once_its
   EXPECT_NEAR(result["inputs"]["rms_in_region"]["substrate"].get<double>(), 0.5e-9, 0.05 * 0.5e-9);
   EXPECT_EQ(result["inputs"]["rms_in_region"]["particle"].get<double>(), 0);
   EXPECT_FALSE(result["mesh"]["contact_reaches_rim"].get<bool>());
-  const ContactHistory history = read_history(folder.path / "result" / "history.csv");
+  const History history = read_history(folder.path / "result" / "history.csv");
   EXPECT_NEAR(history.normal_force.back(), 30e-6, 1e-6 * 30e-6);
 }
 

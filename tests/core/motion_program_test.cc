@@ -56,7 +56,7 @@ TEST(MotionProgram_behaviour, says_what_is_not_a_motion) {
 
 ExperimentInput experiment_with(const std::string& program) {
   ExperimentInput experiment;
-  experiment.type = ExperimentInput::Type::program;
+  experiment.type = Motion::program;
   experiment.program = program;
   experiment.normal_load = 100e-6;
   experiment.normal_approach = 5e-9;
@@ -95,11 +95,11 @@ TEST(MotionProgram_behaviour, belongs_to_its_type_of_experiment_and_is_moved_thr
   EXPECT_EQ(objection_to_program(experiment), "");
   experiment.cycles = 2;
   EXPECT_NE(objection_to_program(experiment).find("moved through once"), std::string::npos);
-  experiment.type = ExperimentInput::Type::sliding;
+  experiment.type = Motion::sliding;
   EXPECT_NE(objection_to_program(experiment).find("set Type = program"), std::string::npos);
   experiment.program = "";
   EXPECT_EQ(objection_to_program(experiment), "");
-  experiment.type = ExperimentInput::Type::program;
+  experiment.type = Motion::program;
   EXPECT_NE(objection_to_program(experiment).find("needs Experiment/Program"), std::string::npos);
 }
 

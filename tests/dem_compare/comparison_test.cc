@@ -35,7 +35,7 @@ class ComparedFolders : public testing::Test {
         "subsection Mesh\n set Interface spacing = " + spacing + "\nend\n";
     write_file_atomically(folder / "case.prm", "set Title = " + name + "\n" + inputs);
     const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6 * softness};
-    ContactHistory history;
+    History history;
     for (int i = 1; i <= 8; ++i) {
       for (const auto& column : history_columns()) (history.*column.values).push_back(0);
       const double force = i * 1.25e-4;
@@ -79,7 +79,7 @@ TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_ro
 
 TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said_to_be_behaviour) {
   const fs::path folder = write_case("short", 1);
-  ContactHistory history = read_history(folder / "history.csv");
+  History history = read_history(folder / "history.csv");
   for (const auto& column : history_columns()) (history.*column.values).resize(2);
   write_file_atomically(folder / "history.csv", format_history(history));
   const Comparison comparison = compare_with_hertz(collect_cases({folder}), 0.05);
@@ -185,7 +185,7 @@ TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open_
 /// Stiffer with the load: from 0.9499 of Hertz's to Hertz's.
 TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance_is_crossed_behaviour) {
   const fs::path folder = write_case("crossing", 1);
-  ContactHistory history = read_history(folder / "history.csv");
+  History history = read_history(folder / "history.csv");
   const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
   for (std::size_t i = 0; i < history.size(); ++i)
     history.normal_displacement[i] = hertz.approach(history.normal_force[i]) + 1.1e-9 * std::log(history.normal_force[i] / 1e-3);

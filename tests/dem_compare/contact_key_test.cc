@@ -1,5 +1,5 @@
 // "The same contact" and "the same experiment": what derive, compare and the study of resistances go by.
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A case whose energy does not balance is pointed at from 1 % on, and not used from 5 % on.
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 #include <gtest/gtest.h>
 

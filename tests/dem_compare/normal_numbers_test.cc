@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 
 namespace asperity {
 namespace {
 
 const Hertz hertz{52.8684e9, 8.5e-6};
 
-void add_step(ContactHistory& history, double approach, double force) {
+void add_step(History& history, double approach, double force) {
   for (const auto& column : history_columns()) (history.*column.values).push_back(0);
   history.step.back() = static_cast<double>(history.size());
   history.normal_displacement.back() = approach;
@@ -21,8 +21,8 @@ void add_step(ContactHistory& history, double approach, double force) {
 }
 
 /// Hertz with its zero of approach shifted, unloading as from an imprint of another radius.
-ContactHistory loading_and_unloading(double offset, double imprint, int steps = 8) {
-  ContactHistory history;
+History loading_and_unloading(double offset, double imprint, int steps = 8) {
+  History history;
   const double largest = 1e-3;
   for (int i = 1; i <= steps; ++i) {
     const double force = largest * i / steps;
@@ -53,7 +53,7 @@ TEST(NormalNumbers_analytic, a_hertzian_loading_gives_the_tangent_2EaStar_whatev
 }
 
 TEST(NormalNumbers_analytic, mean_pressure_is_load_over_the_real_area_not_over_the_circle_of_the_radius) {
-  ContactHistory history = loading_and_unloading(0, 1e-9);
+  History history = loading_and_unloading(0, 1e-9);
   constexpr double touching = 0.3;  // of the circle: a rough contact
   for (std::size_t i = 0; i < history.size(); ++i) {
     history.contact_radius[i] = hertz.contact_radius(history.normal_force[i]);
@@ -77,7 +77,7 @@ TEST(NormalNumbers_analytic, an_unloading_that_stops_short_of_zero_load_is_compa
   const double imprint = 4e-9, largest = 1e-3, top = hertz.approach(largest);
   // In the middle of two loading steps, on a step, and below the first step.
   for (const double share : {0.3, 0.25, 0.001}) {
-    ContactHistory history = loading_and_unloading(0, imprint);
+    History history = loading_and_unloading(0, imprint);
     for (const auto& column : history_columns()) (history.*column.values).resize(9);
     add_step(history, imprint + (top - imprint) * std::pow(share, 2.0 / 3.0), largest * share);
     const auto numbers = normal_numbers(history, hertz);
@@ -87,7 +87,7 @@ TEST(NormalNumbers_analytic, an_unloading_that_stops_short_of_zero_load_is_compa
 }
 
 TEST(NormalNumbers_analytic, an_elastic_contact_of_any_power_law_leaves_no_imprint) {
-  ContactHistory history;
+  History history;
   const auto force = [](double approach) { return 1e-3 * std::pow(approach / 20e-9, 2.2); };
   for (const double approach : {4e-9, 8e-9, 14e-9, 20e-9, 14e-9, 8e-9, 4e-9, 1e-9}) add_step(history, approach, force(approach));
   EXPECT_NEAR(normal_numbers(history, hertz).residual_imprint, 0, 1e-15);
@@ -136,26 +136,12 @@ TEST(NormalNumbers_analytic, stiffness_between_steps_is_interpolated_and_outside
 
 TEST(NormalNumbers_behaviour, an_empty_or_barely_begun_history_gives_no_numbers_and_no_error) {
   EXPECT_TRUE(normal_numbers({}, hertz).loads.empty());
-  ContactHistory one;
+  History one;
   add_step(one, hertz.approach(1e-4), 1e-4);
   const auto numbers = normal_numbers(one, hertz);
   EXPECT_TRUE(numbers.loading.empty());
   EXPECT_FALSE(numbers.has_fits);
   EXPECT_TRUE(std::isnan(numbers.unloading_stiffness()));
-}
-
-TEST(ContactHistory_behaviour, branches_share_their_turning_points_and_holds_stand_alone) {
-  ContactHistory history;
-  for (const double force : {1.0, 2.0, 3.0, 3.0, 2.0, 0.0, 1.5, 3.0}) add_step(history, force, force);
-  const auto branches = history_branches(history);
-  ASSERT_EQ(branches.size(), 4u);
-  EXPECT_EQ(branches[0].kind, HistoryBranch::Kind::loading);
-  EXPECT_EQ(branches[0].last, 2u);
-  EXPECT_EQ(branches[1].kind, HistoryBranch::Kind::hold);
-  EXPECT_EQ(branches[2].kind, HistoryBranch::Kind::unloading);
-  EXPECT_EQ(branches[2].first, 3u);
-  EXPECT_EQ(branches[3].first, 5u);
-  EXPECT_EQ(branches[3].size(), 3u);
 }
 
 }  // namespace

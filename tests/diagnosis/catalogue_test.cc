@@ -26,7 +26,7 @@ TEST(Catalogue_behaviour, every_effect_says_what_it_is_and_keeps_its_starts_with
     const EffectDescription& d = effect->description();
     EXPECT_TRUE(ids.insert(d.id).second) << d.id;
     EXPECT_FALSE(d.title.empty() || d.equation.empty() || d.source.empty() || d.meaning.empty() || d.modes.empty()) << d.id;
-    for (const Mode mode : d.modes) {
+    for (const Motion mode : d.modes) {
       Experiment e = test::experiment(mode);
       e.hold_duration = 20;
       for (const auto& p : effect->parameters(e)) {
@@ -41,9 +41,9 @@ TEST(Catalogue_behaviour, every_effect_says_what_it_is_and_keeps_its_starts_with
 
 TEST(Catalogue_behaviour, an_effect_is_shown_only_by_as_many_values_as_it_needs) {
   const Effect& effect = effect_of("roughness_dependent_rolling");
-  Samples samples = test::row(test::experiment(Mode::rolling), 1e-3);
+  Samples samples = test::row(test::experiment(Motion::rolling), 1e-3);
   Recording recording;
-  recording.mode = Mode::rolling;
+  recording.mode = Motion::rolling;
   recording.tables.emplace_back();
   // The fourth differs from the third by less than a tenth.
   for (const double rms : {0.3e-9, 0.9e-9, 2.7e-9, 2.8e-9}) {
@@ -58,7 +58,7 @@ TEST(Catalogue_behaviour, an_effect_is_shown_only_by_as_many_values_as_it_needs)
   samples.list.back().rms_roughness = 5e-9;
   EXPECT_EQ(experiment_of(recording, samples).different.at("rms_roughness"), 4);
   EXPECT_TRUE(effect.is_shown_by(experiment_of(recording, samples)));
-  EXPECT_FALSE(effect.is_shown_by(test::experiment(Mode::sliding)));
+  EXPECT_FALSE(effect.is_shown_by(test::experiment(Motion::sliding)));
 }
 
 TEST(Catalogue_behaviour, manual_page_is_current) {

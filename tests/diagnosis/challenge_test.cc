@@ -27,7 +27,7 @@ TEST(Challenge_behaviour, has_every_effect_at_three_levels_of_noise_and_all_fami
     if (item.family == "single") noise[name_of(item.options.mode) + "/" + item.options.effects[0]].insert(item.options.noise);
   }
   std::size_t concealed = 0;
-  for (const Mode mode : all_modes())
+  for (const Motion mode : all_modes())
     for (const auto& effect : concealable_effects(mode)) {
       ++concealed;
       EXPECT_EQ(noise[name_of(mode) + "/" + effect].size(), 3u) << effect;
@@ -83,7 +83,7 @@ TEST(Challenge_behaviour, nulls_outsiders_and_look_alikes_have_right_answers_of_
 }
 
 TEST(Challenge_analytic, location_agrees_fully_where_the_region_is_the_effects_own) {
-  const ConcealedRecording concealed = conceal({Mode::normal, {"contact_point_offset"}, 0.01, 2, ""});
+  const ConcealedRecording concealed = conceal({Motion::normal, {"contact_point_offset"}, 0.01, 2, ""});
   Diagnosis diagnosis;
   EXPECT_EQ(location_overlap(concealed.recording, concealed.truth, diagnosis), 0);
   MismatchRegion whole;
@@ -93,16 +93,16 @@ TEST(Challenge_analytic, location_agrees_fully_where_the_region_is_the_effects_o
   for (const double value : concealed.truth.contributions[0].in_noise) visible += std::abs(value) > 0.5;
   const double rows = static_cast<double>(concealed.recording.tables[0].rows());
   EXPECT_NEAR(location_overlap(concealed.recording, concealed.truth, diagnosis), 2 * visible / (visible + rows), 1e-12);
-  const ConcealedRecording null = conceal({Mode::normal, {}, 0.01, 2, ""});
+  const ConcealedRecording null = conceal({Motion::normal, {}, 0.01, 2, ""});
   EXPECT_EQ(location_overlap(null.recording, null.truth, diagnosis), -1);
 }
 
 TEST(Challenge_behaviour, users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_and_leave_noise_alone) {
-  const UserBaselines offset = user_baselines(conceal({Mode::rolling, {"rolling_adhesion_offset"}, 0.01, 3, ""}).recording);
+  const UserBaselines offset = user_baselines(conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 3, ""}).recording);
   EXPECT_LT(offset.sparse_regression, 0.5 * offset.simulation);
   EXPECT_LT(offset.gaussian_process, 0.5 * offset.simulation);
   EXPECT_FALSE(offset.terms.empty());
-  const UserBaselines null = user_baselines(conceal({Mode::rolling, {}, 0.01, 3, ""}).recording);
+  const UserBaselines null = user_baselines(conceal({Motion::rolling, {}, 0.01, 3, ""}).recording);
   EXPECT_NEAR(null.simulation, 1, 0.5);
   EXPECT_LT(null.gaussian_process, 1.3 * null.simulation);
 }

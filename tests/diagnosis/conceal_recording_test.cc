@@ -16,7 +16,7 @@ using test::message_of;
 using test::TemporaryFolder;
 
 TEST(ConcealedRecording_behaviour, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
-  for (const Mode mode : all_modes())
+  for (const Motion mode : all_modes())
     for (const auto* list : {"catalogue", "outsiders"})
       for (const auto& effect : list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
         for (const unsigned seed : {1u, 2u, 3u}) {
@@ -30,7 +30,7 @@ TEST(ConcealedRecording_behaviour, every_effect_stands_out_of_its_noise_in_its_o
 }
 
 TEST(ConcealedRecording_behaviour, null_has_no_contribution_and_no_effects) {
-  for (const Mode mode : all_modes()) {
+  for (const Motion mode : all_modes()) {
     const ConcealedRecording concealed = conceal({mode, {}, 0.01, 4, ""});
     EXPECT_EQ(concealed.truth.family, "null");
     EXPECT_TRUE(concealed.truth.effects.empty());
@@ -39,7 +39,7 @@ TEST(ConcealedRecording_behaviour, null_has_no_contribution_and_no_effects) {
 }
 
 TEST(ConcealedRecording_behaviour, is_the_same_for_the_same_seed_and_another_for_another) {
-  const ConcealOptions options{Mode::sliding, {"surface_tilt"}, 0.02, 7, ""};
+  const ConcealOptions options{Motion::sliding, {"surface_tilt"}, 0.02, 7, ""};
   ConcealOptions other = options;
   other.seed = 8;
   const auto force = [](const ConcealOptions& o) { return conceal(o).recording.tables[0].column("lateral_force"); };
@@ -49,7 +49,7 @@ TEST(ConcealedRecording_behaviour, is_the_same_for_the_same_seed_and_another_for
 
 TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_file) {
   const TemporaryFolder folder;
-  const ConcealedRecording concealed = conceal({Mode::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
+  const ConcealedRecording concealed = conceal({Motion::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
   write_concealed(concealed, folder.path);
   const std::string visible = read_file(folder.path / "recording.json") + read_file(folder.path / "loading.csv").substr(0, 200);
   for (const char* word : {"compliance", "drift", "truth", "effect"}) EXPECT_EQ(visible.find(word), std::string::npos) << word;
@@ -64,18 +64,18 @@ TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_f
 }
 
 TEST(ConcealedRecording_behaviour, settings_that_cannot_tell_effects_apart_say_so) {
-  EXPECT_EQ(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from, std::vector<std::string>{"lateral_zero_offset"});
-  EXPECT_EQ(conceal({Mode::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from, std::vector<std::string>{"instrument_compliance"});
-  EXPECT_TRUE(conceal({Mode::sliding, {"surface_tilt"}, 0.01, 1, ""}).truth.cannot_be_told_from.empty());
+  EXPECT_EQ(conceal({Motion::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from, std::vector<std::string>{"lateral_zero_offset"});
+  EXPECT_EQ(conceal({Motion::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from, std::vector<std::string>{"instrument_compliance"});
+  EXPECT_TRUE(conceal({Motion::sliding, {"surface_tilt"}, 0.01, 1, ""}).truth.cannot_be_told_from.empty());
 }
 
 TEST(ConcealedRecording_behaviour, refuses_what_is_unknown_or_excludes_each_other) {
   const auto message = [](const ConcealOptions& options) { return message_of<InputError>([&] { conceal(options); }); };
-  EXPECT_NE(message({Mode::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"), std::string::npos);
-  EXPECT_NE(message({Mode::normal, {"surface_tilt"}, 0.01, 1, ""}).find("no effect 'surface_tilt' can be concealed in mode normal"), std::string::npos);
-  EXPECT_NE(message({Mode::normal, {"adhesion", "creep"}, 0.01, 1, ""}).find("two laws for one place"), std::string::npos);
-  EXPECT_NE(message({Mode::normal, {}, 2, 1, ""}).find("noise"), std::string::npos);
-  EXPECT_NE(message({Mode::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {"surface_tilt"}, 0.01, 1, ""}).find("no effect 'surface_tilt' can be concealed in mode normal"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {"adhesion", "creep"}, 0.01, 1, ""}).find("two laws for one place"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {}, 2, 1, ""}).find("noise"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"), std::string::npos);
 }
 
 TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_its_first_step_of_sliding) {
@@ -83,9 +83,9 @@ TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_i
   test::SolvedFolder solved;
   solved.roughness = "smooth";
   test::write_solved(folder.path, solved);
-  const ConcealOptions options{Mode::sliding, {}, 0, 1, ""};
+  const ConcealOptions options{Motion::sliding, {}, 0, 1, ""};
   const auto forwards = conceal_case(folder.path, options).recording.tables[0];
-  ContactHistory history = read_history(folder.path / "history.csv");
+  History history = read_history(folder.path / "history.csv");
   for (auto* values : {&history.lateral_displacement, &history.lateral_force})
     for (double& v : *values) v = -v;
   write_file_atomically(folder.path / "history.csv", format_history(history));
@@ -99,7 +99,7 @@ TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accep
   test::SolvedFolder solved;
   solved.roughness = "smooth";
   test::write_solved(folder.path, solved);
-  ConcealOptions options{Mode::sliding, {"partial_slip"}, 0, 1, ""};
+  ConcealOptions options{Motion::sliding, {"partial_slip"}, 0, 1, ""};
   const ConcealedRecording sliding = conceal_case(folder.path, options);
   const auto& table = sliding.recording.tables[0];
   EXPECT_EQ(sliding.truth.effects[0].model, "finite elements");
@@ -107,9 +107,9 @@ TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accep
   EXPECT_EQ(table.column("lateral_force").front(), 0);
   EXPECT_GE(table.rows(), 240u);
   EXPECT_EQ(table.column("normal_force").front(), solved.load);
-  options.mode = Mode::rolling;
+  options.mode = Motion::rolling;
   EXPECT_NE(message_of<InputError>([&] { conceal_case(folder.path, options); }).find("not rolling"), std::string::npos);
-  options.mode = Mode::normal;
+  options.mode = Motion::normal;
   solved.experiment = "normal";
   test::write_solved(folder.path, solved);
   const auto normal = conceal_case(folder.path, options).recording.tables[0];

@@ -4,7 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "diagnosis/conceal/instrument_noise.h"
 #include "diagnosis/conceal/masing_contact.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/paper/rail_balance.h"
 #include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/instrument_noise.h"
@@ -20,7 +20,7 @@ namespace {
 struct Silent {
   ConcealedRecording concealed;
   const RecordingTable& table = concealed.recording.tables[0];
-  Silent(Mode mode, const std::vector<std::string>& effects, unsigned seed = 1,
+  Silent(Motion mode, const std::vector<std::string>& effects, unsigned seed = 1,
          const std::string& setting = "")
       : concealed(conceal({mode, effects, 0, seed, setting})) {}
   const std::vector<double>& of(const std::string& channel) const { return table.column(channel); }
@@ -35,7 +35,7 @@ const hidden::Sphere on_silicon{reduced_modulus(borosilicate_body, silicon_body)
     on_diamond{reduced_modulus(borosilicate_body, diamond_body), 8.5e-6};
 
 TEST(SlidingWorld_analytic, goes_there_and_back_between_two_ends_in_even_steps) {
-  const Silent silent(Mode::sliding, {"surface_tilt"});
+  const Silent silent(Motion::sliding, {"surface_tilt"});
   const auto &x = silent.of("lateral_displacement"), &run = silent.of("run"), &time = silent.of("time"),
              &cycle = silent.of("cycle");
   const double A = 250e-9, step = 2 * A / 60;
@@ -69,7 +69,7 @@ struct LoopEnds {
 };
 
 TEST(SlidingWorld_analytic, slides_at_mu_times_the_load) {
-  const Silent null(Mode::sliding, {});
+  const Silent null(Motion::sliding, {});
   const LoopEnds ends(null);
   EXPECT_NEAR(ends.forward, null.friction() * ends.load, 1e-12);
   EXPECT_NEAR(ends.backward, -null.friction() * ends.load, 1e-12);
@@ -83,21 +83,21 @@ TEST(SlidingWorld_analytic, slides_at_mu_times_the_load) {
 
 TEST(SlidingWorld_analytic, limits_follow_the_formulas_of_their_effects) {
   for (const unsigned seed : {1u, 2u}) {
-    const Silent adhesive(Mode::sliding, {"adhesion_offset"}, seed);
+    const Silent adhesive(Motion::sliding, {"adhesion_offset"}, seed);
     const LoopEnds pulled(adhesive);
     EXPECT_NEAR(pulled.forward, adhesive.friction() * (pulled.load + adhesive.parameter("adhesion_force")),
                 1e-12);
-    const Silent shifted(Mode::sliding, {"lateral_zero_offset"}, seed);
+    const Silent shifted(Motion::sliding, {"lateral_zero_offset"}, seed);
     const LoopEnds ends(shifted);
     EXPECT_NEAR(ends.forward + ends.backward, 2 * shifted.parameter("offset"), 1e-12);
     EXPECT_NEAR(ends.forward - ends.backward, 2 * shifted.friction() * ends.load, 1e-12);
-    const Silent tilted(Mode::sliding, {"surface_tilt"}, seed);
+    const Silent tilted(Motion::sliding, {"surface_tilt"}, seed);
     const LoopEnds turned(tilted);
     const double angle = tilted.parameter("angle");
     EXPECT_NEAR(turned.forward + turned.backward, 2 * std::tan(angle) * turned.load, 1e-12);
     EXPECT_NEAR(turned.forward - turned.backward, 2 * tilted.friction() * turned.load / std::cos(angle),
                 1e-12);
-    const Silent sheared(Mode::sliding, {"area_proportional_friction"}, seed);
+    const Silent sheared(Motion::sliding, {"area_proportional_friction"}, seed);
     const LoopEnds area(sheared);
     const double a = on_silicon.contact_radius_at_force(area.load);
     EXPECT_NEAR(area.forward, sheared.parameter("shear_strength") * hidden::pi * a * a, 1e-12);
@@ -105,7 +105,7 @@ TEST(SlidingWorld_analytic, limits_follow_the_formulas_of_their_effects) {
 }
 
 TEST(SlidingWorld_analytic, friction_changes_as_its_effects_say) {
-  const Silent fast(Mode::sliding, {"velocity_dependence"});
+  const Silent fast(Motion::sliding, {"velocity_dependence"});
   const auto &speed = fast.of("speed"), &force = fast.of("lateral_force"), &load = fast.of("normal_force"),
              &run = fast.of("run");
   for (std::size_t i = 0; i < run.size(); ++i) {
@@ -114,11 +114,11 @@ TEST(SlidingWorld_analytic, friction_changes_as_its_effects_say) {
     EXPECT_NEAR(force[i] / load[i],
                 fast.friction() + fast.parameter("coefficient") * std::log(speed[i] / 1e-6), 1e-9);
   }
-  const Silent run_in(Mode::sliding, {"run_in"});
+  const Silent run_in(Motion::sliding, {"run_in"});
   const LoopEnds first(run_in);  // half a loop has passed at the end of the first way back
   EXPECT_NEAR(first.backward / (-run_in.friction() * first.load),
               1 + run_in.parameter("change") * std::exp(-0.5 / run_in.parameter("cycles")), 1e-9);
-  const Silent peak(Mode::sliding, {"static_friction_peak"});
+  const Silent peak(Motion::sliding, {"static_friction_peak"});
   const LoopEnds settled(peak);
   const auto& f = peak.of("lateral_force");
   const double most = *std::max_element(f.begin(), f.begin() + 30);
@@ -128,7 +128,7 @@ TEST(SlidingWorld_analytic, friction_changes_as_its_effects_say) {
 }
 
 TEST(SlidingWorld_analytic, a_compliance_makes_the_flanks_of_the_loop_less_steep) {
-  const Silent soft(Mode::sliding, {"lateral_compliance"}, 3), stiff(Mode::sliding, {}, 3);
+  const Silent soft(Motion::sliding, {"lateral_compliance"}, 3), stiff(Motion::sliding, {}, 3);
   const double C = soft.parameter("compliance"), load = soft.of("normal_force").back();
   const auto area = [](const Silent& silent) {  // of the first loop of the run under the largest load
     const auto &x = silent.of("lateral_displacement"), &f = silent.of("lateral_force");
@@ -143,7 +143,7 @@ TEST(SlidingWorld_analytic, a_compliance_makes_the_flanks_of_the_loop_less_steep
 }
 
 TEST(NormalWorld_analytic, presses_holds_and_lets_go_along_a_straight_path) {
-  const Silent silent(Mode::normal, {"contact_point_offset"});
+  const Silent silent(Motion::normal, {"contact_point_offset"});
   const auto &d = silent.of("normal_displacement"), &f = silent.of("normal_force"), &run = silent.of("run");
   ASSERT_EQ(std::count(run.begin(), run.end(), 3.0), 110 + 40 + 110);
   const double offset = silent.parameter("offset");
@@ -164,10 +164,10 @@ TEST(NormalWorld_analytic, presses_holds_and_lets_go_along_a_straight_path) {
 
 TEST(NormalWorld_analytic, instruments_change_the_curve_as_their_formulas_say) {
   for (const unsigned seed : {1u, 2u}) {  // driven by displacement
-    const Silent soft(Mode::normal, {"instrument_compliance"}, seed),
-        drifting(Mode::normal, {"thermal_drift"}, seed);
-    const Silent tilted(Mode::normal, {"baseline_tilt"}, seed),
-        larger(Mode::normal, {"effective_radius"}, seed);
+    const Silent soft(Motion::normal, {"instrument_compliance"}, seed),
+        drifting(Motion::normal, {"thermal_drift"}, seed);
+    const Silent tilted(Motion::normal, {"baseline_tilt"}, seed),
+        larger(Motion::normal, {"effective_radius"}, seed);
     const hidden::Sphere other{on_silicon.reduced_modulus,
                                on_silicon.radius * larger.parameter("radius_ratio")};
     for (std::size_t i = 560; i < 780; i += 10) {
@@ -184,7 +184,7 @@ TEST(NormalWorld_analytic, instruments_change_the_curve_as_their_formulas_say) {
 }
 
 TEST(NormalWorld_analytic, under_force_control_adds_compliance_and_drift_to_the_displacement) {
-  const Silent silent(Mode::normal, {"instrument_compliance", "thermal_drift"}, 3);  // every third seed
+  const Silent silent(Motion::normal, {"instrument_compliance", "thermal_drift"}, 3);  // every third seed
   ASSERT_EQ(silent.table.response, "normal_displacement");
   const double C = silent.parameter("compliance"),
                rate = silent.concealed.truth.effects[1].parameters.at("rate").value;
@@ -196,7 +196,7 @@ TEST(NormalWorld_analytic, under_force_control_adds_compliance_and_drift_to_the_
 }
 
 TEST(NormalWorld_analytic, adhesion_opens_at_its_pull_off_force) {
-  const Silent silent(Mode::normal, {"adhesion"}, 2);
+  const Silent silent(Motion::normal, {"adhesion"}, 2);
   const auto& f = silent.of("normal_force");
   const double pull = silent.parameter("pull_off_force"), least = *std::min_element(f.begin(), f.end());
   EXPECT_LT(-least, 1.001 * pull);
@@ -204,10 +204,10 @@ TEST(NormalWorld_analytic, adhesion_opens_at_its_pull_off_force) {
 }
 
 TEST(SeriesWorld_analytic, rolling_follows_the_formulas_of_its_effects) {
-  const Silent null(Mode::rolling, {}), adhesive(Mode::rolling, {"rolling_adhesion_offset"}),
-      viscous(Mode::rolling, {"viscous_rolling"});
-  const Silent rough(Mode::rolling, {"roughness_dependent_rolling"}),
-      scaled(Mode::rolling, {"contact_radius_scaling"});
+  const Silent null(Motion::rolling, {}), adhesive(Motion::rolling, {"rolling_adhesion_offset"}),
+      viscous(Motion::rolling, {"viscous_rolling"});
+  const Silent rough(Motion::rolling, {"roughness_dependent_rolling"}),
+      scaled(Motion::rolling, {"contact_radius_scaling"});
   const auto compare = [](const Silent& silent, auto coefficient_times_load) {
     for (std::size_t i = 0; i < silent.table.rows(); i += 5) {
       const double sign = silent.table.segment[i] == "forward" ? 1 : -1;
@@ -237,7 +237,7 @@ TEST(SeriesWorld_analytic, rolling_follows_the_formulas_of_its_effects) {
 }
 
 TEST(SeriesWorld_other_code, rail_is_the_papers_balance) {
-  const Silent torsion(Mode::rail, {"torsion_resistance"}), adhesive(Mode::rail, {"rolling_adhesion_offset"});
+  const Silent torsion(Motion::rail, {"torsion_resistance"}), adhesive(Motion::rail, {"rolling_adhesion_offset"});
   for (std::size_t i = 0; i < torsion.table.rows(); ++i) {
     const double angle = torsion.of("rail_angle")[i], f = torsion.of("normal_force")[i];
     // At the plate: both slopes' forces.
@@ -256,7 +256,7 @@ TEST(SeriesWorld_other_code, rail_is_the_papers_balance) {
 }
 
 TEST(SeriesWorld_analytic, torsion_over_the_contact_is_that_of_its_pressure) {
-  const Silent null(Mode::torsion, {}), scaled(Mode::torsion, {"contact_radius_scaling"});
+  const Silent null(Motion::torsion, {}), scaled(Motion::torsion, {"contact_radius_scaling"});
   for (std::size_t i = 0; i < null.table.rows(); ++i) {
     EXPECT_NEAR(null.of("lateral_force")[i] / (null.friction() * null.of("normal_force")[i]), 1, 1e-12);
     const double f = scaled.of("normal_force")[i], a = on_silicon.contact_radius_at_force(f);
@@ -320,8 +320,8 @@ TEST(InstrumentNoise_analytic, outliers_come_as_often_and_as_large_as_asked_for)
 
 TEST(ConcealedNoise_analytic, is_the_share_of_the_largest_response_that_was_asked_for) {
   for (const unsigned seed : {2u, 3u}) {
-    const ConcealedRecording noisy = conceal({Mode::sliding, {"surface_tilt"}, 0.02, seed, ""}),
-                             silent = conceal({Mode::sliding, {"surface_tilt"}, 0, seed, ""});
+    const ConcealedRecording noisy = conceal({Motion::sliding, {"surface_tilt"}, 0.02, seed, ""}),
+                             silent = conceal({Motion::sliding, {"surface_tilt"}, 0, seed, ""});
     const auto &with = noisy.recording.tables[0].column("lateral_force"),
                &without = silent.recording.tables[0].column("lateral_force");
     double largest = 0, square = 0;
@@ -331,8 +331,8 @@ TEST(ConcealedNoise_analytic, is_the_share_of_the_largest_response_that_was_aske
     ASSERT_EQ(noisy.recording.noise.count("lateral_force"), seed % 3 == 0 ? 1u : 0u);
     if (seed % 3 == 0) EXPECT_NEAR(noisy.recording.noise.at("lateral_force") / (0.02 * largest), 1, 1e-12);
   }
-  const ConcealedRecording series = conceal({Mode::rolling, {"rolling_adhesion_offset"}, 0.01, 1, ""}),
-                           quiet = conceal({Mode::rolling, {"rolling_adhesion_offset"}, 0, 1, ""});
+  const ConcealedRecording series = conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 1, ""}),
+                           quiet = conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0, 1, ""});
   double largest = 0;
   for (const double f : quiet.recording.tables[0].column("lateral_force"))
     largest = std::max(largest, std::abs(f));
@@ -341,8 +341,8 @@ TEST(ConcealedNoise_analytic, is_the_share_of_the_largest_response_that_was_aske
 
 /// What rolling gains from an offset alone is not what a larger coefficient would explain too.
 TEST(ConcealedNoise_analytic, contribution_is_what_no_other_coefficient_explains) {
-  const ConcealedRecording c = conceal({Mode::rolling, {"rolling_adhesion_offset"}, 0.01, 1, ""});
-  const Silent quiet(Mode::rolling, {"rolling_adhesion_offset"});
+  const ConcealedRecording c = conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 1, ""});
+  const Silent quiet(Motion::rolling, {"rolling_adhesion_offset"});
   const double h = quiet.parameter("adhesion_force"), mu = quiet.friction(),
                sd = c.recording.tables[0].column("lateral_force_sd")[0];
   double both = 0, own = 0;
@@ -400,7 +400,7 @@ TEST(ChallengeMatrix_behaviour, has_the_levels_of_noise_of_each_family) {
 
 /// Two numbers of what a seed conceals: root mean square, and a sum in which places differ.
 struct WorldDigest {
-  Mode mode;
+  Motion mode;
   const char *effect, *setting;
   unsigned seed;
   std::size_t rows;
@@ -426,85 +426,85 @@ WorldDigest digest_of(const WorldDigest& known) {
 
 const std::vector<WorldDigest>& known_worlds() {
   static const std::vector<WorldDigest> list{
-      {Mode::normal, "", "", 3u, 780, 1.20217752e-08, -1.58829393e-05},
-      {Mode::normal, "instrument_compliance", "", 1u, 780, 8.22651021e-05, -0.00365239677},
-      {Mode::normal, "instrument_compliance", "", 2u, 780, 0.000396734281, -0.00423206414},
-      {Mode::normal, "contact_point_offset", "", 1u, 780, 0.000122913515, -0.00285426991},
-      {Mode::normal, "contact_point_offset", "", 2u, 780, 0.000365297417, 0.00904195926},
-      {Mode::normal, "thermal_drift", "", 1u, 780, 0.000108755591, -0.0050286966},
-      {Mode::normal, "thermal_drift", "", 2u, 780, 0.000459301927, 0.00193382745},
-      {Mode::normal, "adhesion", "", 1u, 780, 1.34506501e-05, -0.00312546799},
-      {Mode::normal, "adhesion", "", 2u, 780, 2.10431308e-05, -0.00100116371},
-      {Mode::normal, "effective_radius", "", 1u, 780, 7.69158996e-05, -0.00289679179},
-      {Mode::normal, "effective_radius", "", 2u, 780, 0.000703293801, -0.00250242947},
-      {Mode::normal, "bulk_plasticity", "", 1u, 780, 0.000655681778, -0.00974072958},
-      {Mode::normal, "bulk_plasticity", "", 2u, 780, 0.000897786855, -0.00673262718},
-      {Mode::normal, "roughness_compliance", "", 1u, 780, 5.03375581e-05, -2.28369563e-05},
-      {Mode::normal, "roughness_compliance", "", 2u, 780, 8.95761196e-05, 0.00246923659},
-      {Mode::normal, "creep", "", 1u, 930, 8.8727978e-09, -0.00941532324},
-      {Mode::normal, "creep", "", 2u, 930, 3.09673294e-08, -0.0100713708},
-      {Mode::normal, "baseline_tilt", "", 1u, 780, 8.43541366e-05, -0.00129526782},
-      {Mode::normal, "baseline_tilt", "", 2u, 780, 0.000660817373, -0.00428634021},
-      {Mode::normal, "adhesion_hysteresis", "", 1u, 780, 1.45341341e-05, -0.00612539865},
-      {Mode::normal, "adhesion_hysteresis", "", 2u, 780, 2.43890513e-05, 0.0033249311},
-      {Mode::normal, "pop_in", "", 1u, 780, 8.42389936e-05, -0.004435515},
-      {Mode::normal, "pop_in", "", 4u, 780, 0.000360678539, -0.00532602514},
-      {Mode::normal, "piezo_hysteresis", "", 1u, 780, 9.70314552e-05, 0.00662443351},
-      {Mode::normal, "piezo_hysteresis", "", 4u, 780, 0.000436752935, 0.00918050711},
-      {Mode::normal, "thermal_oscillation", "", 1u, 780, 9.56925347e-05, -0.0113030151},
-      {Mode::normal, "thermal_oscillation", "", 4u, 780, 0.00042745209, -0.00391469314},
-      {Mode::sliding, "", "", 3u, 1080, 2.98193421e-05, 0.0211606534},
-      {Mode::sliding, "lateral_compliance", "", 1u, 1080, 2.05027094e-05, 0.0162282288},
-      {Mode::sliding, "lateral_compliance", "", 2u, 1080, 6.1356445e-05, 0.0139957726},
-      {Mode::sliding, "adhesion_offset", "", 1u, 1080, 2.32952213e-05, 0.0197585163},
-      {Mode::sliding, "adhesion_offset", "", 2u, 1080, 7.49587436e-05, 0.019631927},
-      {Mode::sliding, "static_friction_peak", "", 1u, 1080, 2.14913322e-05, 0.022075527},
-      {Mode::sliding, "static_friction_peak", "", 2u, 1080, 6.90254238e-05, 0.0253482334},
-      {Mode::sliding, "velocity_dependence", "", 1u, 900, 2.68781375e-05, -0.00344990828},
-      {Mode::sliding, "velocity_dependence", "", 2u, 900, 8.22769876e-05, 0.00763614502},
-      {Mode::sliding, "partial_slip", "", 1u, 500, 0.000233652412, -0.0689133891},
-      {Mode::sliding, "partial_slip", "", 2u, 500, 0.000608048172, -0.0139012159},
-      {Mode::sliding, "surface_tilt", "", 1u, 1080, 2.10259152e-05, 0.0194409461},
-      {Mode::sliding, "surface_tilt", "", 2u, 1080, 6.61943762e-05, 0.0241018945},
-      {Mode::sliding, "lateral_zero_offset", "", 1u, 1080, 2.10717979e-05, 0.0206883424},
-      {Mode::sliding, "lateral_zero_offset", "", 2u, 1080, 6.63864539e-05, 0.0227088423},
-      {Mode::sliding, "area_proportional_friction", "", 1u, 1080, 1.85270077e-05, 0.0172749102},
-      {Mode::sliding, "area_proportional_friction", "", 2u, 1080, 5.64679327e-05, 0.0178595607},
-      {Mode::sliding, "run_in", "", 1u, 1960, 2.89247549e-05, 0.0137280555},
-      {Mode::sliding, "run_in", "", 2u, 1960, 9.92532562e-05, 0.0142497007},
-      {Mode::sliding, "stick_slip", "", 1u, 1200, 3.34735991e-05, 0.000338651268},
-      {Mode::sliding, "stick_slip", "", 2u, 1200, 9.78414735e-05, -0.000136776377},
-      {Mode::sliding, "rate_and_state", "", 1u, 800, 3.6237216e-05, -0.0113884983},
-      {Mode::sliding, "rate_and_state", "", 2u, 800, 0.000106356931, -0.0136901748},
-      {Mode::sliding, "position_weakening", "", 1u, 1080, 1.97833552e-05, 0.0399381294},
-      {Mode::sliding, "position_weakening", "", 4u, 1080, 4.17007938e-05, 0.0325955875},
-      {Mode::sliding, "lateral_oscillation", "", 1u, 1080, 2.11803187e-05, 0.0212816557},
-      {Mode::sliding, "lateral_oscillation", "", 4u, 1080, 4.31075825e-05, 0.0213634483},
-      {Mode::rolling, "", "", 3u, 48, 9.61643594e-07, -0.00370086443},
-      {Mode::rolling, "rolling_adhesion_offset", "", 1u, 48, 9.05296992e-07, -0.00107907678},
-      {Mode::rolling, "rolling_adhesion_offset", "", 2u, 48, 5.59066762e-06, 0.00281734676},
-      {Mode::rolling, "contact_radius_scaling", "", 1u, 48, 7.13417992e-07, -0.0090075438},
-      {Mode::rolling, "contact_radius_scaling", "", 2u, 48, 3.84494462e-06, -0.00575961913},
-      {Mode::rolling, "roughness_dependent_rolling", "", 1u, 84, 3.9500977e-07, 0.00974145777},
-      {Mode::rolling, "roughness_dependent_rolling", "", 2u, 84, 2.98317109e-06, 0.0138907892},
-      {Mode::rolling, "viscous_rolling", "", 1u, 56, 8.44203585e-07, -0.00586627193},
-      {Mode::rolling, "viscous_rolling", "", 2u, 56, 4.96623494e-06, -0.0042208217},
-      {Mode::rolling, "resistance_peak", "", 1u, 48, 6.68324698e-07, -0.00326817623},
-      {Mode::rolling, "resistance_peak", "", 4u, 48, 1.7705554e-06, 0.000265196542},
-      {Mode::rail, "", "", 3u, 21, 1.22025255e-06, 0.29338931},
-      {Mode::rail, "torsion_resistance", "", 1u, 21, 2.78406882e-06, 0.151362848},
-      {Mode::rail, "torsion_resistance", "", 2u, 21, 2.12565594e-05, 0.133837874},
-      {Mode::rail, "rolling_adhesion_offset", "", 1u, 21, 1.20250478e-06, 0.35761188},
-      {Mode::rail, "rolling_adhesion_offset", "", 2u, 21, 7.48306896e-06, 0.37519368},
-      {Mode::rail, "viscous_rolling", "", 1u, 84, 1.00878583e-06, 0.0720522591},
-      {Mode::rail, "viscous_rolling", "", 2u, 84, 5.93616922e-06, 0.0649317101},
-      {Mode::torsion, "", "", 3u, 24, 9.52685185e-07, 0.0122348302},
-      {Mode::torsion, "contact_radius_scaling", "", 1u, 24, 7.46674941e-07, -0.0431228551},
-      {Mode::torsion, "contact_radius_scaling", "", 2u, 24, 4.0516851e-06, -0.0447221629},
-      {Mode::sliding, "surface_tilt", "one_load", 1u, 510, 3.67813571e-05, -0.00135493356},
-      {Mode::sliding, "lateral_compliance", "small_loops", 1u, 500, 0.000232754118, -0.0553593565},
-      {Mode::normal, "thermal_drift", "ramp_only", 1u, 220, 8.25285507e-09, -0.00605858739},
-      {Mode::normal, "thermal_drift", "long_hold", 1u, 930, 6.04908818e-09, -0.00315624568},
+      {Motion::normal, "", "", 3u, 780, 1.20217752e-08, -1.58829393e-05},
+      {Motion::normal, "instrument_compliance", "", 1u, 780, 8.22651021e-05, -0.00365239677},
+      {Motion::normal, "instrument_compliance", "", 2u, 780, 0.000396734281, -0.00423206414},
+      {Motion::normal, "contact_point_offset", "", 1u, 780, 0.000122913515, -0.00285426991},
+      {Motion::normal, "contact_point_offset", "", 2u, 780, 0.000365297417, 0.00904195926},
+      {Motion::normal, "thermal_drift", "", 1u, 780, 0.000108755591, -0.0050286966},
+      {Motion::normal, "thermal_drift", "", 2u, 780, 0.000459301927, 0.00193382745},
+      {Motion::normal, "adhesion", "", 1u, 780, 1.34506501e-05, -0.00312546799},
+      {Motion::normal, "adhesion", "", 2u, 780, 2.10431308e-05, -0.00100116371},
+      {Motion::normal, "effective_radius", "", 1u, 780, 7.69158996e-05, -0.00289679179},
+      {Motion::normal, "effective_radius", "", 2u, 780, 0.000703293801, -0.00250242947},
+      {Motion::normal, "bulk_plasticity", "", 1u, 780, 0.000655681778, -0.00974072958},
+      {Motion::normal, "bulk_plasticity", "", 2u, 780, 0.000897786855, -0.00673262718},
+      {Motion::normal, "roughness_compliance", "", 1u, 780, 5.03375581e-05, -2.28369563e-05},
+      {Motion::normal, "roughness_compliance", "", 2u, 780, 8.95761196e-05, 0.00246923659},
+      {Motion::normal, "creep", "", 1u, 930, 8.8727978e-09, -0.00941532324},
+      {Motion::normal, "creep", "", 2u, 930, 3.09673294e-08, -0.0100713708},
+      {Motion::normal, "baseline_tilt", "", 1u, 780, 8.43541366e-05, -0.00129526782},
+      {Motion::normal, "baseline_tilt", "", 2u, 780, 0.000660817373, -0.00428634021},
+      {Motion::normal, "adhesion_hysteresis", "", 1u, 780, 1.45341341e-05, -0.00612539865},
+      {Motion::normal, "adhesion_hysteresis", "", 2u, 780, 2.43890513e-05, 0.0033249311},
+      {Motion::normal, "pop_in", "", 1u, 780, 8.42389936e-05, -0.004435515},
+      {Motion::normal, "pop_in", "", 4u, 780, 0.000360678539, -0.00532602514},
+      {Motion::normal, "piezo_hysteresis", "", 1u, 780, 9.70314552e-05, 0.00662443351},
+      {Motion::normal, "piezo_hysteresis", "", 4u, 780, 0.000436752935, 0.00918050711},
+      {Motion::normal, "thermal_oscillation", "", 1u, 780, 9.56925347e-05, -0.0113030151},
+      {Motion::normal, "thermal_oscillation", "", 4u, 780, 0.00042745209, -0.00391469314},
+      {Motion::sliding, "", "", 3u, 1080, 2.98193421e-05, 0.0211606534},
+      {Motion::sliding, "lateral_compliance", "", 1u, 1080, 2.05027094e-05, 0.0162282288},
+      {Motion::sliding, "lateral_compliance", "", 2u, 1080, 6.1356445e-05, 0.0139957726},
+      {Motion::sliding, "adhesion_offset", "", 1u, 1080, 2.32952213e-05, 0.0197585163},
+      {Motion::sliding, "adhesion_offset", "", 2u, 1080, 7.49587436e-05, 0.019631927},
+      {Motion::sliding, "static_friction_peak", "", 1u, 1080, 2.14913322e-05, 0.022075527},
+      {Motion::sliding, "static_friction_peak", "", 2u, 1080, 6.90254238e-05, 0.0253482334},
+      {Motion::sliding, "velocity_dependence", "", 1u, 900, 2.68781375e-05, -0.00344990828},
+      {Motion::sliding, "velocity_dependence", "", 2u, 900, 8.22769876e-05, 0.00763614502},
+      {Motion::sliding, "partial_slip", "", 1u, 500, 0.000233652412, -0.0689133891},
+      {Motion::sliding, "partial_slip", "", 2u, 500, 0.000608048172, -0.0139012159},
+      {Motion::sliding, "surface_tilt", "", 1u, 1080, 2.10259152e-05, 0.0194409461},
+      {Motion::sliding, "surface_tilt", "", 2u, 1080, 6.61943762e-05, 0.0241018945},
+      {Motion::sliding, "lateral_zero_offset", "", 1u, 1080, 2.10717979e-05, 0.0206883424},
+      {Motion::sliding, "lateral_zero_offset", "", 2u, 1080, 6.63864539e-05, 0.0227088423},
+      {Motion::sliding, "area_proportional_friction", "", 1u, 1080, 1.85270077e-05, 0.0172749102},
+      {Motion::sliding, "area_proportional_friction", "", 2u, 1080, 5.64679327e-05, 0.0178595607},
+      {Motion::sliding, "run_in", "", 1u, 1960, 2.89247549e-05, 0.0137280555},
+      {Motion::sliding, "run_in", "", 2u, 1960, 9.92532562e-05, 0.0142497007},
+      {Motion::sliding, "stick_slip", "", 1u, 1200, 3.34735991e-05, 0.000338651268},
+      {Motion::sliding, "stick_slip", "", 2u, 1200, 9.78414735e-05, -0.000136776377},
+      {Motion::sliding, "rate_and_state", "", 1u, 800, 3.6237216e-05, -0.0113884983},
+      {Motion::sliding, "rate_and_state", "", 2u, 800, 0.000106356931, -0.0136901748},
+      {Motion::sliding, "position_weakening", "", 1u, 1080, 1.97833552e-05, 0.0399381294},
+      {Motion::sliding, "position_weakening", "", 4u, 1080, 4.17007938e-05, 0.0325955875},
+      {Motion::sliding, "lateral_oscillation", "", 1u, 1080, 2.11803187e-05, 0.0212816557},
+      {Motion::sliding, "lateral_oscillation", "", 4u, 1080, 4.31075825e-05, 0.0213634483},
+      {Motion::rolling, "", "", 3u, 48, 9.61643594e-07, -0.00370086443},
+      {Motion::rolling, "rolling_adhesion_offset", "", 1u, 48, 9.05296992e-07, -0.00107907678},
+      {Motion::rolling, "rolling_adhesion_offset", "", 2u, 48, 5.59066762e-06, 0.00281734676},
+      {Motion::rolling, "contact_radius_scaling", "", 1u, 48, 7.13417992e-07, -0.0090075438},
+      {Motion::rolling, "contact_radius_scaling", "", 2u, 48, 3.84494462e-06, -0.00575961913},
+      {Motion::rolling, "roughness_dependent_rolling", "", 1u, 84, 3.9500977e-07, 0.00974145777},
+      {Motion::rolling, "roughness_dependent_rolling", "", 2u, 84, 2.98317109e-06, 0.0138907892},
+      {Motion::rolling, "viscous_rolling", "", 1u, 56, 8.44203585e-07, -0.00586627193},
+      {Motion::rolling, "viscous_rolling", "", 2u, 56, 4.96623494e-06, -0.0042208217},
+      {Motion::rolling, "resistance_peak", "", 1u, 48, 6.68324698e-07, -0.00326817623},
+      {Motion::rolling, "resistance_peak", "", 4u, 48, 1.7705554e-06, 0.000265196542},
+      {Motion::rail, "", "", 3u, 21, 1.22025255e-06, 0.29338931},
+      {Motion::rail, "torsion_resistance", "", 1u, 21, 2.78406882e-06, 0.151362848},
+      {Motion::rail, "torsion_resistance", "", 2u, 21, 2.12565594e-05, 0.133837874},
+      {Motion::rail, "rolling_adhesion_offset", "", 1u, 21, 1.20250478e-06, 0.35761188},
+      {Motion::rail, "rolling_adhesion_offset", "", 2u, 21, 7.48306896e-06, 0.37519368},
+      {Motion::rail, "viscous_rolling", "", 1u, 84, 1.00878583e-06, 0.0720522591},
+      {Motion::rail, "viscous_rolling", "", 2u, 84, 5.93616922e-06, 0.0649317101},
+      {Motion::torsion, "", "", 3u, 24, 9.52685185e-07, 0.0122348302},
+      {Motion::torsion, "contact_radius_scaling", "", 1u, 24, 7.46674941e-07, -0.0431228551},
+      {Motion::torsion, "contact_radius_scaling", "", 2u, 24, 4.0516851e-06, -0.0447221629},
+      {Motion::sliding, "surface_tilt", "one_load", 1u, 510, 3.67813571e-05, -0.00135493356},
+      {Motion::sliding, "lateral_compliance", "small_loops", 1u, 500, 0.000232754118, -0.0553593565},
+      {Motion::normal, "thermal_drift", "ramp_only", 1u, 220, 8.25285507e-09, -0.00605858739},
+      {Motion::normal, "thermal_drift", "long_hold", 1u, 930, 6.04908818e-09, -0.00315624568},
   };
   return list;
 }
@@ -520,7 +520,7 @@ TEST(ConcealedWorlds_regression, seeds_conceal_what_they_always_did) {
     EXPECT_NEAR(found.order, known.order, 1e-6) << name;
   }
   std::size_t effects = 0;
-  for (const Mode mode : all_modes()) effects += concealable_effects(mode).size() + outsiders(mode).size();
+  for (const Motion mode : all_modes()) effects += concealable_effects(mode).size() + outsiders(mode).size();
   EXPECT_GE(known_worlds().size(), effects);
 }
 

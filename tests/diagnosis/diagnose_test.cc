@@ -25,7 +25,7 @@ using test::uN;
 /// Three load-unload runs under displacement control; `force` of the displacement and time.
 Recording indentation(const std::function<double(double d, double t)>& force, double noise, unsigned seed) {
   Recording r;
-  r.mode = Mode::normal;
+  r.mode = Motion::normal;
   r.particle = borosilicate();
   r.substrate = silicon();
   RecordingTable table;
@@ -51,7 +51,7 @@ Recording indentation(const std::function<double(double d, double t)>& force, do
 /// is `compliance` + Mindlin's.
 Recording loops(double compliance, const std::function<double(double x, double load, int way)>& force_change, double noise, unsigned seed) {
   Recording r;
-  r.mode = Mode::sliding;
+  r.mode = Motion::sliding;
   r.particle = borosilicate();
   r.substrate = silicon();
   RecordingTable table;
@@ -60,7 +60,7 @@ Recording loops(double compliance, const std::function<double(double x, double l
   table.response = "lateral_force";
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   int run = 0;
   for (const double load : {200 * uN, 500 * uN, 1000 * uN}) {
     ++run;
@@ -87,7 +87,7 @@ Recording loops(double compliance, const std::function<double(double x, double l
 }
 
 double hertz(double d) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   return 4.0 / 3 * e.reduced_modulus() * std::sqrt(8.5e-6) * std::pow(std::max(0.0, d), 1.5);
 }
 
@@ -170,7 +170,7 @@ TEST(Diagnose_analytic, what_no_effect_can_do_stays_unexplained_and_is_located) 
 TEST(Diagnose_analytic, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_named) {
   // Rolling in one direction: an offset of the sensor and adhesion add the same force.
   Recording r;
-  r.mode = Mode::rolling;
+  r.mode = Motion::rolling;
   r.particle = borosilicate();
   r.substrate = silicon();
   r.indenter = diamond();
@@ -200,7 +200,7 @@ TEST(Diagnose_analytic, what_the_data_cannot_separate_is_ambiguous_and_an_experi
 /// Rolling on substrates of these roughnesses, friction by the law of three constants.
 Recording rolling_on(const std::vector<double>& roughnesses) {
   Recording r;
-  r.mode = Mode::rolling;
+  r.mode = Motion::rolling;
   r.particle = borosilicate();
   r.substrate = silicon();
   r.indenter = diamond();

@@ -48,7 +48,7 @@ struct JacksonGreen {
 };
 
 TEST(BulkPlasticity_analytic, follows_its_printed_formulas_up_to_contacts_as_large_as_the_sphere_bears) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   for (const double yield : {0.3e9, 1e9}) {
     const JacksonGreen law{e.reduced_modulus(), e.radius, yield, 2.7,
                            e.particle.poisson_ratio};  // the softer body's ratio
@@ -64,7 +64,7 @@ TEST(BulkPlasticity_analytic, follows_its_printed_formulas_up_to_contacts_as_lar
 }
 
 TEST(BulkPlasticity_analytic, unloads_by_its_power_to_the_imprint_and_comes_back) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   const JacksonGreen law{e.reduced_modulus(), e.radius, 0.5e9, 2.84, e.particle.poisson_ratio};
   const double w = 12, deepest = w * law.critical_depth();
   const double residual = deepest * (1 - std::pow(w, -0.28)) * (1 - std::pow(w, -0.69)),
@@ -86,7 +86,7 @@ TEST(BulkPlasticity_analytic, unloads_by_its_power_to_the_imprint_and_comes_back
 }
 
 TEST(BulkPlasticity_analytic, takes_poissons_ratio_of_the_softer_body) {
-  Experiment e = test::experiment(Mode::normal);
+  Experiment e = test::experiment(Motion::normal);
   std::swap(e.particle, e.substrate);
   const JacksonGreen law{e.reduced_modulus(), e.radius, 1e9, 2.84, 0.17};
   EXPECT_NEAR(assembled(e, "bulk_plasticity", {1e9, 2.84}).normal.contact->force(20 * law.critical_depth()) /
@@ -95,7 +95,7 @@ TEST(BulkPlasticity_analytic, takes_poissons_ratio_of_the_softer_body) {
 }
 
 TEST(BulkPlasticity_analytic, looks_for_yield_stresses_below_that_of_the_largest_load) {
-  Experiment e = test::experiment(Mode::normal);
+  Experiment e = test::experiment(Motion::normal);
   const auto yield = effect_of("bulk_plasticity").parameters(e)[0];
   const double onset = e.hertz().peak_pressure(e.largest_force) / 1.6;
   EXPECT_NEAR(yield.low / onset, 0.01, 1e-12);
@@ -109,7 +109,7 @@ TEST(BulkPlasticity_analytic, looks_for_yield_stresses_below_that_of_the_largest
 
 /// DMT: f = Hertz - h, released at d = 0. JKR: touches at a negative load, breaks at its smallest approach.
 TEST(Adhesion_analytic, is_hertz_less_the_pull_off_force_in_the_limit_of_DMT) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   const double h = 40 * uN;
   const auto contact = assembled(e, "adhesion", {h, 0}).normal.contact->clone();
   contact->accept(1 * nm);
@@ -120,7 +120,7 @@ TEST(Adhesion_analytic, is_hertz_less_the_pull_off_force_in_the_limit_of_DMT) {
 }
 
 TEST(Adhesion_analytic, of_JKR_has_its_equilibrium_and_its_release) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   const double h = 40 * uN, K = 4.0 / 3 * e.reduced_modulus(), R = e.radius;
   const auto contact = assembled(e, "adhesion", {h, 1}).normal.contact->clone();
   // Before they touch there is no force; from then on down to d = -(h^2/(3 K^2 R))^(1/3).
@@ -142,7 +142,7 @@ TEST(Adhesion_analytic, of_JKR_has_its_equilibrium_and_its_release) {
 }
 
 TEST(Adhesion_analytic, on_a_law_that_yields_is_a_constant_pull_while_that_presses) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   Mechanics m = assembled(e, "bulk_plasticity", {0.5e9, 2.84});
   const auto alone = m.normal.contact->clone();
   const double h[] = {30 * uN, 0.5};
@@ -165,7 +165,7 @@ TEST(AdhesionHysteresis_analytic, is_itself_where_opening_takes_a_fifth_more_wor
 
 /// The state of a pinned edge: f = 2 E* (a d - a^3/(3 R)) with the radius of the turn.
 TEST(AdhesionHysteresis_analytic, keeps_its_radius_between_both_works) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   const double E = e.reduced_modulus(), R = e.radius;
   const auto contact = assembled(e, "adhesion_hysteresis", {1e-9, 5.0}).normal.contact->clone();
   EXPECT_EQ(contact->force(-1 * nm), 0);
@@ -179,7 +179,7 @@ TEST(AdhesionHysteresis_analytic, keeps_its_radius_between_both_works) {
 
 /// Friction limit that an effect leaves of 0.2 under a sample.
 double changed(const std::string& id, const std::vector<double>& values, const Sample& sample,
-               double slip = 0, Mode mode = Mode::sliding) {
+               double slip = 0, Motion mode = Motion::sliding) {
   Mechanics m = assembled(test::experiment(mode), id, values);
   SlipState state;
   state.sample = &sample, state.speed = sample.speed, state.slip = slip;
@@ -201,9 +201,9 @@ TEST(VelocityDependence_analytic, adds_the_same_for_every_factor_of_speed_down_t
 TEST(ViscousRolling_analytic, adds_in_proportion_to_speed) {
   Sample s;
   s.speed = 2e-5;
-  EXPECT_NEAR(changed("viscous_rolling", {300}, s, 0, Mode::rolling), 0.206, 1e-12);
+  EXPECT_NEAR(changed("viscous_rolling", {300}, s, 0, Motion::rolling), 0.206, 1e-12);
   s.speed = 0;
-  EXPECT_EQ(changed("viscous_rolling", {300}, s, 0, Mode::rolling), 0.2);
+  EXPECT_EQ(changed("viscous_rolling", {300}, s, 0, Motion::rolling), 0.2);
 }
 
 TEST(StaticFrictionPeak_analytic, decays_with_the_path_slipped) {
@@ -224,18 +224,18 @@ TEST(RunIn_analytic, fades_with_cycles_and_their_parts) {
 
 TEST(RoughnessDependentRolling_analytic, falls_from_b_plus_c_of_a_smooth_plane_to_b) {
   Sample s;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling), 0.4, 1e-12);
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling), 0.4, 1e-12);
   s.rms_roughness = 4 * nm;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling),
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling),
               0.1 + 0.3 * std::exp(-2), 1e-12);
   s.rms_roughness = 1000 * nm;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Mode::rolling), 0.1, 1e-12);
+  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling), 0.1, 1e-12);
 }
 
 /// mu = mu0 + a ln(v/v0) + b ln(v0 theta/L); at rest in time theta = L/v, and after a step over L it decays
 /// by exp(-v t/L).
 TEST(RateAndState_analytic, is_steady_at_a_minus_b_and_relaxes_over_its_slip_distance) {
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   const double a = 0.02, b = 0.05, L = 10 * nm, reference = std::sqrt(e.slowest * e.fastest);
   Mechanics m = assembled(e, "rate_and_state", {a, b, L});
   auto& change = m.lateral.coefficient_changes.at(0);
@@ -262,7 +262,7 @@ TEST(RateAndState_analytic, is_steady_at_a_minus_b_and_relaxes_over_its_slip_dis
 }
 
 TEST(StickSlip_analytic, is_a_saw_tooth_about_the_limit_counted_from_the_middle_of_the_stroke) {
-  Experiment e = test::experiment(Mode::sliding);
+  Experiment e = test::experiment(Motion::sliding);
   Mechanics m = assembled(e, "stick_slip", {4 * uN, 10 * nm, 0.25});
   const auto& change = m.lateral.limit_changes.at(0);
   SlipState state;
@@ -303,7 +303,7 @@ TEST(StickSlip_analytic, reads_period_and_amplitude_off_the_residuals) {
 }
 
 TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   const auto of = [&](const char* id, const std::vector<double>& values, double force) {
     return assembled(e, id, values).normal.series.at(0)(force);
   };
@@ -317,7 +317,7 @@ TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
 }
 
 TEST(ThermalDrift_analytic, counts_time_from_the_beginning_of_each_run) {
-  const Mechanics m = assembled(test::experiment(Mode::normal), "thermal_drift", {2 * nm});
+  const Mechanics m = assembled(test::experiment(Motion::normal), "thermal_drift", {2 * nm});
   for (const double begin : {5.0, -3.0}) {
     auto shift = m.normal.shifts.at(0);
     Sample s;
@@ -330,7 +330,7 @@ TEST(ThermalDrift_analytic, counts_time_from_the_beginning_of_each_run) {
 
 /// What displacement control says of creep, tilt and compliance together, force control turns back.
 TEST(Simulate_behaviour, force_control_turns_all_parts_back_at_once) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   Mechanics m = assembled(e, "creep", {5 * nm, 12});
   const double slope[] = {300}, compliance[] = {5e-6}, offset[] = {3 * nm};
   effect_of("baseline_tilt").assemble(m, slope);
@@ -361,7 +361,7 @@ TEST(DelayedPart_analytic, follows_a_held_displacement_by_its_exponential_and_no
 
 /// Which effects a recording shows once it holds what they need, and not before.
 TEST(Catalogue_behaviour, effects_ask_for_holds_turns_times_speeds_and_cycles) {
-  const auto shows = [](const char* id, Mode mode, auto change) {
+  const auto shows = [](const char* id, Motion mode, auto change) {
     Experiment e = test::experiment(mode);
     e.cycles = 1, e.fastest = e.slowest = 1e-6;
     change(e);
@@ -369,41 +369,41 @@ TEST(Catalogue_behaviour, effects_ask_for_holds_turns_times_speeds_and_cycles) {
   };
   const auto nothing = [](Experiment&) {};
   const auto trace_and_time = [](Experiment& e) { e.has_trace = e.has_time = true; };
-  EXPECT_FALSE(shows("creep", Mode::normal, trace_and_time));
-  EXPECT_FALSE(shows("creep", Mode::normal, [](Experiment& e) { e.hold_duration = 5; }));
-  EXPECT_TRUE(shows("creep", Mode::normal, [](Experiment& e) { e.hold_duration = 5, e.has_time = true; }));
-  EXPECT_TRUE(shows("thermal_drift", Mode::normal, trace_and_time));
-  EXPECT_FALSE(shows("thermal_drift", Mode::normal, [](Experiment& e) { e.has_trace = true; }));
-  EXPECT_FALSE(shows("thermal_drift", Mode::normal, [](Experiment& e) { e.has_time = true; }));
-  EXPECT_TRUE(shows("adhesion_hysteresis", Mode::normal,
+  EXPECT_FALSE(shows("creep", Motion::normal, trace_and_time));
+  EXPECT_FALSE(shows("creep", Motion::normal, [](Experiment& e) { e.hold_duration = 5; }));
+  EXPECT_TRUE(shows("creep", Motion::normal, [](Experiment& e) { e.hold_duration = 5, e.has_time = true; }));
+  EXPECT_TRUE(shows("thermal_drift", Motion::normal, trace_and_time));
+  EXPECT_FALSE(shows("thermal_drift", Motion::normal, [](Experiment& e) { e.has_trace = true; }));
+  EXPECT_FALSE(shows("thermal_drift", Motion::normal, [](Experiment& e) { e.has_time = true; }));
+  EXPECT_TRUE(shows("adhesion_hysteresis", Motion::normal,
                     [](Experiment& e) { e.has_trace = e.has_unloading = true; }));
-  EXPECT_FALSE(shows("adhesion_hysteresis", Mode::normal, [](Experiment& e) { e.has_trace = true; }));
-  EXPECT_FALSE(shows("adhesion_hysteresis", Mode::normal, [](Experiment& e) { e.has_unloading = true; }));
+  EXPECT_FALSE(shows("adhesion_hysteresis", Motion::normal, [](Experiment& e) { e.has_trace = true; }));
+  EXPECT_FALSE(shows("adhesion_hysteresis", Motion::normal, [](Experiment& e) { e.has_unloading = true; }));
   for (const char* id : {"stick_slip", "partial_slip", "lateral_compliance", "static_friction_peak"}) {
-    EXPECT_FALSE(shows(id, Mode::sliding, nothing)) << id;
-    EXPECT_TRUE(shows(id, Mode::sliding, trace_and_time)) << id;
+    EXPECT_FALSE(shows(id, Motion::sliding, nothing)) << id;
+    EXPECT_TRUE(shows(id, Motion::sliding, trace_and_time)) << id;
   }
-  EXPECT_FALSE(shows("run_in", Mode::sliding, [](Experiment& e) { e.cycles = 2; }));
-  EXPECT_TRUE(shows("run_in", Mode::sliding, [](Experiment& e) { e.cycles = 3; }));
-  EXPECT_FALSE(shows("surface_tilt", Mode::sliding, nothing));
-  EXPECT_TRUE(shows("surface_tilt", Mode::sliding, [](Experiment& e) { e.has_both_directions = true; }));
+  EXPECT_FALSE(shows("run_in", Motion::sliding, [](Experiment& e) { e.cycles = 2; }));
+  EXPECT_TRUE(shows("run_in", Motion::sliding, [](Experiment& e) { e.cycles = 3; }));
+  EXPECT_FALSE(shows("surface_tilt", Motion::sliding, nothing));
+  EXPECT_TRUE(shows("surface_tilt", Motion::sliding, [](Experiment& e) { e.has_both_directions = true; }));
   for (const char* id : {"velocity_dependence", "viscous_rolling"}) {
-    EXPECT_FALSE(shows(id, Mode::rolling, [](Experiment& e) { e.fastest = 1.4e-6; })) << id;
-    EXPECT_TRUE(shows(id, Mode::rolling, [](Experiment& e) { e.fastest = 1.6e-6; })) << id;
-    EXPECT_FALSE(shows(id, Mode::rolling, [](Experiment& e) { e.slowest = 0; })) << id;
+    EXPECT_FALSE(shows(id, Motion::rolling, [](Experiment& e) { e.fastest = 1.4e-6; })) << id;
+    EXPECT_TRUE(shows(id, Motion::rolling, [](Experiment& e) { e.fastest = 1.6e-6; })) << id;
+    EXPECT_FALSE(shows(id, Motion::rolling, [](Experiment& e) { e.slowest = 0; })) << id;
   }
-  EXPECT_FALSE(shows("rate_and_state", Mode::sliding, trace_and_time));
-  EXPECT_TRUE(shows("rate_and_state", Mode::sliding,
+  EXPECT_FALSE(shows("rate_and_state", Motion::sliding, trace_and_time));
+  EXPECT_TRUE(shows("rate_and_state", Motion::sliding,
                     [](Experiment& e) { e.has_trace = e.has_time = true, e.fastest = 1e-5; }));
   EXPECT_FALSE(
-      shows("rate_and_state", Mode::sliding, [](Experiment& e) { e.has_trace = true, e.fastest = 1e-5; }));
+      shows("rate_and_state", Motion::sliding, [](Experiment& e) { e.has_trace = true, e.fastest = 1e-5; }));
 }
 
 // ---- what drives the laws
 // --------------------------------------------------------------------------------------------
 
 TEST(Simulate_analytic, a_record_that_begins_under_a_force_begins_with_it) {
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   for (const char* stick : {"", "partial_slip"})
     for (const double start : {-0.15e-3, -0.02e-3, 0.1e-3}) {
       Samples path = test::lateral_path(1e-3, {0, 1 * nm}, 11);
@@ -423,7 +423,7 @@ TEST(Simulate_analytic, a_record_that_begins_under_a_force_begins_with_it) {
 
 /// Cattaneo & Mindlin with a compliance in series: x = 3 mu f_n/(2 k) [1 - (1 - q)^(2/3)] + C q mu f_n.
 TEST(Simulate_analytic, a_compliance_in_series_with_partial_slip_takes_its_part) {
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   const double load = 1e-3, most = 0.2 * load, C = 2e-6;
   const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
   Mechanics m = assembled(e, "partial_slip", {});
@@ -437,7 +437,7 @@ TEST(Simulate_analytic, a_compliance_in_series_with_partial_slip_takes_its_part)
 }
 
 TEST(Simulate_analytic, a_spring_that_the_load_softens_keeps_its_stretch_and_one_that_it_stiffens_its_force) {
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   const auto after = [&](double first, double second) {
     Samples path = test::lateral_path(first, {0, 0.5 * nm}, 6);
     path.list.push_back(path.list.back());  // the load changes, the place does not
@@ -453,7 +453,7 @@ TEST(Simulate_analytic, a_spring_that_the_load_softens_keeps_its_stretch_and_one
 }
 
 TEST(Simulate_analytic, a_row_resists_its_own_direction) {
-  const Experiment e = test::experiment(Mode::rolling);
+  const Experiment e = test::experiment(Motion::rolling);
   Samples row = test::row(e, 2e-3);
   row.list[0].direction = -1;
   EXPECT_NEAR(simulate(assembled(e, "", {}, 5e-4), row)[0], -1e-6, 1e-15);
@@ -462,7 +462,7 @@ TEST(Simulate_analytic, a_row_resists_its_own_direction) {
 }
 
 TEST(Simulate_behaviour, rows_of_a_series_do_not_know_of_each_other) {
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   Samples path = test::approach_and_back(10 * nm, 60 * nm, 30);
   const Mechanics m = assembled(e, "bulk_plasticity", {0.5e9, 2.84});
   const auto trace = simulate(m, path);
@@ -474,7 +474,7 @@ TEST(Simulate_behaviour, rows_of_a_series_do_not_know_of_each_other) {
 }
 
 TEST(Simulate_behaviour, runs_begin_anew) {
-  const Experiment e = test::experiment(Mode::sliding);
+  const Experiment e = test::experiment(Motion::sliding);
   Samples path = test::lateral_path(1e-3, {0, 100 * nm, 0}, 51);
   const auto one = simulate(assembled(e, "", {}), path);
   Samples twice = path;

@@ -89,7 +89,7 @@ TEST(Noise_analytic, whitening_makes_independent_samples_of_unit_variance) {
 
 struct ScanCase {
   Samples samples = test::approach_and_back(0, 5e-8, 600);
-  Experiment experiment = test::experiment(Mode::normal);
+  Experiment experiment = test::experiment(Motion::normal);
   Noise noise;
   ScanCase() {
     samples.segment_names = {"load", "unload"};
@@ -129,7 +129,7 @@ TEST(Scan_analytic, finds_the_stretch_that_was_shifted) {
 /// Data of an effect's own law, with noise; the fit must find its parameters within four of the standard deviations it states.
 struct OwnLaw {
   std::string id;
-  Mode mode;
+  Motion mode;
   std::vector<double> values;
 };
 
@@ -141,7 +141,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
   problem.experiment = test::experiment(own.mode);
   Experiment& e = problem.experiment;
   Samples& samples = problem.samples;
-  if (own.mode == Mode::normal) {
+  if (own.mode == Motion::normal) {
     samples = test::approach_and_back(-1e-8, 5e-8, 200);
     e.hold_duration = 100;
     e.duration = 400;
@@ -150,7 +150,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
     e.largest_force = e.hertz().force(5e-8);
     for (std::size_t i = 200; i < 300; ++i) samples.list[i].normal_displacement = 5e-8, samples.list[i].hold = 1, samples.list[i].hold_time = static_cast<double>(i - 200);
     for (std::size_t i = 300; i < 400; ++i) samples.list[i].hold = 1, samples.list[i].normal_displacement = 5e-8 - 6e-8 * static_cast<double>(i - 300) / 100;
-  } else if (own.mode == Mode::sliding) {
+  } else if (own.mode == Motion::sliding) {
     for (const double load : {2e-4, 1e-3}) {
       const Samples part = test::lateral_path(load, {0, 1e-7, 0, 1e-7, 0, 1e-7, 0}, 150);
       SampleRun run = part.runs[0];
@@ -180,7 +180,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
       s.rms_roughness = 1e-9 * (1 + i % 3);
       s.speed = i % 2 ? 1e-6 : 1e-5;
       s.radius = i < 90 ? 8.5e-6 : 4e-6;
-      s.rail_angle = own.mode == Mode::rail ? 0.4 + 0.2 * (i % 4) : 0;
+      s.rail_angle = own.mode == Motion::rail ? 0.4 + 0.2 * (i % 4) : 0;
       samples.list.push_back(s);
     }
     test::close_run(samples, true);
@@ -189,7 +189,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
   }
   for (std::size_t i = 0; i < samples.list.size(); ++i) samples.list[i].index = i;
   for (const auto& name : {"sliding_friction", "rolling_friction", "torsion_friction"})
-    problem.choice.parameters[name] = {own.mode == Mode::sliding ? 0.2 : 6e-4, true};
+    problem.choice.parameters[name] = {own.mode == Motion::sliding ? 0.2 : 6e-4, true};
   const Effect& effect = effect_of(own.id);
   Mechanics truth = baseline_mechanics(e, problem.choice);
   effect.assemble(truth, own.values.data());
@@ -226,20 +226,20 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
 
 INSTANTIATE_TEST_SUITE_P(
     Effects, OwnLaw_regression,
-    testing::Values(OwnLaw{"instrument_compliance", Mode::normal, {6e-6}}, OwnLaw{"contact_point_offset", Mode::normal, {5e-9}},
-                    OwnLaw{"thermal_drift", Mode::normal, {3e-11}}, OwnLaw{"adhesion", Mode::normal, {2e-4, 0.6}},
-                    OwnLaw{"effective_radius", Mode::normal, {0.8}}, OwnLaw{"bulk_plasticity", Mode::normal, {6e8, 2.84}},
-                    OwnLaw{"roughness_compliance", Mode::normal, {3e-9, 0.3}}, OwnLaw{"creep", Mode::normal, {5e-9, 20}},
-                    OwnLaw{"adhesion_hysteresis", Mode::normal, {0.5, 5}}, OwnLaw{"baseline_tilt", Mode::normal, {2000}},
-                    OwnLaw{"lateral_compliance", Mode::sliding, {5e-5}}, OwnLaw{"adhesion_offset", Mode::sliding, {1e-4}},
-                    OwnLaw{"static_friction_peak", Mode::sliding, {1.4, 1e-8}}, OwnLaw{"velocity_dependence", Mode::sliding, {0.01}},
-                    OwnLaw{"surface_tilt", Mode::sliding, {0.03}}, OwnLaw{"lateral_zero_offset", Mode::sliding, {1e-5}},
-                    OwnLaw{"area_proportional_friction", Mode::sliding, {4e8}}, OwnLaw{"run_in", Mode::sliding, {0.4, 1.5}},
-                    OwnLaw{"stick_slip", Mode::sliding, {3e-5, 1.7e-8, 0.2}}, OwnLaw{"rate_and_state", Mode::sliding, {0.01, 0.02, 5e-9}},
-                    OwnLaw{"rolling_adhesion_offset", Mode::rolling, {4e-4}}, OwnLaw{"contact_radius_scaling", Mode::rolling, {0.02}},
-                    OwnLaw{"roughness_dependent_rolling", Mode::rolling, {3e-4, 6e-4, 1e-9}},
-                    OwnLaw{"viscous_rolling", Mode::rolling, {30}}, OwnLaw{"torsion_resistance", Mode::rail, {5e-3}},
-                    OwnLaw{"contact_radius_scaling", Mode::torsion, {0.064}}),
+    testing::Values(OwnLaw{"instrument_compliance", Motion::normal, {6e-6}}, OwnLaw{"contact_point_offset", Motion::normal, {5e-9}},
+                    OwnLaw{"thermal_drift", Motion::normal, {3e-11}}, OwnLaw{"adhesion", Motion::normal, {2e-4, 0.6}},
+                    OwnLaw{"effective_radius", Motion::normal, {0.8}}, OwnLaw{"bulk_plasticity", Motion::normal, {6e8, 2.84}},
+                    OwnLaw{"roughness_compliance", Motion::normal, {3e-9, 0.3}}, OwnLaw{"creep", Motion::normal, {5e-9, 20}},
+                    OwnLaw{"adhesion_hysteresis", Motion::normal, {0.5, 5}}, OwnLaw{"baseline_tilt", Motion::normal, {2000}},
+                    OwnLaw{"lateral_compliance", Motion::sliding, {5e-5}}, OwnLaw{"adhesion_offset", Motion::sliding, {1e-4}},
+                    OwnLaw{"static_friction_peak", Motion::sliding, {1.4, 1e-8}}, OwnLaw{"velocity_dependence", Motion::sliding, {0.01}},
+                    OwnLaw{"surface_tilt", Motion::sliding, {0.03}}, OwnLaw{"lateral_zero_offset", Motion::sliding, {1e-5}},
+                    OwnLaw{"area_proportional_friction", Motion::sliding, {4e8}}, OwnLaw{"run_in", Motion::sliding, {0.4, 1.5}},
+                    OwnLaw{"stick_slip", Motion::sliding, {3e-5, 1.7e-8, 0.2}}, OwnLaw{"rate_and_state", Motion::sliding, {0.01, 0.02, 5e-9}},
+                    OwnLaw{"rolling_adhesion_offset", Motion::rolling, {4e-4}}, OwnLaw{"contact_radius_scaling", Motion::rolling, {0.02}},
+                    OwnLaw{"roughness_dependent_rolling", Motion::rolling, {3e-4, 6e-4, 1e-9}},
+                    OwnLaw{"viscous_rolling", Motion::rolling, {30}}, OwnLaw{"torsion_resistance", Motion::rail, {5e-3}},
+                    OwnLaw{"contact_radius_scaling", Motion::torsion, {0.064}}),
     [](const auto& info) { return info.param.id + "_" + name_of(info.param.mode); });
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr int row_count = 20;
 /// that the fit is the mean of what is recorded less the friction.
 FitProblem rows_with(const std::vector<double>& deviations) {
   FitProblem problem;
-  problem.experiment = test::experiment(Mode::rolling);
+  problem.experiment = test::experiment(Motion::rolling);
   problem.experiment.largest_response = 2e-6;
   constexpr double load = 1e-3, friction = 6e-4;
   problem.choice.parameters["rolling_friction"] = {friction, false};

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "diagnosis/import/instrument_text.h"
 #include "diagnosis/import/segments.h"
+#include "diagnosis/import/text_formats.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -57,6 +58,12 @@ TEST(Import_analytic, counts_cycles_of_partial_unloading) {
   EXPECT_EQ(find_segments(signal).cycle.back(), 7);
 }
 
+TEST(Import_behaviour, a_file_is_fischers_with_a_block_and_its_table_alone) {
+  EXPECT_TRUE(is_fischer({"a", {"Block : 1", "F\th\tt"}}));
+  EXPECT_FALSE(is_fischer({"a", {"Block : 1", "F;h;t"}}));
+  EXPECT_FALSE(is_fischer({"a", {"F\th\tt", "1\t2\t3"}}));
+}
+
 TEST(Import_behaviour, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
   const TemporaryFolder folder;
   std::string text = "FS1.hap\tName\r\nBlock : 1   Value : 1\nHIT\t[N/mm\xB2]\t8553,6\n\nF\th\tt\r\n";
@@ -81,7 +88,7 @@ TEST(Import_behaviour, maps_columns_with_factors_products_and_constants) {
   for (int i = 0; i < 30; ++i) text += std::to_string(i) + ";" + std::to_string(2 * i) + ",5;0,6;20\n";
   const auto file = folder.write("friction.csv", text);
   ImportOptions options = with_bodies();
-  options.mode = Mode::sliding;
+  options.mode = Motion::sliding;
   options.columns = {"time [s] = t", "lateral_displacement [\xC2\xB5m] = x", "lateral_force [N] = mu * stress * 1e6", "normal_force [mN] = 20"};
   const RecordingTable table = import_recording(file, options).tables[0];
   EXPECT_NEAR(table.column("lateral_displacement")[3], 6.5e-6, 1e-15);
@@ -122,7 +129,7 @@ TEST(Import_behaviour, puts_both_ways_of_a_scan_line_together_as_a_loop) {
   for (int line = 1; line <= 2; ++line)
     for (int i = 0; i < 12; ++i) text += std::to_string(line) + "," + std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(-i) + "\n";
   ImportOptions options = with_bodies();
-  options.mode = Mode::sliding;
+  options.mode = Motion::sliding;
   options.columns = {"run = line", "lateral_displacement [um] = x", "lateral_force:forward [nN] = fwd", "lateral_force:backward [nN] = bwd", "normal_force [nN] = 20"};
   const RecordingTable table = import_recording(folder.write("scan.csv", text), options).tables[0];
   ASSERT_EQ(table.rows(), 48u);
@@ -210,19 +217,19 @@ TEST(ImportedFiles_other_code, fischerscope_has_ten_runs_of_eight_cycles) {
 TEST(ImportedFiles_other_code, tables_of_other_programs_come_in_by_a_map_of_their_columns) {
   struct Table {
     const char* name;
-    Mode mode;
+    Motion mode;
     std::vector<std::string> columns;
     std::size_t rows;
   };
   const std::vector<std::string> probe{"time [s] = time_s", "normal_displacement [nm] = displacement_nm", "normal_force [uN] = load_uN"};
-  for (const Table& t : {Table{"csm_popin_Test012.csv", Mode::normal,
+  for (const Table& t : {Table{"csm_popin_Test012.csv", Motion::normal,
                                {"time [s] = time_s", "normal_displacement [nm] = displacement_nm", "normal_force [mN] = load_mN"}, 375},
-                         Table{"flat_probe_Gold_00000_avg10.csv", Mode::normal, probe, 5100},
-                         Table{"flat_probe_AIR_reference_avg10.csv", Mode::normal, probe, 5101},
-                         Table{"rsf_velstep_basalt_BRAVA_b819.txt", Mode::sliding,
+                         Table{"flat_probe_Gold_00000_avg10.csv", Motion::normal, probe, 5100},
+                         Table{"flat_probe_AIR_reference_avg10.csv", Motion::normal, probe, 5101},
+                         Table{"rsf_velstep_basalt_BRAVA_b819.txt", Motion::sliding,
                                {"time [s] = Time(s)", "lateral_displacement [um] = Displ(microns)", "lateral_force [N] = Friction * Normal_stress(MPa)",
                                 "normal_force [N] = Normal_stress(MPa)"}, 5849},
-                         Table{"lfm_SBS-PMMA_loops_32lines.csv", Mode::sliding,
+                         Table{"lfm_SBS-PMMA_loops_32lines.csv", Motion::sliding,
                                {"run = line", "lateral_displacement [um] = x_um", "lateral_force:forward [nN] = lateral_fwd_V",
                                 "lateral_force:backward [nN] = lateral_bwd_V", "normal_force [nN] = 20"}, 16384}}) {
     ASPERITY_SHARED_FILE_OR_SKIP(file, std::string("recordings/") + t.name);

@@ -21,7 +21,7 @@ struct TorsionRows {
 
   /// `sd`: of the coefficient's logarithm, as the rows say; `stated`: as the covariance says.
   TorsionRows(double sd, double stated, const std::vector<const Effect*>& effects = {}) {
-    problem.experiment = test::experiment(Mode::torsion);
+    problem.experiment = test::experiment(Motion::torsion);
     problem.choice.parameters["torsion_friction"] = {coefficient, true};
     for (std::size_t i = 0; i < count; ++i)
       problem.samples.list.push_back(test::row(problem.experiment, load).list[0]);
@@ -185,7 +185,7 @@ TEST(BoundedFit_analytic, search_at_random_finds_a_step_that_slopes_do_not_show)
 }
 
 TEST(Explanation_behaviour, orders_effects_by_their_place_and_frees_what_is_to_be_calibrated) {
-  const Experiment e = test::experiment(Mode::rail);
+  const Experiment e = test::experiment(Motion::rail);
   SimulationChoice choice;
   choice.torsion = "constant";
   choice.parameters["rolling_friction"] = {5e-4, true};
@@ -219,13 +219,13 @@ TEST(Explanation_behaviour, keeps_two_laws_of_one_place_apart) {
 }
 
 TEST(Explanation_analytic, guesses_a_coefficient_that_was_not_given_from_the_largest_response) {
-  Experiment e = test::experiment(Mode::rolling);
+  Experiment e = test::experiment(Motion::rolling);
   e.largest_response = 2e-6, e.largest_force = 4e-3;
   const SimulationChoice guessed = completed({}, e);
   EXPECT_DOUBLE_EQ(guessed.parameters.at("rolling_friction").value, 5e-4);
   EXPECT_TRUE(guessed.parameters.at("rolling_friction").calibrate);
   EXPECT_EQ(guessed.parameters.count("sliding_friction"), 0u);
-  EXPECT_TRUE(completed({}, test::experiment(Mode::normal)).parameters.empty());
+  EXPECT_TRUE(completed({}, test::experiment(Motion::normal)).parameters.empty());
 }
 
 }  // namespace

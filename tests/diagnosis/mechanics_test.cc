@@ -33,14 +33,14 @@ Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std
 }
 
 TEST(Mechanics_analytic, normal_force_without_effects_is_hertz) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const auto f = simulate(with(e, {}), approach_and_back(-5 * nm, 40 * nm, 46));
   EXPECT_EQ(f[3], 0);
   EXPECT_NEAR(f[45], 4.0 / 3 * e.reduced_modulus() * std::sqrt(e.radius) * std::pow(40 * nm, 1.5), 1e-12);
 }
 
 TEST(Mechanics_analytic, series_compliance_takes_its_part_of_the_displacement) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const double C = 5e-6;
   const Samples path = approach_and_back(0, 50 * nm, 51);
   const auto f = simulate(with(e, {{"instrument_compliance", {C}}}), path);
@@ -49,7 +49,7 @@ TEST(Mechanics_analytic, series_compliance_takes_its_part_of_the_displacement) {
 }
 
 TEST(Mechanics_analytic, force_control_gives_the_displacement_that_displacement_control_would_turn_back) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Mechanics m = with(e, {{"instrument_compliance", {5e-6}}, {"contact_point_offset", {3 * nm}}, {"baseline_tilt", {200}}});
   Samples path = approach_and_back(5 * nm, 50 * nm, 40);
   const auto f = simulate(m, path);
@@ -60,14 +60,14 @@ TEST(Mechanics_analytic, force_control_gives_the_displacement_that_displacement_
 }
 
 TEST(Mechanics_analytic, drift_and_offset_shift_the_displacement) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 50 * nm, 51);  // a sample a second
   const auto f = simulate(with(e, {{"thermal_drift", {0.1 * nm}}, {"contact_point_offset", {4 * nm}}}), path);
   EXPECT_NEAR(f[30], e.hertz().force(30 * nm - 4 * nm - 30 * 0.1 * nm), 1e-12);
 }
 
 TEST(Mechanics_analytic, creep_under_a_held_load_reaches_63_per_cent_after_its_time_constant) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   Samples path = approach_and_back(0, 40 * nm, 2);
   for (std::size_t i = 0; i < path.list.size(); ++i) path.list[i].normal_force = e.largest_force, path.list[i].time = 7.0 * static_cast<double>(i);
   path.runs[0].response_is_displacement = true;
@@ -79,7 +79,7 @@ TEST(Mechanics_analytic, creep_under_a_held_load_reaches_63_per_cent_after_its_t
 }
 
 TEST(Mechanics_analytic, creep_follows_a_ramp_late_by_its_time_constant) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   Samples path = approach_and_back(0, 1, 101);
   const double tau = 9, duration = 100;  // a sample a second
   path.list.resize(101);
@@ -95,7 +95,7 @@ TEST(Mechanics_analytic, creep_follows_a_ramp_late_by_its_time_constant) {
 }
 
 TEST(Mechanics_analytic, creep_driven_by_displacement_gives_the_force_that_drives_it_there) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   Samples path = approach_and_back(0, 40 * nm, 30);
   const auto force = simulate(with(e, {{"creep", {5 * nm, 12}}}), path);
   Samples back = path;
@@ -106,13 +106,13 @@ TEST(Mechanics_analytic, creep_driven_by_displacement_gives_the_force_that_drive
 }
 
 TEST(Mechanics_analytic, a_radius_ratio_of_four_doubles_the_force) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 50 * nm, 11);
   EXPECT_NEAR(simulate(with(e, {{"effective_radius", {4}}}), path)[10], 2 * e.hertz().force(50 * nm), 1e-12);
 }
 
 TEST(Mechanics_analytic, the_asperity_layer_adds_its_logarithm_to_hertz) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 50 * nm, 51);
   const auto f = simulate(with(e, {{"roughness_compliance", {2 * nm, 0.5}}}), path);
   const double first = 0.5 * e.hertz().force(2 * nm);
@@ -120,7 +120,7 @@ TEST(Mechanics_analytic, the_asperity_layer_adds_its_logarithm_to_hertz) {
 }
 
 TEST(Mechanics_analytic, adhesion_pulls_off_at_its_force_from_DMT_to_JKR) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(-20 * nm, 20 * nm, 4001);
   for (const double transition : {0.0, 0.5, 1.0}) {
     const auto f = simulate(with(e, {{"adhesion", {40 * uN, transition}}}), path);
@@ -131,7 +131,7 @@ TEST(Mechanics_analytic, adhesion_pulls_off_at_its_force_from_DMT_to_JKR) {
 }
 
 TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transition) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(1 * nm, 40 * nm, 40);
   for (const double transition : {0.0, 0.1, 0.3, 0.6, 0.88, 1.0}) {
     const auto f = simulate(with(e, {{"adhesion", {1e-12, transition}}}), path);
@@ -141,7 +141,7 @@ TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transi
 }
 
 TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_cent) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const double h = 40 * uN;
   const Jkr law{e.reduced_modulus(), e.radius, h / (1.5 * boost::math::double_constants::pi * e.radius)};
   const Samples path = approach_and_back(-5 * nm, 40 * nm, 451);
@@ -156,7 +156,7 @@ TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_ce
 
 /// Maugis (1992), solved, against the fit of Carpick et al. (1999) to it: lambda = -0.924 ln(1 - 1.02 alpha).
 TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_per_cent) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(), pi = boost::math::double_constants::pi;
   for (const double alpha : {0.3, 0.6, 0.9}) {
     const double lambda = -0.924 * std::log(1 - 1.02 * alpha);
@@ -177,7 +177,7 @@ TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_p
 }
 
 TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_JKR) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Jkr law{e.reduced_modulus(), e.radius, 0.5};
   const Samples path = approach_and_back(-20 * nm, 40 * nm, 201);
   const auto f = simulate(with(e, {{"adhesion_hysteresis", {0.5, 0.5}}}), path);
@@ -189,7 +189,7 @@ TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_JKR) {
 }
 
 TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 40 * nm, 401);
   const auto f = simulate(with(e, {{"adhesion_hysteresis", {1e-6, 1.0}}}), path);
   const double a = std::sqrt(e.radius * 40 * nm), step = 40 * nm / 400;
@@ -197,7 +197,7 @@ TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
 }
 
 TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint_of_Etsion) {
-  const Experiment e = experiment(Mode::normal);
+  const Experiment e = experiment(Motion::normal);
   const double Y = 0.5e9, C = 1.295 * std::exp(0.736 * e.particle.poisson_ratio);
   const double critical = std::pow(boost::math::double_constants::pi * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
   const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
@@ -214,7 +214,7 @@ TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint
 }
 
 TEST(Mechanics_analytic, lateral_stiffness_is_mindlins_with_the_compliance_in_series) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load), k = 8 * sliding_modulus(e.particle, e.substrate) * a, C = 3e-5;
   const auto alone = simulate(with(e, {}), lateral_path(load, {0, 1 * nm}, 11));
   const auto soft = simulate(with(e, {{"lateral_compliance", {C}}}), lateral_path(load, {0, 1 * nm}, 11));
@@ -223,14 +223,14 @@ TEST(Mechanics_analytic, lateral_stiffness_is_mindlins_with_the_compliance_in_se
 }
 
 TEST(Mechanics_analytic, sliding_ends_at_mu_times_load_and_reverses) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const auto f = simulate(with(e, {}), lateral_path(1e-3, {0, 100 * nm, 0}, 101));
   EXPECT_NEAR(f[100], 0.2e-3, 1e-12);
   EXPECT_NEAR(f.back(), -0.2e-3, 1e-12);
 }
 
 TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load);
   const Samples way = lateral_path(load, {0, 200 * nm}, 2001);
   const auto end = [&](const std::vector<std::pair<std::string, std::vector<double>>>& effects) { return simulate(with(e, effects), way).back(); };
@@ -242,7 +242,7 @@ TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
 }
 
 TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const Samples way = lateral_path(1e-3, {0, 100 * nm}, 10001);
   const auto f = simulate(with(e, {{"static_friction_peak", {1.5, 20 * nm}}}), way);
   EXPECT_NEAR(*std::max_element(f.begin(), f.end()), 0.3e-3, 0.001e-3);
@@ -252,14 +252,14 @@ TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
 }
 
 TEST(Mechanics_analytic, running_in_fades_over_the_cycles) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   Samples way = lateral_path(1e-3, {0, 100 * nm}, 101);
   for (auto& s : way.list) s.cycle = 4;
   EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), way).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)), 1e-12);
 }
 
 TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_its_period) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const Samples way = lateral_path(1e-3, {0, 200 * nm}, 20001);
   const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm, 0.1}}}), way);
   double low = 1, high = 0;
@@ -275,7 +275,7 @@ TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_
 }
 
 TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
-  Experiment e = experiment(Mode::sliding);
+  Experiment e = experiment(Motion::sliding);
   Samples way = lateral_path(1e-3, {0, 4000 * nm}, 4001);
   double time = 0;
   for (std::size_t i = 0; i < way.list.size(); ++i) {
@@ -290,7 +290,7 @@ TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
 }
 
 TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_and_shear) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const double G = sliding_modulus(e.particle, e.substrate), mu = 0.3;
   const MindlinDeresiewicz law{G, e.radius, {mu, 0}};
   SlidingHistory history;
@@ -310,7 +310,7 @@ TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_an
 }
 
 TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
-  const Experiment e = experiment(Mode::sliding);
+  const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load), G = sliding_modulus(e.particle, e.substrate), x = 1.5 * nm;
   const auto f = simulate(with(e, {{"partial_slip", {}}}), lateral_path(load, {0, x}, 51));
   const double gross = 3 * 0.2 * load / (16 * G * a);
@@ -318,14 +318,14 @@ TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
 }
 
 TEST(Mechanics_analytic, rolling_resistance_is_mu_times_load_with_an_offset) {
-  const Experiment e = experiment(Mode::rolling);
+  const Experiment e = experiment(Motion::rolling);
   EXPECT_NEAR(simulate(with(e, {}, 5e-4), row(e, 2e-3))[0], 1e-6, 1e-15);
   EXPECT_NEAR(simulate(with(e, {{"rolling_adhesion_offset", {1e-3}}}, 5e-4), row(e, 2e-3))[0], 1.5e-6, 1e-15);
   EXPECT_NEAR(simulate(with(e, {{"viscous_rolling", {3.0}}}, 5e-4), row(e, 2e-3))[0], (5e-4 + 3 * 1e-5) * 2e-3, 1e-15);
 }
 
 TEST(Mechanics_analytic, rolling_over_the_contact_radius_sums_both_contacts) {
-  const Experiment e = experiment(Mode::rolling);
+  const Experiment e = experiment(Motion::rolling);
   const Hertz above{reduced_modulus(e.particle, e.indenter), e.radius}, below = e.hertz();
   const double f = 2e-3, mu = 0.02;
   EXPECT_NEAR(simulate(with(e, {{"contact_radius_scaling", {mu}}}), row(e, f))[0],
@@ -333,14 +333,14 @@ TEST(Mechanics_analytic, rolling_over_the_contact_radius_sums_both_contacts) {
 }
 
 TEST(Mechanics_analytic, rolling_friction_falls_with_roughness) {
-  const Experiment e = experiment(Mode::rolling);
+  const Experiment e = experiment(Motion::rolling);
   Samples one = row(e, 2e-3);
   one.list[0].rms_roughness = 2 * nm;
   EXPECT_NEAR(simulate(with(e, {{"roughness_dependent_rolling", {3e-4, 6e-4, 1 * nm}}}), one)[0], (3e-4 + 6e-4 * std::exp(-2)) * 2e-3, 1e-15);
 }
 
 TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
-  const Experiment e = experiment(Mode::rail);
+  const Experiment e = experiment(Motion::rail);
   for (const double degrees : {25.0, 45.0, 60.0}) {
     const double angle = degrees * boost::math::double_constants::degree, slope_force = 1e-3;
     Samples one = row(e, slope_force);
@@ -356,7 +356,7 @@ TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
 }
 
 TEST(Mechanics_analytic, torsion_over_the_contact_radius_follows_its_growth) {
-  const Experiment e = experiment(Mode::torsion);
+  const Experiment e = experiment(Motion::torsion);
   EXPECT_NEAR(simulate(with(e, {}, 5e-3), row(e, 2e-3))[0], 1e-5, 1e-15);
   EXPECT_NEAR(simulate(with(e, {{"contact_radius_scaling", {0.064}}}), row(e, 2e-3))[0],
               0.064 * e.hertz().contact_radius(2e-3) / e.radius * 2e-3, 1e-15);

@@ -32,7 +32,7 @@ Recording repeated_runs(const std::vector<std::vector<double>>& responses) {
 /// Rows of rolling at growing loads.
 Recording rolling_series(const std::vector<double>& responses) {
   Recording recording;
-  recording.mode = Mode::rolling;
+  recording.mode = Motion::rolling;
   recording.particle = test::borosilicate(), recording.substrate = test::silicon(),
   recording.indenter = test::diamond();
   RecordingTable table;
@@ -99,7 +99,7 @@ TEST(NoiseEstimate_behaviour, takes_only_runs_of_the_same_control_and_speed_for_
 /// Loops that are alike in their way and not in their load are no repeats.
 TEST(NoiseEstimate_behaviour, compares_every_channel_that_drives) {
   Recording recording = repeated_runs({std::vector<double>(40, 1.0), std::vector<double>(40, 1.5)});
-  recording.mode = Mode::sliding;
+  recording.mode = Motion::sliding;
   RecordingTable& table = recording.tables[0];
   table.columns["lateral_displacement"] = table.columns["normal_displacement"];
   table.columns["lateral_force"] = table.columns["normal_force"];

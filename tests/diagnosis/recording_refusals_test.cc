@@ -16,7 +16,7 @@ using test::TemporaryFolder;
 
 Recording sound_trace() {
   Recording recording;
-  recording.mode = Mode::sliding;
+  recording.mode = Motion::sliding;
   recording.particle = test::borosilicate(), recording.substrate = test::silicon();
   RecordingTable table;
   table.file = "t.csv";
@@ -65,11 +65,11 @@ TEST(RecordingRules_behaviour, ask_for_bodies_that_can_be) {
   EXPECT_TAKEN(r.substrate.rms_roughness = 0);
   EXPECT_SAID("'particle' needs its 'radius'", r.particle.radius = 0);
   EXPECT_SAID("'particle' needs its 'radius'", r.particle.radius = NAN);
-  EXPECT_SAID("needs the 'indenter'", r.mode = Mode::rolling);
-  EXPECT_SAID("'indenter' needs its 'youngs_modulus'", (r.mode = Mode::rolling, r.indenter = RecordedBody{}));
-  EXPECT_TAKEN((r.mode = Mode::rolling, r.indenter = test::diamond()));
-  EXPECT_SAID("needs the 'rail_angle'", (r.mode = Mode::rail, r.indenter = test::diamond()));
-  EXPECT_TAKEN((r.mode = Mode::rail, r.indenter = test::diamond(), r.rail_angle = 0.8));
+  EXPECT_SAID("needs the 'indenter'", r.mode = Motion::rolling);
+  EXPECT_SAID("'indenter' needs its 'youngs_modulus'", (r.mode = Motion::rolling, r.indenter = RecordedBody{}));
+  EXPECT_TAKEN((r.mode = Motion::rolling, r.indenter = test::diamond()));
+  EXPECT_SAID("needs the 'rail_angle'", (r.mode = Motion::rail, r.indenter = test::diamond()));
+  EXPECT_TAKEN((r.mode = Motion::rail, r.indenter = test::diamond(), r.rail_angle = 0.8));
 }
 
 TEST(RecordingRules_behaviour, ask_for_known_laws_and_numbers_that_can_be) {
@@ -195,7 +195,7 @@ TEST(Channels_behaviour, are_known_by_name_and_have_the_unit_of_what_they_measur
             }).find("did you mean 'lateral_force'?"),
             std::string::npos);
   EXPECT_THROW(dimension_of_channel("_sd"), InputError);
-  for (const Mode mode : all_modes()) EXPECT_EQ(mode_of(name_of(mode)), mode);
+  for (const Motion mode : all_modes()) EXPECT_EQ(mode_of(name_of(mode)), mode);
   EXPECT_NE(message_of<InputError>([] { mode_of("slidng"); }).find("did you mean 'sliding'?"),
             std::string::npos);
 }

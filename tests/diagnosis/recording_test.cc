@@ -42,7 +42,7 @@ TEST(Recording_behaviour, is_read_in_SI_units_with_missing_cells_as_nan) {
   folder.write("recording.json", head(R"("noise": {"lateral_force": "0.2 uN"}, "simulation": {"parameters": {"sliding_friction": {"value": 0.23, "calibrate": true}}},)"));
   folder.write("loops.csv", "# a remark\n" + rows(header, "0.45,4.5,100,,hold", 5));
   const Recording recording = read_recording(folder.path);
-  EXPECT_EQ(recording.mode, Mode::sliding);
+  EXPECT_EQ(recording.mode, Motion::sliding);
   EXPECT_DOUBLE_EQ(recording.particle.radius, 8.5e-6);
   EXPECT_DOUBLE_EQ(recording.substrate.youngs_modulus, 179e9);
   EXPECT_DOUBLE_EQ(recording.noise.at("lateral_force"), 0.2e-6);

@@ -15,13 +15,13 @@ namespace {
 using Column = std::vector<double>;
 
 /// A trace with one driven channel.
-Recording driven(Mode mode, const Column& path) {
+Recording driven(Motion mode, const Column& path) {
   Recording recording;
   recording.mode = mode;
   recording.particle = test::borosilicate(), recording.substrate = test::silicon();
   RecordingTable table;
   table.file = "t.csv";
-  const bool normal = mode == Mode::normal;
+  const bool normal = mode == Motion::normal;
   table.control = {normal ? "normal_displacement" : "lateral_displacement"};
   table.response = normal ? "normal_force" : "lateral_force";
   table.columns[table.control[0]] = path;
@@ -43,7 +43,7 @@ std::string segment_of(const Samples& samples, std::size_t i) {
 }
 
 TEST(Samples_analytic, of_a_loop_know_their_direction_and_path_since_the_turn) {
-  const Samples samples = samples_of(driven(Mode::sliding, zigzag({0, 1e-7, -1e-7, 1e-7, -1e-7}, 40)));
+  const Samples samples = samples_of(driven(Motion::sliding, zigzag({0, 1e-7, -1e-7, 1e-7, -1e-7}, 40)));
   ASSERT_EQ(samples.list.size(), 161u);
   ASSERT_EQ(samples.runs.size(), 1u);
   for (const auto& [i, direction, since, segment] :
@@ -65,7 +65,7 @@ TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {
   Column path = zigzag({-1e-8, 5e-8}, 60);
   path.insert(path.end(), 30, 5e-8);
   for (const double x : zigzag({5e-8, -1e-8}, 60)) path.push_back(x);
-  Recording recording = driven(Mode::normal, path);
+  Recording recording = driven(Motion::normal, path);
   auto& time = recording.tables[0].columns["time"];
   for (std::size_t i = 0; i < path.size(); ++i) time.push_back(0.5 * static_cast<double>(i));
   const Samples samples = samples_of(recording);
@@ -85,7 +85,7 @@ TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {
 }
 
 TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {
-  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0}, 50));
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
   const std::size_t rows = recording.tables[0].rows();
   EXPECT_EQ(samples_of(recording).list[20].speed, 0);  // without time there is none
   auto& time = recording.tables[0].columns["time"];
@@ -98,7 +98,7 @@ TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recor
   EXPECT_NEAR(measured.list[rows - 1].speed, 2e-5, 1e-11);
   recording.tables[0].columns["speed"] = Column(rows, 3e-6);
   EXPECT_EQ(samples_of(recording).list[20].speed, 3e-6);
-  Recording normal = driven(Mode::normal, zigzag({0, 1e-7, 0}, 50));
+  Recording normal = driven(Motion::normal, zigzag({0, 1e-7, 0}, 50));
   normal.tables[0].columns["time"] = time;
   EXPECT_EQ(samples_of(normal).list[20].speed, 0);
 }
@@ -106,14 +106,14 @@ TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recor
 TEST(Samples_behaviour, do_not_take_jitter_below_a_fiftieth_of_the_range_for_a_turn) {
   Column path = zigzag({0, 1e-7, 0}, 100);
   for (std::size_t i = 0; i < path.size(); i += 2) path[i] += 0.9e-9;
-  const Samples quiet = samples_of(driven(Mode::normal, path));
+  const Samples quiet = samples_of(driven(Motion::normal, path));
   EXPECT_EQ(quiet.parts, 2);
   path = zigzag({0, 0.5e-7, 0.46e-7, 1e-7, 0}, 100);
-  EXPECT_EQ(samples_of(driven(Mode::normal, path)).parts, 4);
+  EXPECT_EQ(samples_of(driven(Motion::normal, path)).parts, 4);
 }
 
 TEST(Samples_behaviour, go_the_way_their_segment_is_named_for_or_else_that_of_its_ends) {
-  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0}, 50));
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
   auto& names = recording.tables[0].segment;
   const auto directions = [&](const char* first, const char* second) {
     names.assign(51, first);
@@ -129,7 +129,7 @@ TEST(Samples_behaviour, go_the_way_their_segment_is_named_for_or_else_that_of_it
 }
 
 TEST(Samples_behaviour, of_several_runs_each_begin_anew_and_count_cycles_from_zero) {
-  Recording recording = driven(Mode::sliding, Column(40, 0.0));
+  Recording recording = driven(Motion::sliding, Column(40, 0.0));
   auto& table = recording.tables[0];
   for (int i = 0; i < 40; ++i) {
     table.columns["lateral_displacement"][static_cast<std::size_t>(i)] = 1e-9 * (i / 2);
@@ -152,7 +152,7 @@ TEST(Samples_behaviour, of_several_runs_each_begin_anew_and_count_cycles_from_ze
 }
 
 TEST(Samples_behaviour, of_a_series_are_rows_on_their_own_that_may_name_their_direction) {
-  Recording recording = driven(Mode::rolling, {0, 0, 0});
+  Recording recording = driven(Motion::rolling, {0, 0, 0});
   auto& table = recording.tables[0];
   table.kind = TableKind::series;
   table.control = {"normal_force"};
@@ -177,7 +177,7 @@ TEST(Samples_behaviour, of_a_series_are_rows_on_their_own_that_may_name_their_di
 }
 
 TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {
-  const Samples all = samples_of(driven(Mode::sliding, zigzag({0, 1e-7, 0}, 1000)));
+  const Samples all = samples_of(driven(Motion::sliding, zigzag({0, 1e-7, 0}, 1000)));
   const Samples few = thinned(all, 200);
   EXPECT_NEAR(static_cast<double>(few.list.size()), 200, 12);
   EXPECT_EQ(few.runs[0].end, few.list.size());
@@ -194,7 +194,7 @@ TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {
 }
 
 TEST(Samples_behaviour, thinned_stay_in_their_runs) {
-  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, 0, 1e-7, 0}, 250));
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0, 1e-7, 0}, 250));
   for (int i = 0; i <= 1000; ++i) recording.tables[0].columns["run"].push_back(i > 500);
   const Samples few = thinned(samples_of(recording), 100);
   ASSERT_EQ(few.runs.size(), 2u);
@@ -205,7 +205,7 @@ TEST(Samples_behaviour, thinned_stay_in_their_runs) {
 }
 
 TEST(Experiment_analytic, knows_the_sizes_of_a_trace) {
-  Recording recording = driven(Mode::sliding, zigzag({0, 1e-7, -1e-7, 1e-7}, 100));
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, -1e-7, 1e-7}, 100));
   auto& table = recording.tables[0];
   table.columns["normal_force"] = Column(table.rows(), 2e-3);
   table.columns["lateral_force"][7] = -5e-4;
@@ -231,7 +231,7 @@ TEST(Experiment_analytic, knows_the_sizes_of_a_trace) {
 }
 
 TEST(Experiment_analytic, knows_the_sizes_of_an_approach) {
-  Recording recording = driven(Mode::normal, zigzag({-1e-8, 5e-8, -1e-8}, 100));
+  Recording recording = driven(Motion::normal, zigzag({-1e-8, 5e-8, -1e-8}, 100));
   auto& force = recording.tables[0].columns["normal_force"];
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] = i == 100 ? 3e-4 : i == 150 ? -4e-5 : i < 20 ? 0 : 1e-4;
@@ -245,7 +245,7 @@ TEST(Experiment_analytic, knows_the_sizes_of_an_approach) {
   EXPECT_EQ(e.hold_duration, 0);
   EXPECT_EQ(e.yield_hint, 0);
   // One way alone.
-  recording = driven(Mode::normal, zigzag({0, 5e-8}, 100));
+  recording = driven(Motion::normal, zigzag({0, 5e-8}, 100));
   e = experiment_of(recording, samples_of(recording));
   EXPECT_FALSE(e.has_unloading || e.has_both_directions || e.has_off_contact);
 }

@@ -16,7 +16,7 @@ namespace {
 struct ScannedTrace {
   static constexpr std::size_t half = 400, count = 2 * half;
   Samples samples = test::approach_and_back(0, 4e-8, half);
-  Experiment experiment = test::experiment(Mode::normal);
+  Experiment experiment = test::experiment(Motion::normal);
   Noise noise;
   std::vector<double> residual;
 
@@ -156,9 +156,9 @@ TEST(Views_analytic, cut_a_trace_into_bins_of_equal_count_along_its_displacement
 TEST(Views_analytic, of_a_few_samples_have_eight_in_a_bin_and_of_a_series_one) {
   Samples samples = test::approach_and_back(0, 1e-8, 20);
   samples.table_names = {"t.csv"};
-  const Experiment e = test::experiment(Mode::normal);
+  const Experiment e = test::experiment(Motion::normal);
   EXPECT_EQ(view_of(views_of(samples, e), "only", "normal_displacement")->bins.size(), 5u);
-  Samples rows = test::row(test::experiment(Mode::rolling), 1e-3);
+  Samples rows = test::row(test::experiment(Motion::rolling), 1e-3);
   for (int i = 1; i < 12; ++i) {
     rows.list.push_back(rows.list[0]);
     rows.list.back().normal_force = 1e-3 * (1 + i % 4);
@@ -166,7 +166,7 @@ TEST(Views_analytic, of_a_few_samples_have_eight_in_a_bin_and_of_a_series_one) {
   }
   test::close_run(rows, true);
   rows.table_names = {"s.csv"};
-  const auto views = views_of(rows, test::experiment(Mode::rolling));
+  const auto views = views_of(rows, test::experiment(Motion::rolling));
   const View* loads = view_of(views, "only", "normal_force");
   ASSERT_TRUE(loads);
   ASSERT_EQ(loads->bins.size(), 4u);
@@ -177,7 +177,7 @@ TEST(Views_analytic, of_a_few_samples_have_eight_in_a_bin_and_of_a_series_one) {
   }
   EXPECT_EQ(view_of(views, "only", "radius"), nullptr);
   for (auto& s : rows.list) s.radius *= s.radius > 8.55e-6 ? 1.02 : 1;
-  EXPECT_TRUE(view_of(views_of(rows, test::experiment(Mode::rolling)), "only", "radius"));
+  EXPECT_TRUE(view_of(views_of(rows, test::experiment(Motion::rolling)), "only", "radius"));
 }
 
 TEST(Views_behaviour, go_along_what_drives_and_in_a_hold_along_time) {
@@ -190,12 +190,12 @@ TEST(Views_behaviour, go_along_what_drives_and_in_a_hold_along_time) {
     s.segment = i < 100 ? 0 : 1, s.hold_time = i < 100 ? 0 : static_cast<double>(i - 100);
   }
   samples.runs[0].response_is_displacement = true;
-  const auto force_driven = views_of(samples, test::experiment(Mode::normal));
+  const auto force_driven = views_of(samples, test::experiment(Motion::normal));
   EXPECT_TRUE(view_of(force_driven, "load", "normal_force"));
   EXPECT_FALSE(view_of(force_driven, "load", "normal_displacement"));
   EXPECT_TRUE(view_of(force_driven, "hold", "time"));
   EXPECT_FALSE(view_of(force_driven, "hold", "normal_force"));
-  const auto sliding = views_of(samples, test::experiment(Mode::sliding));
+  const auto sliding = views_of(samples, test::experiment(Motion::sliding));
   EXPECT_TRUE(view_of(sliding, "load", "lateral_displacement"));
   EXPECT_TRUE(view_of(sliding, "load", "normal_force"));
 }

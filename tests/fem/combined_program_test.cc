@@ -24,7 +24,7 @@ using namespace asperity;
 CaseInput program_case(const std::string& substrate, double spacing, const std::string& program) {
   CaseInput input = test::sphere_on_silicon("smooth", substrate, spacing, 300e-9);
   input.interface.friction_coefficient = 0.3;
-  input.experiment.type = ExperimentInput::Type::program;
+  input.experiment.type = Motion::program;
   input.experiment.program = program;
   input.experiment.load_steps = 3;
   input.experiment.unload = false;
@@ -62,7 +62,7 @@ fem::MotionScales scales() {
 
 TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_those_of_a_single_motion) {
   ExperimentInput e;
-  e.type = ExperimentInput::Type::program;
+  e.type = Motion::program;
   e.normal_load = 2, e.load_steps = 4, e.unload = false;
   e.program = "slide 100 and spin 0.05; press 1; roll 0.1; slide -40 and slide across 30 in 5 steps";
   const auto program = fem::make_program(e, scales());
@@ -88,7 +88,7 @@ TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_thos
 
 TEST(CombinedProgram_behaviour, unloads_from_the_load_it_ends_with) {
   ExperimentInput e;
-  e.type = ExperimentInput::Type::program;
+  e.type = Motion::program;
   e.normal_load = 2, e.load_steps = 2, e.unload_steps = 2, e.program = "press 1 in 1 step";
   const auto program = fem::make_program(e, scales());
   ASSERT_EQ(program.size(), 5u);
@@ -244,7 +244,7 @@ TEST(CombinedProgram_behaviour, is_refused_with_what_would_do) {
   expect(message("roll 1", as_it_is), "cap; let the contact move by");
   expect(message("slide 1 mm", as_it_is), "middle half");
   expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.cycles = 2; }), "Cycles = 1");
-  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.type = ExperimentInput::Type::sliding; }), "set Type = program");
+  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.type = Motion::sliding; }), "set Type = program");
 }
 
 }  // namespace

@@ -9,11 +9,11 @@ namespace {
 using namespace asperity::fem;
 
 /// Elastic spheres pressed together in steps along Hertz' law F = c delta^(3/2), which stores 2/5 F delta.
-std::vector<StepRecord> pressed_along_hertz(int steps) {
+std::vector<HistoryRow> pressed_along_hertz(int steps) {
   constexpr double largest = 10e-9, c = 2e8;
-  std::vector<StepRecord> records(steps);
+  std::vector<HistoryRow> records(steps);
   for (int k = 0; k < steps; ++k) {
-    StepRecord& r = records[k];
+    HistoryRow& r = records[k];
     r.driven_displacement = largest * (k + 1) / steps;
     r.normal_force = c * std::pow(r.driven_displacement, 1.5);
     r.elastic_energy = 0.4 * r.normal_force * r.driven_displacement;
@@ -34,7 +34,7 @@ TEST(EnergyBalance_analytic, is_closed_along_Hertz_and_shows_what_is_missing) {
 
 TEST(EnergyBalance_analytic, counts_friction_along_both_ways_and_in_spin) {
   auto records = pressed_along_hertz(4);
-  StepRecord r = records.back();
+  HistoryRow r = records.back();
   constexpr double force = 3e-5, across = 1e-5, moment = 2e-12;
   for (int k = 1; k <= 3; ++k) {
     r.lateral_force = force, r.lateral_force_across = across, r.torsion_moment = moment;
@@ -56,7 +56,7 @@ TEST(EnergyBalance_analytic, rolling_without_slip_takes_no_work_from_a_lateral_f
     balance_energy(copy, false, radius);
     return copy.back().work;
   }();
-  StepRecord r = records.back();
+  HistoryRow r = records.back();
   r.torsion_angle = heading;
   r.lateral_force = force * std::cos(heading), r.lateral_force_across = force * std::sin(heading);
   records.push_back(r);

@@ -14,8 +14,8 @@ std::vector<Station> free_from(std::vector<bool> free) {
   return program;
 }
 
-StepRecord rolled_to(double angle, double shift, double lateral_force, double approach = 5e-9) {
-  StepRecord r;
+HistoryRow rolled_to(double angle, double shift, double lateral_force, double approach = 5e-9) {
+  HistoryRow r;
   r.normal_force = 1e-4;
   r.rolling_angle = angle, r.shift = shift, r.lateral_force = lateral_force, r.normal_displacement = approach;
   return r;
@@ -44,7 +44,7 @@ TEST(FreeRolling_analytic, learns_the_way_per_angle_that_leaves_no_force) {
   std::vector<Station> many(40);
   for (auto& s : many) s.rolls_freely = true;
   many[0].rolls_freely = false;
-  std::vector<StepRecord> records{rolled_to(0, 0, 0), rolled_to(angle, rolling_contact.radius * angle, left)};
+  std::vector<HistoryRow> records{rolled_to(0, 0, 0), rolled_to(angle, rolling_contact.radius * angle, left)};
   for (int k = 2; k < 40; ++k) {
     const RollingStep next = free_rolling(many, records, rolling_contact);
     const double shift = records.back().shift + next.way_per_angle * angle - next.back;
@@ -55,7 +55,7 @@ TEST(FreeRolling_analytic, learns_the_way_per_angle_that_leaves_no_force) {
 
 TEST(FreeRolling_behaviour, after_sliding_does_not_learn_until_it_has_left_the_contact_behind) {
   const auto program = free_from({false, true, true, true});
-  const StepRecord slid = rolled_to(0, 1e-7, 3e-5);
+  const HistoryRow slid = rolled_to(0, 1e-7, 3e-5);
   const RollingStep soon = free_rolling(program, {slid, rolled_to(0.01, 1.8e-7, 1e-5)}, rolling_contact);
   EXPECT_DOUBLE_EQ(soon.way_per_angle, rolling_contact.radius - 5e-9);
   const RollingStep late = free_rolling(program, {slid, rolled_to(0.01, 1.8e-7, 0), rolled_to(0.03, 1.8e-7 + 0.02 * 7.9e-6, 0)}, rolling_contact);

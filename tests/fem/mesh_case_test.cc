@@ -54,7 +54,7 @@ TEST(MeshCase_behaviour, roughness_too_steep_for_hexahedra_is_refused_with_a_rem
 /// A smooth sphere that adheres and rolls.
 CaseInput rolling(double spacing, double distance) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, 0);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.normal_load = 300e-6;
   input.experiment.distance = distance;
   input.interface.work_of_adhesion = 77e-3;

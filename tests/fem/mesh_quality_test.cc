@@ -86,7 +86,7 @@ TEST(MeshQuality_behaviour, a_mesh_whose_facets_miss_the_slopes_is_refused_thoug
 
 TEST(MeshQuality_behaviour, the_way_from_fine_cells_to_the_border_of_the_cap_is_as_gentle_for_any_distance_rolled) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.normal_load = 200e-6;
   constexpr double gentle = 0.28;  // with the finest cells far from the border: 0.297
   for (const double distance : {0.2e-6, 0.6e-6, 0.8e-6, 0.9e-6, 1.0e-6, 1.1e-6, 1.2e-6, 1.4e-6, 1.7e-6}) {
@@ -114,7 +114,7 @@ TEST(MeshQuality_behaviour, cells_are_good_for_the_longest_way_that_a_contact_ma
   };
   for (const auto& [load, spacing, way] : {Contact{100e-6, 32e-9, 5e-6}, {3e-3, 100e-9, 3.9e-6}, {15e-3, 200e-9, 2e-6}}) {
     CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, 0);
-    input.experiment.type = ExperimentInput::Type::rolling;
+    input.experiment.type = Motion::rolling;
     input.experiment.normal_load = load;
     input.experiment.distance = longest_way(input);
     EXPECT_GT(input.experiment.distance, way) << load;
@@ -124,7 +124,7 @@ TEST(MeshQuality_behaviour, cells_are_good_for_the_longest_way_that_a_contact_ma
 
 TEST(MeshQuality_behaviour, a_fine_region_that_is_wide_for_its_body_keeps_its_spacing_and_good_cells) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", 32e-9, 0);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.normal_load = 200e-6;
   input.experiment.distance = 1.7e-6;
   const Meshed mesh(input);
@@ -142,7 +142,7 @@ TEST(MeshQuality_behaviour, a_fine_region_that_is_wide_for_its_body_keeps_its_sp
 
 CaseInput rolling(double spacing, double distance, double region) {
   CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, region);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.normal_load = 300e-6;
   input.experiment.distance = distance;
   return input;

@@ -20,7 +20,7 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
   CaseInput input;
   input.interface.work_of_adhesion = work_of_adhesion;
   input.particle.topography = input.substrate.topography = "smooth";
-  StepRecord peak;
+  HistoryRow peak;
   peak.normal_force = load;
   peak.contact_radius = peak.pressure_radius = contact_radius;
   peak.contact_area = M_PI * contact_radius * contact_radius;
@@ -30,7 +30,7 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
   peak.normal_displacement = 13e-9, peak.mean_plane_approach = 11e-9;
   peak.work = peak.elastic_energy = 1e-12;
   peak.spots = 3;
-  std::vector<StepRecord> records{peak};
+  std::vector<HistoryRow> records{peak};
   for (int k = 1; k < 5; ++k) records.push_back(peak), records.back().torsion_angle = 1e-3 * k, records.back().torsion_moment = 2e-12;
   records.push_back(records.back());
   records.back().normal_force = -1e-6;

@@ -27,7 +27,7 @@ using asperity::test::sphere_on_silicon;
 CaseInput sliding(const std::string& substrate, double spacing) {
   CaseInput input = sphere_on_silicon("smooth", substrate, spacing, 300e-9);
   input.interface.friction_coefficient = 0.3;
-  input.experiment.type = ExperimentInput::Type::sliding;
+  input.experiment.type = Motion::sliding;
   input.experiment.load_steps = 3;
   input.experiment.unload = false;
   input.output.fields = false;
@@ -76,7 +76,7 @@ void expect_never_to_fall(const CsvTable& history, const std::vector<std::string
 
 TEST(Program_behaviour, of_sliding_begins_finely_and_comes_back) {
   ExperimentInput e;
-  e.type = ExperimentInput::Type::sliding;
+  e.type = Motion::sliding;
   e.load_steps = 2, e.unload_steps = 2, e.distance = 100;
   const auto program = fem::make_program(e, {10, 0, 8, 0});
   EXPECT_EQ(program[1].load, 1);
@@ -161,7 +161,7 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("smooth", 20e-9);
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
-  input.experiment.type = ExperimentInput::Type::torsion;
+  input.experiment.type = Motion::torsion;
   input.mesh.contact_region = 320e-9;
   input.experiment.angle = 0.04;
   input.experiment.reverse = false;
@@ -186,7 +186,7 @@ TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_bal
   input.substrate.yield_stress = 4e9;
   input.particle.yield_stress = 3e9;
   input.interface.friction_coefficient = 0.5;
-  input.experiment.type = ExperimentInput::Type::torsion;
+  input.experiment.type = Motion::torsion;
   input.experiment.angle = 0.2;
   input.experiment.reverse = false;
   const auto s = solve_experiment(input, folder.path);
@@ -198,7 +198,7 @@ TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_bal
 
 TEST(Program_analytic, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
   ExperimentInput e;
-  e.type = ExperimentInput::Type::rolling;
+  e.type = Motion::rolling;
   e.load_steps = 2, e.unload = false, e.distance = 100, e.reverse = false;
   fem::MotionScales scales;
   scales.largest_shift = 8, scales.rolling_radius = 1000;
@@ -211,7 +211,7 @@ TEST(Program_analytic, of_rolling_moves_by_the_radius_times_the_angle_and_begins
 TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances_its_energy_and_resumes) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.distance = 200e-9;
   input.experiment.motion_steps = 5;
   input.experiment.load_steps = 8;
@@ -242,7 +242,7 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
 TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_states) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3), 40e-9);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.distance = 100e-9;
   input.experiment.motion_steps = 3;
   input.experiment.load_steps = 4;
@@ -276,7 +276,7 @@ TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
   EXPECT_DOUBLE_EQ(fem::with_derived_way(input).experiment.distance, 5 * a);
   input.experiment.distance = 1e-7;
   EXPECT_EQ(fem::with_derived_way(input).experiment.distance, 1e-7);
-  input.experiment.type = ExperimentInput::Type::torsion;
+  input.experiment.type = Motion::torsion;
   // Six times 0.64 mu P (1/G1 + 1/G2) / a^2 (Lubkin 1951).
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
@@ -311,7 +311,7 @@ TEST(SolveCase_behaviour, refuses_motions_that_it_cannot_make) {
   CaseInput input = sliding("smooth", 25e-9);
   input.experiment.distance = 1e-3;
   EXPECT_NE(message(input).find("Distance"), std::string::npos);
-  input.experiment.type = ExperimentInput::Type::rolling;
+  input.experiment.type = Motion::rolling;
   input.experiment.distance = 1e-5;
   EXPECT_NE(message(input).find("cap"), std::string::npos);
   input.experiment.distance = 1e-7;
@@ -322,7 +322,7 @@ TEST(SolveCase_behaviour, refuses_motions_that_it_cannot_make) {
   EXPECT_NE(message(input).find("Opening work"), std::string::npos);
   input.interface.opening_work = 0.2;
   input.experiment.way_back = 1e-8;
-  input.experiment.type = ExperimentInput::Type::torsion;
+  input.experiment.type = Motion::torsion;
   EXPECT_NE(message(input).find("Way back"), std::string::npos);
 }
 

@@ -10,13 +10,13 @@ using namespace asperity::fem;
 constexpr double radius = 1e-5, contact_radius = 1e-7, resistance = 3e-13;  // [m], [m], [N m]
 
 /// Steps of a tenth of the contact radius; six of them are rolled before anything is dissipated, as after each turn.
-std::vector<StepRecord> rolled(int out, int back) {
-  std::vector<StepRecord> records(1);
+std::vector<HistoryRow> rolled(int out, int back) {
+  std::vector<HistoryRow> records(1);
   records.front().pressure_radius = contact_radius;
   const double step = 0.1 * contact_radius / radius;
   for (const auto& [count, direction] : {std::pair{out, 1}, std::pair{back, -1}})
     for (int i = 1; i <= count; ++i) {
-      StepRecord next = records.back();
+      HistoryRow next = records.back();
       next.rolling_angle += direction * step;
       next.rolling_moment = i > 6 ? direction * resistance : 0;
       if (i > 6) next.dissipated_energy += resistance * step;
@@ -44,10 +44,10 @@ TEST(SteadyRolling_analytic, of_a_way_shorter_than_that_is_not_known) {
 /// Slips as a whole from the fourth step on; on the way back over its own track nothing yields any more.
 TEST(SteadySliding_analytic, is_what_the_first_way_dissipates_and_not_the_mean_of_both) {
   constexpr double load = 1e-4, out = 3e-5, back = 1e-5, step = 1e-9;
-  std::vector<StepRecord> records(1);
+  std::vector<HistoryRow> records(1);
   for (const auto& [force, direction] : {std::pair{out, 1}, std::pair{back, -1}})
     for (int i = 1; i <= 20; ++i) {
-      StepRecord next = records.back();
+      HistoryRow next = records.back();
       next.shift += direction * step;
       next.normal_force = load, next.lateral_force = direction * force;
       next.sticking_share = i > 3 ? 0.01 : 0.6;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/contact_history.h"
-#include "dem_compare/laws/hertz.h"
+#include "results/history.h"
+#include "core/hertz.h"
 
 namespace asperity::test {
 
@@ -36,9 +36,9 @@ inline Hertz contact(const SyntheticCase& made) {
   return {reduced_modulus({71e9, 0.17}, {179e9, 0.25}), radius * made.softness};
 }
 
-inline ContactHistory history(const SyntheticCase& made) {
+inline History history(const SyntheticCase& made) {
   const Hertz hertz = contact(made);
-  ContactHistory history;
+  History history;
   const auto add = [&](double force, double approach) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
     history.step.back() = static_cast<double>(history.size());

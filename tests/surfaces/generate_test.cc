@@ -105,6 +105,12 @@ TEST(Generate_behaviour, is_the_same_surface_on_a_finer_grid) {
   }
 }
 
+TEST(SelfAffineSpectrum_behaviour, refuses_an_rms_that_is_no_length) {
+  for (const double rms : {-1e-9, double(INFINITY), double(NAN)})
+    EXPECT_THROW((SelfAffineSpectrum{rms, 0.8, 200e-9, 50e-9}).check(), InputError) << rms;
+  EXPECT_NO_THROW((SelfAffineSpectrum{0, 0.8, 200e-9, 50e-9}).check());
+}
+
 TEST(Generate_behaviour, refuses_a_line_a_point_and_no_size) {
   GenerateOptions options;
   for (const auto& [nx, ny, lx, ly] : {std::tuple{1, 8, 1e-6, 1e-6}, {8, 1, 1e-6, 1e-6}, {8, 8, 0.0, 1e-6}, {8, 8, 1e-6, -1e-6}}) {
@@ -169,7 +175,8 @@ TEST(HeightSampler_behaviour, continues_a_periodic_map_and_refuses_or_mirrors_an
   map.periodic = false;
   const HeightSampler bounded(map), mirrored(map, Outside::mirror);
   EXPECT_NO_THROW(bounded.height(0.25e-6, -0.25e-6));
-  EXPECT_THROW(bounded.height(0.26e-6, 0), InputError);
+  for (const auto& [x, y] : {std::pair{0.26e-6, 0.0}, {-0.26e-6, 0.0}, {0.0, 0.26e-6}, {0.0, -0.26e-6}})
+    EXPECT_THROW(bounded.height(x, y), InputError) << x << " " << y;
   EXPECT_NEAR(mirrored.height(0.24e-6, 0.1e-6), mirrored.height(0.26e-6, 0.1e-6), 1e-20);
 }
 

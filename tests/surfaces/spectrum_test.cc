@@ -125,6 +125,14 @@ TEST(RadialSpectrum_analytic, means_over_rings_of_white_noise_scatter_as_their_m
   EXPECT_NEAR(scatter, 1, 3 * std::sqrt(2.0 / realisations));
 }
 
+TEST(RadialSpectrum_analytic, of_oblong_pixels_ends_where_both_directions_still_see_waves) {
+  GenerateOptions of = options(64, 1e-6, 1);
+  of.nx = 128;  // pixels of 7.8 by 15.6 nm
+  const RadialSpectrum spectrum = radial_spectrum(generate_periodic(model, of));
+  EXPECT_LE(spectrum.wave_number.back(), 1.05 * M_PI / (1e-6 / 64));
+  EXPECT_GE(spectrum.wave_number.back(), 0.95 * M_PI / (1e-6 / 64));
+}
+
 TEST(RadialSpectrum_behaviour, generates_the_like_of_what_was_measured) {
   const RadialSpectrum measured = radial_spectrum(scan(5));
   auto like = options(512, 5e-6, 6);

@@ -278,6 +278,11 @@ TEST(PossibleSpectra_behaviour, says_which_published_pairs_a_gaussian_surface_ca
     EXPECT_NEAR(expected_measured_Sq(example.spectrum, afm).mean, 1.5e-9, 1e-6 * 1.5e-9);
 }
 
+TEST(Calibration_behaviour, refuses_to_meet_no_roughness) {
+  const SelfAffineSpectrum shape{0, 0.8, 100e-9, 20e-9};
+  for (const double target : {0.0, -1e-9, double(NAN)}) EXPECT_THROW(calibrated(shape, target, AfmSettings{}), InputError) << target;
+}
+
 TEST(PossibleSpectra_behaviour, curves_reach_from_the_shortest_rolloff_to_the_longest) {
   AfmSettings afm;
   afm.size = 0.5e-6, afm.pixels = 32;

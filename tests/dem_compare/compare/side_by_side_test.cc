@@ -71,7 +71,7 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   EXPECT_NE(rolling->finite_elements.reason.find("not solved by finite elements: no case of rolling"), std::string::npos);
   EXPECT_EQ(
       std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
-                    [](const auto& row) { return row.mode() == ComparedMode::rail && row.engine.known() && row.published.known(); }),
+                    [](const auto& row) { return row.mode() == Motion::rail && row.engine.known() && row.published.known(); }),
       18);  // three rails at three loads each, with offsets and without
   const auto good_without_offset = std::find_if(compared.result.verdicts.begin(), compared.result.verdicts.end(), [](const LawVerdict& verdict) {
     return verdict.law == "Coulomb without offset" && verdict.reference == "measurement";
@@ -79,10 +79,10 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   ASSERT_NE(good_without_offset, compared.result.verdicts.end());
   // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding; at the largest of them the measurement's error leaves it open.
   EXPECT_EQ(good_words(*good_without_offset).rfind("at no load for which it is known", 0), 0u) << good_words(*good_without_offset);
-  for (const ComparedMode mode : {ComparedMode::sliding, ComparedMode::rolling, ComparedMode::torsion, ComparedMode::rail})
+  for (const Motion mode : {Motion::sliding, Motion::rolling, Motion::torsion, Motion::rail})
     EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(), [&](const LawVerdict& verdict) {
       return display_of(verdict.quantity).mode == mode && verdict.reference == "measurement" && !verdict.is_own_fit;
-    })) << mode_name(mode);
+    })) << name_of(mode);
   const std::string markdown = to_markdown(compared.result);
   EXPECT_NE(markdown.find("LAMMPS ("), std::string::npos);
   EXPECT_EQ(markdown.find("nan"), std::string::npos);
@@ -160,7 +160,7 @@ TEST(SideBySide_other_code, each_roughness_has_the_numbers_given_for_it) {
   compare(compared, {smoother, rougher}, {silicon, "parameters_silicon_1600W.json"});
   int sliding = 0, rolling = 0;
   for (const auto& row : compared.result.rows) {
-    if (row.mode() == ComparedMode::rail) {
+    if (row.mode() == Motion::rail) {
       EXPECT_NE(row.contact.find("untreated"), std::string::npos);
     }
     if (std::abs(row.load / 1e-4 - 1) > 1e-6) continue;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 
@@ -31,8 +31,8 @@ struct SolvedFolder {
 };
 
 /// Loading in five steps, then the motion as far as sliding.
-inline ContactHistory history_of(const SolvedFolder& solved) {
-  ContactHistory history;
+inline History history_of(const SolvedFolder& solved) {
+  History history;
   const auto add = [&](double force, double shift, double lateral) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
     history.normal_force.back() = force;

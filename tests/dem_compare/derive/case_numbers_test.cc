@@ -7,7 +7,7 @@
 #include "dem_compare/derive/law_report.h"
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity {
 namespace {

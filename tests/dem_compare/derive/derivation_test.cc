@@ -47,7 +47,7 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
                                    : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
   // Virgin curve: bilinear is enough, the stiffness has tests of its own.
   const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
-  ContactHistory history;
+  History history;
   double correlated = 0;
   const auto add = [&](double force, double position, double resistance) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
@@ -92,10 +92,11 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
   SolvedCase solved;
   solved.folder = type + "_" + std::to_string(load) + "_" + std::to_string(seed);
   solved.entries = CaseEntries(entries);
-  solved.result = {{"format", "asperity-result/1"},
-                   {"experiment", type},
-                   {"mesh", {{"interface_spacing", 1e-8}}},
-                   {"versions", {{"asperity", "0.1.0"}}}};
+  solved.result = case_result_of({{"format", CaseResult::format},
+                                  {"experiment", type},
+                                  {"mesh", {{"interface_spacing", 1e-8}}},
+                                  {"versions", {{"asperity", "0.1.0"}}}},
+                                 "made");
   solved.history = history;
   return solved;
 }
@@ -229,7 +230,7 @@ TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apar
   std::mt19937 random(9);
   ParameterSet set;
   set.cases.push_back(make_case({}, "normal", 1e-3, 1, random));
-  ContactHistory& history = set.cases.front().history;
+  History& history = set.cases.front().history;
   for (const double force : {5e-4, 1e-4, -3e-6, -2e-6}) {
     for (const auto& column : history_columns()) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
@@ -247,10 +248,10 @@ TEST(Derivation_analytic, writes_the_standard_deviations_of_its_fits) {
   truth.noise = 0.05;
   const Derivation derivation = derive_parameters(make_set(truth, wide, 2, random));
   const ContactParameters& p = derivation.parameters;
-  const ResistanceLaw sliding = fit_resistance(derivation.laws[Derivation::sliding].points, LengthScale::none);
+  const ResistanceLaw sliding = fit_resistance(derivation.law_of(Motion::sliding).points, LengthScale::none);
   EXPECT_DOUBLE_EQ(p.sliding_friction->sd, std::sqrt(sliding.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.sliding_offset->sd, std::sqrt(sliding.covariance(1, 1)));
-  const ResistanceLaw torsion = fit_resistance(derivation.laws[Derivation::torsion].points, LengthScale::contact_radius);
+  const ResistanceLaw torsion = fit_resistance(derivation.law_of(Motion::torsion).points, LengthScale::contact_radius);
   EXPECT_DOUBLE_EQ(p.torsion_friction->sd, std::sqrt(torsion.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.torsion_offset->sd, std::sqrt(torsion.covariance(1, 1)));
 }
@@ -285,7 +286,7 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
   }
   const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") +
                                ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
-  const std::string text = to_text(derivation.laws[Derivation::sliding]);
+  const std::string text = to_text(derivation.law_of(Motion::sliding));
   EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
 }
 
@@ -295,8 +296,8 @@ TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
   exact.noise = 0;
   ParameterSet set;
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
-  const ContactHistory& history = set.cases.front().history;
-  const auto said = [&] { return to_text(derive_parameters(set).laws[Derivation::sliding]); };
+  const History& history = set.cases.front().history;
+  const auto said = [&] { return to_text(derive_parameters(set).law_of(Motion::sliding)); };
   const double a = hertz.contact_radius(1e-3);
   double way = 0;  // of the steady parts there and back
   for (const double x : history.lateral_displacement) way = std::max(way, x);
@@ -317,7 +318,7 @@ TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_rever
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   SolvedCase& solved = set.cases.front();
   const double k = 8 * sliding_modulus(glass, silicon) * hertz.contact_radius(1e-3);
-  solved.result["effective"] = {{"lateral_stiffness", {{"value", k}, {"sd", 0.1 * k}}}};
+  solved.result->effective = {{"lateral_stiffness", {k, 0.1 * k, "N/m"}}};
   const ContactParameters p = derive_parameters(set).parameters;
   EXPECT_NEAR(p.lateral_stiffness->value / k, 1, 1e-9);
   EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
@@ -441,7 +442,7 @@ void write_case(const std::filesystem::path& folder, const SolvedCase& solved, c
       << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
          "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
       << solved.entries.text("Substrate/Topography") << "\nend\n";
-  nlohmann::ordered_json result = solved.result;
+  nlohmann::ordered_json result = solved.result->document;
   result["inputs"] = {{"friction_coefficient", friction}};
   if (finished) std::ofstream(folder / "result.json") << result.dump();
 }

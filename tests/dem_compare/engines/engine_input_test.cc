@@ -40,35 +40,33 @@ struct Found {
   double force = 0, stiffness = 0, limit = 0;
 };
 
-enum class Mode { sliding, rolling, torsion };
-
 /// The mode's own motion, prescribed at the overlap of a load: sliding at vx, pure rolling at vx = R omega_y, spin at omega_z.
 /// Rate such that the limit is reached in 500 of 2000 steps; the stiffness is read after 100.
-struct Motion {
+struct Rates {
   double vx = 0, omega_y = 0, omega_z = 0;
 };
 constexpr double time_step = 1e-9;
 
-Motion motion(const ContactParameters& p, double load, Mode mode) {
+Rates motion(const ContactParameters& p, double load, Motion mode) {
   const double per_limit = 500 * time_step, R = p.particle.radius;
   switch (mode) {
-    case Mode::sliding: return {p.sliding_limit(load) / p.lateral_stiffness_at(load) / per_limit, 0, 0};
-    case Mode::rolling: {
+    case Motion::sliding: return {p.sliding_limit(load) / p.lateral_stiffness_at(load) / per_limit, 0, 0};
+    case Motion::rolling: {
       const double omega = p.rolling_limit(load) / p.rolling_stiffness_at(load) / per_limit;
       return {R * omega, omega, 0};
     }
-    case Mode::torsion: return {0, 0, p.torsion_limit(load) / p.torsion_stiffness_at(load) / per_limit};
+    case Motion::torsion: return {0, 0, p.torsion_limit(load) / p.torsion_stiffness_at(load) / per_limit};
   }
   return {};
 }
 
-Found in_lammps(const ContactParameters& p, double load, Mode mode) {
+Found in_lammps(const ContactParameters& p, double load, Motion mode) {
   EngineInputOptions options;
   options.load = load;
-  const Motion m = motion(p, load, mode);
+  const Rates m = motion(p, load, mode);
   const double R = p.particle.radius;
-  const std::string measured = mode == Mode::sliding ? "-f_hold[1]" : mode == Mode::rolling ? "-c_ty[1]" : "-c_tz[1]";
-  const double rate = mode == Mode::sliding ? m.vx : mode == Mode::rolling ? m.omega_y : m.omega_z;
+  const std::string measured = mode == Motion::sliding ? "-f_hold[1]" : mode == Motion::rolling ? "-c_ty[1]" : "-c_tz[1]";
+  const double rate = mode == Motion::sliding ? m.vx : mode == Motion::rolling ? m.omega_y : m.omega_z;
   const std::string output = run_script(
       Lammps(), "units si\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
                 "region box block -2e-5 2e-5 -2e-5 2e-5 -1e-7 4e-5\ncreate_box 1 box\ncreate_atoms 1 single 0 0 " +
@@ -85,14 +83,14 @@ Found in_lammps(const ContactParameters& p, double load, Mode mode) {
 }
 
 /// As in_lammps; it has no torsion.
-Found in_liggghts(const ContactParameters& p, double load, Mode mode) {
+Found in_liggghts(const ContactParameters& p, double load, Motion mode) {
   EngineInputOptions options;
   options.load = load;
-  const Motion m = motion(p, load, mode);
+  const Rates m = motion(p, load, mode);
   // Its arm is R - delta/2: what rolls at R omega slides a little.
-  const double R = p.particle.radius, rate = mode == Mode::sliding ? m.vx : m.omega_y, vx = mode == Mode::sliding ? m.vx : m.omega_y * (R - p.hertz().approach(load) / 2);
+  const double R = p.particle.radius, rate = mode == Motion::sliding ? m.vx : m.omega_y, vx = mode == Motion::sliding ? m.vx : m.omega_y * (R - p.hertz().approach(load) / 2);
   const std::string input = engine_input("liggghts", p, options);
-  const std::string response = mode == Mode::sliding ? "-f_hold[1]" : "-c_ty[1]";
+  const std::string response = mode == Motion::sliding ? "-f_hold[1]" : "-c_ty[1]";
   const std::string output = run_script(
       Liggghts(), "hard_particles yes\natom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes\nunits si\n"
                   "region reg block -2e-5 2e-5 -2e-5 2e-5 -1e-7 4e-5 units box\ncreate_box 2 reg\nneighbor 1e-6 bin\nneigh_modify delay 0\n"
@@ -106,13 +104,13 @@ Found in_liggghts(const ContactParameters& p, double load, Mode mode) {
   return {number_after(output, "\nforce: "), number_after(output, "\nearly: ") / (rate * 100 * time_step), number_after(output, "\nlate: ")};
 }
 
-Found in_yade(const ContactParameters& p, double load, Mode mode) {
+Found in_yade(const ContactParameters& p, double load, Motion mode) {
   EngineInputOptions options;
   options.load = load;
-  const Motion m = motion(p, load, mode);
-  const double rate = mode == Mode::sliding ? m.vx : mode == Mode::rolling ? m.omega_y : m.omega_z;
-  const std::string measured = mode == Mode::sliding   ? "O.forces.f(b)[0]"
-                               : mode == Mode::rolling ? "contact().phys.momentBend.norm()"
+  const Rates m = motion(p, load, mode);
+  const double rate = mode == Motion::sliding ? m.vx : mode == Motion::rolling ? m.omega_y : m.omega_z;
+  const std::string measured = mode == Motion::sliding   ? "O.forces.f(b)[0]"
+                               : mode == Motion::rolling ? "contact().phys.momentBend.norm()"
                                                        : "O.forces.t(b)[2]";
   const std::string output = run_script(Yade(), "from yade import *\nimport os, sys\nR = " + text(p.particle.radius) + "\n" +
       engine_input("yade", p, options) +  // as it is pasted
@@ -138,15 +136,15 @@ void expect_round_trip(const char* engine, const Run& run, double tolerance, boo
   const ContactParameters p = record_with_offsets();
   const double low = 2e-4, high = 2e-3;
   struct Expected {
-    Mode mode;
+    Motion mode;
     double coefficient, offset;
     double (ContactParameters::*stiffness)(double) const;
   };
   const double R = p.particle.radius;
-  for (const Expected& e : {Expected{Mode::sliding, 0.23, 12e-6, &ContactParameters::lateral_stiffness_at},
-                            Expected{Mode::rolling, 7.9e-4 * R, 571.4e-6, &ContactParameters::rolling_stiffness_at},
-                            Expected{Mode::torsion, 0.0056 * R, 40e-6, &ContactParameters::torsion_stiffness_at}}) {
-    if (e.mode == Mode::torsion && !has_torsion) continue;
+  for (const Expected& e : {Expected{Motion::sliding, 0.23, 12e-6, &ContactParameters::lateral_stiffness_at},
+                            Expected{Motion::rolling, 7.9e-4 * R, 571.4e-6, &ContactParameters::rolling_stiffness_at},
+                            Expected{Motion::torsion, 0.0056 * R, 40e-6, &ContactParameters::torsion_stiffness_at}}) {
+    if (e.mode == Motion::torsion && !has_torsion) continue;
     const Found at_low = run(p, low, e.mode), at_high = run(p, high, e.mode);
     for (const double ratio :
          {at_low.force / low, at_high.force / high, at_low.stiffness / (p.*e.stiffness)(low),

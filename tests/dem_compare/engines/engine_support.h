@@ -32,7 +32,7 @@ class Liggghts : public Lammps {
 };
 
 /// The canonical contact (100 uN, mu = 0.23) in one of the experiments.
-inline EngineExperiment canonical_experiment(EngineExperiment::Type type) {
+inline EngineExperiment canonical_experiment(Motion type) {
   EngineExperiment e;
   e.type = type;
   e.substrate = canonical_contact();
@@ -44,7 +44,7 @@ inline EngineExperiment canonical_experiment(EngineExperiment::Type type) {
 /// the particle's radius; sliding coefficient of the rough wafer.
 inline EngineExperiment rail_experiment(double degrees) {
   static const std::map<double, double> rolling{{25, 3.602e-4}, {45, 3.146e-4}, {60, 2.960e-4}};
-  EngineExperiment e = canonical_experiment(EngineExperiment::Type::rail);
+  EngineExperiment e = canonical_experiment(Motion::rail);
   e.load = 5e-4;
   e.amplitude = 20e-9;
   e.rail_angle = degrees * std::acos(-1.0) / 180;

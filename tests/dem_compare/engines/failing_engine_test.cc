@@ -13,7 +13,6 @@ using test::canonical_experiment;
 using test::message_of;
 using test::rail_experiment;
 using test::TemporaryFolder;
-using Type = EngineExperiment::Type;
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
@@ -26,7 +25,7 @@ std::string message(const Engine& engine, const std::string& shell, std::chrono:
   options.program = fake.string();
   options.time_limit = limit;
   const std::string text = message_of<WorkError>(
-      [&] { run_engine(engine, canonical_experiment(Type::glued), folder.path / "run", options); });
+      [&] { run_engine(engine, canonical_experiment(Motion::sliding), folder.path / "run", options); });
   EXPECT_EQ(text.find('\n'), std::string::npos) << text;
   return text;
 }
@@ -36,7 +35,7 @@ TEST(FailingEngine_behaviour, that_is_missing_is_named_with_the_package_to_insta
   options.program = "no-such-engine";
   const TemporaryFolder folder;
   const std::string text = message_of<WorkError>(
-      [&] { run_engine(Lammps(), canonical_experiment(Type::glued), folder.path, options); });
+      [&] { run_engine(Lammps(), canonical_experiment(Motion::sliding), folder.path, options); });
   EXPECT_EQ(text, "LAMMPS is missing: there is no program 'no-such-engine'; install it with 'apt-get install lammps' or "
                   "'./quickstart --engines', or name it with --program");
 }
@@ -84,7 +83,7 @@ TEST(FailingEngine_behaviour, name_that_is_misspelt_is_corrected) {
 }
 
 TEST(EnginePlan_behaviour, refuses_an_amplitude_that_does_not_reach_sliding) {
-  EngineExperiment e = canonical_experiment(Type::glued);
+  EngineExperiment e = canonical_experiment(Motion::sliding);
   e.amplitude = 1e-9;
   EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "an amplitude of 1 nm does not reach all the limits");
 }
@@ -96,7 +95,7 @@ TEST(EnginePlan_behaviour, asks_for_a_rail_long_enough_for_soft_torsion_to_reach
 }
 
 TEST(EnginePlan_behaviour, says_which_quantity_an_experiment_lacks) {
-  EngineExperiment e = canonical_experiment(Type::rolling);
+  EngineExperiment e = canonical_experiment(Motion::rolling);
   e.indenter.rolling_friction.reset();
   EXPECT_CONTAINS(message_of<InputError>([&] { plan_motion(e); }), "has no 'rolling_friction'");
   e.substrate.particle.density = std::nan("");

@@ -10,7 +10,6 @@ using test::canonical_experiment;
 using test::expect_closed_form;
 using test::rail_experiment;
 using test::run;
-using Type = EngineExperiment::Type;
 
 constexpr double asked = 0.01;       // of every engine against its law
 constexpr double last_digit = 5e-6;  // figures are given to five or six digits
@@ -40,7 +39,7 @@ class EditedLammps : public Lammps {
 TEST(Lammps_other_code, sliding_loop_has_mindlins_slope_coulombs_plateau_and_hertz_approach) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  const EngineRun r = run(lammps, canonical_experiment(Type::glued));
+  const EngineRun r = run(lammps, canonical_experiment(Motion::sliding));
   expect_closed_form("sliding loop", r, asked);
   const std::string slope = "8 G* a, 21645.1 N/m";
   EXPECT_TRUE(lammps_against(slope, "sliding loop: slope at the start")
@@ -58,7 +57,7 @@ TEST(Lammps_other_code, sliding_loop_has_mindlins_slope_coulombs_plateau_and_her
 TEST(Lammps_other_code, sliding_loop_with_the_fitted_shear_modulus_has_the_published_slope) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  EngineExperiment e = canonical_experiment(Type::glued);
+  EngineExperiment e = canonical_experiment(Motion::sliding);
   e.substrate.reduced_shear_modulus->value = 1.2096e9;
   const EngineRun r = run(lammps, e);
   expect_closed_form("sliding loop with the fitted shear modulus", r, asked);
@@ -70,7 +69,7 @@ TEST(Lammps_other_code, all_mindlin_styles_agree_at_constant_load) {
   ASPERITY_ENGINE_OR_SKIP(lammps);
   for (const char* style : {"mindlin/force", "mindlin_rescale", "mindlin_rescale/force"}) {
     lammps.tangential_style = style;
-    const EngineRun r = run(lammps, canonical_experiment(Type::glued));
+    const EngineRun r = run(lammps, canonical_experiment(Motion::sliding));
     EXPECT_NEAR(value(r, "slope after reversal"), 21645.1, 21645.1 * last_digit) << style;
     EXPECT_NEAR(value(r, "plateau"), 23e-6, 23e-6 * last_digit) << style;
   }
@@ -79,7 +78,7 @@ TEST(Lammps_other_code, all_mindlin_styles_agree_at_constant_load) {
 TEST(Lammps_other_code, ten_times_the_speed_changes_neither_slope_nor_plateau) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  EngineExperiment e = canonical_experiment(Type::glued);
+  EngineExperiment e = canonical_experiment(Motion::sliding);
   e.haste = 10;
   const EngineRun r = run(lammps, e);
   EXPECT_NEAR(value(r, "slope after reversal"), 21645.1, 21645.1 * last_digit);
@@ -89,7 +88,7 @@ TEST(Lammps_other_code, ten_times_the_speed_changes_neither_slope_nor_plateau) {
 TEST(Lammps_other_code, rolling_sphere_needs_half_the_sum_of_both_coefficients_and_travels_half_as_far_as_the_plate) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  EngineExperiment e = canonical_experiment(Type::rolling);
+  EngineExperiment e = canonical_experiment(Motion::rolling);
   e.amplitude = 50e-9;
   const EngineRun r = run(lammps, e);
   expect_closed_form("rolling", r, asked);
@@ -127,7 +126,7 @@ TEST(Lammps_other_code, soft_springs_of_rolling_and_torsion_are_measured_as_exac
 TEST(Lammps_other_code, twisting_sds_takes_stiffness_per_radian_and_a_limit_with_a_length_in_it) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  const EngineExperiment e = canonical_experiment(Type::twisting);
+  const EngineExperiment e = canonical_experiment(Motion::torsion);
   const EngineRun r = run(lammps, e);
   expect_closed_form("twisting", r, asked);
   EXPECT_NEAR(value(r, "plateau"), 0.0056 * 8.5e-6 * 1e-4, 1e-4 * 4.76e-12);
@@ -139,7 +138,7 @@ TEST(Lammps_other_code, a_twist_that_turns_at_its_limit_comes_back_along_the_spr
   ASPERITY_ENGINE_OR_SKIP(lammps);
   // With a set-up of LAMMPS at the turning point, the first of these jumps to the other limit at once.
   for (const double friction : {3.10498470997e-8 / 8.5e-6, 3.2e-3, 3.3e-3, 3.4e-3}) {
-    EngineExperiment e = canonical_experiment(Type::twisting);
+    EngineExperiment e = canonical_experiment(Motion::torsion);
     e.substrate.reduced_modulus->value = 52.868387707575e9;
     e.substrate.torsion_stiffness = EffectiveQuantity{1.56385178098e-6};
     e.substrate.torsion_stiffness->length_scale = LengthScale::particle_radius;
@@ -153,7 +152,7 @@ TEST(Lammps_other_code, twisting_marshall_is_softer_than_no_slip_and_stronger_th
   Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
   lammps.marshall = true;
-  EngineExperiment e = canonical_experiment(Type::twisting);
+  EngineExperiment e = canonical_experiment(Motion::torsion);
   // Its own stiffness and limit, so that the plan spins it far enough.
   const double a = e.substrate.contact_radius(1e-4);
   e.substrate.torsion_stiffness->value = 0.5 * e.substrate.lateral_stiffness_at(1e-4) * a * a;
@@ -167,7 +166,7 @@ TEST(Lammps_other_code, twisting_marshall_is_softer_than_no_slip_and_stronger_th
 TEST(Lammps_other_code, walls_mix_moduli_wrongly_so_that_4_3_of_E_and_8_G_are_given) {
   const EditedLammps lammps("zplane", "granular hertz/material 71e9 2e14 0.17 tangential mindlin NULL 0 0.23");
   ASPERITY_ENGINE_OR_SKIP(lammps);
-  EngineExperiment quartz = canonical_experiment(Type::glued);
+  EngineExperiment quartz = canonical_experiment(Motion::sliding);
   quartz.substrate.reduced_modulus->value = 36.5565e9;
   quartz.substrate.reduced_shear_modulus->value = 8.2901e9;
   const EngineRun wrong = run(lammps, quartz);
@@ -181,10 +180,10 @@ TEST(Lammps_other_code, adhesion_of_walls_is_lost_with_dmt_and_shared_by_all_mod
   const EditedLammps dmt("zplane", "granular dmt 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
   const EditedLammps jkr("zplane", "granular jkr 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
   ASPERITY_ENGINE_OR_SKIP(dmt);
-  const EngineRun lost = run(dmt, canonical_experiment(Type::glued));
+  const EngineRun lost = run(dmt, canonical_experiment(Motion::sliding));
   if (lost.version.find("29 Sep 2021") == std::string::npos) GTEST_SKIP() << "LAMMPS " << lost.version << " has mended it";
   EXPECT_NEAR(value(lost, "plateau"), 23.0e-6, 0.05e-6);
-  EXPECT_NEAR(value(run(jkr, canonical_experiment(Type::glued)), "plateau"), 27.14e-6, 0.05e-6);  // mu (f + 2 * 3 pi gamma R)
+  EXPECT_NEAR(value(run(jkr, canonical_experiment(Motion::sliding)), "plateau"), 27.14e-6, 0.05e-6);  // mu (f + 2 * 3 pi gamma R)
 }
 
 /// Two spheres of different types, overlapping; the force between them.

@@ -11,7 +11,6 @@ using test::expect_closed_form;
 using test::number_after;
 using test::rail_experiment;
 using test::run;
-using Type = EngineExperiment::Type;
 
 constexpr double asked = 0.01;  // of every engine against its law
 
@@ -24,7 +23,7 @@ double value(const EngineRun& r, const std::string& name) { return named(r.measu
 TEST(Yade_other_code, sliding_loop_has_mindlins_slope_and_coulombs_plateau) {
   const Yade yade;
   ASPERITY_ENGINE_OR_SKIP(yade);
-  const EngineRun r = run(yade, canonical_experiment(Type::glued));
+  const EngineRun r = run(yade, canonical_experiment(Motion::sliding));
   expect_closed_form("sliding loop", r, asked);
   const double slope = value(r, "slope after reversal") / 21645.1, plateau = value(r, "plateau") / 23e-6;
   EXPECT_TRUE(
@@ -36,13 +35,13 @@ TEST(Yade_other_code, sliding_loop_has_mindlins_slope_and_coulombs_plateau) {
 TEST(Yade_other_code, twisting_follows_its_spring_up_to_the_limit_laid_on_it) {
   const Yade yade;
   ASPERITY_ENGINE_OR_SKIP(yade);
-  expect_closed_form("twisting", run(yade, canonical_experiment(Type::twisting)), asked);
+  expect_closed_form("twisting", run(yade, canonical_experiment(Motion::torsion)), asked);
 }
 
 TEST(Yade_other_code, rolling_sphere_needs_half_the_sum_of_both_coefficients) {
   const Yade yade;
   ASPERITY_ENGINE_OR_SKIP(yade);
-  EngineExperiment e = canonical_experiment(Type::rolling);
+  EngineExperiment e = canonical_experiment(Motion::rolling);
   e.amplitude = 20e-9;
   const EngineRun r = run(yade, e);
   expect_closed_form("rolling", r, asked);
@@ -59,7 +58,7 @@ TEST(Yade_other_code, rail_coefficient_is_that_of_the_torque_balance) {
 TEST(YadeNightly_other_code, long_loops_and_all_rails_follow_the_law) {
   const Yade yade;
   ASPERITY_ENGINE_OR_SKIP(yade);
-  expect_closed_form("rolling, long loop", run(yade, canonical_experiment(Type::rolling)), asked);
+  expect_closed_form("rolling, long loop", run(yade, canonical_experiment(Motion::rolling)), asked);
   for (const int angle : {25, 60})
     expect_closed_form("rail at " + std::to_string(angle) + " degrees", run(yade, rail_experiment(angle)),
                        asked);

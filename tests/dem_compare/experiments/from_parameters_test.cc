@@ -44,7 +44,7 @@ ContactParameters silicon() { return parameters(52.8684e9, 11.7989e9); }
 ContactParameters diamond() { return parameters(68.7268e9, 15.6407e9); }
 
 /// The two ways to the same numbers: increments of equilibrium here, closed form in engines/experiment.h.
-void expect_closed_form(EngineExperiment::Type type, const SingleParticle& particle, double angle = 0) {
+void expect_closed_form(Motion type, const SingleParticle& particle, double angle = 0) {
   EngineExperiment experiment;
   experiment.type = type;
   experiment.substrate = silicon();
@@ -62,14 +62,14 @@ void expect_closed_form(EngineExperiment::Type type, const SingleParticle& parti
 
 TEST(FromParameters_analytic, glued_and_rolling_spheres_agree_with_the_closed_form) {
   const ContactModel below = contact_model(silicon()), above = contact_model(diamond());
-  expect_closed_form(EngineExperiment::Type::glued, glued_sphere(below));
-  expect_closed_form(EngineExperiment::Type::rolling, rolling_sphere(below, above));
+  expect_closed_form(Motion::sliding, glued_sphere(below));
+  expect_closed_form(Motion::rolling, rolling_sphere(below, above));
 }
 
 TEST(FromParameters_analytic, a_sphere_in_a_rail_agrees_with_the_closed_form_at_every_angle) {
   for (const double degrees : {25.0, 45.0, 60.0}) {
     const double angle = degrees * boost::math::double_constants::degree;
-    expect_closed_form(EngineExperiment::Type::rail,
+    expect_closed_form(Motion::rail,
                        sphere_in_rail(contact_model(silicon()), contact_model(diamond()), angle), angle);
   }
 }

@@ -110,8 +110,8 @@ TEST(RollingSphere_analytic, lateral_force_is_the_mean_rolling_coefficient_times
 
 TEST(RollingSphere_analytic, with_the_true_lever_arms_the_balance_of_moments_gives_the_force) {
   StandardContact below = on_silicon(), above = on_diamond();
-  below.rolling = {7.9e-4, 571.4e-6, RotationLength::contact_radius};
-  above.rolling = {4.6e-4, 1398e-6, RotationLength::particle_radius};
+  below.rolling = {7.9e-4, 571.4e-6, LengthScale::contact_radius};
+  above.rolling = {4.6e-4, 1398e-6, LengthScale::particle_radius};
   LoopProgram program;
   program.normal_load = 1e-3;
   const FrictionLoop loop = simulate_rolling_sphere(model_of(below), model_of(above), program);

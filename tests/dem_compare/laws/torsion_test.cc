@@ -2,7 +2,7 @@
 
 #include "core/csv.h"
 #include "core/error.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/rolling_resistance.h"
 #include "dem_compare/laws/shear_moduli.h"
@@ -156,8 +156,8 @@ TEST(Torsion_analytic, the_papers_stiffness_is_a_thousand_times_the_physical_one
 }
 
 TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and_offset) {
-  for (const RotationLength scale : {RotationLength::particle_radius, RotationLength::contact_radius}) {
-    const double lambda = scale == RotationLength::particle_radius ? lever : normal.contact_radius;
+  for (const LengthScale scale : {LengthScale::particle_radius, LengthScale::contact_radius}) {
+    const double lambda = scale == LengthScale::particle_radius ? lever : normal.contact_radius;
     const TorsionResistance torsion{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
     TorsionResistance::History history = torsion.advance({}, normal, lever, -1e-6);
     EXPECT_NEAR(history.resistance / -1e-15, 1, 1e-14);
@@ -168,7 +168,7 @@ TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and
 }
 
 TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) {
-  const RollingResistance rolling{7.9e-4, 571.4e-6, RotationLength::particle_radius,
+  const RollingResistance rolling{7.9e-4, 571.4e-6, LengthScale::particle_radius,
                                   {RotationalStiffness::Kind::tangential_spring, 11.7989e9}};
   const Eigen::Vector3d axis = Eigen::Vector3d(3, 4, 0) / 5;
   const RollingResistance::History history = rolling.advance({}, normal, lever, 0.1 * axis);
@@ -176,7 +176,7 @@ TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) 
 }
 
 TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
-  const RollingResistance rolling{7.9e-4, -2e-4, RotationLength::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
+  const RollingResistance rolling{7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
   EXPECT_EQ(rolling.advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
 }
 
@@ -192,11 +192,11 @@ TEST(Rolling_analytic, stiffness_of_each_kind_follows_from_its_value) {
 
 TEST(Rolling_analytic, limit_takes_the_radius_of_the_particle_or_of_the_contact) {
   const NormalState contact{0, 4, 2, 0, true};
-  RollingResistance rolling{0.5, 2, RotationLength::particle_radius, {}};
+  RollingResistance rolling{0.5, 2, LengthScale::particle_radius, {}};
   EXPECT_EQ(rolling.limit(contact, 10), 0.5 * 10 * (4 + 2));
-  rolling.length = RotationLength::contact_radius;
+  rolling.length = LengthScale::contact_radius;
   EXPECT_EQ(rolling.limit(contact, 10), 0.5 * 2 * (4 + 2));
-  TorsionResistance torsion{0.5, 2, RotationLength::contact_radius, {}};
+  TorsionResistance torsion{0.5, 2, LengthScale::contact_radius, {}};
   EXPECT_EQ(torsion.limit(contact, 10), 0.5 * 2 * (4 + 2));
   torsion.adhesion_force = -5;
   EXPECT_EQ(torsion.limit(contact, 10), 0);
@@ -204,8 +204,8 @@ TEST(Rolling_analytic, limit_takes_the_radius_of_the_particle_or_of_the_contact)
 
 TEST(Rolling_behaviour, a_contact_that_opened_forgets_its_moment) {
   const RotationalStiffness spring{RotationalStiffness::Kind::constant, 1e-9};
-  const RollingResistance rolling{0.1, 0, RotationLength::particle_radius, spring};
-  const TorsionResistance torsion{0.1, 0, RotationLength::particle_radius, spring};
+  const RollingResistance rolling{0.1, 0, LengthScale::particle_radius, spring};
+  const TorsionResistance torsion{0.1, 0, LengthScale::particle_radius, spring};
   const NormalState open{};
   const auto rolled = rolling.advance({}, normal, lever, 1e-3 * Eigen::Vector3d::UnitY());
   const auto twisted = torsion.advance({}, normal, lever, 1e-3);

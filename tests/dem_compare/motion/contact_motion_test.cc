@@ -195,9 +195,9 @@ ContactModel sample_model() {
   ContactModel model;
   model.normal = HertzOffset{reduced_modulus(sphere, plane), radius, 3.2e-6};
   model.sliding = MindlinDeresiewicz{sliding_modulus(sphere, plane), radius, {0.23, 12e-6}};
-  model.rolling = {7.9e-4, 571e-6, RotationLength::particle_radius,
+  model.rolling = {7.9e-4, 571e-6, LengthScale::particle_radius,
                    {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
-  model.torsion = {0.0056, 0, RotationLength::particle_radius,
+  model.torsion = {0.0056, 0, LengthScale::particle_radius,
                    {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
   return model;
 }

@@ -80,7 +80,7 @@ bool says(const std::vector<std::string>& sentences, const std::string& part) {
                      [&](const auto& text) { return text.find(part) != std::string::npos; });
 }
 
-TEST(ResistanceLength_analytic, moments_that_follow_the_contact_radius_are_told_to) {
+TEST(LengthScale_analytic, moments_that_follow_the_contact_radius_are_told_to) {
   const Study study(scaled(true));
   ASSERT_EQ(study.findings.lengths.size(), 1u);
   const LengthAnswer& answer = study.findings.lengths.front();
@@ -94,13 +94,13 @@ TEST(ResistanceLength_analytic, moments_that_follow_the_contact_radius_are_told_
   EXPECT_NE(answers(study.findings).headline.find("Length of rolling resistance: lambda = a"), std::string::npos);
 }
 
-TEST(ResistanceLength_analytic, moments_that_follow_the_particle_radius_are_told_to) {
+TEST(LengthScale_analytic, moments_that_follow_the_particle_radius_are_told_to) {
   const Study study(scaled(false));
   ASSERT_EQ(study.findings.lengths.size(), 1u);
   EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::particle_radius);
 }
 
-TEST(ResistanceLength_analytic, moments_that_follow_neither_are_not_pressed_into_one) {
+TEST(LengthScale_analytic, moments_that_follow_neither_are_not_pressed_into_one) {
   auto entries = scaled(true);
   for (auto& entry : entries) {  // M ~ P^(5/3) R^(2/3)
     const double moment = 1e-3 * entry.made.load * std::pow(entry.made.contact_radius(), 2) / 1e-7;
@@ -110,7 +110,7 @@ TEST(ResistanceLength_analytic, moments_that_follow_neither_are_not_pressed_into
 }
 
 /// M ~ R^0.85 at three loads with M ~ P: no length, but nearer the particle's radius.
-TEST(ResistanceLength_analytic, of_a_length_that_is_neither_the_better_one_is_named) {
+TEST(LengthScale_analytic, of_a_length_that_is_neither_the_better_one_is_named) {
   auto entries = scaled(false);
   for (auto& entry : entries) {
     const double moment = 1e-3 * entry.made.load * 8.5e-6 * std::pow(entry.made.radius / 8.5e-6, 0.85);
@@ -122,7 +122,7 @@ TEST(ResistanceLength_analytic, of_a_length_that_is_neither_the_better_one_is_na
       << answers(study.findings).headline;
 }
 
-TEST(ResistanceLength_analytic, bonds_along_a_smooth_rim_are_neither_and_known_by_their_exponents) {
+TEST(LengthScale_analytic, bonds_along_a_smooth_rim_are_neither_and_known_by_their_exponents) {
   auto entries = scaled(true);
   for (auto& entry : entries) {
     entry.made.friction = entry.made.plastic = 0;
@@ -135,7 +135,7 @@ TEST(ResistanceLength_analytic, bonds_along_a_smooth_rim_are_neither_and_known_b
     EXPECT_LT(std::abs(exponent.from_bonds()), 3) << exponent.over << " " << exponent.what;
 }
 
-TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
+TEST(LengthScale_analytic, two_loads_close_together_cannot_tell) {
   std::vector<StudyEntry> entries;
   for (const double load : {1e-4, 1.2e-4}) {
     MovingFolder made = rolling(load, 1e-13 * load / 1e-4, load > 1e-4 ? 1 : 2);
@@ -148,7 +148,7 @@ TEST(ResistanceLength_analytic, two_loads_close_together_cannot_tell) {
   EXPECT_TRUE(says(answers(study.findings).length, "cannot tell"));
 }
 
-TEST(ResistanceLength_analytic, an_offset_does_not_pass_for_another_length) {
+TEST(LengthScale_analytic, an_offset_does_not_pass_for_another_length) {
   // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is lambda =
   // a all the same.
   auto entries = scaled(true);

@@ -10,7 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
-#include "dem_compare/laws/hertz.h"
+#include "core/hertz.h"
 
 namespace asperity::test {
 

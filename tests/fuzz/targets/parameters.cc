@@ -4,9 +4,9 @@
 #include "core/json_text.h"
 #include "core/motion_program.h"
 #include "core/quantity.h"
-#include "dem_compare/contact_history.h"
+#include "results/history.h"
 #include "dem_compare/contact_parameters.h"
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 #include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 #include "tests/fuzz/targets.h"
@@ -43,12 +43,12 @@ void read_parameters(const std::string& bytes) {
 
 void read_history_file(const std::string& bytes) {
   const FileInMemory file("history.csv", bytes);
-  const ContactHistory history = read_history(file.path);
+  const History history = read_history(file.path);
   history_branches(history);
 }
 
 void read_result_file(const std::string& bytes) {
-  ContactHistory history;
+  History history;
   const FileInMemory table("history.csv", format_history(history)), result("result.json", bytes);
   read_solved_case(result.folder);
 }

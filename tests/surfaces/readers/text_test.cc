@@ -1,3 +1,4 @@
+#include "surfaces/readers/text_parts.h"
 #include "tests/surfaces/readers/stored_files.h"
 
 using namespace asperity;
@@ -21,6 +22,12 @@ std::string points(const std::string& header = "# Lateral units: um\n# Value uni
 }
 
 }  // namespace
+
+TEST(Trimmed_text_behaviour, takes_no_break_spaces_for_blanks_and_those_at_the_ends_away) {
+  EXPECT_EQ(trimmed_text("2.5\u00a0um"), "2.5 um");
+  EXPECT_EQ(trimmed_text("\u00a0 \t2.5\u00a0\u00a0um\u00a0"), "2.5  um");
+  EXPECT_EQ(trimmed_text("\u00a0"), "");
+}
 
 TEST(Text_matrix_behaviour, of_gwyddion_is_read_with_its_first_line_on_top) {
   const Topography map = read_text(gwyddion_header + rows);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "dem_compare/contact_key.h"
+#include "results/contact_key.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "dem_compare/surface_text.h"
+#include "results/surface_text.h"
 
 namespace asperity {
 namespace {
@@ -99,8 +99,8 @@ ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
 ContactInputs contact_inputs(const SolvedCase& solved) {
   if (!solved.lists_physical_entries()) return inputs_of_earlier_version(solved);
   ContactInputs inputs;
-  for (const auto& path : solved.physical_entries)
-    if (!is_of_section(path, "Experiment")) add_canonical(solved, path, solved.entries.text(path), inputs);
+  for (const auto& [path, text] : solved.result->physical_entries)
+    if (!is_of_section(path, "Experiment")) add_canonical(solved, path, text, inputs);
   return inputs;
 }
 

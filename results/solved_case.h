@@ -3,14 +3,15 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/motion.h"
 #include "core/quantity.h"
-#include "dem_compare/contact_history.h"
-#include "dem_compare/laws/hertz.h"
+#include "results/case_result.h"
+#include "results/history.h"
+#include "core/hertz.h"
 
 namespace asperity {
 
@@ -31,25 +32,20 @@ class CaseEntries {
   std::map<std::string, std::string> entries_;
 };
 
-/// A number of `effective` in result.json; NaN where it is not there.
-struct EffectiveNumber {
-  double value, sd;
-};
-
 struct SolvedCase {
   std::filesystem::path folder;
   CaseEntries entries;
-  nlohmann::ordered_json result;  ///< null as long as the case is not finished
-  ContactHistory history;
-  /// "Section/Entry" of the entries that decide the answer, as result.json lists them; empty for a result of an earlier version.
-  std::vector<std::string> physical_entries;
+  std::optional<CaseResult> result;  ///< empty as long as the case is not finished
+  History history;
 
   std::string title() const;
-  bool finished() const { return !result.is_null(); }
-  bool lists_physical_entries() const { return !physical_entries.empty(); }
+  bool finished() const { return result.has_value(); }
+  bool lists_physical_entries() const { return finished() && !result->physical_entries.empty(); }
+  /// What moved it. Throws InputError for a name that is none.
+  Motion motion() const;
   /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it does not.
   double open_energy() const;
-  EffectiveNumber effective(const char* name) const;
+  EffectiveNumber effective(const std::string& name) const { return finished() ? result->effective_number(name) : EffectiveNumber{}; }
   ElasticBody particle() const { return body("Particle"); }
   ElasticBody substrate() const { return body("Substrate"); }
   /// Both bodies smooth and elastic.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "dem_compare/energy_balance.h"
+#include "results/energy_balance.h"
 
 #include "core/error.h"
 #include "core/written_apart.h"

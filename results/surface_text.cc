@@ -1,4 +1,4 @@
-#include "dem_compare/surface_text.h"
+#include "results/surface_text.h"
 
 #include <regex>
 

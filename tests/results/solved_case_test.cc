@@ -1,10 +1,13 @@
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -16,7 +19,7 @@ class SolvedCaseFolder_behaviour : public testing::Test {
   void SetUp() override {
     folder = fs::temp_directory_path() / ("asperity-solved-case-" + std::to_string(::getpid()));
     fs::create_directories(folder);
-    ContactHistory history;
+    History history;
     for (const auto& column : history_columns()) history.*column.values = {1.5, 2.5};
     write_file_atomically(folder / "history.csv", format_history(history));
   }
@@ -29,22 +32,6 @@ class SolvedCaseFolder_behaviour : public testing::Test {
   }
   fs::path folder;
 };
-
-TEST_F(SolvedCaseFolder_behaviour, a_history_is_read_as_it_was_written) {
-  const ContactHistory history = read_history(folder / "history.csv");
-  for (const auto& column : history_columns()) EXPECT_EQ(history.*column.values, (std::vector<double>{1.5, 2.5}));
-}
-
-TEST_F(SolvedCaseFolder_behaviour, a_history_without_a_column_is_refused_by_file_and_column) {
-  write_file_atomically(folder / "history.csv", "step,time [s]\n1,2\n");
-  try {
-    read_history(folder / "history.csv");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("history.csv"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("normal_displacement [m]"), std::string::npos);
-  }
-}
 
 TEST_F(SolvedCaseFolder_behaviour, an_unfinished_case_is_known_from_its_case_file) {
   write_prm();
@@ -73,6 +60,20 @@ TEST_F(SolvedCaseFolder_behaviour, without_its_case_file_a_result_knows_its_inpu
   EXPECT_EQ(solved.interface_spacing(), 5e-9);
   EXPECT_TRUE(solved.is_rough());
   EXPECT_FALSE(solved.can_yield());
+}
+
+TEST_F(SolvedCaseFolder_behaviour, a_result_with_a_part_of_another_kind_is_refused_by_its_name) {
+  write_prm();
+  const auto refusal = [&](const char* text) {
+    write_file_atomically(folder / "result.json", text);
+    return test::message_of<InputError>([&] { read_solved_case(folder); });
+  };
+  EXPECT_NE(refusal(R"({"format": true})").find("result.json: 'format' is no text"), std::string::npos);
+  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "title": 3})").find("'title' is no text"), std::string::npos);
+  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "mesh": []})").find("'mesh' is no object"), std::string::npos);
+  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "complete": 1})").find("'complete' is no true or false"), std::string::npos);
+  write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1", "mesh": {"interface_spacing": {"value": "5 nm"}}})");
+  EXPECT_TRUE(std::isnan(read_solved_case(folder).interface_spacing())) << "a text is no number";
 }
 
 TEST_F(SolvedCaseFolder_behaviour, a_folder_without_inputs_or_with_a_broken_result_is_refused) {

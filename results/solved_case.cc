@@ -1,4 +1,4 @@
-#include "dem_compare/solved_case.h"
+#include "results/solved_case.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +30,8 @@ const std::vector<std::pair<const char*, const char*>>& result_names() {
 std::string entry_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 /// Inputs of a result as entries; a number is in SI units.
-void add_result_inputs(const Json& result, Entries& entries) {
-  const Json inputs = result.value("inputs", Json::object());
+void add_result_inputs(const CaseResult& result, Entries& entries) {
+  const Json inputs = result.document.value("inputs", Json::object());
   for (const auto& [body, section] : {std::pair{"particle", "Particle/"}, std::pair{"substrate", "Substrate/"}})
     for (const auto& [name, entry] : result_names())
       if (inputs.contains(body) && inputs[body].contains(name)) entries[std::string(section) + entry] = entry_text(inputs[body][name]);
@@ -42,29 +42,7 @@ void add_result_inputs(const Json& result, Entries& entries) {
                                     std::pair{"work_of_adhesion", "Work of adhesion"}, std::pair{"opening_work", "Opening work"},
                                     std::pair{"adhesion_law", "Adhesion law"}, std::pair{"adhesion_range", "Adhesion range"}})
     if (inputs.contains(name)) entries[std::string("Interface/") + entry] = entry_text(inputs[name]);
-  if (!result.value("title", "").empty()) entries["Title"] = result["title"].get<std::string>();
-}
-
-/// What was solved, as it was written: case.prm beside it may have been changed since.
-std::vector<std::string> add_listed_entries(const Json& result, Entries& entries) {
-  std::vector<std::string> listed;
-  if (!result.contains("inputs") || !result["inputs"].contains("entries") || !result["inputs"]["entries"].is_object()) return listed;
-  for (const auto& [path, text] : result["inputs"]["entries"].items()) {
-    entries[path] = entry_text(text);
-    listed.push_back(path);
-  }
-  return listed;
-}
-
-Json read_result(const fs::path& file) {
-  if (!fs::exists(file)) return nullptr;
-  Json result = json_if_valid(read_file(file));
-  if (!result.is_object())
-    throw InputError(file.string() + ": is not valid JSON; solve the case again, or remove the file");
-  if (result.value("format", "") != "asperity-result/1")
-    throw InputError(file.string() + ": has the format '" + result.value("format", "") +
-                     "' where this program reads 'asperity-result/1'");
-  return result.value("complete", true) ? result : Json(nullptr);
+  if (!result.title.empty()) entries["Title"] = result.title;
 }
 
 }  // namespace
@@ -116,28 +94,20 @@ bool SolvedCase::can_yield() const {
 }
 
 double SolvedCase::interface_spacing() const {
-  if (finished() && result.contains("mesh") && result["mesh"].contains("interface_spacing")) {
-    const Json& spacing = result["mesh"]["interface_spacing"];
-    if (spacing.is_number()) return spacing.get<double>();
-    if (spacing.is_object() && spacing.contains("value")) return spacing["value"].get<double>();
-  }
+  if (finished() && std::isfinite(result->interface_spacing)) return result->interface_spacing;
   const double asked = entries.quantity("Mesh/Interface spacing", Dimension::length, 0);
   return asked > 0 ? asked : std::numeric_limits<double>::quiet_NaN();
 }
 
 double SolvedCase::open_energy() const {
-  if (!finished() || !result.contains("balance") || !result["balance"].contains("energy")) return std::numeric_limits<double>::quiet_NaN();
-  const Json& energy = result["balance"]["energy"];
-  const Json& value = energy.is_object() && energy.contains("value") ? energy["value"] : energy;
-  return value.is_number() ? std::abs(value.get<double>()) : std::numeric_limits<double>::quiet_NaN();
+  return finished() ? std::abs(result->balance_of("energy")) : std::numeric_limits<double>::quiet_NaN();
 }
 
-EffectiveNumber SolvedCase::effective(const char* name) const {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  if (!finished() || !result.contains("effective") || !result["effective"].contains(name)) return {none, none};
-  const Json& entry = result["effective"][name];
-  const auto number = [&](const char* key) { return entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : none; };
-  return {number("value"), number("sd")};
+Motion SolvedCase::motion() const {
+  const std::string name = finished() && !result->experiment.empty() ? result->experiment : entries.text("Experiment/Type", "normal");
+  const auto motion = motion_named(name);
+  if (!motion) throw InputError(folder.string() + ": there is no experiment '" + name + "'; its result.json or case.prm was changed");
+  return *motion;
 }
 
 bool is_case_folder(const fs::path& folder) { return fs::exists(folder / "history.csv"); }
@@ -148,13 +118,15 @@ SolvedCase read_solved_case(const fs::path& folder) {
   SolvedCase solved;
   solved.folder = folder;
   solved.history = read_history(folder / "history.csv");
-  solved.result = read_result(folder / "result.json");
+  solved.result = read_case_result(folder / "result.json");
   Entries entries;
-  if (solved.finished()) add_result_inputs(solved.result, entries);
+  if (solved.finished()) add_result_inputs(*solved.result, entries);
   // What people wrote reads better than SI numbers, and says more.
   if (fs::exists(folder / "case.prm"))
     for (const auto& setting : read_settings(folder / "case.prm")) entries[setting.path()] = setting.value;
-  if (solved.finished()) solved.physical_entries = add_listed_entries(solved.result, entries);
+  // What was solved, as it was written: case.prm beside it may have been changed since.
+  if (solved.finished())
+    for (const auto& [path, text] : solved.result->physical_entries) entries[path] = text;
   solved.entries = CaseEntries(std::move(entries));
   try {
     solved.hertz();
