@@ -138,12 +138,12 @@ std::string tables_of(const SolvedCase& solved, const GroupComparison& group, co
 
 }  // namespace
 
-std::string subtitle_of(const fs::path& folder, const SolvedCase& solved) {
+std::string subtitle_of(const fs::path& folder, const std::string& version) {
   const std::time_t now = std::time(nullptr);
   char date[32];
   std::strftime(date, sizeof date, "%Y-%m-%d %H:%M", std::localtime(&now));
   std::string text = "asperity report of " + escaped(fs::absolute(folder).lexically_normal().filename().string()) + ", written " + date;
-  if (solved.finished() && !solved.result->version.empty()) text += ", computed by asperity " + escaped(solved.result->version);
+  if (!version.empty()) text += ", computed by asperity " + escaped(version);
   return text;
 }
 
@@ -175,7 +175,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += section_html("Pressure and gap in the contact", contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += tables_of(solved, group, numbers);
-  return page_html(solved.title(), subtitle_of(folder, solved), body);
+  return page_html(solved.title(), subtitle_of(folder, solved.version()), body);
 }
 
 }  // namespace asperity::report

@@ -108,7 +108,7 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
   if (!collection.groups.empty()) body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
   body += missing_html(collection) + doubt_html(collection);
   if (collection.groups.empty()) {
-    report.page = page_html(title, subtitle_of(folder, nullptr), body);
+    report.page = page_html(title, subtitle_of(folder, ""), body);
     return report;
   }
   const ResistanceFindings findings = find_resistances(collection, published_numbers());
@@ -124,7 +124,7 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
                        (pressed.groups.empty() ? note(worst_balance_sentence(collection)) : "") + case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(first)));
   body += section_html("What went in", note("Of the first case:") + inputs_table(first));
-  report.page = page_html(title, subtitle_of(folder, first), body);
+  report.page = page_html(title, subtitle_of(folder, first.version()), body);
   return report;
 }
 

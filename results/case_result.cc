@@ -1,5 +1,6 @@
 #include "results/case_result.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "core/atomic_file.h"
@@ -93,6 +94,10 @@ double number_of(const Json& value) {
   if (value.is_number()) return value.get<double>();
   if (value.is_object() && value.contains("value") && value["value"].is_number()) return value["value"].get<double>();
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool CaseResult::tells(const std::string& name) const {
+  return std::any_of(effective.begin(), effective.end(), [&](const auto& entry) { return entry.first == name; });
 }
 
 EffectiveNumber CaseResult::effective_number(const std::string& name) const {

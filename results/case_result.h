@@ -44,6 +44,7 @@ struct CaseResult {
   double wall_time, peak_memory;                                   ///< [s], [byte]
   nlohmann::ordered_json document;                                 ///< the whole file, for tables that show all of it
 
+  bool tells(const std::string& effective_name) const;
   /// NaN where it is not told.
   EffectiveNumber effective_number(const std::string& name) const;
   double balance_of(const std::string& name) const;

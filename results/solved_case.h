@@ -40,6 +40,8 @@ struct SolvedCase {
 
   std::string title() const;
   bool finished() const { return result.has_value(); }
+  /// Of asperity, which solved it; empty where that is not known.
+  std::string version() const { return finished() ? result->version : ""; }
   bool lists_physical_entries() const { return finished() && !result->physical_entries.empty(); }
   /// What moved it. Throws InputError for a name that is none.
   Motion motion() const;

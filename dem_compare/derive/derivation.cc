@@ -40,7 +40,7 @@ Json cases_json(const ParameterSet& set) {
                {"load", load},
                {"realisation", realisation_of(solved)}};
     if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
-    if (solved.finished() && !solved.result->version.empty()) entry["asperity"] = solved.result->version;
+    if (!solved.version().empty()) entry["asperity"] = solved.version();
     if (std::isfinite(solved.open_energy())) entry["open_energy"] = solved.open_energy();
     cases.push_back(std::move(entry));
   }
@@ -51,7 +51,7 @@ Json cases_json(const ParameterSet& set) {
 std::string versions_of(const ParameterSet& set) {
   std::set<std::string> versions;
   for (const auto& solved : set.cases)
-    if (solved.finished() && !solved.result->version.empty()) versions.insert(solved.result->version);
+    if (!solved.version().empty()) versions.insert(solved.version());
   std::string text;
   for (const auto& version : versions) text += (text.empty() ? "asperity " : ", ") + version;
   return text.empty() ? "a version that is not said" : text;

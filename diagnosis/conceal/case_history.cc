@@ -25,8 +25,14 @@ double next_run(const RecordingTable& table) {
   return runs == table.columns.end() || runs->second.empty() ? 1 : runs->second.back() + 1;
 }
 
+/// A channel of a recording and the column that it is.
+struct Channel {
+  const char* name;
+  std::vector<double> History::*values;
+};
+
 /// The accepted steps from `first` on, without anything between them, recorded again and again with noise of its own each time.
-void add_repeated_steps(RecordingTable& table, const History& history, std::size_t first, const std::vector<HistoryColumn>& channels,
+void add_repeated_steps(RecordingTable& table, const History& history, std::size_t first, const std::vector<Channel>& channels,
                         std::vector<double> History::*driven, const char* up, const char* down) {
   constexpr std::size_t samples = 240;
   const std::size_t steps = history.size() - first, repeats = (samples + steps - 1) / steps;

@@ -30,7 +30,8 @@ void write_sliding_case(const fs::path& folder, double radius, double load) {
                limit = local_friction * load;
   History history;
   const auto add = [&](double force, double position, double resistance) {
-    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
     history.normal_displacement.back() = hertz.approach(force);
     history.contact_radius.back() = hertz.contact_radius(force);

@@ -25,7 +25,7 @@ SmoothContact contact(const J2Material& substrate, double largest_force, double 
     const double nu = (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
     return (1 - nu) / (2 * m.shear_modulus);
   };
-  const Hertz hertz{o.radius, 1 / (compliance(borosilicate) + compliance(substrate)), largest_force};
+  const LoadedHertz hertz{o.radius, 1 / (compliance(borosilicate) + compliance(substrate)), largest_force};
   o.largest_radius = hertz.contact_radius();
   o.spacing = o.largest_radius / cells;
   o.layers = layers;
@@ -36,7 +36,7 @@ struct HertzErrors {
   double force, radius_in_spacings, pressure;
 };
 
-HertzErrors errors(const ContactStep& step, const Hertz& hertz, double spacing) {
+HertzErrors errors(const ContactStep& step, const LoadedHertz& hertz, double spacing) {
   // At given approach the force follows delta^(3/2): a relative error of approach counts 3/2 times as one of force.
   return {std::pow(step.approach / hertz.approach(), -1.5) - 1, (step.contact_radius - hertz.contact_radius()) / spacing,
           step.peak_pressure / hertz.peak_pressure() - 1};
@@ -44,7 +44,7 @@ HertzErrors errors(const ContactStep& step, const Hertz& hertz, double spacing) 
 
 void expect_hertz(const char* pair, const J2Material& substrate, double force, double cells) {
   auto c = contact(substrate, force, cells);
-  const Hertz hertz = c.hertz(force);
+  const LoadedHertz hertz = c.hertz(force);
   const ContactStep step = c.load(force);
   ASSERT_TRUE(step.converged);
   ASSERT_FALSE(step.reaches_rim);
@@ -75,7 +75,7 @@ TEST(HertzNightly_analytic, force_converges_and_the_radius_error_stays_below_hal
   double force_before = 0;
   for (const double cells : {6.0, 12.0, 24.0}) {
     auto c = contact(silicon, 100e-6, cells, 4 * std::max(1.0, cells / 12));
-    const Hertz hertz = c.hertz(100e-6);
+    const LoadedHertz hertz = c.hertz(100e-6);
     const auto e = errors(c.load(100e-6), hertz, hertz.contact_radius() / cells);
     std::printf("a/h %4.0f unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%\n", cells, c.unknowns(), 100 * e.force,
                 e.radius_in_spacings, 100 * e.pressure);

@@ -205,11 +205,11 @@ void expect_subsurface_stress(double layers) {
   SmoothContactOptions o;
   o.particle = J2Material::elastic(71e9, 0.17);
   o.substrate = J2Material::elastic(179e9, 0.25);
-  o.largest_radius = Hertz{o.radius, 52.868e9, 100e-6}.contact_radius();
+  o.largest_radius = LoadedHertz{o.radius, 52.868e9, 100e-6}.contact_radius();
   o.spacing = o.largest_radius / 16;
   o.layers = layers;
   SmoothContact contact(o);
-  const Hertz hertz = contact.hertz(100e-6);
+  const LoadedHertz hertz = contact.hertz(100e-6);
   const auto step = contact.load(100e-6);
   const auto substrate = largest_von_mises(0.25), particle = largest_von_mises(0.17);
   const double p0 = hertz.peak_pressure(), a = hertz.contact_radius();
@@ -236,7 +236,7 @@ TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
   o.particle = J2Material::elastic(71e15, 0.17);
   o.substrate = J2Material::elastic(71e9, 0.17);
   const double load = 100e-6, light = 0.05 * load;
-  o.largest_radius = Hertz{o.radius, 71e9 / (1 - 0.17 * 0.17), load}.contact_radius();
+  o.largest_radius = LoadedHertz{o.radius, 71e9 / (1 - 0.17 * 0.17), load}.contact_radius();
   o.spacing = o.largest_radius / 8;
   o.substrate_spacing = 0.7;
   SmoothContact contact(o);
@@ -244,7 +244,7 @@ TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
     const auto step = contact.load(force);
     EXPECT_TRUE(step.converged) << force;
     EXPECT_LT(step.newton, 30) << force;
-    const Hertz hertz = contact.hertz(force);
+    const LoadedHertz hertz = contact.hertz(force);
     const auto verified = [&](const std::string& what) {
       return Verified{
           "Hertz", "sphere a million times stiffer, a/h " + std::string(force == load ? "8: " : "3: ") + what,

@@ -40,7 +40,8 @@ inline History history(const SyntheticCase& made) {
   const Hertz hertz = contact(made);
   History history;
   const auto add = [&](double force, double approach) {
-    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
     history.step.back() = static_cast<double>(history.size());
     history.time.back() = history.step.back();
     history.normal_force.back() = force;

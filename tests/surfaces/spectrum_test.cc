@@ -129,8 +129,8 @@ TEST(RadialSpectrum_analytic, of_oblong_pixels_ends_where_both_directions_still_
   GenerateOptions of = options(64, 1e-6, 1);
   of.nx = 128;  // pixels of 7.8 by 15.6 nm
   const RadialSpectrum spectrum = radial_spectrum(generate_periodic(model, of));
-  EXPECT_LE(spectrum.wave_number.back(), 1.05 * M_PI / (1e-6 / 64));
-  EXPECT_GE(spectrum.wave_number.back(), 0.95 * M_PI / (1e-6 / 64));
+  EXPECT_LE(spectrum.q.back(), 1.05 * M_PI / (1e-6 / 64));
+  EXPECT_GE(spectrum.q.back(), 0.95 * M_PI / (1e-6 / 64));
 }
 
 TEST(RadialSpectrum_behaviour, generates_the_like_of_what_was_measured) {

@@ -34,7 +34,8 @@ struct SolvedFolder {
 inline History history_of(const SolvedFolder& solved) {
   History history;
   const auto add = [&](double force, double shift, double lateral) {
-    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
     history.normal_displacement.back() = solved.hertz().approach(force);
     history.contact_area.back() = solved.hertz().contact_area(force);

@@ -50,7 +50,8 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
   History history;
   double correlated = 0;
   const auto add = [&](double force, double position, double resistance) {
-    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
     history.normal_displacement.back() = hertz.approach(force);
     history.contact_radius.back() = hertz.contact_radius(force);
@@ -232,7 +233,8 @@ TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apar
   set.cases.push_back(make_case({}, "normal", 1e-3, 1, random));
   History& history = set.cases.front().history;
   for (const double force : {5e-4, 1e-4, -3e-6, -2e-6}) {
-    for (const auto& column : history_columns()) (history.*column.values).push_back(0);
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
     history.normal_force.back() = force;
     history.normal_displacement.back() = hertz.approach(std::max(force, 0.0));
   }
@@ -267,7 +269,7 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
     set.cases.push_back(make_case(exact, "sliding", 1e-3, i + 1, random));
     for (double& approach : set.cases.back().history.normal_displacement) approach *= std::pow(factors[i], -2.0 / 3);
   }
-  const EffectiveQuantity& modulus = *derive_parameters(set).parameters.reduced_modulus;
+  const EffectiveQuantity modulus = *derive_parameters(set).parameters.reduced_modulus;
   EXPECT_NEAR(modulus.value / hertz.reduced_modulus, 1, 1e-6);
   EXPECT_NEAR(modulus.sd / hertz.reduced_modulus, 0.1, 1e-5);
 }
@@ -348,9 +350,10 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
   exact.noise = 0;
   const SolvedCase reversed = make_case(exact, "sliding", 1e-3, 1, random);
   SolvedCase forward = reversed;
-  for (const auto& column : history_columns()) (forward.history.*column.values).resize(8 + 100);
+  for (const auto& column : history_columns())
+    if (column.always) (forward.history.*column.values).resize(8 + 100);
   SolvedCase probed = forward;
-  probed.result["effective"] = {{"lateral_stiffness", {{"value", 5e4}, {"sd", 5e3}}}};
+  probed.result->effective = {{"lateral_stiffness", {5e4, 5e3, "N/m"}}};
   const auto derived = [](const SolvedCase& solved) {
     ParameterSet set;
     set.cases = {solved};
@@ -369,13 +372,14 @@ TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {
   std::mt19937 random(20);
   ParameterSet set;
   set.cases.push_back(make_case({}, "sliding", 1e-3, 1, random));
-  auto& effective = set.cases.front().result["effective"]["normal_stiffness"];
-  effective = {{"value", nullptr}, {"sd", 5}};
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  auto& effective = set.cases.front().result->effective;
+  effective = {{"normal_stiffness", {unknown, 5, "N/m"}}};
   EXPECT_FALSE(derive_parameters(set).parameters.normal_stiffness);
-  effective = {{"value", 3e4}, {"sd", nullptr}};
+  effective = {{"normal_stiffness", {3e4, unknown, "N/m"}}};
   EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->value, 3e4, 1e-6);
   EXPECT_TRUE(std::isnan(derive_parameters(set).parameters.normal_stiffness->sd));
-  effective = {{"value", 3e4}, {"sd", 300}};
+  effective = {{"normal_stiffness", {3e4, 300, "N/m"}}};
   EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->sd, 300, 1e-9);
 }
 
@@ -486,7 +490,7 @@ TEST(ParameterSets_behaviour, with_friction_take_frictionless_cases_of_the_same_
   const TemporaryFolder folder;
   write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
   SolvedCase normal = make_case({}, "sliding", 1e-3, 1, random);
-  normal.result["experiment"] = "normal";
+  normal.result->document["experiment"] = "normal";
   write_case(folder.path / "b", normal, "8.5 um", true, 0);
   write_case(folder.path / "c", normal, "5 um", true, 0);
   const ParameterSets found = collect_parameter_sets({folder.path});

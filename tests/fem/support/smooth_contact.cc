@@ -8,8 +8,8 @@
 
 namespace asperity::test {
 
-double Hertz::contact_radius() const { return std::cbrt(3 * force * radius / (4 * modulus)); }
-double Hertz::peak_pressure() const { return 1.5 * force / (M_PI * contact_radius() * contact_radius()); }
+double LoadedHertz::contact_radius() const { return std::cbrt(3 * force * radius / (4 * modulus)); }
+double LoadedHertz::peak_pressure() const { return 1.5 * force / (M_PI * contact_radius() * contact_radius()); }
 
 namespace {
 
@@ -107,7 +107,7 @@ SmoothContact::~SmoothContact() = default;
 
 double SmoothContact::reduced_modulus() const { return it_->system.reduced_modulus(); }
 long SmoothContact::unknowns() const { return static_cast<long>(it_->system.level().size()); }
-Hertz SmoothContact::hertz(double force) const { return {it_->options.radius, reduced_modulus(), force}; }
+LoadedHertz SmoothContact::hertz(double force) const { return {it_->options.radius, reduced_modulus(), force}; }
 
 ContactStep SmoothContact::load(double force) {
   auto& state = it_->state;

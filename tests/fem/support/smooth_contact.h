@@ -22,7 +22,7 @@ struct SmoothContactOptions {
 };
 
 /// Hertz (1882), Johnson (1985) ch. 4.
-struct Hertz {
+struct LoadedHertz {
   double radius, modulus, force;
   double contact_radius() const;
   double approach() const { return contact_radius() * contact_radius() / radius; }
@@ -54,7 +54,7 @@ class SmoothContact {
   /// Hertz' approach of that force.
   ContactStep load(double force);
 
-  Hertz hertz(double force) const;
+  LoadedHertz hertz(double force) const;
   double reduced_modulus() const;
   long unknowns() const;
 
