@@ -108,7 +108,8 @@ Chart program_forces_chart(const SolvedCase& solved) {
   Chart chart = chart_over_steps("force [µN]");
   add_over_steps("normal", load_colour, solved.history.normal_force, uN, chart);
   add_over_steps("lateral, along", computed_colour, solved.history.lateral_force, uN, chart);
-  add_over_steps("lateral, across", other_colour, solved.history.lateral_force_across, uN, chart);
+  if (!solved.history.lateral_force_across.empty())
+    add_over_steps("lateral, across", other_colour, solved.history.lateral_force_across, uN, chart);
   return chart;
 }
 

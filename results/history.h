@@ -11,7 +11,7 @@ namespace asperity {
 /// Value: double for a row, a vector of all rows' values for a history.
 template <class Value>
 struct HistoryColumns {
-  Value step{}, time{};              ///< number of the step; [s]
+  Value step{}, time{};              ///< number of the step, twice: quasi-static, there is no rate
   Value normal_displacement{};       ///< approach of points far from the contact [m]
   Value normal_force{};              ///< [N], compression is positive
   Value lateral_displacement{};      ///< of points far from the contact along x [m]
@@ -41,7 +41,7 @@ struct HistoryColumns {
   Value largest_von_mises{};         ///< [Pa]
   Value force_error{}, moment_error{}, energy_error{};  ///< relative: tractions against reactions; energy left open
   Value newton_iterations{}, linear_iterations{};
-  Value penetration{};               ///< largest, over the approach
+  Value penetration{};               ///< relative change of pressures and shear by the last multiplier update
   Value wall_time{};                 ///< [s]
   Value reaches_rim{};               ///< 1 where contact has come to the edge of the potential contact zone
   Value sticking_share{};            ///< of the active contact nodes

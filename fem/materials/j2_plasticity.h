@@ -36,7 +36,8 @@ struct J2Material {
   double isotropic_slope(double alpha) const {
     return isotropic_modulus + voce_saturation * voce_rate * std::exp(-voce_rate * alpha);
   }
-  /// Energy stored by hardening per volume: integral of (sigma_y - Y) d(alpha) + H_kin alpha-equivalent of back stress.
+  /// Energy stored by isotropic hardening per volume, the integral of (sigma_y - Y) d(alpha) [J/m^3]. What the back stress stores,
+  /// beta : e_p / 2 = H_kin |e_p|^2 / 3, is not in it.
   double isotropic_energy(double alpha) const {
     const double voce = voce_rate > 0 ? voce_saturation * (alpha + (std::exp(-voce_rate * alpha) - 1) / voce_rate) : 0;
     return 0.5 * isotropic_modulus * alpha * alpha + voce;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "results/history.h"
-#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -46,11 +45,8 @@ TEST(MotionFigures_analytic, show_lubkins_loop_between_plus_and_minus_full_slip)
 }
 
 TEST(MotionFigures_behaviour, show_forces_and_moments_of_a_program_over_its_steps) {
-  const test::TemporaryFolder folder;
   SolvedCase solved = moved("program");
-  folder.write("history.csv", "step,lateral_force_across [N]\n1,0\n2,1e-05\n3,3e-05\n");
-  solved.folder = folder.path;
-  solved.history.lateral_force = {0, 30e-6, 0};
+  solved.history.lateral_force = {0, 30e-6, 0}, solved.history.lateral_force_across = {0, 10e-6, 30e-6};
   const auto forces = report::program_forces_chart(solved);
   ASSERT_EQ(forces.series.size(), 3u);
   for (const double y : forces.series[0].y) EXPECT_NEAR(y, 100, 1e-9);
@@ -59,6 +55,8 @@ TEST(MotionFigures_behaviour, show_forces_and_moments_of_a_program_over_its_step
   EXPECT_EQ(forces.series[2].x, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(report::program_moments_chart(solved).series.size(), 2u);
   EXPECT_NE(report::motion_figure(solved).find("Program of motions"), std::string::npos);
+  solved.history.lateral_force_across.clear();
+  EXPECT_EQ(report::program_forces_chart(solved).series.size(), 2u) << "a history of an earlier version";
 }
 
 TEST(MotionFigures_behaviour, say_nothing_of_a_contact_that_was_only_pressed) { EXPECT_EQ(report::motion_figure(moved("normal")), ""); }
