@@ -62,7 +62,8 @@ TEST(ResultFile_analytic, every_effective_value_states_what_the_mesh_leaves_in_d
 
 TEST(ResultFile_behaviour, names_are_those_of_the_manual) {
   const std::string manual = read_file(test::reference_folder().parent_path().parent_path().parent_path() / "docs" / "result.md");
-  for (const auto& [name, quantity] : effective_of(12e-9, 0.33e-6).items()) EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
+  const auto effective = effective_of(12e-9, 0.33e-6);
+  for (const auto& [name, quantity] : effective.items()) EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
 }
 
 TEST(ResultFile_analytic, area_and_its_radius_and_mean_pressure_share_one_doubt) {
