@@ -21,7 +21,7 @@
 
 namespace asperity::fem {
 
-/// Of the stated error itself, relative: it is of first order, and was 0.9 to 2.2 times the true one (tests/fem/plastic_contact_test.cc).
+/// Of the stated error itself, relative: it is of first order, and was 0.9 to 2.7 times the true one (tests/fem/plastic_contact_test.cc).
 constexpr double load_step_doubt = 0.5;
 
 /// 2 G (1 - beta) [Pa] of shear modulus G and bulk modulus K.
