@@ -208,7 +208,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     // Where nothing presses, the error of a step belongs to another motion.
     const bool presses = pending.back().load != load_;
     const double force = presses ? solver_->resultants(trial).force : force_before;
-    energies = system_->bodies().try_step(state_.displacement, trial.displacement, force - force_before);
+    energies = system_->bodies().try_step(state_.displacement, trial.displacement, telling_change(force - force_before, force));
     const int parts = pending.back().divided || !presses ? 1 : parts_needed(trial, force_before, force, energies.flow_turn);
     if (parts > 1) {
       divide(parts, true);

@@ -33,7 +33,7 @@ std::vector<double> take(const std::string& bytes, std::size_t& at) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/4";
+constexpr const char* format = "asperity-checkpoint/5";
 
 std::string part_name(int step, int rank) { return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin"; }
 

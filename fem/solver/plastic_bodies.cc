@@ -90,9 +90,9 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
 BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change) {
   BodyEnergies sum;
   const int count = static_cast<int>(level_.batches().size());
-  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0, approach_error = 0;
+  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0, left_over = 0;
   double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
-#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, approach_error) \
+#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, left_over) \
     reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
   for (int index = 0; index < count; ++index) {
     const CellBatch& batch = level_.batches()[index];
@@ -125,14 +125,16 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
         const double alpha = updated[q].alpha[l];
         elastic += stored[l];
         plastic_work += work[l];
+        FlowTurn turn;
         if (alpha > old.alpha[l]) {
           const double limit = std::sqrt(2.0 / 3.0) * m.flow_stress(old.alpha[l]);
-          const double stiffness = constrained_stiffness(m.shear_modulus, m.bulk_modulus);
-          const FlowTurn turn = flow_turn(relative_before, trial, limit, stiffness, increment, change_of_stress, l);
+          turn = flow_turn(relative_before, trial, limit, increment, change_of_stress, l);
           turned += turn.energy * strain.volume[q][l];
-          updated[q].approach_error[l] = turn.kept * old.approach_error[l] + (force_change != 0 ? turn.energy / force_change : 0.0);
         }
-        approach_error += updated[q].approach_error[l] * strain.volume[q][l];
+        for (int c = 0; c < 6; ++c) {
+          updated[q].flow_error[c][l] += turn.strain[c];
+          left_over += (c < 3 ? 1 : 2) * updated[q].flow_error[c][l] * change_of_stress[c][l] * strain.volume[q][l];
+        }
         if (alpha > 0) {
           double square = 0;
           for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
@@ -153,7 +155,9 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
   sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
   sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
   sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
-  sum.approach_error = dealii::Utilities::MPI::sum(approach_error, comm);
+  // Where the load stays, so does what is known of the approach.
+  const double all_left_over = dealii::Utilities::MPI::sum(left_over, comm);
+  sum.approach_error = tried_approach_error_ = force_change != 0 ? all_left_over / force_change : approach_error_;
   sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
   for (int body = 0; body < 2; ++body) {
     sum.plastic_strain[body] = dealii::Utilities::MPI::max(largest_strain[body], comm);
@@ -164,6 +168,7 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
 }
 
 void PlasticBodies::accept_step() {
+  approach_error_ = tried_approach_error_;
   for (std::size_t index = 0; index < history_.size(); ++index)
     if (tried_[index]) history_[index] = std::move(tried_[index]);
 }
@@ -193,7 +198,7 @@ std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const
 }
 
 std::vector<double> PlasticBodies::save_history() const {
-  std::vector<double> saved{static_cast<double>(history_.size())};
+  std::vector<double> saved{static_cast<double>(history_.size()), approach_error_};
   for (std::size_t index = 0; index < history_.size(); ++index) {
     if (!history_[index]) continue;
     saved.push_back(static_cast<double>(index));
@@ -201,26 +206,30 @@ std::vector<double> PlasticBodies::save_history() const {
       for (const auto& component : point.strain)
         for (int l = 0; l < lanes; ++l) saved.push_back(component[l]);
       for (int l = 0; l < lanes; ++l) saved.push_back(point.alpha[l]);
-      for (int l = 0; l < lanes; ++l) saved.push_back(point.approach_error[l]);
+      for (const auto& component : point.flow_error)
+        for (int l = 0; l < lanes; ++l) saved.push_back(component[l]);
     }
   }
   return saved;
 }
 
 void PlasticBodies::restore_history(const std::vector<double>& saved) {
-  constexpr std::size_t record = 1 + points_per_hex * 8 * lanes;
-  if (saved.empty() || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 1) % record != 0)
+  constexpr int numbers_of_a_point = 6 + 1 + 6;  // as save_history() has them
+  constexpr std::size_t record = 1 + points_per_hex * numbers_of_a_point * lanes;
+  if (saved.size() < 2 || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 2) % record != 0)
     throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
   for (auto& history : history_) history.reset();
   for (auto& history : tried_) history.reset();
-  for (std::size_t at = 1; at < saved.size(); at += record) {
+  approach_error_ = saved[1];
+  for (std::size_t at = 2; at < saved.size(); at += record) {
     auto history = std::make_unique<History>();
     std::size_t k = at + 1;
     for (auto& point : *history) {
       for (auto& component : point.strain)
         for (int l = 0; l < lanes; ++l) component[l] = saved[k++];
       for (int l = 0; l < lanes; ++l) point.alpha[l] = saved[k++];
-      for (int l = 0; l < lanes; ++l) point.approach_error[l] = saved[k++];
+      for (auto& component : point.flow_error)
+        for (int l = 0; l < lanes; ++l) component[l] = saved[k++];
     }
     history_[static_cast<std::size_t>(saved[at])] = std::move(history);
   }

@@ -37,7 +37,7 @@ struct CellState {
 class PlasticBodies {
  public:
   struct PointHistory : PlasticState<Simd<double>> {
-    Simd<double> approach_error{};  ///< what finite steps have left here in the approach, per volume [m/m^3]
+    SymmetricTensor<Simd<double>> flow_error{};  ///< what finite steps have left in the plastic strain (load_step_error.h)
   };
   using History = std::array<PointHistory, points_per_hex>;
 
@@ -47,8 +47,8 @@ class PlasticBodies {
   /// Fills the tangents of yielding batches where `tangent` is given.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
-  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by `force_change` [N]; the accepted
-  /// state stays.
+  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by `force_change` [N] (0: too little to
+  /// tell how the approach answers to the load); the accepted state stays.
   BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
 
   /// Makes the state of the last try_step() the accepted one.
@@ -76,6 +76,7 @@ class PlasticBodies {
   const MeshLevel& level_;
   std::vector<double> positions_;
   std::array<J2Material, 2> materials_;
+  double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
   std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
 };
 
