@@ -166,8 +166,7 @@ std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f
   return {last.approach, last.load_step_error};
 }
 
-/// The stated error of few steps against what `many` and half as many on the same mesh say by extrapolation of first order: it errs to
-/// the safe side, by up to 2.2.
+/// The stated error of few steps against what `many` and half as many on the same mesh say by extrapolation of first order.
 void expect_load_step_error(double f, double largest_area, double cells, std::vector<int> few, int many) {
   const YieldingHalfSpace body(0.03e-6);
   const double half = approach_after(body, f, many / 2, largest_area, cells).first, all = approach_after(body, f, many, largest_area, cells).first;

@@ -86,6 +86,18 @@ class Table(unittest.TestCase):
         self.assertIn("| force, a/h 24 | analytic | Hertz (1882) | 1 % | +0.2 % | `HertzNightly_analytic.fine` | nightly, 2026-11-20 |", made.stdout)
         self.assertNotIn("-0.9 %", made.stdout)
 
+    def test_a_run_of_some_tests_leaves_the_others_rows_on_the_page(self):
+        other = '"Sliding","force | shear","Cattaneo (1938)","2 %","+3 %","no","Mindlin_analytic.shift"'
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            page.write_text(self.table(self.HERTZ, other).stdout.replace("`Mindlin_analytic.shift` | 20", "`Mindlin_analytic.shift` | 19"))
+            root, options = self.files(folder, self.HERTZ.replace("-0.67", "-0.5"))
+            made = run(TESTS / "verification/table", root / "run", "--onto", page, *options)
+        self.assertEqual(made.returncode, 0, made.stderr)  # what is not met is none of this run's
+        self.assertIn("| force \\| shear | analytic | Cattaneo (1938) | 2 % | **+3 %, not met** | `Mindlin_analytic.shift` | 19", made.stdout)
+        self.assertIn("| -0.5 % | `Hertz_analytic.silicon`", made.stdout)
+        self.assertNotIn("-0.67 %", made.stdout)
+
     def test_nightly_tests_without_rows_are_named(self):
         self.assertIn("## Nightly tests without a recorded run\n", self.table(self.HERTZ).stdout)
 

@@ -53,12 +53,21 @@ def sections(text):
     return {parts[i].strip(): parts[i + 1].strip() for i in range(1, len(parts), 2)}
 
 
-def page_rows(text):
-    """What a page says is asked, a tuple of ASKED for each row."""
-    found = set()
+def written(text):
+    """Rows that a page shows, with the date of each."""
+    found = []
     for topic, body in sections(text).items():
         for row in body.splitlines():
             cells = [c.strip().replace("\\|", "|") for c in re.split(r"(?<!\\)\|", row)[1:-1]]
-            if len(cells) == 7 and cells[5].startswith("`"):
-                found.add((topic, cells[0], cells[2], cells[3], cells[5].strip("`")))
+            if len(cells) != 7 or not cells[5].startswith("`"):
+                continue
+            missed = re.fullmatch(r"\*\*(.*), not met\*\*", cells[4])
+            values = [topic, cells[0], cells[2], cells[3], missed.group(1) if missed else cells[4],
+                      "no" if missed else "yes", cells[5].strip("`")]
+            found.append({**dict(zip(COLUMNS, values)), "date": cells[6].removeprefix("nightly, ")})
     return found
+
+
+def page_rows(text):
+    """What a page says is asked, a tuple of ASKED for each row."""
+    return {tuple(row[c] for c in ASKED) for row in written(text)}
