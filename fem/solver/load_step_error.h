@@ -20,7 +20,8 @@
 
 namespace asperity::fem {
 
-/// Of the stated error itself, relative: it is of first order, and was 0.98 to 1.92 times the true one, alike for few and many steps (tests/fem/plastic_contact_test.cc).
+/// Of the stated error itself, relative: it is of first order, and was 0.98 to 1.92 times the true one, alike for
+/// few and many steps (tests/fem/plastic_contact_test.cc).
 constexpr double load_step_doubt = 0.5;
 
 struct FlowTurn {
