@@ -88,13 +88,16 @@ class Table(unittest.TestCase):
 
     def test_a_run_of_some_tests_leaves_the_others_rows_on_the_page(self):
         other = '"Sliding","force | shear","Cattaneo (1938)","2 %","+3 %","no","Mindlin_analytic.shift"'
+        gone = other.replace("shift", "renamed")
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder) / "page.md"
-            page.write_text(self.table(self.HERTZ, other).stdout.replace("`Mindlin_analytic.shift` | 20", "`Mindlin_analytic.shift` | 19"))
+            page.write_text(self.table(self.HERTZ, other, gone).stdout.replace("`Mindlin_analytic.shift` | 20", "`Mindlin_analytic.shift` | 19"))
             root, options = self.files(folder, self.HERTZ.replace("-0.67", "-0.5"))
-            made = run(TESTS / "verification/table", root / "run", "--onto", page, *options)
+            (root / "a_test.cc").write_text("TEST(Mindlin_analytic, shift) {")
+            made = run(TESTS / "verification/table", root / "run", "--onto", page, "--tests", root, *options)
         self.assertEqual(made.returncode, 0, made.stderr)  # what is not met is none of this run's
         self.assertIn("| force \\| shear | analytic | Cattaneo (1938) | 2 % | **+3 %, not met** | `Mindlin_analytic.shift` | 19", made.stdout)
+        self.assertNotIn("renamed", made.stdout)
         self.assertIn("| -0.5 % | `Hertz_analytic.silicon`", made.stdout)
         self.assertNotIn("-0.67 %", made.stdout)
 

@@ -68,6 +68,15 @@ def written(text):
     return found
 
 
+def name_of_test(row):
+    return row["test"].split(".", 1)[1].split("/")[0]
+
+
+def sources(tests):
+    """The text of all tests, in which each has its name."""
+    return "".join(path.read_text() for path in pathlib.Path(tests).rglob("*_test.cc"))
+
+
 def page_rows(text):
     """What a page says is asked, a tuple of ASKED for each row."""
     return {tuple(row[c] for c in ASKED) for row in written(text)}
