@@ -14,7 +14,7 @@
 #include "dem_compare/compare/side_by_side.h"
 #include "dem_compare/comparison.h"
 #include "results/energy_balance.h"
-#include "report/comparison_page.h"
+#include "report/comparison/comparison_page.h"
 
 namespace asperity {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/output_folder.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/diagnosis.h"
-#include "report/diagnosis_page.h"
+#include "report/diagnosis/diagnosis_page.h"
 
 namespace asperity {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "app/case_file.h"
 #include "app/mpi_session.h"
+#include "app/solver_commands.h"
 #include "fem/mesh_case.h"
 
 namespace asperity {
@@ -35,7 +36,7 @@ void run_mesh(const MeshArguments& arguments) {
 
 void add_mesh_command(CLI::App& app) {
   const auto arguments = std::make_shared<MeshArguments>();
-  CLI::App* command = app.add_subcommand("mesh", "Write the meshes of a case; print quality, counts and memory to solve it");
+  CLI::App* command = app.add_subcommand(solver_commands::mesh.name, solver_commands::mesh.says);
   command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
   command->add_option("--output", arguments->output, "Folder for the meshes")->required();
   command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")

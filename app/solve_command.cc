@@ -12,6 +12,7 @@
 #include "app/case_folder.h"
 #include "app/inputs_hash.h"
 #include "app/mpi_session.h"
+#include "app/solver_commands.h"
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "fem/solve_case.h"
@@ -61,7 +62,7 @@ void run_solve(const SolveArguments& arguments) {
 
 void add_solve_command(CLI::App& app) {
   const auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand("solve", "Solve one case: result.json, history.csv and fields");
+  CLI::App* command = app.add_subcommand(solver_commands::solve.name, solver_commands::solve.says);
   command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
   command->add_option("--output", arguments->output, "Folder for the results");
   command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")

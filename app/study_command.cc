@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/case_file.h"
+#include "app/solver_commands.h"
 #include "app/study_runner.h"
 #include "core/build_commit.h"
 #include "core/error.h"
@@ -105,7 +106,7 @@ void run_study(const StudyArguments& arguments) {
 
 void add_study_command(CLI::App& app) {
   const auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = app.add_subcommand("study", "Solve a matrix of cases, several at a time");
+  CLI::App* command = app.add_subcommand(solver_commands::study.name, solver_commands::study.says);
   command->add_option("STUDY.prm", arguments->file, "Study file: a base case and what is varied")->required();
   command->add_option("--output", arguments->output, "Folder for the results, a folder in it for each case");
   command->add_flag("--resume", arguments->resume, "Go on with an earlier run: complete cases are kept; refused if one of them is of other inputs");

@@ -6,8 +6,8 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "dem_compare/case_collection.h"
-#include "report/case_report.h"
-#include "report/study_report.h"
+#include "report/case/case_report.h"
+#include "report/study/study_report.h"
 
 namespace asperity {
 

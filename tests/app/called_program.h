@@ -14,8 +14,8 @@ struct Outcome {
   std::string output;  ///< and errors
 };
 
-inline Outcome call(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(ASPERITY_EXECUTABLE) + " " + arguments + " 2>&1").c_str(), "r");
+inline Outcome call_program(const std::string& program, const std::string& arguments) {
+  FILE* pipe = ::popen((program + " " + arguments + " 2>&1").c_str(), "r");
   Outcome outcome{-1, ""};
   if (!pipe) return outcome;
   std::array<char, 4096> buffer;
@@ -24,5 +24,6 @@ inline Outcome call(const std::string& arguments) {
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
   return outcome;
 }
+inline Outcome call(const std::string& arguments) { return call_program(ASPERITY_EXECUTABLE, arguments); }
 
 }  // namespace asperity::test

@@ -1,7 +1,7 @@
 // Before GoogleTest: <signal.h>, which it includes, has a macro si_value.
 #include "core/error.h"
-#include "report/case_fields.h"
-#include "report/field_files.h"
+#include "report/fields/case_fields.h"
+#include "report/fields/field_files.h"
 #include "tests/report/synthetic_case.h"
 
 #include <gtest/gtest.h>

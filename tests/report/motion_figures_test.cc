@@ -1,4 +1,4 @@
-#include "report/motion_figures.h"
+#include "report/motion/motion_figures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A page of a case that moved leads with friction, moment and mechanisms.
-#include "report/motion_lead.h"
+#include "report/motion/motion_lead.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Before GoogleTest: <signal.h>, which it includes, has a macro si_value.
-#include "report/axis.h"
-#include "report/chart.h"
-#include "report/map_figure.h"
-#include "report/png.h"
-#include "report/words.h"
+#include "report/page/axis.h"
+#include "report/page/chart.h"
+#include "report/fields/map_figure.h"
+#include "report/fields/png.h"
+#include "report/page/words.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "core/error.h"
-#include "report/virtual_display.h"
+#include "report/fields/virtual_display.h"
 #include "tests/report/synthetic_case.h"
 #include "tests/support/text.h"
 

@@ -1,5 +1,5 @@
 // Pages of studies of moving contacts, made from known powers.
-#include "report/resistance_section.h"
+#include "report/motion/resistance_section.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "report/report.h"
-#include "report/resistance_charts.h"
+#include "report/motion/resistance_charts.h"
 #include "tests/dem_compare/resistance/moving_study.h"
 #include "tests/report/synthetic_case.h"
 #include "tests/support/temporary_folder.h"

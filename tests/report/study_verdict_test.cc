@@ -1,5 +1,5 @@
 // The headline of a study: by intervals, and without its smooth control.
-#include "report/study_verdict.h"
+#include "report/study/study_verdict.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,90 @@
+#include "app/program.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "core/build_commit.h"
+#include "core/error.h"
+#include "core/nearest_name.h"
+
+namespace asperity {
+namespace {
+
+constexpr int failed = 1, refused = 2;
+
+int say(const std::exception& error, int status) {
+  std::fprintf(stderr, "asperity: %s\n", error.what());
+  return status;
+}
+
+/// A subcommand that does not exist; CLI11's own message does not say what was meant.
+void check_subcommand_exists(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  for (const auto& name : names)
+    if (name == argv[1]) return;
+  const std::string meant = nearest_name(argv[1], names);
+  throw InputError("there is no subcommand '" + std::string(argv[1]) + "'" +
+                   (meant.empty() ? "; asperity --help lists them" : "; did you mean '" + meant + "'?"));
+}
+
+/// A program started without one of its standard streams would open its results in their place, and print into them.
+void open_missing_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::exit(failed);
+}
+
+/// What was printed must have arrived: a full disk shows when the stream is flushed, or even closed.
+int with_printed_output(int status) {
+  std::cout.flush();
+  const bool printed = std::cout.good() && std::fflush(stdout) == 0 && !std::ferror(stdout);
+  if (std::fclose(stdout) == 0 && printed) return status;
+  std::fprintf(stderr, "asperity: cannot write to standard output, and what it should have said is cut off; is its disk full?\n");
+  return status == 0 ? failed : status;
+}
+
+int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
+  CLI::App app(
+      "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a discrete "
+      "element simulation needs.");
+  app.name("asperity");
+  app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + build_commit());
+  app.require_subcommand(1);
+  app.footer(
+      "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
+      "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
+  add_commands(app);
+
+  try {
+    check_subcommand_exists(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : refused;
+  } catch (const InputError& error) {
+    return say(error, refused);
+  } catch (const std::exception& error) {
+    return say(error, failed);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
+  open_missing_streams();
+  return with_printed_output(run(argc, argv, add_commands));
+}
+
+}  // namespace asperity

@@ -1,0 +1,18 @@
+// The program `asperity-solver`: the commands that need deal.II, CGAL or VTK. `asperity` starts it for them.
+#include <CLI/CLI.hpp>
+
+#include "app/mesh_command.h"
+#include "app/program.h"
+#include "app/report_command.h"
+#include "app/solve_command.h"
+#include "app/study_command.h"
+
+int main(int argc, char** argv) {
+  using namespace asperity;
+  return run_program(argc, argv, [](CLI::App& app) {
+    add_mesh_command(app);
+    add_solve_command(app);
+    add_study_command(app);
+    add_report_command(app);
+  });
+}

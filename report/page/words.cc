@@ -1,0 +1,152 @@
+#include "report/page/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <regex>
+
+#include "report/page/axis.h"
+#include "surfaces/scan_spec.h"
+#include "surfaces/topography_spec.h"
+
+namespace asperity::report {
+namespace {
+
+/// Balances of a converged solve lie below it; nobody reads further digits.
+constexpr double smallest_share = 1e-5;
+
+std::string printed(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string material_in_words(const SolvedCase& solved, const std::string& section) {
+  const CaseEntries& entries = solved.entries;
+  std::string words = "E = " + in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
+                      ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
+  const double yield = entries.quantity(section + "/Yield stress", Dimension::pressure, INFINITY);
+  if (std::isinf(yield)) return words + ", elastic";
+  words += ", yields at " + in_units(yield, Dimension::pressure);
+  const double hardening = entries.quantity(section + "/Hardening modulus", Dimension::pressure, 0);
+  if (hardening > 0)
+    words += " with " + escaped(entries.text(section + "/Hardening", "isotropic")) + " hardening " +
+             in_units(hardening, Dimension::pressure);
+  const double voce = entries.quantity(section + "/Voce saturation", Dimension::pressure, 0);
+  if (voce > 0) words += ", Voce hardening up to " + in_units(voce, Dimension::pressure) + " more";
+  return words;
+}
+
+}  // namespace
+
+std::string topography_in_words(const std::string& spec) {
+  if (spec == "smooth" || spec.empty()) return "smooth";
+  if (is_scan(spec)) {
+    const ScanParameters scan = parse_scan(spec);
+    return "measured: " + escaped(std::filesystem::path(scan.file).filename().string()) +
+           (scan.outside == Outside::mirror ? ", continued by its mirror images" : "");
+  }
+  const GeneratorParameters generator = parse_generator(spec);
+  return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) +
+         (generator.window > 0 ? " as measured in scans of " + in_units(generator.window, Dimension::length) : "") + " (Hurst exponent " +
+         printed("%.3g", generator.spectrum.hurst) + ", roll-off " + in_units(generator.spectrum.rolloff, Dimension::length) +
+         ", cut-off " + in_units(generator.spectrum.cutoff, Dimension::length) + ")";
+}
+
+std::string what_was_asked(const SolvedCase& solved) {
+  const CaseEntries& entries = solved.entries;
+  std::string words = "A sphere of radius " + in_units(entries.quantity("Particle/Radius", Dimension::length), Dimension::length) +
+                      " (" + material_in_words(solved, "Particle") + "; surface: " +
+                      topography_in_words(entries.text("Particle/Topography", "smooth")) + ") is pressed on a plane (" +
+                      material_in_words(solved, "Substrate") + "; surface: " +
+                      topography_in_words(entries.text("Substrate/Topography", "smooth")) + ")";
+  if (entries.text("Experiment/Control", "force") == "force")
+    words += " with a force that grows to " + in_units(entries.quantity("Experiment/Normal load", Dimension::force, NAN), Dimension::force);
+  else
+    words += " until they have approached each other by " +
+             in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
+  const std::string type = entries.text("Experiment/Type", "normal");
+  const std::string back = entries.text("Experiment/Reverse", "true") == "true" ? " and back" : "";
+  // 0 stands for a way that the solver derives from the load.
+  const auto way = [&](const char* entry, Dimension dimension) {
+    const double length = entries.quantity(entry, dimension, 0);
+    return (length > 0 ? " by " + in_units(length, dimension) : "") + back;
+  };
+  if (type == "sliding") words += ", slid" + way("Experiment/Distance", Dimension::length);
+  if (type == "rolling") words += ", rolled" + way("Experiment/Distance", Dimension::length);
+  if (type == "torsion") words += ", spun" + way("Experiment/Angle", Dimension::angle);
+  if (type == "program") words += ", then moved as written (" + escaped(entries.text("Experiment/Program")) + ")";
+  if (entries.text("Experiment/Unload", "true") == "true") {
+    const std::string cycles = entries.text("Experiment/Cycles", "1");
+    words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
+  }
+  if (type != "normal")
+    words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
+  if (type != "normal") return words + ". What resists this motion, and which mechanism takes how much of it?";
+  return words + ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), and what stays "
+                 "behind when the load has gone?";
+}
+
+std::string in_units(double value, Dimension dimension, int digits) {
+  if (!std::isfinite(value)) return "–";
+  // Heights and imprints are thought of in nanometres also where they are less than one.
+  constexpr double nm = 1e-9, tenth = 0.1 * nm;
+  if (dimension == Dimension::length && std::abs(value) < nm && std::abs(value) >= tenth) {
+    char buffer[48];
+    std::snprintf(buffer, sizeof buffer, "%.*g nm", digits, value / nm);
+    return buffer;
+  }
+  return readable(format_quantity(value, dimension, digits));
+}
+
+std::string imprint_text(double imprint) {
+  constexpr double nm = 1e-9, shown_as_zero = 0.005;
+  return std::isfinite(imprint) ? printed("%.2f nm", std::abs(imprint / nm) < shown_as_zero ? 0.0 : imprint / nm) : "–";
+}
+
+std::string readable(const std::string& text) {
+  static const std::regex micro(R"((\d ?)u(N|m)\b)");
+  return std::regex_replace(escaped(text), micro, "$1µ$2");
+}
+
+std::string area_text(double area) {
+  constexpr double um2 = 1e-12;
+  return std::isfinite(area) ? printed("%.3g µm²", area / um2) : "–";
+}
+
+std::string in_units(const Scatter& scatter, double unit, const std::string& name, int digits) {
+  const std::string number = plus_minus(scatter, unit, digits);
+  return std::isfinite(scatter.mean) && !name.empty() ? number + " " + name : number;
+}
+
+std::string ratio_text(const Scatter& scatter) { return plus_minus(scatter, 1, 3); }
+
+std::string departure_text(double ratio) {
+  if (!std::isfinite(ratio)) return "–";
+  if (ratio >= 2) return printed("%.2g times", ratio);
+  const double percent = 100 * (ratio - 1);
+  constexpr double shown_as_zero = 0.05;
+  if (std::abs(percent) < shown_as_zero) return "0.0\u00a0%";
+  return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f\u00a0%%" : "%.0f\u00a0%%", std::abs(percent));
+}
+
+std::string percent_text(double share, int digits) {
+  if (!std::isfinite(share)) return "–";
+  if (share != 0 && std::abs(share) < smallest_share) return "&lt; 0.001 %";
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
+  return buffer;
+}
+
+std::string percent_bound(double share) { return percent_text(std::max(std::abs(share), smallest_share)); }
+
+std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "–";
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return printed("%.3g s", seconds);
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+}
+
+}  // namespace asperity::report
