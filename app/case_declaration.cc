@@ -10,8 +10,6 @@
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
-#include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -121,7 +119,7 @@ CaseEntry flag(std::string section, std::string name, Member<bool> member, std::
                       std::move(default_text), std::move(documentation));
 }
 
-CaseEntry topography(std::string section, Member<std::string> member) {
+CaseEntry topography(std::string section, Member<TopographySpec> member) {
   return {std::move(section), "Topography", "smooth", "",
           "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=80 nm, outside=mirror) | "
           "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, size=10 um, seed=3)",
@@ -136,10 +134,6 @@ CaseEntry topography(std::string section, Member<std::string> member) {
           "removed) show on average; without, it is that of the whole surface. The surface is decided by these arguments alone: it is periodic "
           "with size, by default 64 rolloffs or what 2048 pixels carry, and repeats in regions that are larger.",
           [=](CaseInput& input, const std::string& text) {
-            if (is_generator_call(text))
-              parse_generator(text);
-            else if (is_scan(text))
-              parse_scan(text);
             member(input) = text;
           }};
 }

@@ -10,7 +10,6 @@
 #include "core/quantity.h"
 #include "core/written_apart.h"
 #include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -120,9 +119,8 @@ class Checker {
   }
 
   void check_seeds() const {
-    const std::string &on_particle = input_.particle.topography, &on_substrate = input_.substrate.topography;
-    if (is_generator_call(on_particle) && is_generator_call(on_substrate) &&
-        parse_generator(on_particle).seed == parse_generator(on_substrate).seed)
+    const auto *on_particle = input_.particle.topography.generator(), *on_substrate = input_.substrate.topography.generator();
+    if (on_particle && on_substrate && on_particle->seed == on_substrate->seed)
       refuse("Substrate/Topography",
              "both surfaces are generated with the same seed, so that their heights are correlated; give one another seed");
   }
@@ -133,16 +131,16 @@ class Checker {
 };
 
 /// The entry with its scan named in full, relative to the folder of the case file.
-void find_scan(std::string& topography, const std::string& section, const Settings& settings, const fs::path& file) {
-  if (!is_scan(topography)) return;
-  ScanParameters scan = parse_scan(topography);
+void find_scan(TopographySpec& topography, const std::string& section, const Settings& settings, const fs::path& file) {
+  if (!topography.scan()) return;
+  ScanParameters scan = *topography.scan();
   const fs::path beside = (file.parent_path() / scan.file).lexically_normal();
   if (fs::is_regular_file(beside)) {
     scan.file = beside.string();
-    topography = scan.text();
+    topography = scan;
     return;
   }
-  const std::string meant = nearest_name(topography.substr(0, topography.find('(')), {"smooth", "generated"});
+  const std::string meant = nearest_name(topography.text().substr(0, topography.text().find('(')), {"smooth", "generated"});
   throw InputError(where_set(settings, section + "/Topography", file) + ": " + section + "/Topography: there is no file '" +
                    beside.string() + "'" +
                    (meant.empty() ? "; write smooth, a file, or generated(rms=1.5 nm, rolloff=200 nm, seed=3)"
@@ -166,23 +164,22 @@ void remember_physical_entries(const Settings& settings, const fs::path& file, C
       input.physical_entries[setting.path()] = setting.value;
     }
   for (const auto& [section, body] : {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
-    if (is_scan(body->topography))
-      input.physical_entries[std::string(section) + "Topography"] = with_absolute_scan(body->topography, {});
+    if (const auto* scan = body->topography.scan())
+      input.physical_entries[std::string(section) + "Topography"] = with_absolute_file(*scan, {}).text();
 }
 
 }  // namespace
 
-std::string with_absolute_scan(const std::string& topography, const fs::path& folder) {
-  ScanParameters scan = parse_scan(topography);
+ScanParameters with_absolute_file(ScanParameters scan, const fs::path& folder) {
   scan.file = fs::absolute(folder / scan.file).lexically_normal().string();
-  return scan.text();
+  return scan;
 }
 
 void naming_lines_of_scans(const Settings& settings, const CaseInput& input, const std::function<void()>& work) {
   try {
     work();
   } catch (const ScanError& error) {
-    const std::string path = std::string(error.spec == input.particle.topography ? "Particle" : "Substrate") + "/Topography";
+    const std::string path = std::string(error.spec == input.particle.topography.canonical() ? "Particle" : "Substrate") + "/Topography";
     throw InputError(where_set(settings, path, input.file) + ": " + path + ": " + error.what());
   }
 }
@@ -243,8 +240,8 @@ Settings complete_settings(const Settings& settings, const fs::path& file) {
   for (const auto& entry : case_entries()) {
     Setting setting = setting_of(entry, settings, file);
     if (entry.name == "Topography") {
-      const std::string& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
-      if (is_scan(found)) setting.value = with_absolute_scan(found, {});
+      const TopographySpec& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
+      if (found.scan()) setting.value = with_absolute_file(*found.scan(), {}).text();
     }
     complete.push_back(setting);
   }

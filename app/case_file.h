@@ -21,8 +21,8 @@ CaseInput case_from_settings(const Settings& settings, const std::filesystem::pa
 /// that it can be read from any folder. Expects settings that case_from_settings accepts.
 Settings complete_settings(const Settings& settings, const std::filesystem::path& file);
 
-/// The entry Topography that names a scan, with the file named in full, as seen from `folder`.
-std::string with_absolute_scan(const std::string& topography, const std::filesystem::path& folder);
+/// The scan with its file named in full, as seen from `folder`.
+ScanParameters with_absolute_file(ScanParameters scan, const std::filesystem::path& folder);
 
 /// Runs `work`; a scan that is refused in it (unreadable, too small) is refused with the line of the case file that names it.
 void naming_lines_of_scans(const Settings& settings, const CaseInput& input, const std::function<void()>& work);

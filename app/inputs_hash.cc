@@ -4,8 +4,7 @@
 #include "app/case_file.h"
 #include "core/atomic_file.h"
 #include "core/sha256.h"
-#include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
+#include "core/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -14,8 +13,7 @@ namespace {
 constexpr const char* version = "asperity-inputs/1\n";
 
 /// A scan by its content: the same file in another folder is the same input.
-std::string by_content(const std::string& topography) {
-  ScanParameters scan = parse_scan(topography);
+std::string by_content(ScanParameters scan) {
   scan.file = std::filesystem::path(scan.file).filename().string() + " sha256 " + sha256(read_file(scan.file));
   return scan.text();
 }
@@ -34,7 +32,8 @@ std::string inputs_sha256(const Settings& settings, const std::filesystem::path&
     if (is_about_the_run(complete[i])) continue;
     std::string value = entry.canonical(complete[i].value);
     if (!entry.required() && value == entry.canonical(entry.default_text)) continue;
-    if (entry.name == "Topography" && is_scan(value)) value = by_content(value);
+    if (entry.name == "Topography")
+      if (const auto* scan = TopographySpec(value).scan()) value = by_content(*scan);
     text += complete[i].path() + " = " + value + "\n";
   }
   return sha256(text);

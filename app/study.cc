@@ -8,8 +8,7 @@
 #include "app/case_file.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
+#include "core/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -54,10 +53,11 @@ struct Axis {
 
 /// Topography files are named relative to the file they stand in; cases live in other folders.
 void make_topography_absolute(Setting& setting, const fs::path& file) {
-  if (setting.entry != "Topography" || !is_scan(setting.value)) return;
+  if (setting.entry != "Topography") return;
   try {
-    if (fs::exists(file.parent_path() / parse_scan(setting.value).file))
-      setting.value = with_absolute_scan(setting.value, file.parent_path());
+    const TopographySpec topography(setting.value);
+    if (topography.scan() && fs::exists(file.parent_path() / topography.scan()->file))
+      setting.value = with_absolute_file(*topography.scan(), file.parent_path()).text();
   } catch (const InputError& error) {
     throw InputError(setting.where + ": " + setting.path() + ": " + error.what());
   }
@@ -132,10 +132,12 @@ std::string folder_part(const std::string& label, std::size_t index) {
 bool apply_realisation(Settings& settings, int realisation) {
   bool any = false;
   for (auto& setting : settings) {
-    if (setting.entry != "Topography" || !is_generator_call(setting.value)) continue;
+    if (setting.entry != "Topography") continue;
+    const TopographySpec topography(setting.value);
+    if (!topography.generator()) continue;
     any = true;
     if (realisation == 1) continue;
-    GeneratorParameters generator = parse_generator(setting.value);
+    GeneratorParameters generator = *topography.generator();
     generator.seed += seeds_apart * static_cast<std::uint64_t>(realisation - 1);
     setting.value = generator.text();
   }

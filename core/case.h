@@ -7,6 +7,7 @@
 
 #include "core/hertz.h"
 #include "core/motion.h"
+#include "core/topography_spec.h"
 
 namespace asperity {
 
@@ -19,8 +20,7 @@ struct BodyInput {
   enum class Hardening { isotropic, kinematic } hardening = Hardening::isotropic;
   double voce_saturation = 0;  ///< additional yield stress Q reached by Voce hardening Q(1-exp(-b eps_p)) [Pa]
   double voce_rate = 0;        ///< b of Voce hardening [-]
-  /// "smooth", a file, or "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"
-  std::string topography = "smooth";
+  TopographySpec topography;
 };
 
 /// Laws at a point of the interface.

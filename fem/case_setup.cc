@@ -10,7 +10,7 @@
 #include "fem/experiments/combined_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "surfaces/sampler.h"
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 
 namespace asperity::fem {
 namespace {
@@ -38,9 +38,9 @@ struct Roughness {
   double rms = 0, largest = 0;
 };
 
-Roughness roughness_of(const std::string& spec, double half_width, double spacing) {
+Roughness roughness_of(const TopographySpec& spec, double half_width, double spacing) {
   Roughness roughness;
-  if (spec == "smooth") return roughness;
+  if (spec.is_smooth()) return roughness;
   const double reach = 1.35 * half_width;  // the mesh lets roughness fade out beyond the region
   const auto sampler = std::make_shared<HeightSampler>(heights_over(spec, 2 * reach));
   roughness.height = [sampler](double x, double y) { return sampler->height(x, y); };
@@ -197,8 +197,8 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   const double R = input.radius;
   const bool force = input.experiment.control == ExperimentInput::Control::force;
   const double a = setup.hertz_radius;
-  const std::string& upper = input.particle.topography;
-  const std::string& lower = input.substrate.topography;
+  const TopographySpec& upper = input.particle.topography;
+  const TopographySpec& lower = input.substrate.topography;
 
   const TopographyScales upper_scales = topography_scales(upper), lower_scales = topography_scales(lower);
   setup.roughness[0].scales = upper_scales;

@@ -5,7 +5,7 @@
 #include "fem/contact/contact_system.h"
 #include "fem/experiments/program.h"
 #include "fem/mesh_quality.h"
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 
 namespace asperity::fem {
 

@@ -6,7 +6,6 @@
 #include "core/motion_program.h"
 #include "fem/case_setup.h"
 #include "fem/experiments/contact_experiment.h"
-#include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -39,7 +38,7 @@ void require_solvable(const CaseInput& input) {
 
 void check_case(const CaseInput& input) {
   require_solvable(input);
-  if (is_scan(input.particle.topography) || is_scan(input.substrate.topography))
+  if (input.particle.topography.scan() || input.substrate.topography.scan())
     fem::set_up(fem::with_derived_way(input));
   else
     fem::check_extent(input);

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <regex>
 #include <set>
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "results/surface_text.h"
+#include "core/topography_spec.h"
 
 namespace asperity {
 namespace {
@@ -53,6 +54,16 @@ std::string key_without_blanks(std::string text) {
   return text;
 }
 
+/// A text with blanks as single ones and each length as format_quantity() writes it: "slide 0.2 um" as "slide 200 nm".
+std::string lengths_in_one_writing(const std::string& text) {
+  static const std::regex blanks(R"(\s+)"), length(R"(([0-9.]+(?:e[+-]?[0-9]+)?) ?(pm|nm|um|mm|m)\b)");
+  constexpr int digits = 6;
+  std::string rest = std::regex_replace(text, blanks, " "), result;
+  for (std::smatch found; std::regex_search(rest, found, length); rest = found.suffix().str())
+    result += found.prefix().str() + format_quantity(parse_quantity(found.str(), Dimension::length), Dimension::length, digits);
+  return result + rest;
+}
+
 constexpr int digits_of_key = 9;  // more than any two inputs that are meant to be the same differ by
 
 /// In one way of writing, whatever the entry measures.
@@ -70,7 +81,7 @@ std::string canonical(const std::string& path, const std::string& text) {
     }
   const std::string topography = "/Topography";
   const bool is_surface = path.size() > topography.size() && path.compare(path.size() - topography.size(), topography.size(), topography) == 0;
-  return surface_without_seed(is_surface ? key_without_blanks(text) : text);
+  return is_surface ? key_without_blanks(TopographySpec(text).family()) : lengths_in_one_writing(text);
 }
 
 void add_canonical(const SolvedCase& solved, const std::string& path, const std::string& text, ContactInputs& inputs) {
@@ -134,8 +145,7 @@ std::vector<std::string> differing_entries(const ContactInputs& one, const Conta
 }
 
 std::string realisation_of(const SolvedCase& solved) {
-  return key_without_blanks(surface_in_one_writing(solved.entries.text("Particle/Topography", "smooth")) + " on " +
-                            surface_in_one_writing(solved.entries.text("Substrate/Topography", "smooth")));
+  return key_without_blanks(solved.entries.topography("Particle").canonical() + " on " + solved.entries.topography("Substrate").canonical());
 }
 
 }  // namespace asperity

@@ -61,6 +61,15 @@ double CaseEntries::quantity(const std::string& path, Dimension dimension, doubl
   return has(path) ? quantity(path, dimension) : otherwise;
 }
 
+TopographySpec CaseEntries::topography(const std::string& section) const {
+  const std::string path = section + "/Topography";
+  try {
+    return has(path) ? TopographySpec(text(path)) : TopographySpec();
+  } catch (const InputError& error) {
+    throw InputError(path + " of the solved case: " + error.what());
+  }
+}
+
 std::string SolvedCase::title() const {
   const std::string name = entries.text("Title");
   return name.empty() || name == "untitled" ? fs::absolute(folder).lexically_normal().filename().string() : name;
@@ -85,8 +94,7 @@ double SolvedCase::first_yield_force() const {
 }
 
 bool SolvedCase::is_rough() const {
-  return entries.text("Particle/Topography", "smooth") != "smooth" ||
-         entries.text("Substrate/Topography", "smooth") != "smooth";
+  return !entries.topography("Particle").is_smooth() || !entries.topography("Substrate").is_smooth();
 }
 
 bool SolvedCase::can_yield() const {

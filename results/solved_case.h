@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "core/hertz.h"
 #include "core/motion.h"
 #include "core/quantity.h"
+#include "core/topography_spec.h"
 #include "results/case_result.h"
 #include "results/history.h"
-#include "core/hertz.h"
 
 namespace asperity {
 
@@ -27,6 +28,8 @@ class CaseEntries {
   /// SI value; throws InputError naming an entry that is not there.
   double quantity(const std::string& path, Dimension dimension) const;
   double quantity(const std::string& path, Dimension dimension, double otherwise) const;
+  /// Surface of a body, "Particle" or "Substrate"; smooth where nothing is said. Throws InputError naming an entry that is none.
+  TopographySpec topography(const std::string& section) const;
 
  private:
   std::map<std::string, std::string> entries_;

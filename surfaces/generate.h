@@ -3,15 +3,11 @@
 
 #include <cstdint>
 
+#include "core/topography_spec.h"
 #include "surfaces/spectrum_model.h"
 #include "surfaces/topography.h"
 
 namespace asperity {
-
-/// random: real and imaginary parts of each amplitude are Gaussian (a sample of the Gaussian field; Sq and
-/// PSD scatter from seed to seed). fixed: |a_q| = sqrt(C/(lx ly)), only the phase is random (Sq is met
-/// exactly on the period).
-enum class Amplitudes { random, fixed };
 
 struct GenerateOptions {
   int nx = 0, ny = 0;     ///< pixels

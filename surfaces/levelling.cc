@@ -9,12 +9,6 @@
 namespace asperity {
 namespace {
 
-constexpr std::array<std::pair<Level, const char*>, 6> names{{{Level::mean, "mean"},
-                                                              {Level::plane, "plane"},
-                                                              {Level::quadratic, "quadratic"},
-                                                              {Level::rows0, "rows0"},
-                                                              {Level::rows1, "rows1"},
-                                                              {Level::rows2, "rows2"}}};
 /// Pixel position scaled to [-1, 1], which keeps the normal equations well conditioned.
 double scaled(int i, int n) { return (2 * i + 1.0) / n - 1; }
 
@@ -92,21 +86,6 @@ void level_rows(Topography& map) {
 }
 
 }  // namespace
-
-Level parse_level(const std::string& name) {
-  std::string known;
-  for (const auto& [level, level_name] : names) {
-    if (name == level_name) return level;
-    known += (known.empty() ? "" : ", ") + std::string(level_name);
-  }
-  throw InputError("there is no levelling '" + name + "'; choose one of " + known);
-}
-
-std::string level_name(Level level) {
-  for (const auto& [known, name] : names)
-    if (known == level) return name;
-  return "";
-}
 
 Topography levelled(const Topography& map, Level level) {
   Topography result = map;

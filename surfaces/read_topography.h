@@ -6,22 +6,14 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
+#include "core/topography_spec.h"
 #include "surfaces/topography.h"
 
 namespace asperity {
 
-/// What the user knows better than the file.
-struct ReadOptions {
-  std::optional<double> size_x_m;      ///< physical width [m]; wins over the file's
-  std::optional<double> size_y_m;      ///< physical height [m]; where only one is given, pixels are square
-  std::optional<std::string> channel;  ///< name of a channel, or its number counted from 0 as in the file
-  std::optional<std::string> height_unit;  ///< unit of heights in a text file that names none, such as "nm"
-};
-
-/// Reads a file of any kind listed in surfaces/readers/registry.cc, recognised by what it holds and not by
+/// Reads a file of any kind in surfaces/readers/formats/, recognised by what it holds and not by
 /// its name. Throws InputError with one sentence that says what is wrong with the file and what to pass
 /// instead.
 Topography read_topography(const std::filesystem::path& path, const ReadOptions& options = {});

@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/topography_spec.h"
 #include "surfaces/topography.h"
 
 namespace asperity {
-
-/// What lies beyond the edge of a map that is not periodic.
-enum class Outside { refuse, mirror };
 
 class HeightSampler {
  public:

@@ -3,42 +3,12 @@
 #include <cmath>
 
 #include "core/quantity.h"
-#include "surfaces/entry_call.h"
 #include "surfaces/fft2d.h"
 #include "surfaces/fill_missing.h"
 #include "surfaces/generate.h"
 
 namespace asperity {
 namespace {
-
-const std::string call = "scan";
-const std::string example = "scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)";
-
-void set_argument(ScanParameters& scan, const std::string& key, const std::string& value) {
-  if (value.empty()) throw InputError("there is no value");
-  if (key.empty()) {
-    if (!scan.file.empty()) throw InputError("a file is named already, and other arguments are written key=value");
-    scan.file = value;
-  } else if (key == "size") {
-    scan.options.size_x_m = parse_quantity(value, Dimension::length);
-    if (!(*scan.options.size_x_m > 0)) throw InputError("'" + value + "' is no length above 0");
-  } else if (key == "channel") {
-    scan.options.channel = value;
-  } else if (key == "unit") {
-    unit_factor(value, Dimension::length);
-    scan.options.height_unit = value;
-  } else if (key == "level") {
-    scan.level = parse_level(value);
-  } else if (key == "cutoff") {
-    scan.cutoff = parse_quantity(value, Dimension::length);
-    if (!(scan.cutoff > 0)) throw InputError("'" + value + "' is no wavelength above 0");
-  } else if (key == "outside") {
-    if (value != "refuse" && value != "mirror") throw InputError("'" + value + "' is neither refuse nor mirror");
-    scan.outside = value == "mirror" ? Outside::mirror : Outside::refuse;
-  } else {
-    throw InputError("there is no such argument; those known are size, channel, unit, level, cutoff, outside");
-  }
-}
 
 /// The map, without missing points, in the middle of its own mirror images: periodic with twice its size. Where it has an odd number
 /// of pixels, its centre lies half a pixel off.
@@ -81,38 +51,14 @@ Topography without_short_waves(const Topography& map, double cutoff) {
 
 }  // namespace
 
-std::string ScanParameters::text() const {
-  std::string arguments;
-  if (options.size_x_m) arguments += ", size=" + format_quantity(*options.size_x_m, Dimension::length, 6);
-  if (options.channel) arguments += ", channel=" + *options.channel;
-  if (options.height_unit) arguments += ", unit=" + *options.height_unit;
-  if (level != Level::plane) arguments += ", level=" + level_name(level);
-  if (cutoff > 0) arguments += ", cutoff=" + format_quantity(cutoff, Dimension::length, 6);
-  if (outside == Outside::mirror) arguments += ", outside=mirror";
-  return arguments.empty() ? file : call + "(" + file + arguments + ")";
-}
-
-ScanParameters parse_scan(const std::string& spec) {
-  const std::string text = without_outer_blanks(spec);
-  ScanParameters scan;
-  // A file may well be called "scan(1).gsf".
-  if (!is_entry_call(text, call) || text.back() != ')') {
-    scan.file = text;
-    return scan;
-  }
-  read_entry_call(text, call, example,
-                  [&](const std::string& key, const std::string& value) { set_argument(scan, key, value); });
-  if (scan.file.empty()) throw InputError("'" + spec + "' names no file; write for example " + example);
-  return scan;
-}
-
-Topography prepared_scan(const std::string& spec) {
-  const ScanParameters scan = parse_scan(spec);
+Topography prepared_scan(const ScanParameters& scan) {
   Topography map;
   try {
     map = levelled(read_topography(scan.file, scan.options), scan.level);
   } catch (const InputError& error) {
-    throw ScanError(spec, std::string(error.what()) + " (in a case file: Topography = " + example + ")");
+    throw ScanError(scan.text(), std::string(error.what()) +
+                                     " (in a case file: Topography = scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, "
+                                     "cutoff=20 nm, outside=mirror))");
   }
   map.source += ", levelled: " + level_name(scan.level);
   if (scan.cutoff > 0) {
@@ -122,12 +68,11 @@ Topography prepared_scan(const std::string& spec) {
   return map;
 }
 
-void require_cover(const std::string& spec, const Topography& map, double size) {
-  const ScanParameters scan = parse_scan(spec);
+void require_cover(const ScanParameters& scan, const Topography& map, double size) {
   if ((map.lx >= size && map.ly >= size) || map.periodic || scan.outside == Outside::mirror) return;
   ScanParameters continued = scan;
   continued.outside = Outside::mirror;
-  throw ScanError(spec, "the scan '" + scan.file + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +
+  throw ScanError(scan.text(), "the scan '" + scan.file + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +
                             format_quantity(map.ly, Dimension::length) + " but the contact needs a square of " +
                             format_quantity(size, Dimension::length) +
                             "; take a larger scan, lower the load or Mesh/Contact region, or have it continued by its mirror "

@@ -16,28 +16,14 @@ namespace asperity {
 class ScanError : public InputError {
  public:
   ScanError(std::string entry, const std::string& message) : InputError(message), spec(std::move(entry)) {}
-  std::string spec;  ///< the entry Topography
+  std::string spec;  ///< the entry Topography, in its canonical writing
 };
-
-struct ScanParameters {
-  std::string file;
-  ReadOptions options;                  ///< size, channel and height unit, where the file does not say them
-  Level level = Level::plane;           ///< what is taken off before the scan is used
-  double cutoff = 0;                    ///< waves shorter than this are taken out [m]; 0: none are
-  Outside outside = Outside::refuse;    ///< beyond the scan's edge
-
-  /// The entry of a case file: the file's name alone where nothing else is given.
-  std::string text() const;
-};
-
-/// Reads either form. Throws InputError naming the argument that is unknown or wrong. The file need not exist.
-ScanParameters parse_scan(const std::string& spec);
 
 /// The scan as read, levelled and, with a cut-off, without shorter waves. Throws ScanError.
-Topography prepared_scan(const std::string& spec);
+Topography prepared_scan(const ScanParameters& scan);
 
 /// Throws ScanError, with the remedy, where a scan does not cover a square of side `size` [m] around its centre and its entry does not
 /// ask for mirror images.
-void require_cover(const std::string& spec, const Topography& map, double size);
+void require_cover(const ScanParameters& scan, const Topography& map, double size);
 
 }  // namespace asperity

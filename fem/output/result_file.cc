@@ -11,7 +11,6 @@
 #include "fem/output/discretisation_error.h"
 #include "fem/output/steady_motion.h"
 #include "fem/solver/load_step_error.h"
-#include "surfaces/topography_spec.h"
 
 namespace asperity::fem {
 namespace {
@@ -30,7 +29,7 @@ json body_inputs(const BodyInput& body) {
           {"hardening", body.hardening == BodyInput::Hardening::kinematic ? "kinematic" : "isotropic"},
           {"voce_saturation", body.voce_saturation},
           {"voce_rate", body.voce_rate},
-          {"topography", body.topography}};
+          {"topography", body.topography.text()}};
 }
 
 /// What of a body's roughness the mesh resolves.

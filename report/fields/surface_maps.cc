@@ -11,7 +11,7 @@
 #include "report/page/page.h"
 #include "report/page/words.h"
 #include "surfaces/statistics.h"
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 
 namespace asperity::report {
 namespace {
@@ -47,7 +47,7 @@ Roughness roughness_of(const SolvedCase& solved, const std::string& section) {
             true};
   constexpr double contacts_across = 4;
   const double size = contacts_across * hertz_radius(solved), pixel = size / map_pixels;
-  const HeightSampler sampler = heights_over(solved.entries.text(section + "/Topography", "smooth"), size);
+  const HeightSampler sampler = heights_over(solved.entries.topography(section), size);
   Map map{map_pixels, map_pixels, -size / 2, size / 2, -size / 2, size / 2, {}};
   for (int iy = 0; iy < map_pixels; ++iy)
     for (int ix = 0; ix < map_pixels; ++ix) map.values.push_back(sampler.height((ix + 0.5) * pixel - size / 2, (iy + 0.5) * pixel - size / 2));
@@ -70,8 +70,8 @@ std::string roughness_statistics(const Map& heights) {
 
 std::string roughness_figure(const SolvedCase& solved, const std::string& section) {
   const std::string name = section == "Particle" ? "Sphere" : "Plane";
-  const std::string spec = solved.entries.text(section + "/Topography", "smooth");
-  if (spec == "smooth") return note(name + ": smooth, so there is no map to show.");
+  const TopographySpec spec = solved.entries.topography(section);
+  if (spec.is_smooth()) return note(name + ": smooth, so there is no map to show.");
   try {
     const Roughness roughness = roughness_of(solved, section);
     const Map map = scaled(roughness.heights, nm);
@@ -85,7 +85,7 @@ std::string roughness_figure(const SolvedCase& solved, const std::string& sectio
       where = "As the solver meshed it, seen along the axis of contact; the dashed circle is the contact that smooth bodies "
               "would have at the largest load. ";
     }
-    return figure_html(name + ": " + (is_generator_call(spec) ? "generated roughness" : "measured roughness"),
+    return figure_html(name + ": " + (spec.generator() ? "generated roughness" : "measured roughness"),
                        to_svg(figure, paint(map, *figure.scale, figure.range)),
                        where + "Yellow stands out of the material, blue is lower. " + roughness_statistics(roughness.heights));
   } catch (const InputError& error) {

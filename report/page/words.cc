@@ -7,8 +7,6 @@
 #include <regex>
 
 #include "report/page/axis.h"
-#include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
 
 namespace asperity::report {
 namespace {
@@ -40,14 +38,12 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
 
 }  // namespace
 
-std::string topography_in_words(const std::string& spec) {
-  if (spec == "smooth" || spec.empty()) return "smooth";
-  if (is_scan(spec)) {
-    const ScanParameters scan = parse_scan(spec);
-    return "measured: " + escaped(std::filesystem::path(scan.file).filename().string()) +
-           (scan.outside == Outside::mirror ? ", continued by its mirror images" : "");
-  }
-  const GeneratorParameters generator = parse_generator(spec);
+std::string topography_in_words(const TopographySpec& spec) {
+  if (spec.is_smooth()) return "smooth";
+  if (const auto* scan = spec.scan())
+    return "measured: " + escaped(std::filesystem::path(scan->file).filename().string()) +
+           (scan->outside == Outside::mirror ? ", continued by its mirror images" : "");
+  const GeneratorParameters& generator = *spec.generator();
   return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) +
          (generator.window > 0 ? " as measured in scans of " + in_units(generator.window, Dimension::length) : "") + " (Hurst exponent " +
          printed("%.3g", generator.spectrum.hurst) + ", roll-off " + in_units(generator.spectrum.rolloff, Dimension::length) +
@@ -58,9 +54,9 @@ std::string what_was_asked(const SolvedCase& solved) {
   const CaseEntries& entries = solved.entries;
   std::string words = "A sphere of radius " + in_units(entries.quantity("Particle/Radius", Dimension::length), Dimension::length) +
                       " (" + material_in_words(solved, "Particle") + "; surface: " +
-                      topography_in_words(entries.text("Particle/Topography", "smooth")) + ") is pressed on a plane (" +
+                      topography_in_words(entries.topography("Particle")) + ") is pressed on a plane (" +
                       material_in_words(solved, "Substrate") + "; surface: " +
-                      topography_in_words(entries.text("Substrate/Topography", "smooth")) + ")";
+                      topography_in_words(entries.topography("Substrate")) + ")";
   if (entries.text("Experiment/Control", "force") == "force")
     words += " with a force that grows to " + in_units(entries.quantity("Experiment/Normal load", Dimension::force, NAN), Dimension::force);
   else

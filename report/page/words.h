@@ -11,7 +11,7 @@ namespace asperity::report {
 /// "A sphere of radius 8.5 um (E = 71 GPa, ...) was pressed on a plane ... to 1 mN and released." (HTML-safe)
 std::string what_was_asked(const SolvedCase& solved);
 /// "smooth", "generated roughness, RMS 1.5 nm", "measured: scan.gsf"
-std::string topography_in_words(const std::string& spec);
+std::string topography_in_words(const TopographySpec& spec);
 /// "1.5 nm" with the micro sign; "–" if it is not known.
 std::string in_units(double value, Dimension dimension, int digits = 3);
 /// "24.3 ± 0.5 kN/m" of a scatter, in `unit` (SI) with its name.

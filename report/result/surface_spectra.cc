@@ -4,14 +4,9 @@
 #include <limits>
 
 #include "report/result/result_tables.h"
-#include "surfaces/scan_spec.h"
 
 namespace asperity::report {
 namespace {
-
-std::string entry_of(const SolvedCase& solved, const std::string& section) {
-  return solved.entries.text(section + "/Topography", "smooth");
-}
 
 /// What result.json says of a surface within the contact region [m]; NaN if it does not.
 double meshed_rms_of(const SolvedCase& solved, const std::string& section) {
@@ -21,16 +16,16 @@ double meshed_rms_of(const SolvedCase& solved, const std::string& section) {
 }  // namespace
 
 std::optional<GeneratorParameters> generator_of(const SolvedCase& solved, const std::string& section) {
-  const std::string spec = entry_of(solved, section);
-  if (!is_generator_call(spec)) return std::nullopt;
-  return parse_generator(spec);
+  const TopographySpec spec = solved.entries.topography(section);
+  if (!spec.generator()) return std::nullopt;
+  return *spec.generator();
 }
 
 double composite_rms(const SolvedCase& solved) {
   double squares = 0;
   for (const std::string section : {"Particle", "Substrate"}) {
-    const auto generator = generator_of(solved, section);
-    const double rms = generator ? generator->spectrum.rms : is_scan(entry_of(solved, section)) ? meshed_rms_of(solved, section) : 0;
+    const TopographySpec spec = solved.entries.topography(section);
+    const double rms = spec.scan() ? meshed_rms_of(solved, section) : spec.rms();
     squares += rms * rms;
   }
   return std::sqrt(squares);
@@ -48,8 +43,7 @@ std::string spectrum_shape(const SolvedCase& solved) {
     auto generator = generator_of(solved, section);
     if (!generator) continue;
     generator->spectrum.rms = 0;
-    generator->seed = 0;
-    shape += section + generator->text();
+    shape += section + generator->text_without_seed();
   }
   return shape;
 }

@@ -6,7 +6,7 @@
 
 #include "dem_compare/case_collection.h"
 #include "dem_compare/statistics.h"
-#include "surfaces/topography_spec.h"
+#include "core/topography_spec.h"
 
 namespace asperity::report {
 

@@ -9,6 +9,7 @@
 #include "report/result/result_tables.h"
 #include "report/result/surface_spectra.h"
 #include "report/page/words.h"
+#include "surfaces/surface_of_entry.h"
 #include "surfaces/virtual_afm.h"
 
 namespace asperity::report {
@@ -47,7 +48,7 @@ std::string spectrum_cells(const GeneratorParameters& generator, std::vector<std
                          in_units(spectrum.rolloff, Dimension::length), in_units(spectrum.cutoff, Dimension::length),
                          in_units(correlation_length(spectrum), Dimension::length)});
   char slope[16];
-  std::snprintf(slope, sizeof slope, "%.3f", generator.surface_spectrum().rms_slope());
+  std::snprintf(slope, sizeof slope, "%.3f", surface_spectrum(generator).rms_slope());
   return slope;
 }
 

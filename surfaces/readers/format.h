@@ -36,13 +36,17 @@ struct StoredMap {
   std::string note;   ///< anything assumed, or empty
 };
 
-/// One format; each has one file that defines a function returning it, listed in registry.cc.
+/// When a format is tried: text has no mark of its own at its beginning, and comes after those that have.
+enum class Tried { by_mark, particular_text, any_text };
+
+/// One format. Each file of formats/ is one, NAME.cc, and defines formats::make_NAME(); the build lists them.
 struct TopographyFormat {
   std::string name;                     ///< as people call it
   std::vector<std::string> extensions;  ///< usual endings, lower case with the dot
   std::string begins_with;              ///< in words, for messages: how such a file begins
   bool (*recognises)(const SourceFile& file);
   StoredMap (*read)(const SourceFile& file, const ReadOptions& options);
+  Tried tried = Tried::by_mark;
 };
 
 /// What read_topography() makes of a file that is in memory already.

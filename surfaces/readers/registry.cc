@@ -1,22 +1,19 @@
-// The list of formats: a new one needs its own file in this folder and one name here.
+#include <algorithm>
+
 #include "surfaces/readers/format.h"
 
 namespace asperity {
 
-TopographyFormat gsf_format();
-TopographyFormat gwy_format();
-TopographyFormat nanoscope_format();
-TopographyFormat park_tiff_format();
-TopographyFormat netcdf_format();
-TopographyFormat x3p_format();
-TopographyFormat xyz_format();
-TopographyFormat text_matrix_format();
+namespace formats {
+std::vector<TopographyFormat> make_all();  // generated from the files of formats/
+}
 
 const std::vector<TopographyFormat>& topography_formats() {
-  static const std::vector<TopographyFormat> formats{
-      gsf_format(), gwy_format(), nanoscope_format(), park_tiff_format(), netcdf_format(), x3p_format(),
-      // text has no mark of its own at its beginning, so it is tried last
-      xyz_format(), text_matrix_format()};
+  static const std::vector<TopographyFormat> formats = [] {
+    auto all = formats::make_all();
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.tried < b.tried; });
+    return all;
+  }();
   return formats;
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/case_file.h"
 #include "core/error.h"
-#include "surfaces/topography_spec.h"
+#include "core/topography_spec.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
 

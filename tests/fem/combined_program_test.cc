@@ -159,7 +159,7 @@ void expect_steady_spin(double spin_number, double largest_across) {
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * largest_of(energy), 1, "%"));
 }
 
-TEST(CombinedProgram_other_code, a_rolling_sphere_that_spins_meets_steady_rolling_with_spin) { expect_steady_spin(0.7, 0.05); }
+TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_meets_steady_rolling_with_spin) { expect_steady_spin(0.7, 0.05); }
 TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_full_slip) { expect_steady_spin(2, 0.15); }
 
 /// From Cattaneo's shift to Carter's rolling with creep: friction takes all the work that shift and roll put in. A moment whose lever arm is

@@ -105,7 +105,7 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
 }
 
 TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.7); }
-TEST(Mindlin_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(36, {0.3, 0.55}, 0.85); }
+TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(36, {0.3, 0.55}, 0.85); }
 TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_fortieth_of_the_radius_nears_Cattaneo) { expect_cattaneo(72, {0.05, 0.3}, 0.85); }
 
 /// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own, between them stress is locked in
@@ -136,7 +136,7 @@ double error_of_unloaded_traction(double cells) {
 }
 
 /// Its norm is half of that at the turn, and the errors of both rings are in it.
-TEST(Mindlin_analytic, traction_that_unloading_locks_in_has_both_rings) {
+TEST(MindlinNightly_analytic, traction_that_unloading_locks_in_has_both_rings) {
   const asperity::test::Verified verified{
       "Sliding", "traction left after unloading from Q/(mu P) 0.87, 2-norm, of its own, a/h 36",
       "Mindlin & Deresiewicz (1953)"};

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "surfaces/philox.h"
 #include "surfaces/sampler.h"
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 
 namespace asperity {
 namespace {

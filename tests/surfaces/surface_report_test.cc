@@ -10,7 +10,7 @@
 #include "surfaces/generate.h"
 #include "surfaces/read_topography.h"
 #include "surfaces/sampler.h"
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 #include "tests/support/shared_files.h"
 
 namespace asperity {

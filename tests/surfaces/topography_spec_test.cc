@@ -1,5 +1,5 @@
 // What a case file's entry Topography means: generator calls and scans.
-#include "surfaces/topography_spec.h"
+#include "surfaces/surface_of_entry.h"
 
 #include <gtest/gtest.h>
 
@@ -75,9 +75,9 @@ TEST(TopographySpec_analytic, an_rms_with_a_window_is_a_measured_one) {
   EXPECT_DOUBLE_EQ(measured.window, 2.5e-6);
   EXPECT_EQ(parse_generator(measured.text()).text(), measured.text());
   // Scans lose long waves to levelling, so that the surface itself is rougher than they show.
-  EXPECT_GT(measured.surface_spectrum().rms, 1.02 * 1.5e-9);
+  EXPECT_GT(surface_spectrum(measured).rms, 1.02 * 1.5e-9);
   const auto whole = parse_generator("generated(rms=1.5 nm, rolloff=1 um, cutoff=40 nm)");
-  EXPECT_DOUBLE_EQ(whole.surface_spectrum().rms, 1.5e-9);
+  EXPECT_DOUBLE_EQ(surface_spectrum(whole).rms, 1.5e-9);
   EXPECT_THROW(parse_generator("generated(rms=1.5 nm, window=0 um)"), InputError);
 }
 
@@ -103,7 +103,7 @@ TEST(TopographySpec_analytic, scans_cut_from_surfaces_as_a_case_gets_them_show_t
   EXPECT_LT(error, 0.005 * rms);  // else the mean says nothing
   EXPECT_NEAR(mean, rms, 0.01 * rms) << "standard error " << error;
   // The same entry without a window is another surface: its scans show less than 0.97 of its rms.
-  EXPECT_GT(parse_generator("generated(rms=1.5 nm, window=1.2 um, rolloff=600 nm, cutoff=75 nm)").surface_spectrum().rms, rms / 0.97);
+  EXPECT_GT(surface_spectrum(parse_generator("generated(rms=1.5 nm, window=1.2 um, rolloff=600 nm, cutoff=75 nm)")).rms, rms / 0.97);
 }
 
 namespace {
@@ -247,7 +247,7 @@ TEST(ScanSpec_analytic, a_scan_tells_the_mesh_down_to_which_wave_its_slopes_lie)
 
 TEST(TopographySpec_behaviour, a_flat_surface_in_a_window_stays_flat) {
   const auto flat = parse_generator("generated(rms=0 nm, window=2.5 um)");
-  EXPECT_EQ(flat.surface_spectrum().rms, 0);
+  EXPECT_EQ(surface_spectrum(flat).rms, 0);
   EXPECT_EQ(topography_scales("generated(rms=0 nm)").rms, 0);
 }
 
@@ -338,17 +338,17 @@ TEST(ScanSpec_behaviour, its_text_holds_what_is_not_the_usual) {
 
 TEST(ScanSpec_behaviour, a_scan_covers_a_square_up_to_its_narrower_side) {
   Topography map = written_scan();  // 0.8 x 0.6 um
-  EXPECT_NO_THROW(require_cover("a.gsf", map, 0.6e-6));
-  EXPECT_THROW(require_cover("a.gsf", map, 0.6001e-6), ScanError);
-  EXPECT_NO_THROW(require_cover("scan(a.gsf, outside=mirror)", map, 5e-6));
+  EXPECT_NO_THROW(require_cover(parse_scan("a.gsf"), map, 0.6e-6));
+  EXPECT_THROW(require_cover(parse_scan("a.gsf"), map, 0.6001e-6), ScanError);
+  EXPECT_NO_THROW(require_cover(parse_scan("scan(a.gsf, outside=mirror)"), map, 5e-6));
   std::swap(map.lx, map.ly);
-  EXPECT_NO_THROW(require_cover("a.gsf", map, 0.6e-6));
-  EXPECT_THROW(require_cover("a.gsf", map, 0.7e-6), ScanError);
+  EXPECT_NO_THROW(require_cover(parse_scan("a.gsf"), map, 0.6e-6));
+  EXPECT_THROW(require_cover(parse_scan("a.gsf"), map, 0.7e-6), ScanError);
   map.periodic = true;
-  EXPECT_NO_THROW(require_cover("a.gsf", map, 5e-6));
+  EXPECT_NO_THROW(require_cover(parse_scan("a.gsf"), map, 5e-6));
   map.periodic = false;
   const auto message =
-      test::message_of<ScanError>([&] { require_cover("scan(a.gsf, size=0.8 um)", map, 0.7e-6); });
+      test::message_of<ScanError>([&] { require_cover(parse_scan("scan(a.gsf, size=0.8 um)"), map, 0.7e-6); });
   EXPECT_NE(message.find("Topography = scan(a.gsf, size=800 nm, outside=mirror)"), std::string::npos)
       << message;
 }

@@ -7,8 +7,7 @@
 #include "results/history.h"
 #include "dem_compare/contact_parameters.h"
 #include "results/solved_case.h"
-#include "surfaces/scan_spec.h"
-#include "surfaces/topography_spec.h"
+#include "core/topography_spec.h"
 #include "tests/fuzz/targets.h"
 
 namespace asperity::fuzz {
@@ -68,12 +67,8 @@ void read_quantity(const std::string& text) {
 }
 
 void read_topography_entry(const std::string& text) {
-  if (is_generator_call(text)) {
-    const GeneratorParameters parameters = parse_generator(text);
-    parse_generator(parameters.text());
-  } else {
-    parse_scan(text);
-  }
+  const TopographySpec topography(text);
+  if (topography.generator()) expect(TopographySpec(topography.canonical()).canonical() == topography.canonical(), "a surface is read as it is written");
 }
 
 }  // namespace

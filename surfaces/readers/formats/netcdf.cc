@@ -221,12 +221,14 @@ bool recognises(const SourceFile& file) {
 
 }  // namespace
 
-TopographyFormat netcdf_format() {
+namespace formats {
+TopographyFormat make_netcdf() {
   return {"NetCDF of contact.engineering (.nc)",
           {".nc", ".nc4"},
           "the mark 'CDF' or that of HDF5",
           recognises,
           read};
 }
+}  // namespace formats
 
 }  // namespace asperity

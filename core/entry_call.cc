@@ -1,4 +1,4 @@
-#include "surfaces/entry_call.h"
+#include "core/entry_call.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,41 +1,17 @@
-// What a case file's entry `Topography` means: smooth | a scan (surfaces/scan_spec.h) | generated(rms=1.5 nm, ...).
+// The surface that a case's entry `Topography` stands for (core/topography_spec.h): its heights and its scales.
 #pragma once
 
-#include <cstdint>
 #include <limits>
-#include <string>
 
+#include "core/topography_spec.h"
 #include "surfaces/generate.h"
 #include "surfaces/sampler.h"
 #include "surfaces/topography.h"
 
 namespace asperity {
 
-/// Arguments of generated(...): a self-affine spectrum (surfaces/spectrum_model.h) and a seed.
-struct GeneratorParameters {
-  SelfAffineSpectrum spectrum{0.0, 0.8, 200e-9, 20e-9};
-  std::uint64_t seed = 1;
-  Amplitudes amplitudes = Amplitudes::random;
-  /// Side of the scans in which spectrum.rms was measured [m] (512 x 512 pixels, mean plane removed, mean over many scans:
-  /// surfaces/virtual_afm.h); 0: spectrum.rms is that of the whole surface.
-  double window = 0;
-  /// Side of the periodic square that the surface repeats [m]; 0: that of default_period.
-  double size = 0;
-
-  /// The spectrum of the surface itself: that whose scans show spectrum.rms, if it was measured.
-  SelfAffineSpectrum surface_spectrum() const;
-
-  /// "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"
-  std::string text() const;
-};
-
-/// True if the entry calls the generator.
-bool is_generator_call(const std::string& spec);
-
-/// Reads "generated(key=value, ...)". Keys: rms (needed), window, hurst, rolloff, cutoff, seed, amplitudes (random
-/// or fixed). Throws InputError naming the key that is unknown, missing, twice there, or has a value out of
-/// range.
-GeneratorParameters parse_generator(const std::string& spec);
+/// The spectrum of the surface itself: that whose scans show spectrum.rms, if it was measured in a window.
+SelfAffineSpectrum surface_spectrum(const GeneratorParameters& parameters);
 
 /// Side of a generated surface whose size is not given [m]: 64 roll-off wavelengths, but no more than 2048 pixels carry, and 8 roll-offs
 /// at least. It depends on the spectrum alone.
@@ -50,9 +26,6 @@ struct GeneratorGrid {
 };
 GeneratorGrid generator_grid(const GeneratorParameters& parameters);
 
-/// True if the entry names a measured scan.
-bool is_scan(const std::string& spec);
-
 /// What a mesh has to know of a surface before its region is known.
 struct TopographyScales {
   double rms = 0;  ///< as given, or of the whole scan [m]
@@ -63,15 +36,15 @@ struct TopographyScales {
   double unresolved = 0;  ///< share of a scan's slope variance in waves shorter than that [-]
   double period = std::numeric_limits<double>::infinity();  ///< of a generated surface, beyond which it repeats [m]
 };
-TopographyScales topography_scales(const std::string& spec);
+TopographyScales topography_scales(const TopographySpec& spec);
 
 /// The whole topography that an entry names, centred on the contact; decided by the entry alone.
 /// smooth: one pixel of height zero. A scan: see prepared_scan. generated(...): one period, expected Sq = rms over the
 /// period, or, where rms was measured in a window, with the power spectral density of the surface it was measured on.
-Topography topography_for(const std::string& spec);
+Topography topography_for(const TopographySpec& spec);
 
 /// Its heights over a square of side `size` [m] around the contact. A generated surface repeats beyond its period. Throws ScanError where
 /// a scan is smaller and its entry does not ask for mirror images.
-HeightSampler heights_over(const std::string& spec, double size);
+HeightSampler heights_over(const TopographySpec& spec, double size);
 
 }  // namespace asperity

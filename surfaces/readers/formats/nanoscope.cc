@@ -223,12 +223,14 @@ bool recognises(const SourceFile& file) {
 
 }  // namespace
 
-TopographyFormat nanoscope_format() {
+namespace formats {
+TopographyFormat make_nanoscope() {
   return {"NanoScope (.spm, .di, .001)",
           {".spm", ".di", ".000", ".001", ".002", ".003", ".004", ".005"},
           "the line '\\*File list'",
           recognises,
           read};
 }
+}  // namespace formats
 
 }  // namespace asperity

@@ -212,8 +212,10 @@ bool recognises(const SourceFile& file) {
 
 }  // namespace
 
-TopographyFormat x3p_format() {
+namespace formats {
+TopographyFormat make_x3p() {
   return {"x3p (.x3p)", {".x3p"}, "the mark of a zip archive", recognises, read};
 }
+}  // namespace formats
 
 }  // namespace asperity

@@ -100,9 +100,11 @@ bool recognises(const SourceFile& file) { return file.bytes.compare(0, magic.siz
 
 }  // namespace
 
-TopographyFormat gsf_format() {
+namespace formats {
+TopographyFormat make_gsf() {
   return {"Gwyddion Simple Field (.gsf)", {".gsf"}, "the line 'Gwyddion Simple Field 1.0'", recognises, read};
 }
+}  // namespace formats
 
 void write_gsf(const std::filesystem::path& path, const Topography& map) {
   std::ostringstream header;

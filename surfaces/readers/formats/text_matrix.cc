@@ -72,12 +72,15 @@ bool recognises(const SourceFile& file) { return text_beginning(file).columns > 
 
 }  // namespace
 
-TopographyFormat text_matrix_format() {
+namespace formats {
+TopographyFormat make_text_matrix() {
   return {"text matrix (.txt, .asc)",
           {".txt", ".asc", ".csv", ".dat"},
           "a header and rows of numbers",
           recognises,
-          read};
+          read,
+          Tried::any_text};
 }
+}  // namespace formats
 
 }  // namespace asperity

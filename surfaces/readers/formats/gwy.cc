@@ -246,6 +246,8 @@ bool recognises(const SourceFile& file) { return file.bytes.compare(0, magic.siz
 
 }  // namespace
 
-TopographyFormat gwy_format() { return {"Gwyddion (.gwy)", {".gwy"}, "the mark 'GWYP'", recognises, read}; }
+namespace formats {
+TopographyFormat make_gwy() { return {"Gwyddion (.gwy)", {".gwy"}, "the mark 'GWYP'", recognises, read}; }
+}  // namespace formats
 
 }  // namespace asperity

@@ -219,8 +219,10 @@ bool recognises(const SourceFile& file) {
 
 }  // namespace
 
-TopographyFormat park_tiff_format() {
+namespace formats {
+TopographyFormat make_park_tiff() {
   return {"Park Systems TIFF (.tiff)", {".tiff", ".tif"}, "the mark of a TIFF file", recognises, read};
 }
+}  // namespace formats
 
 }  // namespace asperity

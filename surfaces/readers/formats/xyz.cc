@@ -137,8 +137,10 @@ bool recognises(const SourceFile& file) {
 
 }  // namespace
 
-TopographyFormat xyz_format() {
-  return {"points (.xyz)", {".xyz"}, "rows of three numbers", recognises, read};
+namespace formats {
+TopographyFormat make_xyz() {
+  return {"points (.xyz)", {".xyz"}, "rows of three numbers", recognises, read, Tried::particular_text};
 }
+}  // namespace formats
 
 }  // namespace asperity
