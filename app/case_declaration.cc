@@ -10,25 +10,13 @@
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "fem/interface/adhesion_law.h"
+#include "fem/interface/friction_law.h"
 #include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
 namespace asperity {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// An interval of admissible numbers, in SI units.
-struct Range {
-  double low, high;
-  bool low_open = false, high_open = false;
-  bool holds(double x) const {
-    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
-  }
-};
-const Range positive{0, infinity, true, true};
-const Range positive_or_infinite{0, infinity, true, false};
-const Range not_negative{0, infinity, false, true};
 
 std::string in_words(const Range& range, Dimension dimension) {
   const auto number = [&](double x) { return format_quantity(x, x == 0 ? Dimension::none : dimension, 6); };
@@ -185,26 +173,32 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
   entries.push_back(topography(section, at(&BodyInput::topography)));
 }
 
+CaseEntry law_entry(const ParameterEntry& parameter) {
+  return quantity(
+      "Interface", parameter.entry,
+      [name = parameter.entry](CaseInput& c) -> double& { return c.interface.parameters[name]; },
+      parameter.dimension, parameter.range, parameter.default_text, "", documentation_of(parameter));
+}
+
 void add_interface(std::vector<CaseEntry>& entries) {
-  entries.push_back(quantity("Interface", "Friction coefficient", [](CaseInput& c) -> double& { return c.interface.friction_coefficient; },
-                             Dimension::none, not_negative, "0", "",
-                             "Local Coulomb friction of the asperities (an input; the effective friction of the rough "
-                             "contact is a result)."));
-  entries.push_back(quantity("Interface", "Shear strength", [](CaseInput& c) -> double& { return c.interface.shear_strength; },
-                             Dimension::pressure, not_negative, "0 Pa", "",
-                             "Largest local shear traction; 0: no such limit."));
+  for (const auto& parameter : parameters_of(fem::friction_laws())) entries.push_back(law_entry(parameter));
   entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area that attraction does as the surfaces close; 0: no adhesion."));
   entries.push_back(quantity("Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
-  entries.push_back(choice<std::string>("Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
-                                        {{"dugdale", "dugdale"}, {"exponential", "exponential"}, {"van_der_waals", "van_der_waals"}}, "dugdale",
-                                        "How attraction falls with the gap: constant w/h0 out to h0, (w/rho) exp(-g/rho), or "
-                                        "2 w z0^2/(z0 + g)^3."));
-  entries.push_back(quantity("Interface", "Adhesion range", [](CaseInput& c) -> double& { return c.interface.adhesion_range; },
-                             Dimension::length, not_negative, "0 m", "", "The length h0, rho or z0 of the law of adhesion."));
+  std::vector<std::pair<std::string, std::string>> names;
+  std::vector<std::string> falls;
+  for (const auto& law : fem::adhesion_laws()) {
+    names.emplace_back(law.name, law.name);
+    falls.push_back(law.fall);
+  }
+  entries.push_back(choice<std::string>(
+      "Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
+      names, InterfaceInput().adhesion_law,
+      "How attraction falls with the gap: " + alternatives(falls, ", or ") + "."));
+  for (const auto& parameter : parameters_of(fem::adhesion_laws())) entries.push_back(law_entry(parameter));
 }
 
 void add_experiment(std::vector<CaseEntry>& entries) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/hertz.h"
+#include "core/law_declaration.h"
 #include "core/motion.h"
 
 namespace asperity {
@@ -25,12 +26,10 @@ struct BodyInput {
 
 /// Laws at a point of the interface.
 struct InterfaceInput {
-  double friction_coefficient = 0;  ///< local Coulomb friction mu of the asperities [-]
-  double shear_strength = 0;        ///< largest shear traction tau [Pa]; 0: no such limit
-  double work_of_adhesion = 0;      ///< w of closing surfaces [J/m^2]; 0: no adhesion
-  double opening_work = 0;          ///< w of surfaces that were in contact [J/m^2]; 0: the same
+  LawValues parameters;  ///< of the laws of friction and adhesion; one that is left out has its default
+  double work_of_adhesion = 0;  ///< w of closing surfaces [J/m^2]; 0: no adhesion
+  double opening_work = 0;      ///< w of surfaces that were in contact [J/m^2]; 0: the same
   std::string adhesion_law = "dugdale";
-  double adhesion_range = 0;        ///< the law's length [m]
 };
 
 /// How the particle is moved.

@@ -44,7 +44,8 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
   start_before_ = slips(system_.interface_before(), accepted);
   shear_before_ = accepted.shear;
   limit_before_.resize(pressure_.size());
-  for (std::size_t r = 0; r < pressure_.size(); ++r) limit_before_[r] = friction_->limit(accepted.multiplier[r]);
+  for (std::size_t r = 0; r < pressure_.size(); ++r)
+    limit_before_[r] = friction_->initial_limit(accepted.multiplier[r]).stress;
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation from = rotation(accepted.motion), to = rotation(motion);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
@@ -62,7 +63,8 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
 }
 
 void InterfaceTractions::update_limits(const ContactState& state) {
-  for (std::size_t r = 0; r < limit_.size(); ++r) limit_[r] = friction_->limit(state.multiplier[r]);
+  for (std::size_t r = 0; r < limit_.size(); ++r)
+    limit_[r] = friction_->initial_limit(state.multiplier[r]).stress;
 }
 
 void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
@@ -136,7 +138,7 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
   for (std::size_t r = 0; r < shear_.size(); ++r) {
     const auto& t = shear_[r].traction;
     shear_change += areas[r] * (std::hypot(t[0] - state.shear[0][r], t[1] - state.shear[1][r]) +
-                                std::abs(friction_->limit(pressure_[r]) - limit_[r]));
+                                std::abs(friction_->initial_limit(pressure_[r]).stress - limit_[r]));
     shear_total += areas[r] * std::hypot(t[0], t[1]);
   }
   // Shear far below the pressures, as in purely normal contact, need not be known to a fraction of itself.
