@@ -37,8 +37,8 @@ class ContactSolver {
 
   /// Finds the equilibrium at `target` (normal force [N] under force control, approach [m] under displacement control),
   /// and at `motion`, starting from the accepted `state`, which it replaces: slip is counted from there. Does not touch the
-  /// bodies' history.
-  SolveReport solve(ContactState& state, double target, const RigidMotion& motion);
+  /// bodies' history. time_step: that this takes (InterfacePoint).
+  SolveReport solve(ContactState& state, double target, const RigidMotion& motion, double time_step = 1);
   SolveReport solve(ContactState& state, double target) { return solve(state, target, state.motion); }
 
   /// Moves the particle rigidly by `approach` more, a first guess for larger loads.
@@ -59,6 +59,8 @@ class ContactSolver {
 
   bool has_friction() const { return tractions_.has_friction(); }
   bool has_adhesion() const { return tractions_.has_adhesion(); }
+  const FrictionLaw* friction() const { return options_.friction.get(); }  ///< null: none
+  const InterfaceTractions& tractions() const { return tractions_; }
   double touch_offset() const { return touch_offset_; }
   std::function<void(const std::string&)> log;
 

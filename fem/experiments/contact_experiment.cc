@@ -83,6 +83,8 @@ bool ContactExperiment::resume() {
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
   state_.shear = checkpoint->shear;
+  state_.friction_history = checkpoint->friction_history;
+  state_.time = checkpoint->time;
   state_.bonded.assign(checkpoint->bonded.begin(), checkpoint->bonded.end());
   state_.approach = checkpoint->approach;
   state_.motion = checkpoint->motion;
@@ -165,6 +167,8 @@ void ContactExperiment::accept(ContactState& trial, double load) {
   state_.displacement.swap(trial.displacement);
   state_.multiplier = trial.multiplier;
   state_.shear = trial.shear;
+  state_.friction_history = trial.friction_history;
+  state_.time = trial.time;
   state_.bonded = trial.bonded;
   state_.approach = trial.approach;
   state_.motion = trial.motion;
@@ -175,7 +179,7 @@ void ContactExperiment::accept(ContactState& trial, double load) {
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
   // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
   // between is accepted and kept in the history.
-  std::vector<Target> pending{{target, motion}};
+  std::vector<Target> pending{{target, motion, state_.time + 1}};
   int failures = 0;
   BodyEnergies energies;
   double force_before = records_.empty() ? 0 : records_.back().normal_force;
@@ -187,13 +191,16 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     pending.back().divided = divided;
     for (int part = parts - 1; part > 0; --part) {
       const double fraction = static_cast<double>(part) / parts;
-      pending.push_back({load_ + fraction * (whole.load - load_), between(state_.motion, whole.motion, fraction), divided});
+      pending.push_back({load_ + fraction * (whole.load - load_),
+                         between(state_.motion, whole.motion, fraction),
+                         state_.time + fraction * (whole.time - state_.time), divided});
     }
   };
   while (!pending.empty()) {
     ContactState trial = state_;
     solver_->push_rigidly(trial, expected_approach(pending.back().load));
-    const SolveReport report = solver_->solve(trial, pending.back().load, pending.back().motion);
+    const SolveReport report =
+        solver_->solve(trial, pending.back().load, pending.back().motion, pending.back().time - state_.time);
     last_report_.newton += report.newton;
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
@@ -319,6 +326,8 @@ void ContactExperiment::write_step(int index) {
   c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.multiplier = state_.multiplier;
   c.shear = state_.shear;
+  c.friction_history = state_.friction_history;
+  c.time = state_.time;
   c.bonded.assign(state_.bonded.begin(), state_.bonded.end());
   c.approach = state_.approach;
   c.motion = state_.motion;

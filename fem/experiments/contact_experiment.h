@@ -29,6 +29,7 @@ class ContactExperiment {
   struct Target {
     double load;  ///< force [N] or approach [m]
     RigidMotion motion;
+    double time;  ///< see InterfacePoint
     bool divided = false;  ///< for what finite load steps leave
   };
   void solve_with_retries(double target, const RigidMotion& motion);

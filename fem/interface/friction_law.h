@@ -39,7 +39,7 @@ class FrictionLaw {
   /// (interface_tractions.h), which converges where the limit falls less per slip than the bodies' shear
   /// stress does; a limit that falls faster would let the contact jump.
   virtual ShearLimit limit(const InterfacePoint& point, const double* history) const = 0;
-  /// Names and units of the numbers that a point remembers, which are zero at first.
+  /// Names of the numbers that a point remembers, which are zero at first, in the fields of the interface.
   virtual std::vector<std::string> history() const { return {}; }
   /// Makes the history that of a state that is accepted.
   virtual void remember(const InterfacePoint&, double* /*history*/) const {}

@@ -171,7 +171,7 @@ TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) 
   constexpr double work = 0.08, length = 0.6e-9;
   test::Largest error;
   for (const auto& entry : fem::adhesion_laws()) {
-    const auto law = entry.make(work, {{"Adhesion range", length}});
+    const auto law = entry.make(work, with_defaults(entry.parameters, {{"Adhesion range", length}}));
     const int n = 200000;
     const double step = law->range() / n;
     double integral = 0;
@@ -187,7 +187,7 @@ TEST(AdhesionLaws_analytic, the_integral_of_attraction_is_the_work_of_adhesion) 
 TEST(AdhesionLaws_analytic, slope_and_work_are_the_derivative_and_the_integral_of_stress) {
   test::Largest slope, stress;
   for (const auto& entry : fem::adhesion_laws()) {
-    const auto law = entry.make(0.08, {{"Adhesion range", 0.6e-9}});
+    const auto law = entry.make(0.08, with_defaults(entry.parameters, {{"Adhesion range", 0.6e-9}}));
     for (const double gap : {0.1e-9, 0.5e-9, 0.59e-9, 0.7e-9, 2e-9}) {
       const double d = 1e-15;
       const auto here = law->at(gap), above = law->at(gap + d), below = law->at(gap - d);
