@@ -35,9 +35,10 @@ class ContactSolver {
   /// The state before first touch: the particle's lowest point meets the substrate.
   ContactState first_touch() const;
 
-  /// Finds the equilibrium at `target` (normal force [N] under force control, approach [m] under displacement control),
-  /// and at `motion`, starting from the accepted `state`, which it replaces: slip is counted from there. Does not touch the
-  /// bodies' history. time_step: that this takes (InterfacePoint).
+  /// Finds the equilibrium at `target` (normal force [N] under force control, approach [m] under displacement
+  /// control), and at `motion`, starting from the accepted `state`, which it replaces: slip is counted from
+  /// there. Does not touch the bodies' history. time_step: that this takes (InterfacePoint). Throws
+  /// StepFailure where a step has to be smaller.
   SolveReport solve(ContactState& state, double target, const RigidMotion& motion, double time_step = 1);
   SolveReport solve(ContactState& state, double target) { return solve(state, target, state.motion); }
 

@@ -176,6 +176,25 @@ void ContactExperiment::accept(ContactState& trial, double load) {
   system_->bodies().accept_step();
 }
 
+ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const Target& target,
+                                                      double force_before) {
+  Attempt made;
+  made.force = force_before;
+  try {
+    solver_->push_rigidly(trial, expected_approach(target.load));
+    made.report = solver_->solve(trial, target.load, target.motion, target.time - state_.time);
+    if (!made.report.converged) return made;
+    // Where nothing presses, the error of a step belongs to another motion.
+    if (target.load != load_) made.force = solver_->resultants(trial).force;
+    made.energies = system_->bodies().try_step(state_.displacement, trial.displacement,
+                                               telling_change(made.force - force_before, made.force));
+  } catch (const StepFailure& failure) {
+    made.report.converged = false;
+    made.failure = failure.what();
+  }
+  return made;
+}
+
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
   // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
   // between is accepted and kept in the history.
@@ -198,31 +217,33 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   };
   while (!pending.empty()) {
     ContactState trial = state_;
-    solver_->push_rigidly(trial, expected_approach(pending.back().load));
-    const SolveReport report =
-        solver_->solve(trial, pending.back().load, pending.back().motion, pending.back().time - state_.time);
+    const Attempt made = attempt(trial, pending.back(), force_before);
+    const SolveReport& report = made.report;
     last_report_.newton += report.newton;
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
     last_report_.residual = report.residual;
     if (!report.converged) {
       if (++failures > 6)
-        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
-                        std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
+        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (" +
+                        (made.failure.empty()
+                             ? "unbalanced force " + std::to_string(report.residual) + " of the load"
+                             : made.failure) +
+                        ") after halving the step six times; use more Experiment/Load steps");
       divide(2, pending.back().divided);
       continue;
     }
-    // Where nothing presses, the error of a step belongs to another motion.
+    energies = made.energies;
     const bool presses = pending.back().load != load_;
-    const double force = presses ? solver_->resultants(trial).force : force_before;
-    energies = system_->bodies().try_step(state_.displacement, trial.displacement, telling_change(force - force_before, force));
-    const int parts = pending.back().divided || !presses ? 1 : parts_needed(trial, force_before, force, energies.flow_turn);
+    const int parts = pending.back().divided || !presses
+                          ? 1
+                          : parts_needed(trial, force_before, made.force, energies.flow_turn);
     if (parts > 1) {
       divide(parts, true);
       continue;
     }
     accept(trial, pending.back().load);
-    force_before = force;
+    force_before = made.force;
     pending.pop_back();
     friction_work += report.friction_work;
     adhesion_loss += report.adhesion_loss;

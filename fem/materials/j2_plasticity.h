@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "fem/solver/hex_kernel.h"
+#include "fem/step_failure.h"
 
 namespace asperity::fem {
 
@@ -64,7 +65,8 @@ inline V double_contraction(const SymmetricTensor<V>& a, const SymmetricTensor<V
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + Number(2) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
-/// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the surface.
+/// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the
+/// surface. Throws StepFailure where none is found.
 inline double return_to_yield_surface(const J2Material& m, double q, double alpha) {
   const double stiff = 3 * m.shear_modulus + m.kinematic_modulus;
   double increment = (q - m.flow_stress(alpha)) / (stiff + m.isotropic_slope(alpha));
@@ -72,8 +74,13 @@ inline double return_to_yield_surface(const J2Material& m, double q, double alph
   for (int i = 0; i < 50; ++i) {  // Newton: the flow stress is concave, so it converges monotonically from here
     const double error = q - stiff * increment - m.flow_stress(alpha + increment);
     increment += error / (stiff + m.isotropic_slope(alpha + increment));
-    if (std::abs(error) < 1e-12 * m.yield_stress) break;
+    if (std::abs(error) < 1e-12 * m.yield_stress) return increment;
   }
+  // Far beyond yield, rounding leaves more than that.
+  const double left = q - stiff * increment - m.flow_stress(alpha + increment);
+  if (!(std::abs(left) <= 1e-12 * q))
+    throw StepFailure(
+        "the return map found no plastic strain that brings a stress back to the yield surface");
   return increment;
 }
 

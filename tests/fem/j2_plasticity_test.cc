@@ -171,6 +171,22 @@ TEST(J2_analytic, isotropic_hardening_yields_in_reverse_at_minus_the_largest_str
       at_a_point("isotropic hardening: stress of reverse yield", "-sigma_max").below(error, 1e-9, "Y"));
 }
 
+/// Softens by as much as the elastic stress falls with the strain: beyond yield no stress is on the surface.
+TEST(J2_behaviour, a_return_map_without_an_answer_says_so_and_leaves_the_state) {
+  J2Material m = material();
+  m.isotropic_modulus = -3 * m.shear_modulus;
+  m.voce_saturation = 0.01 * Y, m.voce_rate = 10;
+  Point point(m);
+  EXPECT_FALSE(point.stretch_to(0.9 * Y / (3 * m.shear_modulus)));
+  EXPECT_THROW(point.stretch_to(1.5 * Y / (3 * m.shear_modulus)), StepFailure);
+  EXPECT_EQ(point.alpha(), 0);
+  // Rounding of a trial stress far beyond yield is no failure.
+  m.isotropic_modulus = 0;
+  Point far(m);
+  EXPECT_TRUE(far.stretch_to(1e6 * Y / (3 * m.shear_modulus)));
+  EXPECT_NEAR(far.uniaxial_stress() / (1.01 * Y), 1, 1e-9);
+}
+
 /// Angle between s and the strain rate after a strain at first orthogonal to s: Krieg & Krieg (1977).
 double angle_after(double strain, int steps) {
   Point p(material());

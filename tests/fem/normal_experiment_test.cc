@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/error.h"
 #include "fem/solve_case.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/support/temporary_folder.h"
@@ -127,6 +128,19 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   // Where yielding is followed in smaller steps, a little more of it is seen.
   EXPECT_NEAR(halved.at("plastic_work [J]", 3) / whole.at("plastic_work [J]", 3), 1, 0.05);
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
+}
+
+/// A failure at one point, in a parallel loop, is one of the step.
+TEST(NormalExperiment_behaviour, a_step_whose_material_has_no_answer_is_halved_and_named) {
+  const test::TemporaryFolder folder;
+  CaseInput input = coarse_case();
+  BodyInput& body = input.substrate;
+  body.hardening_modulus = -3 * body.youngs_modulus / (2 * (1 + body.poisson_ratio));
+  body.voce_saturation = 0.01 * body.yield_stress, body.voce_rate = 10;
+  input.solver.threads = 2;
+  const std::string message = test::message_of<WorkError>([&] { solve_experiment(input, folder.path); });
+  EXPECT_NE(message.find("return map"), std::string::npos) << message;
+  EXPECT_NE(message.find("after halving the step six times"), std::string::npos) << message;
 }
 
 TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
