@@ -12,6 +12,7 @@
 #include "core/quantity.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
+#include "fem/materials/hardening.h"
 #include "surfaces/scan_spec.h"
 #include "surfaces/topography_spec.h"
 
@@ -147,6 +148,19 @@ CaseEntry motion_program(std::string section) {
           }};
 }
 
+CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter, Member<LawValues> values) {
+  const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
+    return values(input)[name];
+  };
+  if (parameter.words.empty())
+    return quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
+                    parameter.default_text, "", documentation_of(parameter));
+  std::vector<std::pair<std::string, double>> words;
+  for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
+  return choice<double>(section, parameter.entry, member, words, parameter.default_text,
+                        documentation_of(parameter));
+}
+
 /// Entries that both bodies have.
 void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
               const std::string& modulus_example, const std::string& ratio_example) {
@@ -157,31 +171,15 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
                              "", modulus_example, "Young's modulus E."));
   entries.push_back(quantity(section, "Poisson ratio", at(&BodyInput::poisson_ratio), Dimension::none,
                              {0, 0.5, false, true}, "", ratio_example, "Poisson's ratio nu."));
-  entries.push_back(quantity(section, "Yield stress", at(&BodyInput::yield_stress), Dimension::pressure,
-                             positive_or_infinite, "inf", "", "Initial uniaxial yield stress; inf: the body stays elastic."));
-  entries.push_back(quantity(section, "Hardening modulus", at(&BodyInput::hardening_modulus), Dimension::pressure,
-                             not_negative, "0 Pa", "",
-                             "H, growth of the yield stress per plastic strain; 0: perfectly plastic."));
-  entries.push_back(choice<BodyInput::Hardening>(
-      section, "Hardening", at(&BodyInput::hardening),
-      {{"isotropic", BodyInput::Hardening::isotropic}, {"kinematic", BodyInput::Hardening::kinematic}}, "isotropic",
-      "Whether the linear hardening widens the yield surface or shifts it (Prager)."));
-  entries.push_back(quantity(section, "Voce saturation", at(&BodyInput::voce_saturation), Dimension::pressure,
-                             not_negative, "0 Pa", "", "Q of Voce's hardening Q (1 - exp(-b eps_p)), added to the yield stress."));
-  entries.push_back(quantity(section, "Voce rate", at(&BodyInput::voce_rate), Dimension::none, not_negative, "0", "",
-                             "b of Voce's hardening."));
+  for (const auto& parameter : parameters_of(fem::material_laws()))
+    entries.push_back(law_entry(section, parameter, at(&BodyInput::parameters)));
   entries.push_back(topography(section, at(&BodyInput::topography)));
 }
 
-CaseEntry law_entry(const ParameterEntry& parameter) {
-  return quantity(
-      "Interface", parameter.entry,
-      [name = parameter.entry](CaseInput& c) -> double& { return c.interface.parameters[name]; },
-      parameter.dimension, parameter.range, parameter.default_text, "", documentation_of(parameter));
-}
-
 void add_interface(std::vector<CaseEntry>& entries) {
-  for (const auto& parameter : parameters_of(fem::friction_laws())) entries.push_back(law_entry(parameter));
+  const Member<LawValues> values = [](CaseInput& input) -> LawValues& { return input.interface.parameters; };
+  for (const auto& parameter : parameters_of(fem::friction_laws()))
+    entries.push_back(law_entry("Interface", parameter, values));
   entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area that attraction does as the surfaces close; 0: no adhesion."));
@@ -198,7 +196,8 @@ void add_interface(std::vector<CaseEntry>& entries) {
       "Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
       names, InterfaceInput().adhesion_law,
       "How attraction falls with the gap: " + alternatives(falls, ", or ") + "."));
-  for (const auto& parameter : parameters_of(fem::adhesion_laws())) entries.push_back(law_entry(parameter));
+  for (const auto& parameter : parameters_of(fem::adhesion_laws()))
+    entries.push_back(law_entry("Interface", parameter, values));
 }
 
 void add_experiment(std::vector<CaseEntry>& entries) {

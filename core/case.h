@@ -1,7 +1,6 @@
 // What a case file says, in SI units. app/ reads it; meshing and fem work from it.
 #pragma once
 
-#include <limits>
 #include <map>
 #include <string>
 
@@ -15,11 +14,8 @@ namespace asperity {
 struct BodyInput {
   double youngs_modulus = 0;  ///< E [Pa]
   double poisson_ratio = 0;   ///< nu [-]
-  double yield_stress = std::numeric_limits<double>::infinity();  ///< initial uniaxial yield stress [Pa]; inf: elastic
-  double hardening_modulus = 0;  ///< H = d(sigma_y)/d(eps_p) [Pa]; 0: perfectly plastic
-  enum class Hardening { isotropic, kinematic } hardening = Hardening::isotropic;
-  double voce_saturation = 0;  ///< additional yield stress Q reached by Voce hardening Q(1-exp(-b eps_p)) [Pa]
-  double voce_rate = 0;        ///< b of Voce hardening [-]
+  LawValues parameters;  ///< of the laws of plasticity; one that is left out has its default, and the body is
+                         ///< elastic without any
   /// "smooth", a file, or "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3)"
   std::string topography = "smooth";
 };

@@ -28,7 +28,24 @@ std::string documentation_of(const ParameterEntry& parameter) {
 }
 
 double default_of(const ParameterEntry& parameter) {
+  const auto& words = parameter.words;
+  if (!words.empty())
+    return static_cast<double>(std::find(words.begin(), words.end(), parameter.default_text) - words.begin());
   return parse_quantity(parameter.default_text, parameter.dimension);
+}
+
+std::vector<std::string> given_entries(const std::vector<ParameterEntry>& parameters,
+                                       const LawValues& values) {
+  std::vector<std::string> given;
+  for (const auto& parameter : parameters)
+    if (values.at(parameter.entry) != default_of(parameter)) given.push_back(parameter.entry);
+  return given;
+}
+
+std::string law_in_words(const LawDeclaration& law) {
+  std::vector<std::string> entries;
+  for (const auto& parameter : law.parameters) entries.push_back(parameter.entry);
+  return law.name + " (" + alternatives(entries, " and ") + ")";
 }
 
 LawValues with_defaults(const std::vector<ParameterEntry>& parameters, LawValues values) {

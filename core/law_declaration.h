@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "core/quantity.h"
 #include "core/range.h"
 
@@ -24,6 +25,8 @@ struct ParameterEntry {
   std::string documentation;  ///< for the manual; {symbols} stands for those of all laws that take the entry
   std::string default_text = "0";
   Range range = not_negative;
+  std::vector<std::string>
+      words{};                ///< of a choice, whose value is the word's place among them; empty: a number
   bool optional = false;      ///< the law can be meant by a case that leaves it at its default
   std::string if_missing;     ///< what to do where a law that needs it lacks it, as the end of a sentence
 };
@@ -80,11 +83,37 @@ double default_of(const ParameterEntry& parameter);
 /// `values` and the defaults of those parameters that they lack.
 LawValues with_defaults(const std::vector<ParameterEntry>& parameters, LawValues values);
 
+/// Entries of these parameters whose values are not their defaults.
+std::vector<std::string> given_entries(const std::vector<ParameterEntry>& parameters,
+                                       const LawValues& values);
+
+/// "Coulomb (Friction coefficient)".
+std::string law_in_words(const LawDeclaration& law);
+
 /// First parameter without which the law is not meant that `values` leave at its default; null: they have
 /// all.
 const ParameterEntry* first_missing(const LawDeclaration& law, const LawValues& values);
 
 /// "a", "a or b", "a, b or c".
 std::string alternatives(const std::vector<std::string>& words, const std::string& last = " or ");
+
+/// The law that takes all that `values` give and has what it needs. Throws InputError, calling laws a `kind`,
+/// if that is none or several.
+template <class Declaration>
+const Declaration& the_law_meant(const std::vector<Declaration>& laws, const LawValues& values,
+                                 const std::string& kind) {
+  const std::vector<std::string> given = given_entries(parameters_of(laws), values);
+  std::vector<const Declaration*> meant;
+  std::vector<std::string> all;
+  for (const auto& law : laws) {
+    const bool takes_all =
+        std::all_of(given.begin(), given.end(), [&](const auto& entry) { return law.takes(entry); });
+    if (takes_all && !first_missing(law, values)) meant.push_back(&law);
+    all.push_back(law_in_words(law));
+  }
+  if (meant.size() == 1) return *meant.front();
+  throw InputError((meant.empty() ? "no " : "more than one ") + kind + " takes just " +
+                   alternatives(given, " and ") + "; give the entries of one: " + alternatives(all));
+}
 
 }  // namespace asperity

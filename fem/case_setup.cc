@@ -133,10 +133,10 @@ std::string resolution_text(const MeshedRoughness& roughness, const std::string&
 
 J2Material material_of(const BodyInput& body) {
   J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
-  material.yield_stress = body.yield_stress;
-  (body.hardening == BodyInput::Hardening::kinematic ? material.kinematic_modulus : material.isotropic_modulus) = body.hardening_modulus;
-  material.voce_saturation = body.voce_saturation;
-  material.voce_rate = body.voce_rate;
+  const Plasticity plasticity = make_plasticity(body);
+  material.yield_stress = plasticity.yield_stress;
+  material.kinematic_modulus = plasticity.kinematic_modulus;
+  material.hardening = plasticity.hardening;
   return material;
 }
 

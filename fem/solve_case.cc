@@ -25,6 +25,7 @@ void require_solvable(const CaseInput& input) {
   try {
     rubs = fem::make_friction_law(i) != nullptr;
     fem::make_adhesion_laws(i);
+    for (const auto* body : {&input.particle, &input.substrate}) fem::make_plasticity(*body);
   } catch (const InputError& error) {
     refuse(error.what());
   }

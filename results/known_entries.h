@@ -17,7 +17,7 @@ struct KnownEntry {
 const std::vector<KnownEntry>& known_quantities();
 const std::vector<KnownEntry>& known_words();
 
-/// Name of an entry of section Interface in `inputs` of result.json: "Shear strength" -> "shear_strength".
+/// Name of an entry of a law in `inputs` of result.json: "Shear strength" -> "shear_strength".
 std::string result_name(std::string entry);
 
 }  // namespace asperity

@@ -195,6 +195,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before) : target > state.approach;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
+  system_.bodies().begin_step({state.time + time_step, time_step});
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);

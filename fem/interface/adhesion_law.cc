@@ -1,6 +1,6 @@
 #include "fem/interface/adhesion_law.h"
 
-#include "adhesion_law_files.h"  // all of adhesion/; what they declare is linked for being included here
+#include "adhesion_files.h"  // all of adhesion/; what they declare is linked for being included here
 #include "core/error.h"
 
 namespace asperity::fem {

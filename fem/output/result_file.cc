@@ -11,6 +11,7 @@
 #include "core/residual_imprint.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
+#include "fem/materials/hardening.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/steady_motion.h"
 #include "fem/solver/load_step_error.h"
@@ -27,14 +28,19 @@ json number(double value, const char* unit, double sd) {
 }
 
 json body_inputs(const BodyInput& body) {
-  return {{"youngs_modulus", body.youngs_modulus},
-          {"poissons_ratio", body.poisson_ratio},
-          {"yield_stress", std::isfinite(body.yield_stress) ? json(body.yield_stress) : json("inf")},
-          {"hardening_modulus", body.hardening_modulus},
-          {"hardening", body.hardening == BodyInput::Hardening::kinematic ? "kinematic" : "isotropic"},
-          {"voce_saturation", body.voce_saturation},
-          {"voce_rate", body.voce_rate},
-          {"topography", body.topography}};
+  json inputs{{"youngs_modulus", body.youngs_modulus},
+              {"poissons_ratio", body.poisson_ratio},
+              {"topography", body.topography}};
+  const auto parameters = parameters_of(material_laws());
+  const LawValues values = with_defaults(parameters, body.parameters);
+  for (const auto& parameter : parameters) {
+    const double value = values.at(parameter.entry);
+    json& said = inputs[result_name(parameter.entry)];
+    if (!parameter.words.empty()) said = parameter.words.at(static_cast<std::size_t>(value));
+    else if (std::isfinite(value)) said = value;
+    else said = "inf";
+  }
+  return inputs;
 }
 
 /// Of all laws, those that the case leaves at their defaults as well.

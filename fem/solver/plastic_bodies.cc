@@ -71,7 +71,8 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
       J2Tangent<V> point;
       failures.guard([&] {
         yields =
-            return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point) || yields;
+            return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point, time_) ||
+            yields;
       });
       for (int l = 0; l < lanes; ++l) {
         tangents[q].theta[l] = static_cast<float>(point.theta[l]);
@@ -114,7 +115,8 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
       const PointHistory old = updated[q];
       for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
       failures.guard([&] {
-        yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent) ||
+        yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent,
+                            time_) ||
                  yields;
       });
       SymmetricTensor<V> increment, mean_stress, elastic_strain, change_of_stress, relative_before, trial;

@@ -43,6 +43,9 @@ class PlasticBodies {
 
   PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
 
+  /// Of the step that the next calls are about.
+  void begin_step(const StepTime& time) { time_ = time; }
+
   /// f = internal nodal forces for displacement u (ghosts up to date), not condensed, ghosts not compressed.
   /// Fills the tangents of yielding batches where `tangent` is given. Throws StepFailure, on all ranks, where
   /// a return map fails.
@@ -77,6 +80,7 @@ class PlasticBodies {
   const MeshLevel& level_;
   std::vector<double> positions_;
   std::array<J2Material, 2> materials_;
+  StepTime time_;
   double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
   std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
 };

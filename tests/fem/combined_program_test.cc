@@ -191,7 +191,7 @@ TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_
   CaseInput input = program_case(test::generated(1.0, 160, 3), 34e-9,
                                  "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
                                  "roll 1 mrad and slide -6 nm and slide across 6 nm; press 100 uN in 2 steps");
-  input.particle.yield_stress = 2e9;
+  input.particle.parameters["Yield stress"] = 2e9;
   const auto whole = run(input, folder.path / "whole");
   const auto result = nlohmann::json::parse(read_file(folder.path / "whole" / "result.json"));
   EXPECT_EQ(result["experiment"], "program");

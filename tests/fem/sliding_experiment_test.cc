@@ -124,7 +124,7 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
 TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 34e-9);
-  input.particle.yield_stress = 1.5e9;  // its asperities reach 1.8 GPa
+  input.particle.parameters["Yield stress"] = 1.5e9;  // its asperities reach 1.8 GPa
   input.experiment.distance = 10e-9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   const std::string what = "rough yielding sliding, half a loop";
@@ -183,8 +183,8 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
 TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
-  input.substrate.yield_stress = 4e9;
-  input.particle.yield_stress = 3e9;
+  input.substrate.parameters["Yield stress"] = 4e9;
+  input.particle.parameters["Yield stress"] = 3e9;
   input.interface.parameters["Friction coefficient"] = 0.5;
   input.experiment.type = Motion::torsion;
   input.experiment.angle = 0.2;
@@ -218,7 +218,7 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   input.experiment.way_back = 60e-9;  // where slip turns within steps
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
-  input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
+  input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_TRUE(balances_energy("Adhesion", "rough yielding rolling with hysteresis, 8 load steps", whole, 1));
@@ -247,7 +247,7 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   input.experiment.motion_steps = 3;
   input.experiment.load_steps = 4;
   input.experiment.reverse = false;
-  input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
+  input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.1;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
   const auto whole = solve_experiment(input, folder.path / "whole");

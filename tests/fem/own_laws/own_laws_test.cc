@@ -10,6 +10,7 @@
 #include "app/case_declaration.h"
 #include "app/case_file.h"
 #include "core/error.h"
+#include "fem/case_setup.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/solve_case.h"
@@ -23,13 +24,13 @@ namespace {
 using namespace asperity;
 using test::solve_experiment;
 
-/// A smooth elastic sphere on its like.
+/// A smooth sphere on its like, elastic but for what `particle` says.
 CaseInput own_case(const std::filesystem::path& folder, const std::string& interface,
-                   const std::string& experiment, const std::string& mesh) {
+                   const std::string& experiment, const std::string& mesh, const std::string& particle = "") {
   const std::string glass = "set Young modulus = 71 GPa\n set Poisson ratio = 0.17\nend\n";
   const std::filesystem::path file = folder / "case.prm";
   std::ofstream(file) << "subsection Particle\n set Radius = 8.5 um\n"
-                      << glass << "subsection Substrate\n"
+                      << particle << glass << "subsection Substrate\n"
                       << glass << "subsection Interface\n"
                       << interface << "end\nsubsection Experiment\n"
                       << experiment << "end\nsubsection Mesh\n"
@@ -185,10 +186,41 @@ TEST(OwnAdhesionLaw_analytic, draws_a_sphere_apart_as_its_work_says) {
   EXPECT_TRUE(balances("Adhesion", s));
 }
 
+/// A point stretched to 2 % of plastic strain, and a contact of the same material.
+TEST(OwnMaterial_analytic, hardens_as_its_law_says_and_balances_energy) {
+  const test::TemporaryFolder folder;
+  const CaseInput input =
+      own_case(folder.path, "", "set Normal load = 300 uN\n set Load steps = 3\n set Unload steps = 2\n",
+               "set Interface spacing = 60 nm\n",
+               "set Yield stress = 1.2 GPa\n set Swift strain = 0.01\n set Swift exponent = 0.3\n");
+  const fem::J2Material material = fem::material_of(input.particle);
+  constexpr double plastic = 0.02;
+  const double expected = 1.2e9 * std::pow(1 + plastic / 0.01, 0.3),
+               strain = expected / (3 * material.shear_modulus) + plastic;
+  const fem::J2Material* lane[fem::lanes];
+  fem::Simd<double> shear;
+  fem::SymmetricTensor<fem::Simd<double>> deviator{}, stress;
+  for (int l = 0; l < fem::lanes; ++l) {
+    lane[l] = &material, shear[l] = material.shear_modulus;
+    for (int c = 0; c < 3; ++c) deviator[c][l] = c == 0 ? strain : -0.5 * strain;
+  }
+  fem::PlasticState<fem::Simd<double>> state{};
+  fem::J2Tangent<fem::Simd<double>> tangent;
+  fem::return_map(lane, shear, deviator, state, stress, tangent);
+  const test::Verified verified{
+      "Material law", "hardening by a law from outside: stress at 2 % plastic strain", "Y (1 + alpha/e)^n"};
+  EXPECT_TRUE(verified.below(1.5 * stress[0][0] / expected - 1, 1e-10));
+  const auto s = solve_experiment(input, folder.path / "solved");
+  EXPECT_GT(s.history.numbers("plastic_work [J]").back(), 0);
+  EXPECT_GT(s.result["effective"]["particle_von_mises"]["value"].get<double>(), 1.3e9);
+  EXPECT_TRUE(balances("Yielding", s));
+  EXPECT_EQ(s.result["inputs"]["particle"]["swift_exponent"], 0.3);
+}
+
 TEST(OwnLaws_behaviour, are_in_manual_and_choices_and_refuse_entries_that_are_not_theirs) {
   const std::string manual = case_reference();
-  for (const char* said : {"`Kinetic friction coefficient`", "`Weakening distance`", "`Adhesion plateau`",
-                           "dugdale \\| exponential \\| trapezoidal"})
+  for (const char* said : {"`Kinetic friction coefficient`", "`Weakening distance`", "`Swift exponent`",
+                           "`Adhesion plateau`", "dugdale \\| exponential \\| trapezoidal"})
     EXPECT_NE(manual.find(said), std::string::npos) << said;
   EXPECT_NE(case_template().find("set Weakening distance = 0 m"), std::string::npos);
   const test::TemporaryFolder folder;
@@ -196,13 +228,16 @@ TEST(OwnLaws_behaviour, are_in_manual_and_choices_and_refuse_entries_that_are_no
   EXPECT_EQ(input.physical_entries.at("Interface/Weakening distance"), "80 nm");
   input.interface.parameters["Shear strength"] = 1e9;
   const auto message = [&] { return test::message_of<InputError>([&] { check_case(input); }); };
-  EXPECT_NE(message().find("no law of friction takes just Interface/"), std::string::npos) << message();
+  EXPECT_NE(message().find("no law of friction takes just "), std::string::npos) << message();
   EXPECT_NE(message().find(
                 "Slip weakening (Friction coefficient, Kinetic friction coefficient and Weakening distance)"),
             std::string::npos)
       << message();
   input.interface.parameters.erase("Shear strength");
   EXPECT_NO_THROW(check_case(input));
+  input.particle.parameters = {
+      {"Yield stress", 1e9}, {"Swift strain", 0.01}, {"Swift exponent", 0.2}, {"Voce rate", 3}};
+  EXPECT_NE(message().find("no law of plasticity takes just "), std::string::npos) << message();
 }
 
 }  // namespace
