@@ -13,7 +13,8 @@ function(asperity_batches target)
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# asperity_folder(name LIBS ... [EXCEPT ...]): the library of one folder, from all its sources but those of folders with their own.
+# asperity_folder(name LIBS ... [EXCEPT ...]): the library of one folder, from all its sources but those of
+# folders with their own.
 function(asperity_folder name)
   cmake_parse_arguments(ARG "" "" "LIBS;EXCEPT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)

@@ -1,5 +1,6 @@
-# asperity_laws(name kind...): a library of laws in the current folder, without deal.II, for the case file reads their parameters. Every file of
-# the folder of a kind is one law; the list KIND_files.h is made here, so that a new law touches no other file.
+# asperity_laws(name kind...): a library of laws in the current folder, without deal.II, for the case file
+# reads their parameters. Every file of the folder of a kind is one law; the list KIND_files.h is made here,
+# so that a new law touches no other file.
 function(asperity_laws name)
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
   add_library(asperity_${name} STATIC ${sources})
