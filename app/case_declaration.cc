@@ -10,23 +10,12 @@
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "fem/interface/adhesion_law.h"
+#include "fem/interface/friction_law.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// An interval of admissible numbers, in SI units.
-struct Range {
-  double low, high;
-  bool low_open = false, high_open = false;
-  bool holds(double x) const {
-    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
-  }
-};
-const Range positive{0, infinity, true, true};
-const Range positive_or_infinite{0, infinity, true, false};
-const Range not_negative{0, infinity, false, true};
 
 std::string in_words(const Range& range, Dimension dimension) {
   const auto number = [&](double x) { return format_quantity(x, x == 0 ? Dimension::none : dimension, 6); };
@@ -153,6 +142,19 @@ CaseEntry motion_program(std::string section) {
           }};
 }
 
+CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter, Member<LawValues> values) {
+  const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
+    return values(input)[name];
+  };
+  if (parameter.words.empty())
+    return quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
+                    parameter.default_text, "", documentation_of(parameter));
+  std::vector<std::pair<std::string, double>> words;
+  for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
+  return choice<double>(section, parameter.entry, member, words, parameter.default_text,
+                        documentation_of(parameter));
+}
+
 /// Entries that both bodies have.
 void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
               const std::string& modulus_example, const std::string& ratio_example) {
@@ -163,42 +165,33 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
                              "", modulus_example, "Young's modulus E."));
   entries.push_back(quantity(section, "Poisson ratio", at(&BodyInput::poisson_ratio), Dimension::none,
                              {0, 0.5, false, true}, "", ratio_example, "Poisson's ratio nu."));
-  entries.push_back(quantity(section, "Yield stress", at(&BodyInput::yield_stress), Dimension::pressure,
-                             positive_or_infinite, "inf", "", "Initial uniaxial yield stress; inf: the body stays elastic."));
-  entries.push_back(quantity(section, "Hardening modulus", at(&BodyInput::hardening_modulus), Dimension::pressure,
-                             not_negative, "0 Pa", "",
-                             "H, growth of the yield stress per plastic strain; 0: perfectly plastic."));
-  entries.push_back(choice<BodyInput::Hardening>(
-      section, "Hardening", at(&BodyInput::hardening),
-      {{"isotropic", BodyInput::Hardening::isotropic}, {"kinematic", BodyInput::Hardening::kinematic}}, "isotropic",
-      "Whether the linear hardening widens the yield surface or shifts it (Prager)."));
-  entries.push_back(quantity(section, "Voce saturation", at(&BodyInput::voce_saturation), Dimension::pressure,
-                             not_negative, "0 Pa", "", "Q of Voce's hardening Q (1 - exp(-b eps_p)), added to the yield stress."));
-  entries.push_back(quantity(section, "Voce rate", at(&BodyInput::voce_rate), Dimension::none, not_negative, "0", "",
-                             "b of Voce's hardening."));
+  for (const auto& parameter : parameters_of(fem::material_laws()))
+    entries.push_back(law_entry(section, parameter, at(&BodyInput::parameters)));
   entries.push_back(topography(section, at(&BodyInput::topography)));
 }
 
 void add_interface(std::vector<CaseEntry>& entries) {
-  entries.push_back(quantity("Interface", "Friction coefficient", [](CaseInput& c) -> double& { return c.interface.friction_coefficient; },
-                             Dimension::none, not_negative, "0", "",
-                             "Local Coulomb friction of the asperities (an input; the effective friction of the rough "
-                             "contact is a result)."));
-  entries.push_back(quantity("Interface", "Shear strength", [](CaseInput& c) -> double& { return c.interface.shear_strength; },
-                             Dimension::pressure, not_negative, "0 Pa", "",
-                             "Largest local shear traction; 0: no such limit."));
+  const Member<LawValues> values = [](CaseInput& input) -> LawValues& { return input.interface.parameters; };
+  for (const auto& parameter : parameters_of(fem::friction_laws()))
+    entries.push_back(law_entry("Interface", parameter, values));
   entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area that attraction does as the surfaces close; 0: no adhesion."));
   entries.push_back(quantity("Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
                              Dimension::surface_energy, not_negative, "0 J/m^2", "",
                              "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
-  entries.push_back(choice<std::string>("Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
-                                        {{"dugdale", "dugdale"}, {"exponential", "exponential"}, {"van_der_waals", "van_der_waals"}}, "dugdale",
-                                        "How attraction falls with the gap: constant w/h0 out to h0, (w/rho) exp(-g/rho), or "
-                                        "2 w z0^2/(z0 + g)^3."));
-  entries.push_back(quantity("Interface", "Adhesion range", [](CaseInput& c) -> double& { return c.interface.adhesion_range; },
-                             Dimension::length, not_negative, "0 m", "", "The length h0, rho or z0 of the law of adhesion."));
+  std::vector<std::pair<std::string, std::string>> names;
+  std::vector<std::string> falls;
+  for (const auto& law : fem::adhesion_laws()) {
+    names.emplace_back(law.name, law.name);
+    falls.push_back(law.fall);
+  }
+  entries.push_back(choice<std::string>(
+      "Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
+      names, InterfaceInput().adhesion_law,
+      "How attraction falls with the gap: " + alternatives(falls, ", or ") + "."));
+  for (const auto& parameter : parameters_of(fem::adhesion_laws()))
+    entries.push_back(law_entry("Interface", parameter, values));
 }
 
 void add_experiment(std::vector<CaseEntry>& entries) {

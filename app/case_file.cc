@@ -9,6 +9,7 @@
 #include "core/nearest_name.h"
 #include "core/quantity.h"
 #include "core/written_apart.h"
+#include "fem/materials/hardening.h"
 #include "surfaces/scan_spec.h"
 
 namespace asperity {
@@ -48,8 +49,8 @@ class Checker {
     check_load();
     check_program();
     check_mesh();
-    check_hardening("Particle", input_.particle);
-    check_hardening("Substrate", input_.substrate);
+    check_material("Particle", input_.particle);
+    check_material("Substrate", input_.substrate);
     check_seeds();
   }
 
@@ -109,13 +110,9 @@ class Checker {
                                            format_quantity(extent, Dimension::length) + "; lower it, or 0 derives it");
   }
 
-  void check_hardening(const std::string& section, const BodyInput& body) const {
-    if ((body.voce_saturation > 0) != (body.voce_rate > 0))
-      refuse(section + (body.voce_saturation > 0 ? "/Voce saturation" : "/Voce rate"),
-             section + "'s Voce hardening needs both Voce saturation and Voce rate above 0; set both or neither");
-    if (body.hardening_modulus >= body.youngs_modulus)
-      refuse(section + "/Hardening modulus", section + "'s Hardening modulus must be less than its Young modulus of " +
-                                                 format_quantity(body.youngs_modulus, Dimension::pressure));
+  void check_material(const std::string& section, const BodyInput& body) const {
+    const fem::MaterialObjection objection = fem::objection_to(body);
+    if (!objection.sentence.empty()) refuse(section + "/" + objection.entry, section + objection.sentence);
   }
 
   void check_seeds() const {

@@ -3,6 +3,9 @@
 
 #include "app/case_declaration.h"
 #include "app/study.h"
+#include "fem/interface/adhesion_law.h"
+#include "fem/interface/friction_law.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity {
 namespace {
@@ -30,6 +33,37 @@ std::string in_table(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
   return cell;
+}
+
+/// What each law is; its entries are in the table of the section before.
+template <class Law>
+std::string table_of_laws(const std::string& heading, const std::vector<Law>& laws) {
+  std::string text =
+      "\n" + heading + "\n\n| law | equation | entries | holds | source |\n| --- | --- | --- | --- | --- |\n";
+  for (const auto& law : laws) {
+    std::vector<std::string> entries;
+    for (const auto& parameter : law.parameters)
+      entries.push_back("`" + parameter.entry + "`" +
+                        (parameter.symbols.empty() ? "" : " " + alternatives(parameter.symbols)));
+    text += "| " + law.name + " | `" + in_table(law.equation) + "` | " + alternatives(entries, ", ") + " | " +
+            in_table(law.validity) + " | " + in_table(law.source) + " |\n";
+  }
+  return text;
+}
+
+std::string laws_of_bodies() {
+  return table_of_laws(
+      "A law of plasticity is asked for by its entries: what it needs and none of another's; a body without "
+      "any stays elastic.",
+      fem::material_laws());
+}
+
+std::string laws_of_interface() {
+  return table_of_laws(
+             "A law of friction is asked for by its entries: what it needs and none of another's; without "
+             "any there is none. t: shear traction, p: contact pressure.",
+             fem::friction_laws()) +
+         table_of_laws("Laws of adhesion: stress s at a gap g, w: `Work of adhesion`.", fem::adhesion_laws());
 }
 
 }  // namespace
@@ -68,6 +102,8 @@ std::string case_reference() {
       if (entry.section == section.name)
         text += "| `" + entry.name + "` | " + (entry.required() ? "required" : "`" + entry.default_text + "`") + " | " +
                 in_table(entry.admissible) + " | " + in_table(entry.documentation) + " |\n";
+    if (section.name == "Substrate") text += laws_of_bodies();
+    if (section.name == "Interface") text += laws_of_interface();
   }
   text += "\n## Study files\n\nA study file is a case file with one more subsection, for `asperity study`:\n\n```\n" +
           std::string(study_example) + "```\n";

@@ -43,10 +43,14 @@ std::vector<@type@> make_all() {
   target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${namespace}_list.cc)
 endfunction()
 
-# asperity_folder(name LIBS ...): the library of one folder, from all its sources.
+# asperity_folder(name LIBS ... [EXCEPT ...]): the library of one folder, from all its sources but those of
+# folders with their own.
 function(asperity_folder name)
-  cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LIBS;EXCEPT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
+  foreach(folder ${ARG_EXCEPT})
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  endforeach()
   if(NOT sources)
     add_library(asperity_${name} INTERFACE)
     return()

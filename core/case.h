@@ -1,11 +1,11 @@
 // What a case file says, in SI units. app/ reads it; meshing and fem work from it.
 #pragma once
 
-#include <limits>
 #include <map>
 #include <string>
 
 #include "core/hertz.h"
+#include "core/law_declaration.h"
 #include "core/motion.h"
 #include "core/topography_spec.h"
 
@@ -15,22 +15,17 @@ namespace asperity {
 struct BodyInput {
   double youngs_modulus = 0;  ///< E [Pa]
   double poisson_ratio = 0;   ///< nu [-]
-  double yield_stress = std::numeric_limits<double>::infinity();  ///< initial uniaxial yield stress [Pa]; inf: elastic
-  double hardening_modulus = 0;  ///< H = d(sigma_y)/d(eps_p) [Pa]; 0: perfectly plastic
-  enum class Hardening { isotropic, kinematic } hardening = Hardening::isotropic;
-  double voce_saturation = 0;  ///< additional yield stress Q reached by Voce hardening Q(1-exp(-b eps_p)) [Pa]
-  double voce_rate = 0;        ///< b of Voce hardening [-]
+  LawValues parameters;  ///< of the laws of plasticity; one that is left out has its default, and the body is
+                         ///< elastic without any
   TopographySpec topography;
 };
 
 /// Laws at a point of the interface.
 struct InterfaceInput {
-  double friction_coefficient = 0;  ///< local Coulomb friction mu of the asperities [-]
-  double shear_strength = 0;        ///< largest shear traction tau [Pa]; 0: no such limit
-  double work_of_adhesion = 0;      ///< w of closing surfaces [J/m^2]; 0: no adhesion
-  double opening_work = 0;          ///< w of surfaces that were in contact [J/m^2]; 0: the same
+  LawValues parameters;  ///< of the laws of friction and adhesion; one that is left out has its default
+  double work_of_adhesion = 0;  ///< w of closing surfaces [J/m^2]; 0: no adhesion
+  double opening_work = 0;      ///< w of surfaces that were in contact [J/m^2]; 0: the same
   std::string adhesion_law = "dugdale";
-  double adhesion_range = 0;        ///< the law's length [m]
 };
 
 /// How the particle is moved.

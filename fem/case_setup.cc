@@ -9,6 +9,7 @@
 #include "core/written_apart.h"
 #include "fem/experiments/combined_program.h"
 #include "fem/interface/adhesion_law.h"
+#include "fem/interface/friction_law.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -64,8 +65,8 @@ Roughness roughness_of(const TopographySpec& spec, double half_width, double spa
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
-  const double coulomb = input.interface.friction_coefficient * setup.largest_load, strength = input.interface.shear_strength * area;
-  const double friction = coulomb == 0 ? strength : strength == 0 ? coulomb : std::min(coulomb, strength);
+  const auto law = make_friction_law(input.interface);
+  const double friction = law ? area * law->initial_limit(setup.largest_load / area).stress : 0;
   const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) + (2 - input.substrate.poisson_ratio) / shear(input.substrate);
   const double torsion = 1 / shear(input.particle) + 1 / shear(input.substrate);
   MotionScales scales;
@@ -132,10 +133,10 @@ std::string resolution_text(const MeshedRoughness& roughness, const std::string&
 
 J2Material material_of(const BodyInput& body) {
   J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
-  material.yield_stress = body.yield_stress;
-  (body.hardening == BodyInput::Hardening::kinematic ? material.kinematic_modulus : material.isotropic_modulus) = body.hardening_modulus;
-  material.voce_saturation = body.voce_saturation;
-  material.voce_rate = body.voce_rate;
+  const Plasticity plasticity = make_plasticity(body);
+  material.yield_stress = plasticity.yield_stress;
+  material.kinematic_modulus = plasticity.kinematic_modulus;
+  material.hardening = plasticity.hardening;
   return material;
 }
 

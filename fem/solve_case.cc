@@ -20,14 +20,23 @@ void require_solvable(const CaseInput& input) {
   const bool rolls = e.type == Motion::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
   if (rolls && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
-  if (i.work_of_adhesion > 0 && i.adhesion_range == 0)
-    refuse("Interface/Adhesion range is 0: give the length over which attraction falls, e.g. Adhesion range = 0.5 nm");
+  bool rubs = false;
+  try {
+    rubs = fem::make_friction_law(i) != nullptr;
+    fem::make_adhesion_laws(i);
+    for (const auto* body : {&input.particle, &input.substrate}) fem::make_plasticity(*body);
+  } catch (const InputError& error) {
+    refuse(error.what());
+  }
   if (i.opening_work > 0 && i.opening_work < i.work_of_adhesion)
     refuse("Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
-  if (e.type != Motion::normal && input.interface.friction_coefficient == 0 && input.interface.shear_strength == 0 && e.type == Motion::torsion)
-    refuse("torsion without friction meets no resistance; set Interface/Friction coefficient or Shear strength");
+  if (e.type == Motion::torsion && !rubs) {
+    std::vector<std::string> entries;
+    for (const auto& parameter : parameters_of(fem::friction_laws())) entries.push_back(parameter.entry);
+    refuse("torsion without friction meets no resistance; set Interface/" + alternatives(entries));
+  }
   if (e.type != Motion::normal && e.cycles > 1 && !e.reverse)
     refuse("Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
   if (e.way_back > 0 && (!e.reverse || e.cycles > 1 || (e.type != Motion::sliding && e.type != Motion::rolling)))

@@ -9,45 +9,10 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/topography_spec.h"
+#include "results/known_entries.h"
 
 namespace asperity {
 namespace {
-
-/// Entries that results had before they listed them.
-struct KnownEntry {
-  const char* path;
-  Dimension dimension;
-  const char* otherwise;  ///< where a case does not say it; empty: it must
-};
-
-const std::vector<KnownEntry>& known_quantities() {
-  static const std::vector<KnownEntry> entries{{"Particle/Radius", Dimension::length, ""},
-                                               {"Particle/Young modulus", Dimension::pressure, ""},
-                                               {"Particle/Poisson ratio", Dimension::none, ""},
-                                               {"Particle/Yield stress", Dimension::pressure, "inf"},
-                                               {"Particle/Hardening modulus", Dimension::pressure, "0"},
-                                               {"Particle/Voce saturation", Dimension::pressure, "0"},
-                                               {"Particle/Voce rate", Dimension::none, "0"},
-                                               {"Substrate/Young modulus", Dimension::pressure, ""},
-                                               {"Substrate/Poisson ratio", Dimension::none, ""},
-                                               {"Substrate/Yield stress", Dimension::pressure, "inf"},
-                                               {"Substrate/Hardening modulus", Dimension::pressure, "0"},
-                                               {"Substrate/Voce saturation", Dimension::pressure, "0"},
-                                               {"Substrate/Voce rate", Dimension::none, "0"},
-                                               {"Interface/Friction coefficient", Dimension::none, "0"},
-                                               {"Interface/Shear strength", Dimension::pressure, "0"},
-                                               {"Interface/Work of adhesion", Dimension::surface_energy, "0"},
-                                               {"Interface/Opening work", Dimension::surface_energy, "0"},
-                                               {"Interface/Adhesion range", Dimension::length, "0"}};
-  return entries;
-}
-
-const ContactInputs& known_words() {
-  static const ContactInputs words{{"Particle/Hardening", "isotropic"}, {"Particle/Topography", "smooth"},
-                                   {"Substrate/Hardening", "isotropic"}, {"Substrate/Topography", "smooth"},
-                                   {"Interface/Adhesion law", "dugdale"}};
-  return words;
-}
 
 std::string key_without_blanks(std::string text) {
   text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }), text.end());
@@ -96,7 +61,8 @@ bool is_of_section(const std::string& path, const std::string& section) { return
 
 /// Of a result that does not list them.
 ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
-  ContactInputs inputs = known_words();
+  ContactInputs inputs;
+  for (const auto& known : known_words()) inputs[known.path] = known.otherwise;
   for (const auto& known : known_quantities())
     if (*known.otherwise) add_canonical(solved, known.path, known.otherwise, inputs);
   for (const auto& [path, text] : solved.entries.all())

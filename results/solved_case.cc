@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/parameter_file.h"
+#include "results/known_entries.h"
 
 namespace asperity {
 namespace {
@@ -38,10 +39,14 @@ void add_result_inputs(const CaseResult& result, Entries& entries) {
   if (inputs.contains("radius")) entries["Particle/Radius"] = entry_text(inputs["radius"]);
   if (inputs.contains("largest_load")) entries["Experiment/Normal load"] = entry_text(inputs["largest_load"]);
   if (inputs.contains("control")) entries["Experiment/Control"] = entry_text(inputs["control"]);
-  for (const auto& [name, entry] : {std::pair{"friction_coefficient", "Friction coefficient"}, std::pair{"shear_strength", "Shear strength"},
-                                    std::pair{"work_of_adhesion", "Work of adhesion"}, std::pair{"opening_work", "Opening work"},
-                                    std::pair{"adhesion_law", "Adhesion law"}, std::pair{"adhesion_range", "Adhesion range"}})
-    if (inputs.contains(name)) entries[std::string("Interface/") + entry] = entry_text(inputs[name]);
+  const std::string section = "Interface/";
+  for (const auto* known : {&known_quantities(), &known_words()})
+    for (const auto& entry : *known) {
+      const std::string path = entry.path;
+      if (path.rfind(section, 0) != 0) continue;
+      const std::string name = result_name(path.substr(section.size()));
+      if (inputs.contains(name)) entries[path] = entry_text(inputs[name]);
+    }
   if (!result.title.empty()) entries["Title"] = result.title;
 }
 

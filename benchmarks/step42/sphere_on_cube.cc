@@ -19,6 +19,7 @@
 
 #include "core/error.h"
 #include "fem/contact/contact_solver.h"
+#include "fem/materials/hardening/linear_and_voce.h"
 
 namespace {
 
@@ -31,7 +32,8 @@ constexpr double stiffness_of_sphere = 1000;  // over the cube's
 J2Material material_of_cube() {
   J2Material m = J2Material::elastic(youngs_modulus, poisson_ratio);
   m.yield_stress = std::sqrt(1.5) * sigma_0;
-  m.isotropic_modulus = 3 * m.shear_modulus * gamma_hardening / (1 - gamma_hardening);
+  m.hardening =
+      std::make_shared<LinearAndVoce>(3 * m.shear_modulus * gamma_hardening / (1 - gamma_hardening));
   return m;
 }
 

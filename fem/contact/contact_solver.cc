@@ -44,6 +44,7 @@ ContactState ContactSolver::first_touch() const {
   state.displacement.update_ghost_values();
   state.multiplier.assign(system_.rows().size(), 0.0);
   for (auto& component : state.shear) component.assign(system_.rows().size(), 0.0);
+  state.friction_history.assign(system_.rows().size() * tractions_.history_size(), 0.0);
   if (tractions_.has_adhesion()) state.bonded.assign(system_.rows().size(), 0);
   state.coupling = system_.coupling();
   return state;
@@ -182,7 +183,8 @@ SurfaceDisplacement ContactSolver::mean_displacement(const ContactState& state) 
   return mean_surface_displacement(system_.row_points(), weight, {system_.interface().jumps(displacement, 0), system_.interface().jumps(displacement, 1)});
 }
 
-SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion) {
+SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion,
+                                 double time_step) {
   SolveReport report;
   const auto& level = system_.level();
   // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs from it is small.
@@ -193,7 +195,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before) : target > state.approach;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
-  tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows);
+  system_.bodies().begin_step({state.time + time_step, time_step});
+  tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
   if (force_control()) complete(state.displacement, state.approach);
   else advance_to(state, target, report);
@@ -278,6 +281,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
     report.adhesion_loss = tractions_.update_bonds(state, here);
     report.adhesion_energy = tractions_.adhesion_energy(state, here);
   }
+  tractions_.update_history(state);
   if (force_control()) read_approach(state);
   return report;
 }

@@ -14,6 +14,10 @@ struct ContactState {
   Vector<double> displacement;
   std::vector<double> multiplier;  ///< lambda of each row [Pa], also the pressure of an accepted state
   std::array<std::vector<double>, 2> shear;  ///< shear traction on the particle of each row along x and y [Pa]
+  /// Of each row, one after the other: slip path [m], shear limit [Pa] and what the law of friction
+  /// remembers; empty: no friction.
+  std::vector<double> friction_history;
+  double time = 0;                 ///< see InterfacePoint
   std::vector<char> bonded;        ///< rows that were in contact and have not left the range of attraction since; empty: no adhesion
   double approach = 0;             ///< displacement of the driven plane towards the substrate [m], from first touch
   RigidMotion motion;

@@ -6,8 +6,14 @@
 
 namespace asperity::fem {
 
-InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, const AdhesionLaws& adhesion, double penalty)
-    : system_(system), friction_(friction), adhesion_(adhesion), penalty_(penalty), pressure_(system.rows().size(), 0.0) {
+InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction,
+                                       const AdhesionLaws& adhesion, double penalty)
+    : system_(system),
+      friction_(friction),
+      adhesion_(adhesion),
+      penalty_(penalty),
+      pressure_(system.rows().size(), 0.0),
+      history_size_(history_size()) {
   if (has_adhesion()) attraction_.assign(pressure_.size(), {0, 0, 0});
   if (!friction_) return;
   limit_.assign(pressure_.size(), 0.0);
@@ -38,13 +44,17 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOper
 }
 
 void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before,
-                                    const std::vector<double>& gaps, bool load_grows) {
+                                    const std::vector<double>& gaps, bool load_grows, double time_step) {
+  time_ = accepted.time + time_step, time_step_ = time_step;
   if (!friction_) return;
+  gap_ = gaps;
+  for (auto& component : slip_) component.assign(pressure_.size(), 0.0);
   start_ = slip_origin_ = slips(system_.interface(), accepted);
   start_before_ = slips(system_.interface_before(), accepted);
   shear_before_ = accepted.shear;
   limit_before_.resize(pressure_.size());
-  for (std::size_t r = 0; r < pressure_.size(); ++r) limit_before_[r] = friction_->limit(accepted.multiplier[r]);
+  for (std::size_t r = 0; r < pressure_.size(); ++r)
+    limit_before_[r] = accepted.friction_history[r * history_size_ + 1];
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation from = rotation(accepted.motion), to = rotation(motion);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
@@ -62,13 +72,43 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
 }
 
 void InterfaceTractions::update_limits(const ContactState& state) {
-  for (std::size_t r = 0; r < limit_.size(); ++r) limit_[r] = friction_->limit(state.multiplier[r]);
+  for (std::size_t r = 0; r < limit_.size(); ++r) limit_[r] = shear_limit(state, r, state.multiplier[r]);
+}
+
+InterfacePoint InterfaceTractions::point(const ContactState& state, std::size_t row, double pressure) const {
+  InterfacePoint point;
+  point.pressure = pressure;
+  point.gap = gap_[row];
+  if (pressure > 0 && shear_[row].slips) point.slip = {slip_[0][row], slip_[1][row]};
+  const double way = std::hypot(point.slip[0], point.slip[1]);
+  point.slip_path = state.friction_history[row * history_size_] + way;
+  point.slip_rate = time_step_ > 0 ? way / time_step_ : 0;
+  point.time = time_, point.time_step = time_step_;
+  return point;
+}
+
+double InterfaceTractions::shear_limit(const ContactState& state, std::size_t row, double pressure) const {
+  const double* history = state.friction_history.data() + row * history_size_ + kept_of_all_laws;
+  return friction_->limit(point(state, row, pressure), history).stress;
+}
+
+void InterfaceTractions::update_history(ContactState& state) const {
+  state.time = time_;
+  if (!friction_) return;
+  for (std::size_t r = 0; r < pressure_.size(); ++r) {
+    double* kept = state.friction_history.data() + r * history_size_;
+    const InterfacePoint reached = point(state, r, state.multiplier[r]);
+    kept[1] = shear_limit(state, r, state.multiplier[r]);
+    kept[0] = reached.slip_path;
+    friction_->remember(reached, kept + kept_of_all_laws);
+  }
 }
 
 void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
   for (std::size_t r = 0; r < pressure_.size(); ++r) pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
   for (std::size_t r = 0; r < attraction_.size(); ++r) attraction_[r] = attraction(state, static_cast<int>(r), gaps[r]);
   if (!friction_) return;
+  gap_ = gaps;
   slip_ = slips(system_.interface(), state);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     for (int c = 0; c < 2; ++c) slip_[c][r] -= slip_origin_[c][r];
@@ -136,7 +176,7 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
   for (std::size_t r = 0; r < shear_.size(); ++r) {
     const auto& t = shear_[r].traction;
     shear_change += areas[r] * (std::hypot(t[0] - state.shear[0][r], t[1] - state.shear[1][r]) +
-                                std::abs(friction_->limit(pressure_[r]) - limit_[r]));
+                                std::abs(shear_limit(state, r, pressure_[r]) - limit_[r]));
     shear_total += areas[r] * std::hypot(t[0], t[1]);
   }
   // Shear far below the pressures, as in purely normal contact, need not be known to a fraction of itself.

@@ -1,10 +1,13 @@
-// Pressure and shear at each contact row from gaps and slips: the interface laws applied by an augmented Lagrangian.
+// Pressure and shear at each contact row from gaps and slips: the interface laws applied by an augmented
+// Lagrangian.
 //
 // Attraction, if any, acts beside the contact pressure p at its own gap (adhesion_law.h).
-//   p = max(0, lambda - eps g),   t = return_to_limit(lambda_t - eps s, limit(lambda)),   lambda <- p, lambda_t <- t.
-// The limit is that of the last multipliers (Tresca friction), so that the equilibrium for fixed multipliers still minimises
-// a convex function; at the fixed point of the updates it is Coulomb's. Source: Alart & Curnier (1991); Haslinger, Hlavacek &
-// Necas (1996), Handbook of Numerical Analysis IV, ch. 3 (fixed point of Tresca problems).
+//   p = max(0, lambda - eps g),   t = return_to_limit(lambda_t - eps s, limit(lambda, s)),   lambda <- p,
+//   lambda_t <- t.
+// The limit is that of the last multipliers and the slip under them (Tresca friction), so that the
+// equilibrium for fixed multipliers still minimises a convex function; at the fixed point of the updates it
+// is the law's. Source: Alart & Curnier (1991); Haslinger, Hlavacek & Necas (1996), Handbook of Numerical
+// Analysis IV, ch. 3 (fixed point of Tresca problems).
 #pragma once
 
 #include <memory>
@@ -30,9 +33,10 @@ class InterfaceTractions {
   /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is counted from there.
   /// A row that is open slips only from where it closes, which its gaps at the accepted displacements before and after the
   /// coupling tell; where the load grows, one that the motion does not close slips from the beginning.
+  /// time_step: from the accepted state's time.
   void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps,
-                  bool load_grows);
-  /// Shear limits from the multipliers of `state`.
+                  bool load_grows, double time_step);
+  /// Shear limits from the multipliers of `state` and the evaluated slip.
   void update_limits(const ContactState& state);
   /// Rows with friction that stick beyond their limit until release():
   /// those whose motion does not carry their slip on, or those that stick now. For first guesses.
@@ -56,6 +60,9 @@ class InterfaceTractions {
   /// Bonds of the evaluated rows at the end of a step: those that touch are formed, those out of range are broken. What their
   /// attraction changes is made up by the multipliers. Returns the energy that is lost [J].
   double update_bonds(ContactState& state, const std::vector<double>& gaps) const;
+  /// Makes time and history of `state`, which begin_step() was given, those of the evaluated rows at the end
+  /// of a step.
+  void update_history(ContactState& state) const;
   double adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const;
   /// y += forces of the evaluated tractions on all nodes.
   void add_forces(double* y) const;
@@ -74,8 +81,18 @@ class InterfaceTractions {
   /// couplings before and after the step see of the same displacements. Both make the balance of energy one of second order in the step.
   double friction_work(const ContactState& state) const;
   bool has_friction() const { return friction_ != nullptr; }
+  /// Numbers that a state keeps of each row for friction.
+  std::size_t history_size() const { return friction_ ? kept_of_all_laws + friction_->history().size() : 0; }
+  /// What a row of a state remembers for the law of friction; index: in FrictionLaw::history().
+  double remembered(const ContactState& state, std::size_t row, std::size_t index) const {
+    return state.friction_history[row * history_size_ + kept_of_all_laws + index];
+  }
 
  private:
+  static constexpr std::size_t kept_of_all_laws = 2;  ///< slip path, shear limit
+  /// A row under a pressure after the evaluated slip.
+  InterfacePoint point(const ContactState& state, std::size_t row, double pressure) const;
+  double shear_limit(const ContactState& state, std::size_t row, double pressure) const;
   /// Place of each row's node along x and y relative to the substrate's surface as it is displaced, but for a constant.
   std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface, const ContactState& state) const;
 
@@ -84,10 +101,12 @@ class InterfaceTractions {
   AdhesionLaws adhesion_;
   double penalty_;
   std::vector<char> held_;
-  std::vector<double> pressure_, limit_, limit_before_;
+  std::vector<double> pressure_, gap_, limit_, limit_before_;
   std::vector<AdhesionLaw::Attraction> attraction_;
   std::array<std::vector<double>, 2> slip_origin_, slip_, start_, start_before_, shear_before_;
   std::vector<Shear> shear_;
+  std::size_t history_size_;
+  double time_ = 0, time_step_ = 0;
 };
 
 }  // namespace asperity::fem

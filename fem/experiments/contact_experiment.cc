@@ -83,6 +83,8 @@ bool ContactExperiment::resume() {
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
   state_.shear = checkpoint->shear;
+  state_.friction_history = checkpoint->friction_history;
+  state_.time = checkpoint->time;
   state_.bonded.assign(checkpoint->bonded.begin(), checkpoint->bonded.end());
   state_.approach = checkpoint->approach;
   state_.motion = checkpoint->motion;
@@ -165,6 +167,8 @@ void ContactExperiment::accept(ContactState& trial, double load) {
   state_.displacement.swap(trial.displacement);
   state_.multiplier = trial.multiplier;
   state_.shear = trial.shear;
+  state_.friction_history = trial.friction_history;
+  state_.time = trial.time;
   state_.bonded = trial.bonded;
   state_.approach = trial.approach;
   state_.motion = trial.motion;
@@ -172,10 +176,29 @@ void ContactExperiment::accept(ContactState& trial, double load) {
   system_->bodies().accept_step();
 }
 
+ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const Target& target,
+                                                      double force_before) {
+  Attempt made;
+  made.force = force_before;
+  try {
+    solver_->push_rigidly(trial, expected_approach(target.load));
+    made.report = solver_->solve(trial, target.load, target.motion, target.time - state_.time);
+    if (!made.report.converged) return made;
+    // Where nothing presses, the error of a step belongs to another motion.
+    if (target.load != load_) made.force = solver_->resultants(trial).force;
+    made.energies = system_->bodies().try_step(state_.displacement, trial.displacement,
+                                               telling_change(made.force - force_before, made.force));
+  } catch (const StepFailure& failure) {
+    made.report.converged = false;
+    made.failure = failure.what();
+  }
+  return made;
+}
+
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
   // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
   // between is accepted and kept in the history.
-  std::vector<Target> pending{{target, motion}};
+  std::vector<Target> pending{{target, motion, state_.time + 1}};
   int failures = 0;
   BodyEnergies energies;
   double force_before = records_.empty() ? 0 : records_.back().normal_force;
@@ -187,35 +210,40 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     pending.back().divided = divided;
     for (int part = parts - 1; part > 0; --part) {
       const double fraction = static_cast<double>(part) / parts;
-      pending.push_back({load_ + fraction * (whole.load - load_), between(state_.motion, whole.motion, fraction), divided});
+      pending.push_back({load_ + fraction * (whole.load - load_),
+                         between(state_.motion, whole.motion, fraction),
+                         state_.time + fraction * (whole.time - state_.time), divided});
     }
   };
   while (!pending.empty()) {
     ContactState trial = state_;
-    solver_->push_rigidly(trial, expected_approach(pending.back().load));
-    const SolveReport report = solver_->solve(trial, pending.back().load, pending.back().motion);
+    const Attempt made = attempt(trial, pending.back(), force_before);
+    const SolveReport& report = made.report;
     last_report_.newton += report.newton;
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
     last_report_.residual = report.residual;
     if (!report.converged) {
       if (++failures > 6)
-        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (unbalanced force " +
-                        std::to_string(report.residual) + " of the load) after halving the step six times; use more Experiment/Load steps");
+        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (" +
+                        (made.failure.empty()
+                             ? "unbalanced force " + std::to_string(report.residual) + " of the load"
+                             : made.failure) +
+                        ") after halving the step six times; use more Experiment/Load steps");
       divide(2, pending.back().divided);
       continue;
     }
-    // Where nothing presses, the error of a step belongs to another motion.
+    energies = made.energies;
     const bool presses = pending.back().load != load_;
-    const double force = presses ? solver_->resultants(trial).force : force_before;
-    energies = system_->bodies().try_step(state_.displacement, trial.displacement, telling_change(force - force_before, force));
-    const int parts = pending.back().divided || !presses ? 1 : parts_needed(trial, force_before, force, energies.flow_turn);
+    const int parts = pending.back().divided || !presses
+                          ? 1
+                          : parts_needed(trial, force_before, made.force, energies.flow_turn);
     if (parts > 1) {
       divide(parts, true);
       continue;
     }
     accept(trial, pending.back().load);
-    force_before = force;
+    force_before = made.force;
     pending.pop_back();
     friction_work += report.friction_work;
     adhesion_loss += report.adhesion_loss;
@@ -319,6 +347,8 @@ void ContactExperiment::write_step(int index) {
   c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.multiplier = state_.multiplier;
   c.shear = state_.shear;
+  c.friction_history = state_.friction_history;
+  c.time = state_.time;
   c.bonded.assign(state_.bonded.begin(), state_.bonded.end());
   c.approach = state_.approach;
   c.motion = state_.motion;

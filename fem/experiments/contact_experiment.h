@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/provenance.h"
@@ -29,8 +30,17 @@ class ContactExperiment {
   struct Target {
     double load;  ///< force [N] or approach [m]
     RigidMotion motion;
+    double time;  ///< see InterfacePoint
     bool divided = false;  ///< for what finite load steps leave
   };
+  /// What a step to a target came to; from `report` alone where it has not converged.
+  struct Attempt {
+    SolveReport report;
+    double force;  ///< [N]
+    BodyEnergies energies;
+    std::string failure;  ///< that broke it off
+  };
+  Attempt attempt(ContactState& trial, const Target& target, double force_before);
   void solve_with_retries(double target, const RigidMotion& motion);
   /// Into how many parts a step that was tried has to be divided.
   int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;

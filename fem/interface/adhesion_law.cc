@@ -1,22 +1,30 @@
 #include "fem/interface/adhesion_law.h"
 
+#include "adhesion_files.h"  // all of adhesion/; what they declare is linked for being included here
 #include "core/error.h"
-#include "fem/interface/dugdale.h"
-#include "fem/interface/exponential_attraction.h"
-#include "fem/interface/van_der_waals.h"
 
 namespace asperity::fem {
 
-const std::vector<AdhesionLawEntry>& adhesion_laws() {
-  static const std::vector<AdhesionLawEntry> laws{Dugdale::entry(), ExponentialAttraction::entry(), VanDerWaals::entry()};
-  return laws;
+const std::vector<AdhesionLawDeclaration>& adhesion_laws() {
+  return Registered<AdhesionLawDeclaration>::all();
 }
 
-std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, double length) {
+ParameterEntry adhesion_range(const std::string& symbol) {
+  ParameterEntry range{
+      "Adhesion range", {symbol}, Dimension::length, "The length {symbols} of the law of adhesion.", "0 m"};
+  range.if_missing = "give the length over which attraction falls, e.g. Adhesion range = 0.5 nm";
+  return range;
+}
+
+std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work,
+                                               const LawValues& values) {
   std::string names;
   for (const auto& law : adhesion_laws()) {
-    if (law.name == name) return law.make(work, length);
     names += (names.empty() ? "" : ", ") + law.name;
+    if (law.name != name) continue;
+    const ParameterEntry* missing = first_missing(law, values);
+    if (missing) throw InputError("Interface/" + missing->entry + " is 0: " + missing->if_missing);
+    return law.make(work, with_defaults(law.parameters, values));
   }
   throw InputError("'" + name + "' is no law of adhesion; use one of " + names);
 }
@@ -24,8 +32,10 @@ std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double w
 AdhesionLaws make_adhesion_laws(const InterfaceInput& input) {
   AdhesionLaws laws;
   if (input.work_of_adhesion == 0) return laws;
-  laws.closing = make_adhesion_law(input.adhesion_law, input.work_of_adhesion, input.adhesion_range);
-  laws.opening = input.opening_work == 0 ? laws.closing : make_adhesion_law(input.adhesion_law, input.opening_work, input.adhesion_range);
+  laws.closing = make_adhesion_law(input.adhesion_law, input.work_of_adhesion, input.parameters);
+  laws.opening = input.opening_work == 0
+                     ? laws.closing
+                     : make_adhesion_law(input.adhesion_law, input.opening_work, input.parameters);
   return laws;
 }
 

@@ -1,9 +1,10 @@
 // Attraction across the gap of an interface point: traction and separation.
 //
-// A law is one small class in one file of this folder, which also says what it is. adhesion_law.cc lists them. Attraction acts beside
-// the contact pressure, which is what keeps the surfaces from overlapping: friction is that of the contact pressure alone, so that
-// attraction works like more load (Derjaguin 1934). With an opening work above the closing one, a point that has been in contact
-// attracts by the law of the larger work until its gap leaves the law's range.
+// A law is one class in one file of adhesion/, which also declares it: its entries of a case file, and how it
+// is made from them. Attraction acts beside the contact pressure, which is what keeps the surfaces from
+// overlapping: friction is that of the contact pressure alone, so that attraction works like more load
+// (Derjaguin 1934). With an opening work above the closing one, a point that has been in contact attracts by
+// the law of the larger work until its gap leaves the law's range.
 #pragma once
 
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/law_declaration.h"
 
 namespace asperity::fem {
 
@@ -28,16 +30,19 @@ class AdhesionLaw {
   virtual double range() const = 0;
 };
 
-/// What a law is, for the manual, and the word by which a case asks for it.
-struct AdhesionLawEntry {
-  std::string name, equation, source, parameters, validity;
-  /// work: of separation from contact [J/m^2]; length: the law's own [m].
-  std::unique_ptr<AdhesionLaw> (*make)(double work, double length);
+/// Its name is the word by which a case asks for it.
+struct AdhesionLawDeclaration : LawDeclaration {
+  std::string fall;  ///< how attraction falls with the gap, in a few words
+  /// work: of separation from contact [J/m^2]; values: of all of its parameters.
+  std::unique_ptr<AdhesionLaw> (*make)(double work, const LawValues& values);
 };
-const std::vector<AdhesionLawEntry>& adhesion_laws();
+const std::vector<AdhesionLawDeclaration>& adhesion_laws();
 
-/// The law of that name. Throws InputError with the names there are.
-std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, double length);
+/// The length of a law that has one, by its symbol in the law's equation.
+ParameterEntry adhesion_range(const std::string& symbol);
+
+/// The law of that name. Throws InputError with the names there are, or naming the entry that it lacks.
+std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, const LawValues& values);
 
 /// Laws of closing and of opening surfaces; both null: no adhesion.
 struct AdhesionLaws {

@@ -1,6 +1,7 @@
 // The largest shear traction that a point of the interface transmits; what moves beyond it slips (slip.h).
 //
-// A law is one small class in one file of this folder, which also says what it is. friction_law.cc lists them.
+// A law is one class in one file of friction/, which also declares it: its entries of a case file, and how it
+// is made from them.
 #pragma once
 
 #include <memory>
@@ -8,25 +9,53 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/law_declaration.h"
+#include "fem/interface/slip.h"
 
 namespace asperity::fem {
+
+/// A point of the interface at the end of a step that is solved for. Until an experiment has a time of its
+/// own, time is the number of the recorded step: each lasts one, whatever it does, and a part of a divided
+/// step its share. Rates are per that unit.
+struct InterfacePoint {
+  double pressure = 0;   ///< of contact [Pa]
+  double gap = 0;        ///< [m]
+  PlaneVector slip{};    ///< since the last accepted state [m]; none where the point sticks or is open
+  double slip_path = 0;  ///< length of the way slipped since first touch, this step's included [m]
+  double slip_rate = 0;  ///< this step's slip over its time [m per unit of time]
+  double time = 0, time_step = 0;
+};
+
+struct ShearLimit {
+  double stress;  ///< largest shear traction [Pa]
+  double slope;   ///< its change with the pressure [-]
+};
 
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
-  /// Largest shear traction [Pa] under a contact pressure [Pa], 0 or more; never falls as the pressure grows.
-  virtual double limit(double pressure) const = 0;
+  /// Under a pressure of 0 or more; never falls as the pressure grows. history: what the point remembers of
+  /// the last accepted state. A step iterates the limit and the slip under it in turn
+  /// (interface_tractions.h), which converges where the limit falls less per slip than the bodies' shear
+  /// stress does; a limit that falls faster would let the contact jump.
+  virtual ShearLimit limit(const InterfacePoint& point, const double* history) const = 0;
+  /// Names of the numbers that a point remembers, which are zero at first, in the fields of the interface.
+  virtual std::vector<std::string> history() const { return {}; }
+  /// Makes the history that of a state that is accepted.
+  virtual void remember(const InterfacePoint&, double* /*history*/) const {}
+
+  /// Of a point that has not slipped and remembers nothing.
+  ShearLimit initial_limit(double pressure) const;
 };
 
-/// What a law is, for the manual, and when a case asks for it.
-struct FrictionLawEntry {
-  std::string name, equation, source, parameters, validity;
-  bool (*asked_for)(const InterfaceInput&);
-  std::unique_ptr<FrictionLaw> (*make)(const InterfaceInput&);
+struct FrictionLawDeclaration : LawDeclaration {
+  /// From the values of all of its parameters.
+  std::unique_ptr<FrictionLaw> (*make)(const LawValues&);
 };
-const std::vector<FrictionLawEntry>& friction_laws();
+const std::vector<FrictionLawDeclaration>& friction_laws();
 
-/// The law that the entries ask for; null: frictionless.
+/// The law whose parameters the case gives, all that it needs and none besides; null where it gives none:
+/// frictionless. Throws InputError where no law, or more than one, takes just those.
 std::unique_ptr<FrictionLaw> make_friction_law(const InterfaceInput& input);
 
 }  // namespace asperity::fem

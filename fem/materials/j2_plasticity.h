@@ -1,15 +1,18 @@
-// Von Mises (J2) plasticity at small strain, associated flow, radial return; isotropic hardening (linear, Voce) and
-// linear kinematic hardening (Prager), perfectly plastic included.
+// Von Mises (J2) plasticity at small strain, associated flow, radial return; isotropic hardening by a law of
+// its own (hardening.h) and linear kinematic hardening (Prager), perfectly plastic included.
 //
-// Yield: f = sqrt(3/2) |s - beta| - sigma_y(alpha) <= 0, sigma_y = Y + H alpha + Q (1 - exp(-b alpha)),
-// back stress beta = (2/3) H_kin e_p, alpha = equivalent plastic strain. Source: Simo & Hughes (1998), Computational
-// Inelasticity, boxes 3.1 and 3.2 (return map and consistent tangent). Stresses in Pa.
+// Yield: f = sqrt(3/2) |s - beta| - sigma_y(alpha) <= 0,
+// back stress beta = (2/3) H_kin e_p, alpha = equivalent plastic strain. Source: Simo & Hughes (1998),
+// Computational Inelasticity, boxes 3.1 and 3.2 (return map and consistent tangent). Stresses in Pa.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "fem/materials/hardening.h"
 #include "fem/solver/hex_kernel.h"
+#include "fem/step_failure.h"
 
 namespace asperity::fem {
 
@@ -17,10 +20,8 @@ namespace asperity::fem {
 struct J2Material {
   double shear_modulus = 0, bulk_modulus = 0;
   double yield_stress = std::numeric_limits<double>::infinity();
-  double isotropic_modulus = 0;  ///< H [Pa]
   double kinematic_modulus = 0;  ///< H_kin [Pa]
-  double voce_saturation = 0;    ///< Q [Pa]
-  double voce_rate = 0;          ///< b [-]
+  std::shared_ptr<const Hardening> hardening;  ///< null: none but the kinematic one
 
   static J2Material elastic(double youngs_modulus, double poisson_ratio) {
     J2Material material;
@@ -29,19 +30,18 @@ struct J2Material {
     return material;
   }
   bool can_yield() const { return std::isfinite(yield_stress); }
-  double flow_stress(double alpha) const {
-    return yield_stress + isotropic_modulus * alpha + voce_saturation * (1 - std::exp(-voce_rate * alpha));
+  /// alpha: at the end of a step that made the last `increment` of it.
+  FlowStress flow(double alpha, double increment, const StepTime& time) const {
+    return hardening ? hardening->flow({yield_stress, alpha, increment, time}) : FlowStress{yield_stress, 0};
   }
-  /// d(sigma_y)/d(alpha).
-  double isotropic_slope(double alpha) const {
-    return isotropic_modulus + voce_saturation * voce_rate * std::exp(-voce_rate * alpha);
+  /// Before a step yields.
+  double flow_stress(double alpha, const StepTime& time = {}) const {
+    return alpha == 0 ? yield_stress : flow(alpha, 0, time).stress;
   }
-  /// Energy stored by isotropic hardening per volume, the integral of (sigma_y - Y) d(alpha) [J/m^3]. What the back stress stores,
-  /// beta : e_p / 2 = H_kin |e_p|^2 / 3, is not in it.
-  double isotropic_energy(double alpha) const {
-    const double voce = voce_rate > 0 ? voce_saturation * (alpha + (std::exp(-voce_rate * alpha) - 1) / voce_rate) : 0;
-    return 0.5 * isotropic_modulus * alpha * alpha + voce;
-  }
+  bool hardens_linearly() const { return !hardening || hardening->is_linear(); }
+  /// Energy stored by isotropic hardening per volume [J/m^3]. What the back stress stores, beta : e_p / 2 =
+  /// H_kin |e_p|^2 / 3, is not in it.
+  double isotropic_energy(double alpha) const { return hardening ? hardening->stored_energy(alpha) : 0; }
 };
 
 /// Plastic history of one point in each of eight cells.
@@ -64,24 +64,33 @@ inline V double_contraction(const SymmetricTensor<V>& a, const SymmetricTensor<V
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + Number(2) * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
-/// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the surface.
-inline double return_to_yield_surface(const J2Material& m, double q, double alpha) {
+/// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the
+/// surface. Throws StepFailure where none is found.
+inline double return_to_yield_surface(const J2Material& m, double q, double alpha, const StepTime& time) {
   const double stiff = 3 * m.shear_modulus + m.kinematic_modulus;
-  double increment = (q - m.flow_stress(alpha)) / (stiff + m.isotropic_slope(alpha));
-  if (m.voce_rate == 0) return increment;
+  const FlowStress first = m.flow(alpha, 0, time);
+  double increment = (q - first.stress) / (stiff + first.slope);
+  if (m.hardens_linearly()) return increment;
   for (int i = 0; i < 50; ++i) {  // Newton: the flow stress is concave, so it converges monotonically from here
-    const double error = q - stiff * increment - m.flow_stress(alpha + increment);
-    increment += error / (stiff + m.isotropic_slope(alpha + increment));
-    if (std::abs(error) < 1e-12 * m.yield_stress) break;
+    const FlowStress flow = m.flow(alpha + increment, increment, time);
+    const double error = q - stiff * increment - flow.stress;
+    increment += error / (stiff + flow.slope);
+    if (std::abs(error) < 1e-12 * m.yield_stress) return increment;
   }
+  // Far beyond yield, rounding leaves more than that.
+  const double left = q - stiff * increment - m.flow(alpha + increment, increment, time).stress;
+  if (!(std::abs(left) <= 1e-12 * q))
+    throw StepFailure(
+        "the return map found no plastic strain that brings a stress back to the yield surface");
   return increment;
 }
 
 /// Returns the deviatoric stress for a deviatoric strain; updates `state` and fills `tangent` where a lane yields.
 /// materials[l] belongs to lane l. The result says whether any lane yields in this step.
 inline bool return_map(const J2Material* const* materials, const Simd<double>& shear_modulus,
-                       const SymmetricTensor<Simd<double>>& strain_deviator, PlasticState<Simd<double>>& state,
-                       SymmetricTensor<Simd<double>>& stress, J2Tangent<Simd<double>>& tangent) {
+                       const SymmetricTensor<Simd<double>>& strain_deviator,
+                       PlasticState<Simd<double>>& state, SymmetricTensor<Simd<double>>& stress,
+                       J2Tangent<Simd<double>>& tangent, const StepTime& time = {}) {
   using V = Simd<double>;
   SymmetricTensor<V> relative;
   V kinematic;
@@ -98,10 +107,11 @@ inline bool return_map(const J2Material* const* materials, const Simd<double>& s
   for (int l = 0; l < lanes; ++l) {
     const J2Material& m = *materials[l];
     const double q = std::sqrt(1.5) * norm[l];
-    if (!(q > m.flow_stress(state.alpha[l]))) continue;
+    if (!(q > m.flow_stress(state.alpha[l], time))) continue;
     yields = true;
-    increment[l] = return_to_yield_surface(m, q, state.alpha[l]);
-    const double slope = m.isotropic_slope(state.alpha[l] + increment[l]) + m.kinematic_modulus;
+    increment[l] = return_to_yield_surface(m, q, state.alpha[l], time);
+    const double slope =
+        m.flow(state.alpha[l] + increment[l], increment[l], time).slope + m.kinematic_modulus;
     tangent.theta[l] = 1 - 3 * m.shear_modulus * increment[l] / q;
     tangent.theta_bar[l] = 1 / (1 + slope / (3 * m.shear_modulus)) - (1 - tangent.theta[l]);
   }

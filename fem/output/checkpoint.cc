@@ -33,7 +33,7 @@ std::vector<double> take(const std::string& bytes, std::size_t& at) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/5";
+constexpr const char* format = "asperity-checkpoint/6";
 
 std::string part_name(int step, int rank) { return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin"; }
 
@@ -96,11 +96,31 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   for (const auto& record : c.records)
     for (const auto& column : history_columns()) rows.push_back(record.*column.of_row);
   const RigidMotion& at = c.coupling.frames;
-  put(bytes, {static_cast<double>(c.steps), c.load, c.far_field, c.lateral_far_field, c.stiffness_at_peak, c.lateral_stiffness,
-              c.torsion_stiffness, c.wall_time, c.approach, c.motion.x, c.motion.y, c.motion.spin, c.motion.roll, at.x,
-              at.y, at.spin, at.roll, c.coupling.elastic.x, c.coupling.elastic.y, c.coupling.elastic.turn});
+  put(bytes, {static_cast<double>(c.steps),
+              c.load,
+              c.far_field,
+              c.lateral_far_field,
+              c.stiffness_at_peak,
+              c.lateral_stiffness,
+              c.torsion_stiffness,
+              c.wall_time,
+              c.approach,
+              c.motion.x,
+              c.motion.y,
+              c.motion.spin,
+              c.motion.roll,
+              at.x,
+              at.y,
+              at.spin,
+              at.roll,
+              c.coupling.elastic.x,
+              c.coupling.elastic.y,
+              c.coupling.elastic.turn,
+              c.time});
   using Part = const std::vector<double>*;
-  for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.shear[0]), Part(&c.shear[1]), Part(&c.bonded), Part(&c.history)}) put(bytes, *values);
+  for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.shear[0]),
+                            Part(&c.shear[1]), Part(&c.friction_history), Part(&c.bonded), Part(&c.history)})
+    put(bytes, *values);
   const std::string name = part_name(c.steps, rank);
   write_file_atomically(folder / name, bytes);
   const auto parts = dealii::Utilities::MPI::gather(communicator, description(name, bytes).dump());
@@ -141,13 +161,15 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenan
   std::size_t at = 0;
   Checkpoint c;
   const auto head = take(bytes, at);
-  if (head.size() != 20) throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again with --overwrite");
+  if (head.size() != 21)
+    throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again with --overwrite");
   c.provenance = now;
   c.steps = static_cast<int>(head[0]);
   c.load = head[1], c.far_field = head[2], c.lateral_far_field = head[3];
   c.stiffness_at_peak = head[4], c.lateral_stiffness = head[5], c.torsion_stiffness = head[6];
   c.wall_time = head[7], c.approach = head[8], c.motion = {head[9], head[10], head[11], head[12]};
   c.coupling = {{head[13], head[14], head[15], head[16]}, {head[17], head[18], head[19]}};
+  c.time = head[20];
   const auto rows = take(bytes, at);
   const auto& columns = history_columns();
   for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
@@ -157,6 +179,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenan
   c.displacement = take(bytes, at);
   c.multiplier = take(bytes, at);
   for (auto& component : c.shear) component = take(bytes, at);
+  c.friction_history = take(bytes, at);
   c.bonded = take(bytes, at);
   c.history = take(bytes, at);
   return c;

@@ -21,10 +21,10 @@ struct Checkpoint {
   std::vector<double> displacement;    ///< locally owned
   std::vector<double> multiplier;
   std::array<std::vector<double>, 2> shear;
-  std::vector<double> bonded;  ///< see ContactState
+  std::vector<double> friction_history, bonded;  ///< see ContactState
   RigidMotion motion;
   Coupling coupling;  ///< see ContactState
-  double approach = 0;
+  double approach = 0, time = 0;
   std::vector<double> history;         ///< PlasticBodies::save_history
 };
 

@@ -59,6 +59,12 @@ VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver
     shear.values.push_back(0.0f);
   }
   mesh.point_data = {gap, pressure, status, upper, lower, shear};
+  const auto remembered = solver.friction() ? solver.friction()->history() : std::vector<std::string>{};
+  for (std::size_t k = 0; k < remembered.size(); ++k) {
+    mesh.point_data.push_back({remembered[k], 1, {}});
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      mesh.point_data.back().values.push_back(static_cast<float>(solver.tractions().remembered(state, r, k)));
+  }
   return mesh;
 }
 

@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/residual_imprint.h"
+#include "fem/interface/adhesion_law.h"
+#include "fem/interface/friction_law.h"
+#include "fem/materials/hardening.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/steady_motion.h"
 #include "fem/solver/load_step_error.h"
+#include "results/known_entries.h"
 
 namespace asperity::fem {
 namespace {
@@ -22,14 +27,25 @@ json number(double value, const char* unit, double sd) {
 }
 
 json body_inputs(const BodyInput& body) {
-  return {{"youngs_modulus", body.youngs_modulus},
-          {"poissons_ratio", body.poisson_ratio},
-          {"yield_stress", std::isfinite(body.yield_stress) ? json(body.yield_stress) : json("inf")},
-          {"hardening_modulus", body.hardening_modulus},
-          {"hardening", body.hardening == BodyInput::Hardening::kinematic ? "kinematic" : "isotropic"},
-          {"voce_saturation", body.voce_saturation},
-          {"voce_rate", body.voce_rate},
-          {"topography", body.topography.text()}};
+  json inputs{{"youngs_modulus", body.youngs_modulus},
+              {"poissons_ratio", body.poisson_ratio},
+              {"topography", body.topography.text()}};
+  const auto parameters = parameters_of(material_laws());
+  const LawValues values = with_defaults(parameters, body.parameters);
+  for (const auto& parameter : parameters) {
+    const double value = values.at(parameter.entry);
+    json& said = inputs[result_name(parameter.entry)];
+    if (!parameter.words.empty()) said = parameter.words.at(static_cast<std::size_t>(value));
+    else if (std::isfinite(value)) said = value;
+    else said = "inf";
+  }
+  return inputs;
+}
+
+/// Of all laws, those that the case leaves at their defaults as well.
+LawValues interface_parameters(const InterfaceInput& interface) {
+  return with_defaults(parameters_of(adhesion_laws()),
+                       with_defaults(parameters_of(friction_laws()), interface.parameters));
 }
 
 /// What of a body's roughness the mesh resolves.
@@ -152,8 +168,10 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
   if (const auto sliding = steady_sliding(records)) {
-    // What exceeds Coulomb's share of the load is attraction's; a shear strength acts on the area alone.
-    const double by_load = input.interface.shear_strength > 0 ? 0.0 : input.interface.friction_coefficient;
+    // What exceeds the load's own friction is attraction's; a limit that no longer grows with the pressure
+    // acts on the area alone.
+    const auto law = make_friction_law(input.interface);
+    const double by_load = law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope : 0.0;
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
     add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
   }
@@ -182,7 +200,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
   const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
   if (input.interface.work_of_adhesion > 0 && least.normal_force < 0)
     effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
-  const json result{
+  json result{
       {"format", "asperity-result/1"},
       {"title", input.title},
       {"experiment", name_of(input.experiment.type)},
@@ -199,12 +217,9 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
         {"far_field_compliance", s.far_field},
         {"lateral_far_field_compliance", s.lateral_far_field},
-        {"friction_coefficient", input.interface.friction_coefficient},
-        {"shear_strength", input.interface.shear_strength},
         {"work_of_adhesion", input.interface.work_of_adhesion},
         {"opening_work", input.interface.opening_work},
         {"adhesion_law", input.interface.adhesion_law},
-        {"adhesion_range", input.interface.adhesion_range},
         {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
                                 "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
         {"contact_radius", "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same second moment"},
@@ -233,6 +248,8 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
       {"cost",
        {{"wall_time", s.wall_time}, {"peak_memory", s.peak_memory}, {"ranks", s.ranks}, {"threads", s.threads}, {"steps", records.size()}}},
       {"versions", {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
+  for (const auto& [entry, value] : interface_parameters(input.interface))
+    result["inputs"][result_name(entry)] = value;
   return result.dump(1) + "\n";
 }
 

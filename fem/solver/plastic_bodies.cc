@@ -53,6 +53,7 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
   if (tangent) tangent->batch.resize(level_.batches().size());
   const double* x = u.begin();
   double* y = f.begin();
+  StepFailures failures;
   level_.for_each_batch([&](int index) {
     const CellBatch& batch = level_.batches()[index];
     const BatchMaterials material(batch, materials_);
@@ -68,7 +69,11 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
       }
       PlasticState<V> state = history_[index] ? (*history_[index])[q] : PlasticState<V>{};
       J2Tangent<V> point;
-      yields = return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point) || yields;
+      failures.guard([&] {
+        yields =
+            return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point, time_) ||
+            yields;
+      });
       for (int l = 0; l < lanes; ++l) {
         tangents[q].theta[l] = static_cast<float>(point.theta[l]);
         tangents[q].theta_bar[l] = static_cast<float>(point.theta_bar[l]);
@@ -85,6 +90,7 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
     integrate_stress<double>(strain, stress, material.bulk * strain.dilatation, forces);
     add_nodes(batch, forces, y);
   });
+  if (can_yield()) failures.throw_on_all(level_.communicator());
 }
 
 BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change) {
@@ -92,6 +98,7 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
   const int count = static_cast<int>(level_.batches().size());
   double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0, left_over = 0;
   double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
+  StepFailures failures;
 #pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, left_over) \
     reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
   for (int index = 0; index < count; ++index) {
@@ -107,7 +114,11 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
       J2Tangent<V> tangent;
       const PointHistory old = updated[q];
       for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
-      yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent) || yields;
+      failures.guard([&] {
+        yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent,
+                            time_) ||
+                 yields;
+      });
       SymmetricTensor<V> increment, mean_stress, elastic_strain, change_of_stress, relative_before, trial;
       for (int c = 0; c < 6; ++c) {
         increment[c] = updated[q].strain[c] - old.strain[c];
@@ -151,6 +162,7 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
     else tried_[index].reset();
   }
   const MPI_Comm comm = level_.communicator();
+  failures.throw_on_all(comm);
   sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
   sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
   sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);

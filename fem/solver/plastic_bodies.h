@@ -43,12 +43,16 @@ class PlasticBodies {
 
   PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
 
+  /// Of the step that the next calls are about.
+  void begin_step(const StepTime& time) { time_ = time; }
+
   /// f = internal nodal forces for displacement u (ghosts up to date), not condensed, ghosts not compressed.
-  /// Fills the tangents of yielding batches where `tangent` is given.
+  /// Fills the tangents of yielding batches where `tangent` is given. Throws StepFailure, on all ranks, where
+  /// a return map fails.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
   /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by `force_change` [N] (0: too little to
-  /// tell how the approach answers to the load); the accepted state stays.
+  /// tell how the approach answers to the load); the accepted state stays. Throws as internal_force().
   BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
 
   /// Makes the state of the last try_step() the accepted one.
@@ -76,6 +80,7 @@ class PlasticBodies {
   const MeshLevel& level_;
   std::vector<double> positions_;
   std::array<J2Material, 2> materials_;
+  StepTime time_;
   double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
   std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
 };

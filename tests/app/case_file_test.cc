@@ -47,7 +47,7 @@ TEST(CaseFile_behaviour, has_the_defaults_of_the_type_it_is_read_into) {
   const TemporaryFolder folder;
   const auto input = read_case(folder.write("case.prm", smooth_case()));
   const CaseInput fresh;
-  EXPECT_TRUE(std::isinf(input.particle.yield_stress));
+  EXPECT_TRUE(std::isinf(input.particle.parameters.at("Yield stress")));
   EXPECT_EQ(input.title, fresh.title);
   EXPECT_EQ(input.particle.topography, fresh.particle.topography);
   EXPECT_EQ(input.experiment.load_steps, fresh.experiment.load_steps);
@@ -64,8 +64,8 @@ TEST(CaseFile_behaviour, overrides_replace_entries_and_add_them) {
   const auto input = read_case(folder.write("case.prm", smooth_case()),
                                {"Experiment/Normal load=300 uN", "Particle/Yield stress=3 GPa", "Particle/Hardening=kinematic"});
   EXPECT_DOUBLE_EQ(input.experiment.normal_load, 3e-4);
-  EXPECT_DOUBLE_EQ(input.particle.yield_stress, 3e9);
-  EXPECT_EQ(input.particle.hardening, BodyInput::Hardening::kinematic);
+  EXPECT_DOUBLE_EQ(input.particle.parameters.at("Yield stress"), 3e9);
+  EXPECT_EQ(input.particle.parameters.at("Hardening"), 1);
 }
 
 TEST(CaseFile_behaviour, a_wrong_name_is_refused_with_its_line_and_the_nearest_right_one) {

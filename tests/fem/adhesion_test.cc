@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 
-#include "fem/interface/dugdale.h"
+#include "fem/interface/adhesion/dugdale.h"
 #include "tests/fem/support/frictional_contact.h"
 #include "tests/support/verification.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "fem/contact/contact_solver.h"
-#include "fem/interface/coulomb.h"
+#include "fem/interface/friction/coulomb.h"
 #include "tests/fem/support/wavy_contact.h"
 #include "tests/support/verification.h"
 

@@ -23,7 +23,7 @@ using namespace asperity;
 
 CaseInput program_case(const std::string& substrate, double spacing, const std::string& program) {
   CaseInput input = test::sphere_on_silicon("smooth", substrate, spacing, 300e-9);
-  input.interface.friction_coefficient = 0.3;
+  input.interface.parameters["Friction coefficient"] = 0.3;
   input.experiment.type = Motion::program;
   input.experiment.program = program;
   input.experiment.load_steps = 3;
@@ -132,7 +132,8 @@ void expect_steady_spin(double spin_number, double largest_across) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 36e-9, "");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
-  const double G = 71e9 / 2 / 1.17, E = 71e9 / 2 / (1 - 0.17 * 0.17), R = input.radius, P = 100e-6, mu = input.interface.friction_coefficient;
+  const double G = 71e9 / 2 / 1.17, E = 71e9 / 2 / (1 - 0.17 * 0.17), R = input.radius, P = 100e-6,
+               mu = input.interface.parameters["Friction coefficient"];
   const double a = std::cbrt(0.75 * P * R / E), spin_per_way = spin_number * mu * P / (G * a * a * a), way = 5 * a;
   input.experiment.program = "roll " + format_quantity(way, Dimension::length, 8) + " and spin " + format_quantity(spin_per_way * way, Dimension::angle, 8);
   const auto history = run(input, folder.path);
@@ -190,7 +191,7 @@ TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_
   CaseInput input = program_case(test::generated(1.0, 160, 3), 34e-9,
                                  "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
                                  "roll 1 mrad and slide -6 nm and slide across 6 nm; press 100 uN in 2 steps");
-  input.particle.yield_stress = 2e9;
+  input.particle.parameters["Yield stress"] = 2e9;
   const auto whole = run(input, folder.path / "whole");
   const auto result = nlohmann::json::parse(read_file(folder.path / "whole" / "result.json"));
   EXPECT_EQ(result["experiment"], "program");

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/csv.h"
+#include "fem/materials/hardening/linear_and_voce.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
 
@@ -37,6 +38,7 @@ struct Point {
   PlasticState<V> state{};
   SymmetricTensor<V> stress{};
   J2Tangent<V> tangent{};
+  StepTime time{};
 
   bool strain_to(const Strain& deviator) {
     const J2Material* lane[lanes];
@@ -47,7 +49,7 @@ struct Point {
       shear[l] = law.shear_modulus;
       for (int c = 0; c < 6; ++c) e[c][l] = deviator[c];
     }
-    return return_map(lane, shear, e, state, stress, tangent);
+    return return_map(lane, shear, e, state, stress, tangent, time);
   }
   /// Uniaxial stress: the deviator is axial strain times (1, -1/2, -1/2).
   bool stretch_to(double deviatoric_strain) {
@@ -95,11 +97,12 @@ TEST(J2_analytic, perfectly_plastic_shear_stays_at_yield_over_root_three) {
 
 TEST(J2_analytic, linear_hardening_follows_sigma_equals_Y_plus_H_alpha) {
   J2Material m = material();
-  m.isotropic_modulus = 5e9;
+  constexpr double modulus = 5e9;
+  m.hardening = std::make_shared<LinearAndVoce>(modulus);
   Largest stress;
   for (const double plastic : {0.001, 0.01, 0.1}) {
     Point p(m);
-    const double expected = Y + m.isotropic_modulus * plastic;
+    const double expected = Y + modulus * plastic;
     p.stretch_to(axial_deviator(m, expected, plastic));
     stress.count((p.uniaxial_stress() - expected) / Y);
     EXPECT_NEAR(p.alpha(), plastic, 1e-12);
@@ -110,12 +113,12 @@ TEST(J2_analytic, linear_hardening_follows_sigma_equals_Y_plus_H_alpha) {
 
 TEST(J2_analytic, voce_hardening_saturates_exponentially) {
   J2Material m = material();
-  m.voce_saturation = 2e9;
-  m.voce_rate = 25;
+  constexpr double saturation = 2e9, rate = 25;
+  m.hardening = std::make_shared<LinearAndVoce>(0, saturation, rate);
   Largest stress;
   for (const double plastic : {0.001, 0.01, 0.1, 0.5}) {
     Point p(m);
-    const double expected = Y + m.voce_saturation * (1 - std::exp(-m.voce_rate * plastic));
+    const double expected = Y + saturation * (1 - std::exp(-rate * plastic));
     p.stretch_to(axial_deviator(m, expected, plastic));
     stress.count((p.uniaxial_stress() - expected) / Y);
     EXPECT_NEAR(p.alpha(), plastic, 1e-11);
@@ -126,7 +129,7 @@ TEST(J2_analytic, voce_hardening_saturates_exponentially) {
 
 TEST(J2_analytic, proportional_loading_does_not_depend_on_the_number_of_steps) {
   J2Material m = material();
-  m.isotropic_modulus = 1e9, m.kinematic_modulus = 2e9, m.voce_saturation = 1e9, m.voce_rate = 10;
+  m.hardening = std::make_shared<LinearAndVoce>(1e9, 1e9, 10), m.kinematic_modulus = 2e9;
   Point once(m), often(m);
   once.stretch_to(0.3);
   for (int i = 1; i <= 300; ++i) often.stretch_to(i * 0.001);
@@ -165,10 +168,55 @@ TEST(J2_analytic, kinematic_hardening_yields_in_reverse_two_Y_below_the_largest_
 
 TEST(J2_analytic, isotropic_hardening_yields_in_reverse_at_minus_the_largest_stress) {
   J2Material m = material();
-  m.isotropic_modulus = 8e9;
-  const double error = (reverse_yield(m, 0.05) + Y + m.isotropic_modulus * 0.05) / Y;
+  constexpr double modulus = 8e9;
+  m.hardening = std::make_shared<LinearAndVoce>(modulus);
+  const double error = (reverse_yield(m, 0.05) + Y + modulus * 0.05) / Y;
   EXPECT_TRUE(
       at_a_point("isotropic hardening: stress of reverse yield", "-sigma_max").below(error, 1e-9, "Y"));
+}
+
+/// Yields at a stress that grows with the rate (Bingham 1922).
+struct Viscous : Hardening {
+  static constexpr double viscosity = 5e9;
+  FlowStress flow(const YieldingPoint& point) const override {
+    return {point.initial + viscosity * point.increment / point.time.step, viscosity / point.time.step};
+  }
+  double stored_energy(double) const override { return 0; }
+  bool is_linear() const override { return true; }
+};
+
+TEST(J2_analytic, a_viscous_yield_stress_follows_the_rate_of_each_step) {
+  J2Material m = material();
+  m.hardening = std::make_shared<Viscous>();
+  Largest stress;
+  double strain = 0, plastic = 0;
+  Point p(m);
+  for (const double step : {0.1, 1.0, 10.0}) {
+    p.time = {0, step};
+    strain += 0.1;
+    p.stretch_to(strain);
+    // 3 G (e - plastic) = Y + viscosity (plastic - before) / step.
+    const double stiff = 3 * m.shear_modulus, viscous = Viscous::viscosity / step;
+    plastic = (stiff * strain - Y + viscous * plastic) / (stiff + viscous);
+    stress.count((p.uniaxial_stress() - stiff * (strain - plastic)) / Y);
+  }
+  EXPECT_TRUE(at_a_point("viscous yield stress: stress after steps of 0.1 to 10", "Bingham (1922)")
+                  .below(stress, 1e-12, "Y"));
+}
+
+/// Softens by as much as the elastic stress falls with the strain: beyond yield no stress is on the surface.
+TEST(J2_behaviour, a_return_map_without_an_answer_says_so_and_leaves_the_state) {
+  J2Material m = material();
+  m.hardening = std::make_shared<LinearAndVoce>(-3 * m.shear_modulus, 0.01 * Y, 10);
+  Point point(m);
+  EXPECT_FALSE(point.stretch_to(0.9 * Y / (3 * m.shear_modulus)));
+  EXPECT_THROW(point.stretch_to(1.5 * Y / (3 * m.shear_modulus)), StepFailure);
+  EXPECT_EQ(point.alpha(), 0);
+  // Rounding of a trial stress far beyond yield is no failure.
+  m.hardening = std::make_shared<LinearAndVoce>(0, 0.01 * Y, 10);
+  Point far(m);
+  EXPECT_TRUE(far.stretch_to(1e6 * Y / (3 * m.shear_modulus)));
+  EXPECT_NEAR(far.uniaxial_stress() / (1.01 * Y), 1, 1e-9);
 }
 
 /// Angle between s and the strain rate after a strain at first orthogonal to s: Krieg & Krieg (1977).
@@ -210,7 +258,7 @@ TEST(J2_analytic, energy_stored_by_hardening_is_the_integral_of_the_flow_stress_
   for (const double rate : {0.0, 40.0})
     for (const double saturation : {0.0, 0.5e9}) {
       J2Material m = J2Material::elastic(71e9, 0.17);
-      m.yield_stress = 1e9, m.isotropic_modulus = 2e9, m.voce_saturation = saturation, m.voce_rate = rate;
+      m.yield_stress = 1e9, m.hardening = std::make_shared<LinearAndVoce>(2e9, saturation, rate);
       for (const double alpha : {0.0, 0.01, 0.1}) {
         constexpr int n = 2000;
         double integral = 0;
@@ -248,7 +296,7 @@ Strain random_deviator(std::mt19937& random, double size) {
 
 J2Material hardening_material() {
   J2Material m = material();
-  m.isotropic_modulus = 4e9, m.kinematic_modulus = 3e9, m.voce_saturation = 1e9, m.voce_rate = 30;
+  m.hardening = std::make_shared<LinearAndVoce>(4e9, 1e9, 30), m.kinematic_modulus = 3e9;
   return m;
 }
 

@@ -60,7 +60,7 @@ CaseInput rolling(double spacing, double distance) {
   input.interface.work_of_adhesion = 77e-3;
   input.interface.opening_work = 154e-3;
   input.interface.adhesion_law = "exponential";
-  input.interface.adhesion_range = 1e-9;
+  input.interface.parameters["Adhesion range"] = 1e-9;
   return input;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/error.h"
 #include "fem/solve_case.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/support/temporary_folder.h"
@@ -26,10 +27,10 @@ CaseInput coarse_case() {
   c.file = "test.prm";
   c.radius = 8.5e-6;
   c.particle.youngs_modulus = 71e9, c.particle.poisson_ratio = 0.17;
-  c.particle.yield_stress = 1.2e9;
+  c.particle.parameters["Yield stress"] = 1.2e9;
   c.particle.topography = "generated(rms=0.7 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=1)";
   c.substrate.youngs_modulus = 179e9, c.substrate.poisson_ratio = 0.25;
-  c.substrate.yield_stress = 2.5e9;
+  c.substrate.parameters["Yield stress"] = 2.5e9;
   c.substrate.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=2)";
   c.experiment.normal_load = 100e-6;
   c.experiment.load_steps = 4;
@@ -129,12 +130,26 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   EXPECT_LT(halved.result["balance"]["energy"].get<double>(), 0.01);
 }
 
+/// A failure at one point, in a parallel loop, is one of the step.
+TEST(NormalExperiment_behaviour, a_step_whose_material_has_no_answer_is_halved_and_named) {
+  const test::TemporaryFolder folder;
+  CaseInput input = coarse_case();
+  BodyInput& body = input.substrate;
+  body.parameters["Hardening modulus"] = -3 * body.youngs_modulus / (2 * (1 + body.poisson_ratio));
+  body.parameters["Voce saturation"] = 0.01 * body.parameters["Yield stress"],
+  body.parameters["Voce rate"] = 10;
+  input.solver.threads = 2;
+  const std::string message = test::message_of<WorkError>([&] { solve_experiment(input, folder.path); });
+  EXPECT_NE(message.find("return map"), std::string::npos) << message;
+  EXPECT_NE(message.find("after halving the step six times"), std::string::npos) << message;
+}
+
 TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
   // A substrate of 0.4 GPa under a sphere that stays elastic: 29 times the load of first yield.
   CaseInput c = coarse_case();
   c.particle.topography = c.substrate.topography = "smooth";
-  c.particle.yield_stress = std::numeric_limits<double>::infinity();
-  c.substrate.yield_stress = 0.4e9;
+  c.particle.parameters["Yield stress"] = std::numeric_limits<double>::infinity();
+  c.substrate.parameters["Yield stress"] = 0.4e9;
   c.experiment.normal_load = 1e-3, c.experiment.unload = false;
   c.mesh.interface_spacing = 90e-9;
   const auto solved = [&](int steps, double share) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fem/contact/contact_solver.h"
-#include "fem/interface/coulomb.h"
+#include "fem/interface/friction/coulomb.h"
 #include "fem/solver/matrix_free_solver.h"
 #include "tests/fem/support/wavy_contact.h"
 #include "tests/support/verification.h"

@@ -7,7 +7,7 @@
 
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "fem/contact/contact_solver.h"
-#include "fem/interface/dugdale.h"
+#include "fem/interface/adhesion/dugdale.h"
 #include "tests/support/verification.h"
 
 namespace {

@@ -21,7 +21,7 @@ using namespace asperity;
 CaseInput drawn_back(double opening_work) {
   CaseInput input = test::sphere_on_silicon("smooth", "smooth", 40e-9, 0);
   input.interface.work_of_adhesion = 0.02, input.interface.opening_work = opening_work;
-  input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 5e-9;
+  input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 5e-9;
   input.experiment.control = ExperimentInput::Control::displacement;
   input.experiment.normal_approach = 4e-9;
   input.experiment.load_steps = 8, input.experiment.unload_steps = 16, input.experiment.retract = 8e-9;
@@ -49,7 +49,7 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
   for (std::size_t k = 0; k < force.size(); ++k) {
     open.count(energy[k]);
     if (area[k] > 0 || approach[k] > -0.2e-9) continue;
-    const double expected = -unit * std::exp(approach[k] / input.interface.adhesion_range);
+    const double expected = -unit * std::exp(approach[k] / input.interface.parameters.at("Adhesion range"));
     attraction.count(force[k] / expected - 1);
     ++apart;
   }
@@ -60,8 +60,11 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * open, 1, "%"));
   EXPECT_GE(apart, 8);
   const double strongest = *std::min_element(force.begin(), force.end());
-  std::printf("strongest attraction %.4f of 2 pi w R, farthest %.4f of Derjaguin's, work open at most %.2g\n", -strongest / unit,
-              -force.back() / unit / std::exp(approach.back() / input.interface.adhesion_range), *std::max_element(energy.begin(), energy.end()));
+  std::printf(
+      "strongest attraction %.4f of 2 pi w R, farthest %.4f of Derjaguin's, work open at most %.2g\n",
+      -strongest / unit,
+      -force.back() / unit / std::exp(approach.back() / input.interface.parameters.at("Adhesion range")),
+      *std::max_element(energy.begin(), energy.end()));
   // DMT (1975): pulled off at 2 pi w R, where the spheres part; the last steps stand on either side of that.
   EXPECT_LT(-strongest, unit);
 }

@@ -26,7 +26,7 @@ using asperity::test::sphere_on_silicon;
 
 CaseInput sliding(const std::string& substrate, double spacing) {
   CaseInput input = sphere_on_silicon("smooth", substrate, spacing, 300e-9);
-  input.interface.friction_coefficient = 0.3;
+  input.interface.parameters["Friction coefficient"] = 0.3;
   input.experiment.type = Motion::sliding;
   input.experiment.load_steps = 3;
   input.experiment.unload = false;
@@ -124,7 +124,7 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
 TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 34e-9);
-  input.particle.yield_stress = 1.5e9;  // its asperities reach 1.8 GPa
+  input.particle.parameters["Yield stress"] = 1.5e9;  // its asperities reach 1.8 GPa
   input.experiment.distance = 10e-9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   const std::string what = "rough yielding sliding, half a loop";
@@ -183,9 +183,9 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
 TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
-  input.substrate.yield_stress = 4e9;
-  input.particle.yield_stress = 3e9;
-  input.interface.friction_coefficient = 0.5;
+  input.substrate.parameters["Yield stress"] = 4e9;
+  input.particle.parameters["Yield stress"] = 3e9;
+  input.interface.parameters["Friction coefficient"] = 0.5;
   input.experiment.type = Motion::torsion;
   input.experiment.angle = 0.2;
   input.experiment.reverse = false;
@@ -217,8 +217,8 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   input.experiment.load_steps = 8;
   input.experiment.way_back = 60e-9;  // where slip turns within steps
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
-  input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
-  input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
+  input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
+  input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_TRUE(balances_energy("Adhesion", "rough yielding rolling with hysteresis, 8 load steps", whole, 1));
@@ -247,9 +247,9 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   input.experiment.motion_steps = 3;
   input.experiment.load_steps = 4;
   input.experiment.reverse = false;
-  input.particle.yield_stress = 1.5e9, input.substrate.yield_stress = 2e9;
+  input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.1;
-  input.interface.adhesion_law = "exponential", input.interface.adhesion_range = 2e-9;
+  input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   const auto needed = whole.history.numbers("newton_iterations");
   // Pressed as before; contacts that jump may take ten times as many iterations as the input says.
@@ -281,7 +281,9 @@ TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
   EXPECT_NEAR(fem::with_derived_way(input).experiment.angle,
-              3.84 * input.interface.friction_coefficient * input.experiment.normal_load * compliance / (a * a), 1e-9);
+              3.84 * input.interface.parameters["Friction coefficient"] * input.experiment.normal_load *
+                  compliance / (a * a),
+              1e-9);
 }
 
 TEST(SolveCase_behaviour, derives_a_region_over_which_the_attraction_ends) {
@@ -289,7 +291,7 @@ TEST(SolveCase_behaviour, derives_a_region_over_which_the_attraction_ends) {
   input.mesh.contact_region = 0;
   const double without = fem::set_up(input).system.mesh.sizes.region_particle;
   input.interface.work_of_adhesion = input.interface.opening_work = 0.05;
-  input.interface.adhesion_law = "dugdale", input.interface.adhesion_range = 10e-9;
+  input.interface.adhesion_law = "dugdale", input.interface.parameters["Adhesion range"] = 10e-9;
   const auto setup = fem::set_up(input);
   // Gap beside Hertz' contact (Johnson 1985, eq. 3.42a).
   const double a = setup.hertz_radius, s = setup.system.mesh.sizes.region_particle / a;
@@ -317,7 +319,7 @@ TEST(SolveCase_behaviour, refuses_motions_that_it_cannot_make) {
   input.experiment.distance = 1e-7;
   input.interface.work_of_adhesion = 0.1;
   EXPECT_NE(message(input).find("Adhesion range"), std::string::npos);
-  input.interface.adhesion_range = 1e-9;
+  input.interface.parameters["Adhesion range"] = 1e-9;
   input.interface.opening_work = 0.05;
   EXPECT_NE(message(input).find("Opening work"), std::string::npos);
   input.interface.opening_work = 0.2;

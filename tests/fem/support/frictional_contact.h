@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fem/contact/contact_solver.h"
-#include "fem/interface/coulomb.h"
+#include "fem/interface/friction/coulomb.h"
 
 namespace asperity::test {
 

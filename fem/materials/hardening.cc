@@ -1,0 +1,37 @@
+#include "fem/materials/hardening.h"
+
+#include "core/error.h"
+#include "hardening_files.h"  // all of hardening/; what they declare is linked for being included here
+
+namespace asperity::fem {
+
+const std::vector<MaterialDeclaration>& material_laws() { return Registered<MaterialDeclaration>::all(); }
+
+ParameterEntry yield_stress_parameter() {
+  return {"Yield stress",
+          {"Y"},
+          Dimension::pressure,
+          "Initial uniaxial yield stress; inf: the body stays elastic.",
+          "inf",
+          positive_or_infinite};
+}
+
+Plasticity make_plasticity(const BodyInput& body) {
+  const LawValues values = with_defaults(parameters_of(material_laws()), body.parameters);
+  const bool yields = std::any_of(material_laws().begin(), material_laws().end(),
+                                  [&](const auto& law) { return !first_missing(law, values); });
+  if (!yields) return {default_of(yield_stress_parameter())};
+  return the_law_meant(material_laws(), values, "law of plasticity").make(values);
+}
+
+MaterialObjection objection_to(const BodyInput& body) {
+  const LawValues values = with_defaults(parameters_of(material_laws()), body.parameters);
+  for (const auto& law : material_laws()) {
+    const MaterialObjection objection =
+        law.objection ? law.objection(body.youngs_modulus, values) : MaterialObjection{};
+    if (!objection.sentence.empty()) return objection;
+  }
+  return {};
+}
+
+}  // namespace asperity::fem

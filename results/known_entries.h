@@ -1,0 +1,23 @@
+// Entries that results had before they listed them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/quantity.h"
+
+namespace asperity {
+
+struct KnownEntry {
+  const char* path;
+  Dimension dimension;
+  const char* otherwise;  ///< where a case does not say it; empty: it must
+};
+
+const std::vector<KnownEntry>& known_quantities();
+const std::vector<KnownEntry>& known_words();
+
+/// Name of an entry of a law in `inputs` of result.json: "Shear strength" -> "shear_strength".
+std::string result_name(std::string entry);
+
+}  // namespace asperity
