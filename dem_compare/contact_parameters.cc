@@ -1,6 +1,7 @@
 #include "dem_compare/contact_parameters.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -57,6 +58,13 @@ const std::vector<QuantityEntry>& quantity_entries() {
 
 double ContactParameters::effective_radius() const {
   return target.is_plane() ? particle.radius : particle.radius * target.radius / (particle.radius + target.radius);
+}
+
+double ContactParameters::particle_mass() const {
+  const double R = particle.radius;
+  if (!std::isfinite(particle.density))
+    throw InputError(file + ": 'particle/density' [kg/m^3] is missing, which a dynamic engine needs");
+  return 4.0 / 3 * boost::math::double_constants::pi * R * R * R * particle.density;
 }
 
 Hertz ContactParameters::hertz() const {

@@ -69,6 +69,8 @@ struct ContactParameters {
 
   /// R_e = R1 R2/(R1 + R2), the radius that Hertz sees [m]; R for a plane.
   double effective_radius() const;
+  /// [kg]; throws InputError where the density is not known.
+  double particle_mass() const;
   Hertz hertz() const;
   /// a [m]
   double contact_radius(double load) const { return hertz().contact_radius(load); }

@@ -3,6 +3,7 @@
 // lambda r. G* is computed with 2 - nu (the printed 2 - nu^2 is a slip of the pen). SI units.
 #pragma once
 
+#include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/motion/contact_model.h"
 
@@ -32,8 +33,9 @@ inline ContactModel model_of(const StandardContact& contact) {
   model.normal = HertzOffset{reduced_modulus(contact.particle, contact.plane), contact.radius, contact.adhesion_force};
   if (contact.partial_slip) model.sliding = MindlinDeresiewicz{shear, contact.radius, friction};
   else model.sliding = Mindlin{shear, friction};
-  model.rolling = {contact.rolling.coefficient, contact.rolling.adhesion_force, contact.rolling.length, stiffness};
-  model.torsion = {contact.torsion.coefficient, contact.torsion.adhesion_force, contact.torsion.length, stiffness};
+  const auto &rolling = contact.rolling, &torsion = contact.torsion;
+  model.rolling = RollingResistance{rolling.coefficient, rolling.adhesion_force, rolling.length, stiffness};
+  model.torsion = TorsionResistance{torsion.coefficient, torsion.adhesion_force, torsion.length, stiffness};
   model.lever = contact.lever;
   model.history_spin = contact.history_spin;
   return model;

@@ -29,7 +29,7 @@ StandardContact contact_on(const ElasticBody& plane) {
 }
 ContactModel damped(const StandardContact& contact) {
   ContactModel model = model_of(contact);
-  model.damping.coefficient = 1;
+  model.damping = ViscousDamping{1};
   return model;
 }
 
@@ -102,7 +102,7 @@ TEST(DynamicGluedSphere_behaviour, halving_the_time_step_changes_nothing_that_ma
 /// Speed after over speed before a sphere hits a plane, by velocity-Verlet.
 double restitution(double damping, double speed) {
   ContactModel model = model_of(contact_on(silicon));
-  model.damping.coefficient = damping;
+  model.damping = ViscousDamping{damping};
   const double mass = 4.0 / 3 * pi * std::pow(radius, 3) * 2230, dt = 1e-10;
   double approach = 0, rate = speed, acceleration = 0;
   ContactModelState state;

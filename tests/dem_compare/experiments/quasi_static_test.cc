@@ -7,6 +7,7 @@
 #include "core/csv.h"
 #include "core/error.h"
 #include "dem_compare/experiments/standard_contact.h"
+#include "dem_compare/laws/jkr.h"
 #include "tests/support/verification.h"
 
 namespace asperity {
@@ -78,7 +79,7 @@ TEST(GluedSphere_analytic, adhesive_contacts_carry_the_load_on_their_larger_area
   model.normal = jkr;
   LoopProgram program;
   program.normal_load = 0;
-  std::get<Mindlin>(model.sliding).friction.adhesion_force = 5e-6;
+  model.sliding = Mindlin{sliding_modulus(borosilicate, silicon), {0.23, 5e-6}};
   const LoopNumbers numbers = measure(simulate_glued_sphere(model, program));
   EXPECT_NEAR(numbers.initial_slope / (8 * sliding_modulus(borosilicate, silicon) * jkr.radius_at_force(0)), 1, 1e-8);
   EXPECT_NEAR(numbers.plateau / (0.23 * 5e-6), 1, 1e-8);
