@@ -16,6 +16,7 @@
 #include "core/quantity.h"
 #include "dem_compare/experiments/dynamic.h"
 #include "dem_compare/experiments/from_parameters.h"
+#include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
 #include "dem_compare/laws/law_curve.h"
 #include "dem_compare/laws/viscous.h"
@@ -33,12 +34,6 @@ struct ExperimentArguments {
   double damping = 1;
   bool partial_slip = false, normal_adhesion = false, json = false;
 };
-
-SingleParticle particle_of(const ExperimentArguments& arguments, const ContactModel& substrate, const ContactModel& indenter) {
-  if (arguments.type == "glued") return glued_sphere(substrate);
-  if (arguments.type == "rolling") return rolling_sphere(substrate, indenter);
-  return sphere_in_rail(substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle));
-}
 
 nlohmann::ordered_json experiment_json(const ExperimentArguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
                                        double load) {
@@ -86,7 +81,8 @@ void run_experiment(const ExperimentArguments& arguments) {
   if (indenter.normal->radius() != substrate.normal->radius())
     throw InputError(arguments.indenter + ": its particle has another radius than that of " + arguments.substrate);
   if (!has_viscous_law(options)) substrate.damping = indenter.damping = ViscousDamping{arguments.damping};
-  const SingleParticle particle = particle_of(arguments, substrate, indenter);
+  const SingleParticle particle = make_particle(
+      arguments.type, {substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle)});
 
   LoopProgram program;
   // As `asperity engine` has it, the load is the substrate's: in a rail that of each flank.
@@ -174,8 +170,13 @@ void add_experiment_commands(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("experiment", "Run one of the paper's experiments with one particle by the reduced laws");
   command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")->required();
-  command->add_option("--type", arguments->type, "glued (sliding loop), rolling (under a plate) or rail (V-rail under a plate)")
-      ->required()->check(CLI::IsMember({"glued", "rolling", "rail"}));
+  std::string types;
+  std::vector<std::string> names;
+  for (const auto& experiment : particle_experiments()) {
+    types += (types.empty() ? "" : ", ") + experiment.name + " (" + experiment.meaning + ")";
+    names.push_back(experiment.name);
+  }
+  command->add_option("--type", arguments->type, types)->required()->check(CLI::IsMember(names));
   command->add_option("--output", arguments->output, "Folder for loop.csv and experiment.json (default: print the numbers alone)");
   command->add_option("--indenter", arguments->indenter, "Contact of particle and plate (default: as with the substrate)");
   command->add_option("--load", arguments->load, "Normal load on the substrate, in a rail on each flank")->capture_default_str();

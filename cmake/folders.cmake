@@ -13,6 +13,35 @@ function(asperity_batches target)
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# asperity_list(target NAMESPACE TYPE HEADER FOLDER): every NAME.cc of the folder defines `TYPE make_NAME();` in the namespace
+# asperity::NAMESPACE; the list of them, make_all(), is made here, so that a new one touches no other file.
+function(asperity_list target namespace type header folder)
+  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cc)
+  set(declarations "")
+  set(calls "")
+  foreach(file ${files})
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND declarations "${type} make_${name}();\n")
+    string(APPEND calls "  all.push_back(make_${name}());\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${namespace}_list.cc @ONLY CONTENT [[
+// Generated from the files of @folder@.
+#include <vector>
+
+#include "@header@"
+
+namespace asperity::@namespace@ {
+@declarations@
+std::vector<@type@> make_all();
+std::vector<@type@> make_all() {
+  std::vector<@type@> all;
+@calls@  return all;
+}
+}  // namespace asperity::@namespace@
+]])
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${namespace}_list.cc)
+endfunction()
+
 # asperity_folder(name LIBS ...): the library of one folder, from all its sources.
 function(asperity_folder name)
   cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})

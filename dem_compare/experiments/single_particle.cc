@@ -1,7 +1,6 @@
 #include "dem_compare/experiments/single_particle.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
@@ -10,28 +9,6 @@
 namespace asperity {
 
 using Eigen::Vector3d;
-
-SingleParticle glued_sphere(const ContactModel& substrate) {
-  return {substrate.normal->radius(), true, {{"substrate", substrate, Vector3d::UnitZ(), false, 1}}};
-}
-
-SingleParticle rolling_sphere(const ContactModel& substrate, const ContactModel& indenter) {
-  return {substrate.normal->radius(),
-          false,
-          {{"substrate", substrate, Vector3d::UnitZ(), false, 1},
-           {"indenter", indenter, -Vector3d::UnitZ(), true, 1}}};
-}
-
-SingleParticle sphere_in_rail(const ContactModel& flank, const ContactModel& indenter, double inclination) {
-  if (!(inclination > 0 && inclination < boost::math::double_constants::half_pi))
-    throw InputError("a rail's inclination lies between 0 and 90 degrees; give one such as 45 deg");
-  const double s = std::sin(inclination), c = std::cos(inclination), share = 1 / (2 * c);
-  return {flank.normal->radius(),
-          false,
-          {{"left_flank", flank, Vector3d(0, s, c), false, share},
-           {"right_flank", flank, Vector3d(0, -s, c), false, share},
-           {"indenter", indenter, -Vector3d::UnitZ(), true, 1}}};
-}
 
 ParticleState at_rest(const SingleParticle& particle, double normal_load) {
   ParticleState state;

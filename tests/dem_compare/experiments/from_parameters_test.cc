@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "dem_compare/engines/experiment.h"
+#include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
 
 namespace asperity {
@@ -62,15 +63,16 @@ void expect_closed_form(Motion type, const SingleParticle& particle, double angl
 
 TEST(FromParameters_analytic, glued_and_rolling_spheres_agree_with_the_closed_form) {
   const ContactModel below = contact_model(silicon()), above = contact_model(diamond());
-  expect_closed_form(Motion::sliding, glued_sphere(below));
-  expect_closed_form(Motion::rolling, rolling_sphere(below, above));
+  expect_closed_form(Motion::sliding, make_particle("glued", {below, below}));
+  expect_closed_form(Motion::rolling, make_particle("rolling", {below, above}));
 }
 
 TEST(FromParameters_analytic, a_sphere_in_a_rail_agrees_with_the_closed_form_at_every_angle) {
   for (const double degrees : {25.0, 45.0, 60.0}) {
     const double angle = degrees * boost::math::double_constants::degree;
     expect_closed_form(Motion::rail,
-                       sphere_in_rail(contact_model(silicon()), contact_model(diamond()), angle), angle);
+                       make_particle("rail", {contact_model(silicon()), contact_model(diamond()), angle}),
+                       angle);
   }
 }
 
