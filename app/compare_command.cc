@@ -11,10 +11,10 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/side_by_side.h"
-#include "dem_compare/comparison.h"
-#include "results/energy_balance.h"
 #include "report/comparison_page.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {

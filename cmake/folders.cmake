@@ -13,8 +13,9 @@ function(asperity_batches target)
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# asperity_list(target NAMESPACE TYPE HEADER FOLDER): every NAME.cc of the folder defines `TYPE make_NAME();` in the namespace
-# asperity::NAMESPACE; the list of them, make_all(), is made here, so that a new one touches no other file.
+# asperity_list(target NAMESPACE TYPE HEADER FOLDER): every NAME.cc of the folder defines `TYPE make_NAME();` in
+# the namespace asperity::NAMESPACE; the list of them, make_all(), is made here, so that a new one touches no
+# other file.
 function(asperity_list target namespace type header folder)
   file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cc)
   set(declarations "")

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 #include "report/chart.h"
 #include "report/study_curves.h"
 

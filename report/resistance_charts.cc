@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/sentences.h"
-#include "dem_compare/resistance/stretches.h"
 #include "report/colour_scale.h"
 #include "report/display_units.h"
 #include "report/words.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/resistance/resistance_file.h"
 #include "report/axis.h"
 #include "report/case_report.h"

@@ -5,12 +5,12 @@
 #include <limits>
 #include <set>
 
-#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
-#include "results/energy_balance.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {

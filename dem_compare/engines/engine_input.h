@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_parameters.h"
 #include "dem_compare/engines/folding.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/motion.h"
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "dem_compare/contact_parameters.h"
 #include "dem_compare/laws/law_text.h"
 #include "dem_compare/motion/contact_model.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 
