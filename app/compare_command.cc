@@ -11,10 +11,10 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/side_by_side.h"
-#include "dem_compare/comparison.h"
-#include "results/energy_balance.h"
 #include "report/comparison/comparison_page.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {
@@ -84,8 +84,11 @@ void add_compare_command(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("--indenter", arguments->indenter,
                       "The same for particle and moving plate (default: as with the substrate)");
-  command->add_option("--engine", arguments->engine, "Run lammps or yade with each law's numbers");
-  command->add_option("--program", arguments->program, "The engine's executable (default: lmp, yade)");
+  command->add_option("--engine", arguments->engine,
+                      "Run " + list_runnable_engines(&Engine::key, " or ") + " with each law's numbers");
+  command->add_option(
+      "--program", arguments->program,
+      "The engine's executable (default: " + list_runnable_engines(&Engine::executable, ", ") + ")");
   command->add_option("--time-limit", arguments->time_limit, "Seconds after which one run of the engine is stopped")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

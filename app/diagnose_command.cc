@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/output_folder.h"
 #include "diagnosis/catalogue/effect.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/diagnose.h"
 #include "report/diagnosis/diagnosis_page.h"
 
 namespace asperity {

@@ -28,7 +28,7 @@ struct RunArguments {
 };
 
 void run_engine(const RunArguments& arguments) {
-  const auto engine = make_engine(arguments.engine);
+  const Engine& engine = engine_of(arguments.engine);
   EngineExperiment experiment;
   experiment.type = engine_experiment_type(arguments.experiment);
   experiment.substrate = read_contact_parameters(arguments.parameters);
@@ -49,7 +49,7 @@ void run_engine(const RunArguments& arguments) {
   options.program = arguments.program;
   options.time_limit = std::chrono::seconds(arguments.time_limit);
   const fs::path output = arguments.output;
-  const EngineRun result = run_engine(*engine, experiment, output, options);
+  const EngineRun result = run_engine(engine, experiment, output, options);
   const std::string json = to_json(result, experiment).dump(1) + "\n";
   write_file_atomically(output / "engine.json", json);
   std::cout << (arguments.json ? json : to_text(result, experiment)) << std::flush;
@@ -76,9 +76,11 @@ void write_input(const InputArguments& arguments) {
 
 void add_engine_commands(CLI::App& app) {
   const auto run_arguments = std::make_shared<RunArguments>();
-  CLI::App* engine = app.add_subcommand("engine", "Run one of the paper's experiments with one particle in LAMMPS or YADE");
+  CLI::App* engine = app.add_subcommand("engine", "Run one of the paper's experiments with one particle in " +
+                                                      list_runnable_engines(&Engine::name, " or "));
   engine->add_option("PARAMETERS.json", run_arguments->parameters, "Contact of particle and substrate")->required();
-  engine->add_option("--engine", run_arguments->engine, "lammps or yade")->required();
+  engine->add_option("--engine", run_arguments->engine, list_runnable_engines(&Engine::key, " or "))
+      ->required();
   engine->add_option("--experiment", run_arguments->experiment,
                      "glued (sliding loop), rolling (under a plate), rail (V-rail under a plate) or twisting")->required();
   engine->add_option("--output", run_arguments->output, "Folder for the engine's input, its log, trace.csv and engine.json")->required();
@@ -88,7 +90,9 @@ void add_engine_commands(CLI::App& app) {
   engine->add_option("--rail-angle", run_arguments->rail_angle, "Inclination of the rail's slopes")->capture_default_str();
   engine->add_option("--haste", run_arguments->haste, "Factor on the speed that asperity chooses")->capture_default_str()
       ->check(CLI::PositiveNumber);
-  engine->add_option("--program", run_arguments->program, "The engine's executable (default: lmp, yade)");
+  engine->add_option(
+      "--program", run_arguments->program,
+      "The engine's executable (default: " + list_runnable_engines(&Engine::executable, ", ") + ")");
   engine->add_option("--time-limit", run_arguments->time_limit, "Seconds after which the engine is stopped")->capture_default_str()
       ->check(CLI::PositiveNumber);
   engine->add_flag("--json", run_arguments->json, "Print JSON instead of a table");
@@ -96,10 +100,12 @@ void add_engine_commands(CLI::App& app) {
                  " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
   engine->callback([run_arguments] { run_engine(*run_arguments); });
 
+  std::string written_engines;
+  for (const auto& key : engine_input_names()) written_engines += (written_engines.empty() ? "" : ", ") + key;
   const auto input_arguments = std::make_shared<InputArguments>();
   CLI::App* input = app.add_subcommand("engine-input", "Write a contact as what a user pastes into a discrete element engine");
   input->add_option("PARAMETERS.json", input_arguments->parameters, "Contact as asperity derived it")->required();
-  input->add_option("--engine", input_arguments->engine, "lammps, yade, liggghts, mercurydpm, kratos or musen")->required();
+  input->add_option("--engine", input_arguments->engine, written_engines)->required();
   input->add_option("--output", input_arguments->output, "File to write (default: print)");
   input->add_option("--load", input_arguments->load,
                     "Normal load at which limits that depend on it are right (default: balanced over the fitted loads)");

@@ -60,18 +60,22 @@ function(asperity_folder name)
   target_link_libraries(asperity_${name} PUBLIC asperity_core ${ARG_LIBS})
 endfunction()
 
-# asperity_subfolder(folder name LIBS ...): the library asperity_<folder>_<name> of one subfolder. It links those that it includes from, so
-# that the order in which they are declared, and with it the build, refuses a circle among them.
-function(asperity_subfolder folder name)
-  cmake_parse_arguments(ARG "" "" "LIBS" ${ARGN})
+# asperity_subfolder(name [LIBS subfolder...] [ALSO library...]): the library asperity_<folder>_<name> of a subfolder. It links the
+# subfolders that it includes, declared before it, so that the build refuses a circle (tests/scripts/check_folders holds the includes to
+# that), and other libraries.
+function(asperity_subfolder name)
+  cmake_parse_arguments(ARG "" "" "LIBS;ALSO" ${ARGN})
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(target asperity_${folder}_${name})
-  foreach(lib ${ARG_LIBS})
-    if(lib MATCHES "^asperity_" AND NOT TARGET ${lib})
-      message(FATAL_ERROR "${folder}/${name} needs ${lib}, which is declared after it: a circle, or the wrong order")
+  set(libraries ${ARG_LIBS})
+  list(TRANSFORM libraries PREPEND asperity_${folder}_)
+  foreach(library ${libraries})
+    if(NOT TARGET ${library})
+      message(FATAL_ERROR "${folder}/${name} needs ${library}, which is declared after it: a circle, or the wrong order")
     endif()
   endforeach()
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
   add_library(${target} STATIC ${sources})
-  target_link_libraries(${target} PUBLIC asperity_core ${ARG_LIBS})
+  target_link_libraries(${target} PUBLIC asperity_core ${libraries} ${ARG_ALSO})
   asperity_batches(${target})
 endfunction()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnosis/choose/held_out.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 

@@ -1,4 +1,6 @@
 // The whole diagnosis, step by step.
+#include "diagnosis/diagnose.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -6,7 +8,6 @@
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/describe.h"
-#include "diagnosis/diagnosis.h"
 #include "diagnosis/fit/prepared_fit.h"
 
 namespace asperity {

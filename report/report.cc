@@ -5,7 +5,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "dem_compare/case_collection.h"
+#include "dem_compare/cases/case_collection.h"
 #include "report/case/case_report.h"
 #include "report/study/study_report.h"
 

@@ -5,7 +5,9 @@
 namespace asperity {
 
 EngineColumn::EngineColumn(const std::string& name, std::filesystem::path folder, EngineRunOptions options)
-    : engine_(name.empty() ? nullptr : make_engine(name)), folder_(std::move(folder)), options_(std::move(options)) {}
+    : engine_(name.empty() ? nullptr : &engine_of(name)),
+      folder_(std::move(folder)),
+      options_(std::move(options)) {}
 
 const EngineRun& EngineColumn::run(const EngineExperiment& experiment) {
   const std::string input = engine_->input(experiment, plan_motion(experiment));
@@ -26,7 +28,8 @@ double EngineColumn::measured(const EngineRequest& request) {
 }
 
 ComparedValue EngineColumn::value(const LawValue& law) {
-  if (!engine_) return absent("no engine was asked for (--engine lammps or yade)");
+  if (!engine_)
+    return absent("no engine was asked for (--engine " + list_runnable_engines(&Engine::key, " or ") + ")");
   if (!law.engine) return absent(law.no_engine.empty() ? law.reason : law.no_engine);
   if (!failure_.empty()) return absent(engine_->name() + " failed: see the message at the end");
   try {

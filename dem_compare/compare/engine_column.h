@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 
 #include "dem_compare/compare/law_column.h"
@@ -31,7 +30,7 @@ class EngineColumn {
   const EngineRun& run(const EngineExperiment& experiment);
   double measured(const EngineRequest& request);
 
-  std::unique_ptr<Engine> engine_;
+  const Engine* engine_;
   std::filesystem::path folder_;
   EngineRunOptions options_;
   std::map<std::string, EngineRun> done_;  ///< by the text of the input

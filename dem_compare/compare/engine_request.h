@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/engines/experiment.h"
-#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/cases/moving_case.h"
+#include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/cases/steady_motion.h"
 #include "dem_compare/derive/rolling_stiffness.h"
-#include "dem_compare/derive/steady_motion.h"
-#include "dem_compare/resistance/moving_case.h"
 
 namespace asperity {
 namespace {

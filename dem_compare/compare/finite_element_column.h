@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/row.h"
-#include "dem_compare/comparison.h"
 
 namespace asperity {
 

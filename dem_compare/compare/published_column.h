@@ -3,7 +3,7 @@
 // and a load within those measured. SI units.
 #pragma once
 
-#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/compare/law_column.h"
 #include "dem_compare/compare/row.h"
 #include "dem_compare/paper/published.h"

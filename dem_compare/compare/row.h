@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/motion.h"
-#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "dem_compare/common_label.h"
+#include "dem_compare/cases/common_label.h"
 #include "dem_compare/compare/finite_element_column.h"
 
 namespace asperity {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/engine_column.h"
 #include "dem_compare/compare/published_column.h"
 #include "dem_compare/compare/row.h"
 #include "dem_compare/compare/verdict.h"
-#include "dem_compare/comparison.h"
 
 namespace asperity {
 

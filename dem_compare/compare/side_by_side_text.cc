@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "dem_compare/compare/side_by_side.h"
-#include "dem_compare/json_number.h"
-#include "dem_compare/quoted_for_csv.h"
+#include "dem_compare/numbers/json_number.h"
+#include "dem_compare/numbers/quoted_for_csv.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/quantity.h"
-#include "dem_compare/judged.h"
+#include "dem_compare/numbers/judged.h"
 
 namespace asperity {
 namespace {

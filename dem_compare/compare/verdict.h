@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem_compare/compare/row.h"
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

@@ -5,12 +5,12 @@
 #include <limits>
 #include <set>
 
-#include "dem_compare/compare/compared_contact.h"
+#include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
-#include "results/energy_balance.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "results/energy_balance.h"
 
 namespace asperity {
 namespace {
@@ -96,8 +96,8 @@ Derivation derive_parameters(const ParameterSet& set) {
   ContactParameters& parameters = derivation.parameters;
   parameters.particle = body_of(first.particle(), first.hertz().radius);
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
-  parameters.particle.rms = rms_of_topography(first.entries.text("Particle/Topography", "smooth"));
-  parameters.target.rms = rms_of_topography(first.entries.text("Substrate/Topography", "smooth"));
+  parameters.particle.rms = first.entries.topography("Particle").rms();
+  parameters.target.rms = first.entries.topography("Substrate").rms();
   const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" +
                                elastic_text(first.particle()) + ")";
   parameters.title = "Derived from " + std::to_string(set.cases.size()) +

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/motion.h"
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/derive/law_report.h"
-#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

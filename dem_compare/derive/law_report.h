@@ -7,7 +7,7 @@
 
 #include "core/motion.h"
 #include "core/quantity.h"
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/derive/resistance_law.h"
 
 namespace asperity {

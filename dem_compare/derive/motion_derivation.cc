@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dem_compare/cases/moving_case.h"
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
 #include "dem_compare/derive/rolling_stiffness.h"
-#include "dem_compare/resistance/moving_case.h"
-#include "dem_compare/statistics.h"
+#include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 namespace {

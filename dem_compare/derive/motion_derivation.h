@@ -4,9 +4,9 @@
 // resistance_law.h.
 #pragma once
 
+#include "dem_compare/cases/motion_mode.h"
+#include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/derive/law_report.h"
-#include "dem_compare/derive/motion_mode.h"
-#include "dem_compare/derive/parameter_sets.h"
 
 namespace asperity {
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "core/error.h"
+#include "dem_compare/cases/normal_numbers.h"
 #include "dem_compare/derive/power_law.h"
-#include "dem_compare/normal_numbers.h"
-#include "dem_compare/statistics.h"
+#include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 namespace {

@@ -4,9 +4,9 @@
 // the loads of the fit; plastic flow of the first loading is in E*.
 #pragma once
 
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/derive/law_report.h"
-#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

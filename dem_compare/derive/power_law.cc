@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dem_compare/statistics.h"
+#include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 

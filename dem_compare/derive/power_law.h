@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "dem_compare/contact_parameters.h"
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/derive/law_report.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

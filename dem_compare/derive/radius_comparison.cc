@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "dem_compare/cases/motion_mode.h"
 #include "dem_compare/derive/derivation.h"
 #include "dem_compare/derive/length_choice.h"
-#include "dem_compare/derive/motion_mode.h"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
 
 namespace asperity {
 namespace {

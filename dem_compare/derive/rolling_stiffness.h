@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dem_compare/derive/steady_motion.h"
+#include "dem_compare/cases/steady_motion.h"
 
 namespace asperity {
 

@@ -4,12 +4,9 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/nearest_name.h"
 #include "core/output_folder.h"
 #include "core/quantity.h"
-#include "dem_compare/engines/lammps.h"
 #include "dem_compare/engines/run_program.h"
-#include "dem_compare/engines/yade.h"
 
 namespace asperity {
 namespace {
@@ -29,14 +26,6 @@ fs::path program_of(const Engine& engine, const EngineRunOptions& options) {
 }
 
 }  // namespace
-
-std::unique_ptr<Engine> make_engine(const std::string& name) {
-  if (name == "lammps") return std::make_unique<Lammps>();
-  if (name == "yade") return std::make_unique<Yade>();
-  const std::string meant = nearest_name(name, {"lammps", "yade"});
-  throw InputError("asperity cannot run an engine '" + name + "'; " +
-                   (meant.empty() ? "it runs lammps and yade" : "did you mean '" + meant + "'?"));
-}
 
 EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment, const fs::path& folder,
                      const EngineRunOptions& options) {

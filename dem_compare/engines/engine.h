@@ -3,22 +3,20 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "dem_compare/engines/engine_input.h"
 #include "dem_compare/engines/experiment.h"
 #include "dem_compare/engines/measurement.h"
 #include "dem_compare/engines/trace.h"
 
 namespace asperity {
 
-/// What differs from engine to engine.
-class Engine {
+/// An engine that asperity also runs: what differs from one to the other.
+class Engine : public WrittenEngine {
  public:
-  virtual ~Engine() = default;
-  virtual std::string name() const = 0;        ///< "LAMMPS"
   virtual std::string executable() const = 0;  ///< "lmp"
   virtual std::string package() const = 0;     ///< of Debian
   virtual std::string input_file() const = 0;
@@ -33,8 +31,12 @@ class Engine {
   virtual std::string version(const std::string& log) const = 0;
 };
 
-/// "lammps" or "yade"; throws InputError naming what was meant.
-std::unique_ptr<Engine> make_engine(const std::string& name);
+/// By its key; throws InputError naming what was meant.
+const Engine& engine_of(const std::string& key);
+/// Those that asperity runs, in alphabetical order of their keys.
+std::vector<const Engine*> runnable_engines();
+/// What each says of itself, such as its key: "lammps or yade" with the separator " or ".
+std::string list_runnable_engines(std::string (Engine::*text)() const, const std::string& separator);
 
 struct EngineRun {
   std::string engine, version;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_parameters.h"
 #include "dem_compare/engines/folding.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 
@@ -16,7 +16,20 @@ struct EngineInputOptions {
   std::optional<double> load;
 };
 
-/// "lammps", "yade", "liggghts", "mercurydpm", "kratos", "musen".
+class InputNotes;
+
+/// An engine whose input asperity writes.
+class WrittenEngine {
+ public:
+  virtual ~WrittenEngine() = default;
+  virtual std::string key() const = 0;   ///< as it is named on the command line: "lammps"
+  virtual std::string name() const = 0;  ///< "LAMMPS"
+  /// What a user pastes for the contact of the notes. Throws InputError for a record that lacks what is
+  /// needed.
+  virtual std::string contact_input(InputNotes& notes) const = 0;
+};
+
+/// Keys of all engines, in alphabetical order.
 std::vector<std::string> engine_input_names();
 
 /// Throws InputError for an engine that is not known, naming what was meant, and for a record that lacks what is needed.

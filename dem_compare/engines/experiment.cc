@@ -62,13 +62,6 @@ double EngineExperiment::rail_cosine() const { return type == Motion::rail ? std
 
 double EngineExperiment::indenter_load() const { return type == Motion::rail ? 2 * rail_cosine() * load : load; }
 
-double EngineExperiment::mass() const {
-  const double density = substrate.particle.density, R = substrate.particle.radius;
-  if (!std::isfinite(density))
-    throw InputError(substrate.file + ": 'particle/density' [kg/m^3] is missing, which a dynamic engine needs");
-  return 4.0 / 3 * pi * R * R * R * density;
-}
-
 Motion engine_experiment_type(const std::string& name) {
   std::vector<std::string> names;
   std::string list;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/motion.h"
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 
@@ -23,7 +23,7 @@ struct EngineExperiment {
 
   double rail_cosine() const;
   double indenter_load() const;  ///< 2 cos(theta) f in a rail (force balance), f elsewhere [N]
-  double mass() const;           ///< of the sphere [kg]
+  double mass() const { return substrate.particle_mass(); }  ///< [kg]
 };
 
 /// "glued", ...; throws InputError naming what was meant.

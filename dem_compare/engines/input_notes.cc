@@ -5,28 +5,11 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/nearest_name.h"
 #include "dem_compare/engines/needed_cases.h"
 #include "dem_compare/engines/text_number.h"
 
 namespace asperity {
 namespace {
-
-struct EngineInputEntry {
-  const char* key;
-  const char* name;
-  std::string (*write)(InputNotes&);
-};
-
-const std::vector<EngineInputEntry>& entries() {
-  static const std::vector<EngineInputEntry> all{{"lammps", "LAMMPS", lammps_input},
-                                                 {"yade", "YADE", yade_input},
-                                                 {"liggghts", "LIGGGHTS", liggghts_input},
-                                                 {"mercurydpm", "MercuryDPM", mercurydpm_input},
-                                                 {"kratos", "Kratos DEMApplication", kratos_input},
-                                                 {"musen", "MUSEN", musen_input}};
-  return all;
-}
 
 std::string signed_percent(double error) {
   char text[32];
@@ -41,24 +24,6 @@ std::string short_number(double value) {
 }
 
 }  // namespace
-
-std::vector<std::string> engine_input_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : entries()) names.push_back(entry.key);
-  return names;
-}
-
-std::string engine_input(const std::string& engine, const ContactParameters& parameters, const EngineInputOptions& options) {
-  for (const auto& entry : entries()) {
-    if (entry.key != engine) continue;
-    InputNotes notes(parameters, options, entry.name);
-    return entry.write(notes);
-  }
-  std::string list;
-  for (const auto& name : engine_input_names()) list += (list.empty() ? "" : ", ") + name;
-  const std::string meant = nearest_name(engine, engine_input_names());
-  throw InputError("there is no engine '" + engine + "'; " + (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
-}
 
 InputNotes::InputNotes(const ContactParameters& parameters, const EngineInputOptions& options, std::string engine)
     : p_(parameters), options_(options), engine_(std::move(engine)) {

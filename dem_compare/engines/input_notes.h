@@ -70,12 +70,4 @@ struct EngineElasticity {
 /// The bodies' own where they give E* and k_l; else those of two equal bodies that do; notes what is left over.
 EngineElasticity engine_elasticity(InputNotes& notes);
 
-/// One function for each engine, in a file of its own.
-std::string lammps_input(InputNotes& notes);
-std::string yade_input(InputNotes& notes);
-std::string liggghts_input(InputNotes& notes);
-std::string mercurydpm_input(InputNotes& notes);
-std::string kratos_input(InputNotes& notes);
-std::string musen_input(InputNotes& notes);
-
 }  // namespace asperity

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity {
 

@@ -120,7 +120,7 @@ FrictionLoop simulate_quasi_static(const SingleParticle& particle, const LoopPro
   const double length = first.contact_radius * first.contact_radius / particle.radius;
   double force = first.stiffness * length;
   for (std::size_t i = 0; i < state.contacts.size(); ++i)  // adhesion can let the lateral forces exceed the load by far
-    force = std::max(force, friction_of(particle.contacts[i].model.sliding).limit(state.contacts[i].normal.force));
+    force = std::max(force, particle.contacts[i].model.sliding->limit(state.contacts[i].normal.force));
   const double increment = program.first_increment > 0 ? program.first_increment : resolving_increment(particle, state);
 
   FrictionLoop loop;

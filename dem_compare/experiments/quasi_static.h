@@ -18,17 +18,4 @@ struct QuasiStaticOptions {
 FrictionLoop simulate_quasi_static(const SingleParticle& particle, const LoopProgram& program,
                                    const QuasiStaticOptions& options = {});
 
-inline FrictionLoop simulate_glued_sphere(const ContactModel& substrate, const LoopProgram& program) {
-  return simulate_quasi_static(glued_sphere(substrate), program);
-}
-inline FrictionLoop simulate_rolling_sphere(const ContactModel& substrate, const ContactModel& indenter,
-                                            const LoopProgram& program) {
-  return simulate_quasi_static(rolling_sphere(substrate, indenter), program);
-}
-/// `inclination` [rad]
-inline FrictionLoop simulate_rail(const ContactModel& flank, const ContactModel& indenter, double inclination,
-                                  const LoopProgram& program) {
-  return simulate_quasi_static(sphere_in_rail(flank, indenter, inclination), program);
-}
-
 }  // namespace asperity

@@ -1,7 +1,6 @@
 #include "dem_compare/experiments/single_particle.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
@@ -11,29 +10,10 @@ namespace asperity {
 
 using Eigen::Vector3d;
 
-SingleParticle glued_sphere(const ContactModel& substrate) {
-  return {radius_of(substrate.normal), true, {{"substrate", substrate, Vector3d::UnitZ(), false, 1}}};
-}
-
-SingleParticle rolling_sphere(const ContactModel& substrate, const ContactModel& indenter) {
-  return {radius_of(substrate.normal), false,
-          {{"substrate", substrate, Vector3d::UnitZ(), false, 1}, {"indenter", indenter, -Vector3d::UnitZ(), true, 1}}};
-}
-
-SingleParticle sphere_in_rail(const ContactModel& flank, const ContactModel& indenter, double inclination) {
-  if (!(inclination > 0 && inclination < boost::math::double_constants::half_pi))
-    throw InputError("a rail's inclination lies between 0 and 90 degrees; give one such as 45 deg");
-  const double s = std::sin(inclination), c = std::cos(inclination), share = 1 / (2 * c);
-  return {radius_of(flank.normal), false,
-          {{"left_flank", flank, Vector3d(0, s, c), false, share},
-           {"right_flank", flank, Vector3d(0, -s, c), false, share},
-           {"indenter", indenter, -Vector3d::UnitZ(), true, 1}}};
-}
-
 ParticleState at_rest(const SingleParticle& particle, double normal_load) {
   ParticleState state;
   for (const ParticleContact& contact : particle.contacts) {
-    const double force = contact.share * normal_load, approach = approach_at(contact.model.normal, force);
+    const double force = contact.share * normal_load, approach = contact.model.normal->approach(force);
     if (!std::isfinite(approach))
       throw InputError("the contact '" + contact.name + "' cannot carry a normal force of " + std::to_string(force * 1e6) +
                        " uN; give a load above its pull-off");
@@ -94,10 +74,10 @@ double way_to_first_limit(const SingleParticle& particle, const ParticleState& r
   for (std::size_t i = 0; i < rest.contacts.size(); ++i) {
     const ContactModel& model = particle.contacts[i].model;
     const ContactModelState& state = rest.contacts[i];
-    consider(friction_of(model.sliding).limit(state.normal.force), state.sliding.spring.stiffness, 1);
+    consider(model.sliding->limit(state.normal.force), state.sliding.spring.stiffness, 1);
     if (particle.glued) continue;
-    consider(model.rolling.limit(state.normal, state.lever), state.rolling.stiffness, state.lever);
-    consider(model.torsion.limit(state.normal, state.lever), state.torsion.stiffness, state.lever);
+    consider(model.rolling->limit(state.normal, state.lever), state.rolling.stiffness, state.lever);
+    consider(model.torsion->limit(state.normal, state.lever), state.torsion.stiffness, state.lever);
   }
   if (!std::isfinite(way))
     throw InputError("no contact of this experiment resists any motion under this load; give a larger load or a sliding coefficient");

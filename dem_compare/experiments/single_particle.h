@@ -1,9 +1,7 @@
-// The paper's three experiments with one particle (Fuchs, Weinhart et al. 2014, fig. forces0), as bodies and contacts:
-//   (a) glued to the indenter: the sphere slides on the substrate and cannot turn;
-//   (b) free between substrate and indenter: it rolls, at half the indenter's speed;
-//   (c) free in a V-rail of inclination theta under the indenter: two flanks and the indenter, rolling and torsion together.
-// Axes: x along the motion of the indenter, z up, y across. The planes do not turn; weight is left out (6e-11 N against
-// 1e-4 N). Under load the sphere starts from rest, each contact closed along its own normal, without lateral forces. SI units.
+// An experiment with one particle, as bodies and contacts; which experiments there are:
+// particle_experiment.h. Axes: x along the motion of the indenter, z up, y across. The planes do not turn;
+// weight is left out (6e-11 N against 1e-4 N). Under load the sphere starts from rest, each contact closed
+// along its own normal, without lateral forces. SI units.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -29,11 +27,6 @@ struct SingleParticle {
   bool glued = false;  ///< to the indenter
   std::vector<ParticleContact> contacts;
 };
-
-SingleParticle glued_sphere(const ContactModel& substrate);
-SingleParticle rolling_sphere(const ContactModel& substrate, const ContactModel& indenter);
-/// `inclination` of the flanks against the horizontal [rad]; throws InputError outside (0, pi/2).
-SingleParticle sphere_in_rail(const ContactModel& flank, const ContactModel& indenter, double inclination);
 
 /// Where the bodies are, and the contacts' accepted states.
 struct ParticleState {

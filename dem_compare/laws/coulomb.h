@@ -18,10 +18,12 @@ struct CoulombLimit {
   double limit(double normal_force) const { return std::max(0.0, coefficient * (normal_force + adhesion_force)); }
 };
 
-inline const LawEntry<CoulombLimit> coulomb_entry{
-    {"coulomb", "sliding", "|f_l| <= mu (f_n + h)", "Coulomb 1785; Derjaguin 1934",
-     "one coefficient for rest and motion, none for speed; friction that follows load, not area", {}},
-    {{{"coefficient", "", "mu"}, &CoulombLimit::coefficient},
-     {{"adhesion_force", "N", "offset h"}, &CoulombLimit::adhesion_force}}};
+/// Its parameters, of a law with the member `friction`.
+template <class Law>
+std::vector<LawField<Law>> friction_fields() {
+  return {
+      {{"coefficient", "", "mu"}, &Law::friction, &CoulombLimit::coefficient},
+      {zero_otherwise({"adhesion_force", "N", "offset h"}), &Law::friction, &CoulombLimit::adhesion_force}};
+}
 
 }  // namespace asperity

@@ -16,6 +16,7 @@ struct CreepForce {
   double shear_modulus = 0;     ///< G [Pa]
   double coefficient = 0;       ///< mu of sliding [-]
   double creep_coefficient = 0; ///< C [-]
+  static constexpr const char* ratio = "creep [1]";
 
   static double vermeulen_johnson_along(double poisson_ratio) { return 16 / (4 - 3 * poisson_ratio); }
   static double vermeulen_johnson_across(double poisson_ratio) { return 16 / (4 - poisson_ratio); }
@@ -25,13 +26,17 @@ struct CreepForce {
     const double y = creep_coefficient * shear_modulus * contact_radius * contact_radius * creep / (coefficient * normal_force);
     return coefficient * normal_force * (1 - std::pow(std::max(0.0, 1 - y / 3), 3));
   }
+  SlipResistance resistance(double normal_force, double contact_radius, double creep) const {
+    return {force(creep, normal_force, contact_radius), 0};
+  }
 };
 
-inline const LawEntry<CreepForce> creep_force_entry{
-    {"creep_force", "rolling", "Q/(mu P) = 1 - (1 - y/3)^3, y = C G a^2 xi/(mu P)",
-     "Vermeulen & Johnson 1964; Kalker 1967; Shen, Hedrick & Elkins 1983", "one material, circular contact, steady rolling", {}},
+inline const LawEntry<CreepForce, SteadySlipMode> creep_force_entry{
+    {"creep_force", "Q/(mu P) = 1 - (1 - y/3)^3, y = C G a^2 xi/(mu P)",
+     "Vermeulen & Johnson 1964; Kalker 1967; Shen, Hedrick & Elkins 1983",
+     "one material, circular contact, steady rolling"},
     {{{"shear_modulus", "Pa", "G"}, &CreepForce::shear_modulus},
-     {{"coefficient", "", "mu of sliding"}, &CreepForce::coefficient},
+     {{"sliding_coefficient", "", "mu of sliding"}, &CreepForce::coefficient},
      {{"creep_coefficient", "", "C"}, &CreepForce::creep_coefficient}}};
 
 }  // namespace asperity

@@ -30,9 +30,9 @@ struct Dmt {
   Hertz hertz() const { return {reduced_modulus, radius}; }
 };
 
-inline const LawEntry<Dmt> dmt_entry{
-    {"dmt", "normal", "f_n = 4/3 E* a^3/R - 2 pi w R, delta = a^2/R", "Derjaguin, Muller & Toporov 1975; Maugis 1992",
-     "Tabor parameter below 0.1; smooth, elastic, a << R", {}},
+inline const LawEntry<Dmt, NormalMode> dmt_entry{
+    {"dmt", "f_n = 4/3 E* a^3/R - 2 pi w R, delta = a^2/R", "Derjaguin, Muller & Toporov 1975; Maugis 1992",
+     "Tabor parameter below 0.1; smooth, elastic, a << R"},
     {{{"reduced_modulus", "Pa", "E*"}, &Dmt::reduced_modulus},
      {{"radius", "m", "R"}, &Dmt::radius},
      {{"work_of_adhesion", "J/m^2", "w of both surfaces together"}, &Dmt::work_of_adhesion}}};

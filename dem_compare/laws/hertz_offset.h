@@ -25,12 +25,12 @@ struct HertzOffset {
   Hertz hertz() const { return {reduced_modulus, radius}; }
 };
 
-inline const LawEntry<HertzOffset> hertz_offset_entry{
-    {"hertz", "normal", "f_n = 4/3 E* R^(1/2) delta^(3/2) - h, a = (R delta)^(1/2)",
+inline const LawEntry<HertzOffset, NormalMode> hertz_offset_entry{
+    {"hertz", "f_n = 4/3 E* R^(1/2) delta^(3/2) - h, a = (R delta)^(1/2)",
      "Hertz 1882; Johnson 1985, ch. 4; constant attraction h: Fuchs, Weinhart et al. 2014",
-     "a << R, elastic, smooth; h changes no contact radius and has no reach out of contact", {}},
+     "a << R, elastic, smooth; h changes no contact radius and has no reach out of contact"},
     {{{"reduced_modulus", "Pa", "E*"}, &HertzOffset::reduced_modulus},
      {{"radius", "m", "R"}, &HertzOffset::radius},
-     {{"adhesion_force", "N", "constant attraction h"}, &HertzOffset::adhesion_force}}};
+     {zero_otherwise({"adhesion_force", "N", "constant attraction h"}), &HertzOffset::adhesion_force}}};
 
 }  // namespace asperity

@@ -4,21 +4,29 @@
 // is near zero for glass and silicon below yield. SI units.
 #pragma once
 
-#include "dem_compare/laws/law_registry.h"
+#include <algorithm>
+
+#include "dem_compare/laws/rotation_fields.h"
 
 namespace asperity {
 
 struct HysteresisRolling {
   double loss_factor = 0;  ///< alpha [-]
+  RotationalStiffness stiffness{};
+  static constexpr LengthScale length = LengthScale::particle_radius;
 
   double moment(double normal_force, double contact_radius) const {
     return 3.0 / 16 * loss_factor * normal_force * contact_radius;
   }
+  double limit(const NormalState& normal, double) const {
+    return std::max(0.0, moment(normal.force, normal.contact_radius));
+  }
 };
 
-inline const LawEntry<HysteresisRolling> hysteresis_rolling_entry{
-    {"hysteresis_rolling", "rolling", "M = 3/16 alpha P a", "Tabor 1955; Johnson 1985, sec. 9.2",
-     "Hertzian contact; alpha is measured at the rate of rolling", {}},
-    {{{"loss_factor", "", "alpha, part of the energy lost", 0, 1}, &HysteresisRolling::loss_factor}}};
+inline const LawEntry<HysteresisRolling, RollingMode> hysteresis_rolling_entry{
+    {"hysteresis_rolling", "M = 3/16 alpha P a", "Tabor 1955; Johnson 1985, sec. 9.2",
+     "Hertzian contact; alpha is measured at the rate of rolling"},
+    {{{"loss_factor", "", "alpha, part of the energy lost", 0, 1}, &HysteresisRolling::loss_factor}},
+    spring_fields<HysteresisRolling>()};
 
 }  // namespace asperity

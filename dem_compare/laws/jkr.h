@@ -65,10 +65,10 @@ struct Jkr {
   double pi_w() const { return boost::math::double_constants::pi * work_of_adhesion; }
 };
 
-inline const LawEntry<Jkr> jkr_entry{
-    {"jkr", "normal", "f_n = 4/3 E* a^3/R - (8 pi w E* a^3)^(1/2), delta = a^2/R - (2 pi w a/E*)^(1/2)",
+inline const LawEntry<Jkr, NormalMode> jkr_entry{
+    {"jkr", "f_n = 4/3 E* a^3/R - (8 pi w E* a^3)^(1/2), delta = a^2/R - (2 pi w a/E*)^(1/2)",
      "Johnson, Kendall & Roberts 1971; Johnson 1985, sec. 5.5; Maugis 1992",
-     "Tabor parameter above 5; smooth, elastic, a << R", {}},
+     "Tabor parameter above 5; smooth, elastic, a << R"},
     {{{"reduced_modulus", "Pa", "E*"}, &Jkr::reduced_modulus},
      {{"radius", "m", "R"}, &Jkr::radius},
      {{"work_of_adhesion", "J/m^2", "w of both surfaces together"}, &Jkr::work_of_adhesion}}};

@@ -10,8 +10,14 @@
 namespace asperity {
 namespace {
 
-std::vector<LawDescription>& registered() {
-  static std::vector<LawDescription> laws;  // in a function: filled while other files' constants are still being set up
+struct Registered {
+  LawDescription description;
+  std::function<ReducedLaw(const LawValues&)> make;
+};
+
+std::vector<Registered>& registered() {
+  static std::vector<Registered>
+      laws;  // in a function: filled while other files' constants are still being set up
   return laws;
 }
 
@@ -26,54 +32,92 @@ template <class Named>
                    (nearest.empty() ? "; there are: " + list : "; did you mean '" + nearest + "'?"));
 }
 
+const Registered& find_law(const std::string& name) {
+  for (const auto& law : registered())
+    if (law.description.name == name) return law;
+  refuse_unknown("reduced law", name, reduced_laws());
+}
+
+std::string admissible(const LawParameter& p) {
+  std::ostringstream text;
+  if (p.choices.empty()) text << p.low << " to " << p.high;
+  for (std::size_t i = 0; i < p.choices.size(); ++i) text << (i ? ", " : "") << p.choices[i];
+  return text.str();
+}
+
+std::string default_of(const LawParameter& p) {
+  if (p.is_needed()) return "-";
+  std::ostringstream text;
+  text << p.otherwise;
+  return p.choices.empty() ? text.str() : p.choices[static_cast<std::size_t>(p.otherwise)];
+}
+
 }  // namespace
 
 namespace law_registry_detail {
 
-void add(const LawDescription& description) { registered().push_back(description); }
-
-std::size_t index_of(const LawDescription& description, const std::string& parameter) {
-  for (std::size_t i = 0; i < description.parameters.size(); ++i)
-    if (description.parameters[i].name == parameter) return i;
-  refuse_unknown("parameter of the law '" + description.name + "' named", parameter, description.parameters);
+void add(const LawDescription& description, const std::function<ReducedLaw(const LawValues&)>& make) {
+  registered().push_back({description, make});
 }
 
-void check(const LawDescription& description, std::size_t parameter, double value) {
-  const LawParameter& p = description.parameters[parameter];
-  if (value >= p.low && value <= p.high) return;
+double value_of(const LawParameter& p, const std::string& law, const LawValues& values) {
+  const auto given = values.find(p.name);
+  if (given == values.end() && p.is_needed())
+    throw InputError("the law '" + law + "' needs '" + p.name + "'" +
+                     (p.unit.empty() ? "" : " [" + p.unit + "]") + ", " + p.meaning + "; give it as in '" +
+                     law + ", " + p.name + " = ...'");
+  const double value = given == values.end() ? p.otherwise : given->second;
+  if (value >= p.low && value <= p.high) return value;
   std::ostringstream message;
-  message << p.name << " of the law '" << description.name << "' is " << value << " " << p.unit << "; give a value from "
+  message << p.name << " of the law '" << law << "' is " << value << " " << p.unit << "; give a value from "
           << p.low << " to " << p.high;
   throw InputError(message.str());
+}
+
+void refuse_mode(const std::string& law, const std::string& mode) {
+  throw InputError("the law '" + law + "' is one of " + reduced_law(law).mode + ", not of " + mode);
 }
 
 }  // namespace law_registry_detail
 
 std::vector<LawDescription> reduced_laws() {
-  std::vector<LawDescription> laws = registered();
+  std::vector<LawDescription> laws;
+  for (const auto& law : registered()) laws.push_back(law.description);
   std::sort(laws.begin(), laws.end(), [](const LawDescription& one, const LawDescription& other) {
     return std::tie(one.mode, one.name) < std::tie(other.mode, other.name);
   });
   return laws;
 }
 
-LawDescription reduced_law(const std::string& name) {
-  for (const auto& law : registered())
-    if (law.name == name) return law;
-  refuse_unknown("reduced law", name, reduced_laws());
+LawDescription reduced_law(const std::string& name) { return find_law(name).description; }
+
+const LawParameter& law_parameter(const LawDescription& law, const std::string& name) {
+  for (const auto& parameter : law.parameters)
+    if (parameter.name == name) return parameter;
+  refuse_unknown("parameter of the law '" + law.name + "' named", name, law.parameters);
+}
+
+ReducedLaw make_reduced_law(const std::string& name, const LawValues& values) {
+  const Registered& law = find_law(name);
+  for (const auto& [given, value] : values) law_parameter(law.description, given);
+  return law.make(values);
 }
 
 std::string reduced_laws_manual() {
   std::ostringstream page;
-  page << "# Reduced laws of one contact\n";
+  page << "# Reduced laws of one contact\n\n"
+          "A law is named with its parameters, as in `--law 'jkr, work_of_adhesion = 50 mJ/m^2'`: `asperity "
+          "experiment` leads one\n"
+          "particle by it, `asperity law-curve` writes its curve. What the contact's record holds need not "
+          "be given.\n";
   for (const auto& law : reduced_laws()) {
     page << "\n## " << law.mode << ": `" << law.name << "`\n\n" << law.equation << "\n\nSource: " << law.source
          << "\n\nValid: " << law.validity << "\n";
     if (law.parameters.empty()) continue;
-    page << "\n| parameter | unit | meaning | admissible |\n| --- | --- | --- | --- |\n";
+    page << "\n| parameter | unit | meaning | admissible | default |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : law.parameters)
-      page << "| `" << p.name << "` | " << (p.unit.empty() ? "-" : p.unit) << " | " << p.meaning << " | " << p.low
-           << " to " << p.high << " |\n";
+      page << "| `" << p.name << "` | " << (p.unit.empty() ? "-" : p.unit) << " | " << p.meaning << " | "
+           << admissible(p) << " | " << default_of(p) << " |\n";
   }
   return page.str();
 }

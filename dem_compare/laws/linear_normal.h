@@ -21,11 +21,11 @@ struct LinearNormal {
   double approach(double force) const { return (force + adhesion_force) / spring_stiffness; }
 };
 
-inline const LawEntry<LinearNormal> linear_normal_entry{
-    {"linear", "normal", "f_n = k delta - h, a = (R delta)^(1/2)", "Cundall & Strack 1979",
-     "near the one load where k was taken from", {}},
+inline const LawEntry<LinearNormal, NormalMode> linear_normal_entry{
+    {"linear", "f_n = k delta - h, a = (R delta)^(1/2)", "Cundall & Strack 1979",
+     "near the one load where k was taken from"},
     {{{"spring_stiffness", "N/m", "k"}, &LinearNormal::spring_stiffness},
      {{"radius", "m", "R, for the contact radius"}, &LinearNormal::radius},
-     {{"adhesion_force", "N", "constant attraction h"}, &LinearNormal::adhesion_force}}};
+     {zero_otherwise({"adhesion_force", "N", "constant attraction h"}), &LinearNormal::adhesion_force}}};
 
 }  // namespace asperity

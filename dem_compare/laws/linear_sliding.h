@@ -19,9 +19,10 @@ struct LinearSliding {
   }
 };
 
-inline const LawEntry<LinearSliding> linear_sliding_entry{
-    {"linear_sliding", "sliding", "f_l = k xi, |f_l| <= mu (f_n + h)", "Cundall & Strack 1979",
-     "near the one load where k was taken from", {}},
-    {{{"spring_stiffness", "N/m", "k"}, &LinearSliding::spring_stiffness}}};
+inline const LawEntry<LinearSliding, SlidingMode> linear_sliding_entry{
+    {"linear_sliding", "f_l = k xi, |f_l| <= mu (f_n + h)", "Cundall & Strack 1979",
+     "near the one load where k was taken from"},
+    {{{"spring_stiffness", "N/m", "k"}, &LinearSliding::spring_stiffness}},
+    friction_fields<LinearSliding>()};
 
 }  // namespace asperity

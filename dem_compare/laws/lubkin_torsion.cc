@@ -1,5 +1,6 @@
 #include "dem_compare/laws/lubkin_torsion.h"
 
+#include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -72,6 +73,41 @@ double LubkinTorsion::moment(double angle) const {
                        (3 * coefficient * normal_force);
   if (shape >= stick_integral(std::numeric_limits<double>::min())) return std::copysign(full_slip_moment(), angle);
   return std::copysign(moment_at(stick_ratio_where(stick_integral, shape)), angle);
+}
+
+double PartialSlipTorsion::limit(const NormalState& normal, double) const {
+  return full_slip_torsion_moment(sliding_coefficient, std::max(0.0, normal.force), normal.contact_radius);
+}
+
+TorsionHistory PartialSlipTorsion::advance(const TorsionHistory& before, const NormalState& normal,
+                                           double lever, double increment) const {
+  const double largest = limit(normal, lever);
+  if (!normal.touching || !(largest > 0)) return {};
+  TorsionHistory now = before;
+  now.angle += increment;
+  const double from = now.turns.empty() ? 0 : now.turns.back();
+  if (increment * (before.angle - from) < 0) now.turns.push_back(before.angle);
+  // A branch that comes back to the turn before the last one goes on as the branch that was left there; the
+  // first branch back meets the virgin curve at the first turn's opposite.
+  while (!now.turns.empty()) {
+    const double last = now.turns.back(),
+                 left = now.turns.size() > 1 ? now.turns[now.turns.size() - 2] : -last;
+    if (std::abs(now.angle - last) < std::abs(left - last)) break;
+    now.turns.resize(now.turns.size() - std::min<std::size_t>(2, now.turns.size()));
+  }
+  const LubkinTorsion curve{torsion_modulus, sliding_coefficient, normal.force, normal.contact_radius};
+  now.resistance = 0;
+  double start = 0, size = 1;
+  for (std::size_t i = 0; i <= now.turns.size(); ++i) {
+    const double end = i < now.turns.size() ? now.turns[i] : now.angle;
+    now.resistance += size * curve.moment((end - start) / size);
+    start = end;
+    size = 2;
+  }
+  now.stiffness = no_slip_torsion_stiffness(torsion_modulus, normal.contact_radius);
+  constexpr double rounding = 1e-9;
+  now.yields = std::abs(now.resistance) >= largest * (1 - rounding);
+  return now;
 }
 
 }  // namespace asperity

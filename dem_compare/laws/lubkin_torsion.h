@@ -32,14 +32,26 @@ struct LubkinTorsion {
   }
 };
 
-inline const LawEntry<LubkinTorsion> lubkin_torsion_entry{
-    {"lubkin_torsion", "torsion",
-     "theta = 3 mu P/(4 pi Gt a^2) I(x), M = (4 mu P a/pi)[x^3 I(x) + 3 int_x^1 y^2 I(y) dy], I = K(k') - E(k'), "
+/// The curve in a contact: Masing's rule at every turn, a loop that closes wiped out. The moment follows from
+/// the angles alone, with the load and the radius of the moment.
+struct PartialSlipTorsion {
+  double torsion_modulus = 0;      ///< Gt [Pa]
+  double sliding_coefficient = 0;  ///< mu [-]
+  static constexpr LengthScale length = LengthScale::contact_radius;
+
+  double limit(const NormalState& normal, double) const;
+  TorsionHistory advance(const TorsionHistory& before, const NormalState& normal, double lever,
+                         double increment) const;
+};
+
+inline const LawEntry<PartialSlipTorsion, TorsionMode> lubkin_torsion_entry{
+    {"lubkin_torsion",
+     "theta = 3 mu P/(4 pi Gt a^2) I(x), M = (4 mu P a/pi)[x^3 I(x) + 3 int_x^1 y^2 I(y) dy], I = K(k') - "
+     "E(k'), "
      "k'^2 = 1 - x^2, x = c/a",
-     "Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3", "constant normal load, no sliding beside the twist", {}},
-    {{{"torsion_modulus", "Pa", "Gt"}, &LubkinTorsion::torsion_modulus},
-     {{"coefficient", "", "mu of sliding"}, &LubkinTorsion::coefficient},
-     {{"normal_force", "N", "P"}, &LubkinTorsion::normal_force},
-     {{"contact_radius", "m", "a"}, &LubkinTorsion::contact_radius}}};
+     "Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3",
+     "constant normal load, no sliding beside the twist"},
+    {{{"torsion_modulus", "Pa", "Gt"}, &PartialSlipTorsion::torsion_modulus},
+     {{"sliding_coefficient", "", "mu of sliding"}, &PartialSlipTorsion::sliding_coefficient}}};
 
 }  // namespace asperity

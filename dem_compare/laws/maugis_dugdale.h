@@ -31,11 +31,11 @@ struct MaugisDugdale {
   double unit_approach() const;
 };
 
-inline const LawEntry<MaugisDugdale> maugis_dugdale_entry{
-    {"maugis_dugdale", "normal",
+inline const LawEntry<MaugisDugdale, NormalMode> maugis_dugdale_entry{
+    {"maugis_dugdale",
      "f_n = a^3 - lambda a^2 (u + m^2 t), delta = a^2 - 4/3 lambda a u, 1 = lambda a^2/2 [u + (m^2 - 2) t] + "
      "4/3 lambda^2 a [u t - m + 1], u = (m^2 - 1)^(1/2) = tan t; Maugis' units",
-     "Maugis 1992", "any Tabor parameter; smooth, elastic, a << R; no attraction before first touch", {}},
+     "Maugis 1992", "any Tabor parameter; smooth, elastic, a << R; no attraction before first touch"},
     {{{"reduced_modulus", "Pa", "E*"}, &MaugisDugdale::reduced_modulus},
      {{"radius", "m", "R"}, &MaugisDugdale::radius},
      {{"work_of_adhesion", "J/m^2", "w of both surfaces together"}, &MaugisDugdale::work_of_adhesion},

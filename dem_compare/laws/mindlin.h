@@ -25,10 +25,13 @@ struct Mindlin {
   }
 };
 
-inline const LawEntry<Mindlin> mindlin_entry{
-    {"mindlin", "sliding", "d f_l = 8 G* a d xi, |f_l| <= mu (f_n + h); f_l rescaled by a/a_before on unloading",
+inline const LawEntry<Mindlin, SlidingMode> mindlin_entry{
+    {"mindlin", "d f_l = 8 G* a d xi, |f_l| <= mu (f_n + h); f_l rescaled by a/a_before on unloading",
      "Mindlin 1949; on changing load: Elata & Berryman 1996, Walton & Braun 1986",
-     "lateral force well below mu f_n; elastically similar bodies", {}},
-    {{{"sliding_modulus", "Pa", "G*"}, &Mindlin::sliding_modulus}}};
+     "lateral force well below mu f_n; elastically similar bodies"},
+    {{{"sliding_modulus", "Pa", "G*"}, &Mindlin::sliding_modulus},
+     {{"changing_load", "", "where a changes", 0, 1, 0, {"rescale_on_unloading", "plain"}},
+      &Mindlin::changing_load}},
+    friction_fields<Mindlin>()};
 
 }  // namespace asperity

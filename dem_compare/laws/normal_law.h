@@ -1,28 +1,40 @@
 // Any of the normal laws, as one value. advance() is pure: the caller keeps the state that was last accepted.
+// SI units.
 #pragma once
 
-#include <variant>
-
-#include "dem_compare/laws/dmt.h"
-#include "dem_compare/laws/hertz_offset.h"
-#include "dem_compare/laws/jkr.h"
-#include "dem_compare/laws/linear_normal.h"
-#include "dem_compare/laws/maugis_dugdale.h"
+#include "dem_compare/laws/any_law.h"
+#include "dem_compare/laws/normal_state.h"
 
 namespace asperity {
 
-using NormalLaw = std::variant<HertzOffset, LinearNormal, Dmt, Jkr, MaugisDugdale>;
+struct NormalMode {
+  static constexpr const char* name = "normal";
 
-/// State at an approach [m] that was reached from `before`.
-inline NormalState advance(const NormalLaw& law, const NormalState& before, double approach) {
-  return std::visit([&](const auto& l) { return l.advance(before, approach); }, law);
-}
-/// Approach in equilibrium with a pressing force [N].
-inline double approach_at(const NormalLaw& law, double force) {
-  return std::visit([&](const auto& l) { return l.approach(force); }, law);
-}
-inline double radius_of(const NormalLaw& law) {
-  return std::visit([](const auto& l) { return l.radius; }, law);
-}
+  class Interface {
+   public:
+    virtual ~Interface() = default;
+    /// State at an approach [m] that was reached from `before`.
+    virtual NormalState advance(const NormalState& before, double approach) const = 0;
+    /// Approach in equilibrium with a pressing force [N].
+    virtual double approach(double force) const = 0;
+    virtual double radius() const = 0;  ///< R [m]
+  };
+
+  template <class Law>
+  class Held final : public Interface {
+   public:
+    explicit Held(Law law) : law_(std::move(law)) {}
+    NormalState advance(const NormalState& before, double approach) const override {
+      return law_.advance(before, approach);
+    }
+    double approach(double force) const override { return law_.approach(force); }
+    double radius() const override { return law_.radius; }
+
+   private:
+    Law law_;
+  };
+};
+
+using NormalLaw = LawOf<NormalMode>;
 
 }  // namespace asperity

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-#include "dem_compare/laws/law_registry.h"
-#include "dem_compare/laws/rotation_scales.h"
-#include "dem_compare/laws/spring_slider.h"
+#include "dem_compare/laws/rotation_fields.h"
 
 namespace asperity {
 
@@ -17,26 +15,17 @@ struct RollingResistance {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
   LengthScale length = LengthScale::particle_radius;
-  RotationalStiffness stiffness;
-
-  using History = SpringSlider<Eigen::Vector3d>;  ///< resistance: moment [N m]
+  RotationalStiffness stiffness{};
 
   double limit(const NormalState& normal, double lever) const {
     return std::max(0.0, coefficient * length_of(length, normal, lever) * (normal.force + adhesion_force));
   }
-  /// After a relative rotation [rad] in the contact plane; `lever` [m]: from the particle's centre to the contact.
-  History advance(const History& before, const NormalState& normal, double lever, const Eigen::Vector3d& increment) const {
-    if (!normal.touching) return {};
-    return History::advance(before, stiffness.at(normal, length_of(length, normal, lever), lever), increment,
-                            limit(normal, lever), ChangingLoad::rescale_on_unloading);
-  }
 };
 
-inline const LawEntry<RollingResistance> rolling_resistance_entry{
-    {"rolling_resistance", "rolling", "d M = K d phi, |M| <= mu lambda (f_n + h), lambda = r or a",
-     "Luding 2008; Fuchs, Weinhart et al. 2014", "an empirical law: mu, h and K are fitted, over the loads they were fitted at",
-     {}},
-    {{{"coefficient", "", "mu"}, &RollingResistance::coefficient},
-     {{"adhesion_force", "N", "offset h"}, &RollingResistance::adhesion_force}}};
+inline const LawEntry<RollingResistance, RollingMode> rolling_resistance_entry{
+    {"rolling_resistance", "d M = K d phi, |M| <= mu lambda (f_n + h), lambda = r or a",
+     "Luding 2008; Fuchs, Weinhart et al. 2014",
+     "an empirical law: mu, h and K are fitted, over the loads they were fitted at"},
+    resistance_fields<RollingResistance>()};
 
 }  // namespace asperity

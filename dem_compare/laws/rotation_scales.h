@@ -3,6 +3,7 @@
 
 #include "core/length_scale.h"
 #include "dem_compare/laws/normal_state.h"
+#include "dem_compare/laws/spring_slider.h"
 
 namespace asperity {
 
@@ -21,6 +22,7 @@ struct RotationalStiffness {
   Kind kind = Kind::constant;
   double value = 0;
 
+  /// K at a length scale and a lever arm [m].
   double at(const NormalState& normal, double length, double lever) const {
     const double a = normal.contact_radius;
     switch (kind) {
@@ -32,5 +34,15 @@ struct RotationalStiffness {
     return value;
   }
 };
+
+/// The moment of a law's spring after a relative rotation [rad], cut to its limit.
+template <class Law, class Value>
+SpringSlider<Value> advance_spring(const Law& law, const SpringSlider<Value>& before,
+                                   const NormalState& normal, double lever, const Value& increment) {
+  if (!normal.touching) return {};
+  return SpringSlider<Value>::advance(
+      before, law.stiffness.at(normal, length_of(law.length, normal, lever), lever), increment,
+      law.limit(normal, lever), ChangingLoad::rescale_on_unloading);
+}
 
 }  // namespace asperity

@@ -28,8 +28,8 @@ Ring ring(double r, double eps) {
 
 }  // namespace
 
-SlidingWithSpin::Limits SlidingWithSpin::limits(double normal_force, double contact_radius,
-                                                double velocity_over_spin) const {
+SlipResistance SlidingWithSpin::resistance(double normal_force, double contact_radius,
+                                           double velocity_over_spin) const {
   const double friction = coefficient * normal_force, eps = velocity_over_spin / contact_radius;
   if (std::isinf(eps)) return {friction, 0};
   if (eps == 0) return {0, full_slip_torsion_moment(coefficient, normal_force, contact_radius)};

@@ -12,17 +12,16 @@ namespace asperity {
 struct SlidingWithSpin {
   double coefficient = 0;  ///< mu [-]
 
-  struct Limits {
-    double force, moment;  ///< [N], [N m]
-  };
+  static constexpr const char* ratio = "v/omega [m]";
+
   /// `velocity_over_spin`: eps a = v/omega [m], >= 0; infinite for pure sliding.
-  Limits limits(double normal_force, double contact_radius, double velocity_over_spin) const;
+  SlipResistance resistance(double normal_force, double contact_radius, double velocity_over_spin) const;
 };
 
-inline const LawEntry<SlidingWithSpin> sliding_with_spin_entry{
-    {"sliding_with_spin", "torsion",
+inline const LawEntry<SlidingWithSpin, SteadySlipMode> sliding_with_spin_entry{
+    {"sliding_with_spin",
      "F = mu int p (eps - r sin t)/D dA, T = mu a int p r (r - eps sin t)/D dA, eps = v/(omega a)",
-     "Contensou 1963; Farkas, Bartels, Unger & Wolf 2003", "full slip of a Hertzian contact", {}},
-    {{{"coefficient", "", "mu of sliding"}, &SlidingWithSpin::coefficient}}};
+     "Contensou 1963; Farkas, Bartels, Unger & Wolf 2003", "full slip of a Hertzian contact"},
+    {{{"sliding_coefficient", "", "mu of sliding"}, &SlidingWithSpin::coefficient}}};
 
 }  // namespace asperity

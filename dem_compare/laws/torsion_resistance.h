@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-#include "dem_compare/laws/law_registry.h"
-#include "dem_compare/laws/rotation_scales.h"
-#include "dem_compare/laws/spring_slider.h"
+#include "dem_compare/laws/rotation_fields.h"
 
 namespace asperity {
 
@@ -17,25 +15,20 @@ struct TorsionResistance {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]
   LengthScale length = LengthScale::particle_radius;
-  RotationalStiffness stiffness;
-
-  using History = SpringSlider<double>;  ///< resistance: moment about the normal [N m]
+  RotationalStiffness stiffness{};
 
   double limit(const NormalState& normal, double lever) const {
     return std::max(0.0, coefficient * length_of(length, normal, lever) * (normal.force + adhesion_force));
   }
-  /// After a relative rotation [rad] about the normal; `lever` [m]: from the particle's centre to the contact.
-  History advance(const History& before, const NormalState& normal, double lever, double increment) const {
-    if (!normal.touching) return {};
-    return History::advance(before, stiffness.at(normal, length_of(length, normal, lever), lever), increment,
-                            limit(normal, lever), ChangingLoad::rescale_on_unloading);
+  TorsionHistory advance(const TorsionHistory& before, const NormalState& normal, double lever,
+                         double increment) const {
+    return {advance_spring<TorsionResistance, double>(*this, before, normal, lever, increment), 0, {}};
   }
 };
 
-inline const LawEntry<TorsionResistance> torsion_resistance_entry{
-    {"torsion_resistance", "torsion", "d M = K d theta, |M| <= mu lambda (f_n + h), lambda = r or a",
-     "Luding 2008; Fuchs, Weinhart et al. 2014", "without partial slip and without interplay with sliding", {}},
-    {{{"coefficient", "", "mu"}, &TorsionResistance::coefficient},
-     {{"adhesion_force", "N", "offset h"}, &TorsionResistance::adhesion_force}}};
+inline const LawEntry<TorsionResistance, TorsionMode> torsion_resistance_entry{
+    {"torsion_resistance", "d M = K d theta, |M| <= mu lambda (f_n + h), lambda = r or a",
+     "Luding 2008; Fuchs, Weinhart et al. 2014", "without partial slip and without interplay with sliding"},
+    resistance_fields<TorsionResistance>()};
 
 }  // namespace asperity

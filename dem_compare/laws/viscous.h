@@ -17,9 +17,10 @@ struct ViscousDamping {
   double factor(double mass, double normal_stiffness) const { return coefficient * std::sqrt(mass * normal_stiffness); }
 };
 
-inline const LawEntry<ViscousDamping> viscous_entry{
-    {"viscous", "viscous", "f_d = c (m k)^(1/2) v, k = d f_n/d delta", "Thornton, Cummins & Cleary 2013; Tsuji et al. 1992",
-     "a numerical device for dynamic runs; rates far below the contact's own frequency", {}},
+inline const LawEntry<ViscousDamping, ViscousMode> viscous_entry{
+    {"viscous", "f_d = c (m k)^(1/2) v, k = d f_n/d delta",
+     "Thornton, Cummins & Cleary 2013; Tsuji et al. 1992",
+     "a numerical device for dynamic runs; rates far below the contact's own frequency"},
     {{{"coefficient", "", "c"}, &ViscousDamping::coefficient}}};
 
 }  // namespace asperity

@@ -31,16 +31,16 @@ ContactModelState advance(const ContactModel& model, const ContactModelState& be
   ContactModelState now;
   now.direction = motion.normal;
   now.lever = motion.lever;
-  now.normal = advance(model.normal, before.normal, motion.approach);
+  now.normal = model.normal->advance(before.normal, motion.approach);
 
   SlidingHistory sliding = before.sliding;
   sliding.rotate(motion.frame_rotation);
-  now.sliding = advance(model.sliding, sliding, now.normal, motion.sliding);
+  now.sliding = model.sliding->advance(sliding, now.normal, motion.sliding);
 
-  RollingResistance::History rolling = before.rolling;
+  RollingHistory rolling = before.rolling;
   rolling.resistance = motion.frame_rotation * rolling.resistance;
-  now.rolling = model.rolling.advance(rolling, now.normal, now.lever, motion.rolling);
-  now.torsion = model.torsion.advance(before.torsion, now.normal, now.lever, motion.torsion);
+  now.rolling = model.rolling->advance(rolling, now.normal, now.lever, motion.rolling);
+  now.torsion = model.torsion->advance(before.torsion, now.normal, now.lever, motion.torsion);
 
   exert(now, {now.normal.force, now.sliding.spring.resistance, now.rolling.resistance, now.torsion.resistance});
   return now;
@@ -50,14 +50,17 @@ ContactModelState advance(const ContactModel& model, const ContactModelState& be
                      const RelativeVelocity& rate, double mass) {
   ContactModelState now = advance(model, before, motion);
   if (!now.normal.touching) return now;
-  const double gamma = model.damping.factor(mass, now.normal.stiffness);
-  const double rolling_arm = now.lever * length_of(model.rolling.length, now.normal, now.lever),
-               torsion_arm = now.lever * length_of(model.torsion.length, now.normal, now.lever);
-  const double torsion_limit = model.torsion.limit(now.normal, now.lever);
-  exert(now, {now.normal.force + gamma * rate.approach,
-              cut_to(now.sliding.spring.resistance + gamma * rate.sliding, friction_of(model.sliding).limit(now.normal.force)),
-              cut_to(now.rolling.resistance + gamma * rolling_arm * rate.rolling, model.rolling.limit(now.normal, now.lever)),
-              std::clamp(now.torsion.resistance + gamma * torsion_arm * rate.torsion, -torsion_limit, torsion_limit)});
+  const double gamma = model.damping->factor(mass, now.normal.stiffness);
+  const double rolling_arm = now.lever * model.rolling->length(now.normal, now.lever),
+               torsion_arm = now.lever * model.torsion->length(now.normal, now.lever);
+  const double torsion_limit = model.torsion->limit(now.normal, now.lever);
+  exert(now,
+        {now.normal.force + gamma * rate.approach,
+         cut_to(now.sliding.spring.resistance + gamma * rate.sliding, model.sliding->limit(now.normal.force)),
+         cut_to(now.rolling.resistance + gamma * rolling_arm * rate.rolling,
+                model.rolling->limit(now.normal, now.lever)),
+         std::clamp(now.torsion.resistance + gamma * torsion_arm * rate.torsion, -torsion_limit,
+                    torsion_limit)});
   return now;
 }
 

@@ -6,9 +6,9 @@
 //   f = f_n n - q,   M = (-r n) x (-q) - M_ro - M_to n    (moment about the particle's centre). SI units.
 #pragma once
 
-#include "dem_compare/laws/normal_law.h"
+#include "dem_compare/laws/hertz_offset.h"
+#include "dem_compare/laws/mindlin.h"
 #include "dem_compare/laws/rolling_resistance.h"
-#include "dem_compare/laws/sliding_law.h"
 #include "dem_compare/laws/torsion_resistance.h"
 #include "dem_compare/laws/viscous.h"
 #include "dem_compare/motion/contact_motion.h"
@@ -17,11 +17,11 @@
 namespace asperity {
 
 struct ContactModel {
-  NormalLaw normal;
-  SlidingLaw sliding;
-  RollingResistance rolling;  ///< none by default
-  TorsionResistance torsion;  ///< none by default
-  ViscousDamping damping;     ///< acts in dynamic runs only
+  NormalLaw normal = HertzOffset{};
+  SlidingLaw sliding = Mindlin{};
+  RollingLaw rolling = RollingResistance{};  ///< none by default
+  TorsionLaw torsion = TorsionResistance{};  ///< none by default
+  ViscousLaw damping = ViscousDamping{};     ///< acts in dynamic runs only; none by default
   LeverArm lever = LeverArm::distance_to_contact;
   HistorySpin history_spin = HistorySpin::mean_of_bodies;
 };
@@ -29,8 +29,8 @@ struct ContactModel {
 struct ContactModelState {
   NormalState normal;
   SlidingHistory sliding;
-  RollingResistance::History rolling;
-  TorsionResistance::History torsion;
+  RollingHistory rolling;
+  TorsionHistory torsion;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< n, from the contact to the particle
   double lever = 0;                                       ///< [m]
   Eigen::Vector3d lateral = Eigen::Vector3d::Zero();     ///< -q, the lateral force on the particle [N]

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "dem_compare/numbers/uncertain.h"
 #include "dem_compare/paper/exponential_law.h"
 #include "dem_compare/paper/friction_series.h"
 #include "dem_compare/paper/published.h"
 #include "dem_compare/paper/rail_balance.h"
-#include "dem_compare/paper/uncertain.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "dem_compare/least_squares.h"
+#include "dem_compare/numbers/least_squares.h"
 
 namespace asperity {
 namespace {

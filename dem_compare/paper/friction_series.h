@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "dem_compare/numbers/quoted_for_csv.h"
 #include "dem_compare/paper/analysis.h"
-#include "dem_compare/quoted_for_csv.h"
 
 namespace asperity {
 namespace {

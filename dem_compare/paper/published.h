@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/quantity.h"
 #include "core/hertz.h"
-#include "dem_compare/paper/uncertain.h"
+#include "core/quantity.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

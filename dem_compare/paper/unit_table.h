@@ -7,7 +7,7 @@
 #include "core/csv.h"
 #include "core/error.h"
 #include "core/quantity.h"
-#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

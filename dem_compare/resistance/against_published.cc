@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "dem_compare/resistance/stretches.h"
+#include "dem_compare/cases/stretches.h"
 
 namespace asperity {
 namespace {

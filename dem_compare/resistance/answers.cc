@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/findings.h"
 #include "dem_compare/resistance/length_sentences.h"
 #include "dem_compare/resistance/sentences.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/quantity.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

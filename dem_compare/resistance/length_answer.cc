@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
 
 namespace asperity {
 namespace {

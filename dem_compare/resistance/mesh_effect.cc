@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

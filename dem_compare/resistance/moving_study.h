@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/compare/compared_contact.h"
-#include "results/contact_key.h"
-#include "dem_compare/resistance/moving_case.h"
+#include "dem_compare/cases/compared_contact.h"
+#include "dem_compare/cases/moving_case.h"
 #include "dem_compare/resistance/rails.h"
+#include "results/contact_key.h"
 
 namespace asperity {
 

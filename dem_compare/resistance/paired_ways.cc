@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/resistance/stretches.h"
+#include "dem_compare/cases/stretches.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dem_compare/resistance/moving_case.h"
+#include "dem_compare/cases/moving_case.h"
 
 namespace asperity {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/motion_program.h"
-#include "dem_compare/derive/case_numbers.h"
-#include "dem_compare/derive/parameter_sets.h"
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/moving_study.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

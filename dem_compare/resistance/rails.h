@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "dem_compare/resistance/moving_case.h"
+#include "dem_compare/cases/moving_case.h"
 
 namespace asperity {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "dem_compare/json_number.h"
+#include "dem_compare/numbers/json_number.h"
 
 namespace asperity {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
-#include "dem_compare/derive/case_numbers.h"
+#include "core/topography_spec.h"
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {
@@ -14,10 +14,14 @@ namespace {
 using Contacts = std::vector<const MovingContact*>;
 using States = std::vector<const MovingState*>;
 
+/// The substrate's surface, whatever its RMS.
 std::string spectrum_of(const MovingContact& contact) {
-  static const std::regex rms(R"(rms\s*=\s*[^,)]+,?\s*)");
   const auto found = contact.inputs.find("Substrate/Topography");
-  return found == contact.inputs.end() ? "smooth" : std::regex_replace(found->second, rms, "");
+  const TopographySpec surface = found == contact.inputs.end() ? TopographySpec() : TopographySpec(found->second);
+  if (!surface.generator()) return surface.canonical();
+  GeneratorParameters generator = *surface.generator();
+  generator.spectrum.rms = 0;
+  return generator.text_without_seed();
 }
 
 /// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/quantity.h"
-#include "dem_compare/derive/motion_mode.h"
+#include "dem_compare/cases/motion_mode.h"
 #include "dem_compare/resistance/trend.h"
 
 namespace asperity {

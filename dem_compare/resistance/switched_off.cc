@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/roughness_trend.h"
-#include "dem_compare/resistance/stretches.h"
 
 namespace asperity {
 namespace {

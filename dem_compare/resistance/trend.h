@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dem_compare/paper/uncertain.h"
+#include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
 

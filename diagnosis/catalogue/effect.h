@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/diagnosis.h"
 #include "diagnosis/mechanics/mechanics.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 

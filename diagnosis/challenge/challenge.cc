@@ -11,7 +11,8 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
-#include "diagnosis/joined.h"
+#include "diagnosis/diagnose.h"
+#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/challenge/user_baselines.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 

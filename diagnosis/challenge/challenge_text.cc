@@ -7,7 +7,7 @@
 #include <set>
 
 #include "diagnosis/challenge/challenge.h"
-#include "diagnosis/joined.h"
+#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

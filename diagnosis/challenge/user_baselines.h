@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/recording.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity {
 

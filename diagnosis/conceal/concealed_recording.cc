@@ -6,7 +6,7 @@
 #include "core/nearest_name.h"
 #include "diagnosis/conceal/add_noise.h"
 #include "diagnosis/conceal/world.h"
-#include "diagnosis/joined.h"
+#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

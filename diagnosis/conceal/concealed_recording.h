@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnosis/conceal/truth.h"
-#include "diagnosis/recording.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "diagnosis/conceal/truth.h"
-#include "diagnosis/recording.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity::hidden {
 

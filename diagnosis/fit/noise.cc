@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "diagnosis/median.h"
+#include "diagnosis/recording/median.h"
 
 namespace asperity {
 namespace {

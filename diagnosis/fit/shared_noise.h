@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "diagnosis/samples.h"
+#include "diagnosis/recording/samples.h"
 
 namespace asperity {
 

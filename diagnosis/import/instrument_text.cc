@@ -7,8 +7,8 @@
 #include "core/error.h"
 #include "core/read_limits.h"
 #include "core/utf8.h"
-#include "diagnosis/file_size.h"
-#include "diagnosis/trimmed.h"
+#include "diagnosis/recording/file_size.h"
+#include "diagnosis/recording/trimmed.h"
 
 namespace asperity {
 

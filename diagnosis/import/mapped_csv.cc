@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "diagnosis/import/segments.h"
 #include "diagnosis/import/text_formats.h"
-#include "diagnosis/trimmed.h"
+#include "diagnosis/recording/trimmed.h"
 
 namespace asperity {
 namespace {

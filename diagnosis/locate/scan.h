@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "diagnosis/diagnosis.h"
 #include "diagnosis/fit/noise.h"
 #include "diagnosis/locate/views.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 

@@ -16,7 +16,7 @@
 
 #include "core/length_scale.h"
 #include "diagnosis/mechanics/normal_contact.h"
-#include "diagnosis/experiment.h"
+#include "diagnosis/recording/experiment.h"
 
 namespace asperity {
 

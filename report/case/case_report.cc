@@ -4,8 +4,7 @@
 #include <cctype>
 #include <ctime>
 
-#include "dem_compare/comparison.h"
-#include "results/energy_balance.h"
+#include "dem_compare/compare/comparison.h"
 #include "report/page/axis.h"
 #include "report/curves/curves.h"
 #include "report/motion/motion_figures.h"
@@ -14,6 +13,7 @@
 #include "report/result/result_tables.h"
 #include "report/fields/surface_maps.h"
 #include "report/page/words.h"
+#include "results/energy_balance.h"
 
 namespace asperity::report {
 namespace {

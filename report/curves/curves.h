@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 #include "report/page/chart.h"
 #include "report/curves/study_curves.h"
 

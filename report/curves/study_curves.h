@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 
 namespace asperity::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity::report {
 

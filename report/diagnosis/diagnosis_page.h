@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/outcome/diagnosis.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity::report {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/derive/parameter_sets.h"
-#include "dem_compare/resistance/moving_case.h"
+#include "dem_compare/cases/moving_case.h"
+#include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/sentences.h"
-#include "dem_compare/resistance/stretches.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/motion/resistance_section.h"

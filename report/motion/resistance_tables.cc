@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/sentences.h"
-#include "dem_compare/resistance/stretches.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/motion/resistance_section.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 #include "results/solved_case.h"
 
 namespace asperity::report {

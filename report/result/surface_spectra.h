@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "dem_compare/case_collection.h"
-#include "dem_compare/statistics.h"
+#include "dem_compare/cases/case_collection.h"
+#include "dem_compare/numbers/statistics.h"
 #include "core/topography_spec.h"
 
 namespace asperity::report {

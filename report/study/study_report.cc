@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "dem_compare/comparison.h"
+#include "dem_compare/compare/comparison.h"
 #include "dem_compare/resistance/resistance_file.h"
 #include "report/page/axis.h"
 #include "report/case/case_report.h"

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
-#include "results/energy_balance.h"
-#include "dem_compare/hertz_verdict.h"
+#include "dem_compare/compare/hertz_verdict.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"
 #include "report/result/result_tables.h"
 #include "report/page/words.h"
+#include "results/energy_balance.h"
 
 namespace asperity::report {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "results/history.h"
-#include "dem_compare/contact_parameters.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "dem_compare/parameters/contact_parameters.h"
+#include "results/history.h"
 #include "tests/app/called_program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "dem_compare/laws/shear_moduli.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
 

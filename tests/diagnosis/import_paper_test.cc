@@ -7,7 +7,7 @@
 #include "core/atomic_file.h"
 #include "dem_compare/paper/friction_series.h"
 #include "dem_compare/paper/published.h"
-#include "diagnosis/recording.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity {
 namespace {

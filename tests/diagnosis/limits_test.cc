@@ -2,7 +2,7 @@
 #include "core/error.h"
 #include "diagnosis/import/import.h"
 #include "diagnosis/import/instrument_text.h"
-#include "diagnosis/recording_table_file.h"
+#include "diagnosis/recording/recording_table_file.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/temporary_folder.h"
 

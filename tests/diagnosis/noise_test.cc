@@ -5,7 +5,7 @@
 #include <random>
 
 #include "diagnosis/fit/noise.h"
-#include "diagnosis/one_way.h"
+#include "diagnosis/recording/one_way.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {

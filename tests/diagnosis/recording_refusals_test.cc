@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "diagnosis/recording_table_file.h"
+#include "diagnosis/recording/recording_table_file.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // Reading, refusing and writing recordings.
-#include "diagnosis/recording.h"
+#include "diagnosis/recording/recording.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What follows from the control alone: segments, directions, holds, cycles, speeds; and which samples are
 // kept when thinned.
-#include "diagnosis/samples.h"
+#include "diagnosis/recording/samples.h"
 
 #include <gtest/gtest.h>
 

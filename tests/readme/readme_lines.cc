@@ -63,12 +63,17 @@ ReadmeGroup long_studies() {
 
 ReadmeGroup one_particle() {
   const std::string silicon = "runs/paper/parameters_silicon.json";
-  return {"OneParticle",
-          {{"build/asperity paper", "", "", "sigma", ""},
-           {"build/asperity laws", "", "", "Hertz", ""},
-           {"build/asperity experiment " + silicon + " --type glued", "", "", "plateau of the lateral force", ""},
-           {"build/asperity engine " + silicon + " --engine lammps --experiment glued --output loop", "", "", "", "loop/engine.json"},
-           {"build/asperity engine-input " + silicon + " --engine yade --output contact.py", "", "", "", "contact.py"}}};
+  return {
+      "OneParticle",
+      {{"build/asperity paper", "", "", "sigma", ""},
+       {"build/asperity laws", "", "", "Hertz", ""},
+       {"build/asperity experiment " + silicon + " --type glued", "", "", "plateau of the lateral force", ""},
+       {"build/asperity law-curve " + silicon + " --law 'jkr, work_of_adhesion = 50 mJ/m^2' --reach 10e-9",
+        "", "", "contact_radius [m]", ""},
+       {"build/asperity engine " + silicon + " --engine lammps --experiment glued --output loop", "", "", "",
+        "loop/engine.json"},
+       {"build/asperity engine-input " + silicon + " --engine yade --output contact.py", "", "", "",
+        "contact.py"}}};
 }
 
 ReadmeGroup recordings() {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/error.h"
-#include "dem_compare/derive/case_numbers.h"
+#include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/derive/length_choice.h"
 #include "tests/support/verification.h"
 

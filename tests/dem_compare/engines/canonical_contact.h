@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 namespace asperity::test {
 

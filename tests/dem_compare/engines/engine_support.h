@@ -9,9 +9,9 @@
 #include <string>
 
 #include "dem_compare/engines/engine.h"
-#include "dem_compare/engines/lammps.h"
+#include "dem_compare/engines/kinds/lammps.h"
+#include "dem_compare/engines/kinds/yade.h"
 #include "dem_compare/engines/run_program.h"
-#include "dem_compare/engines/yade.h"
 #include "tests/dem_compare/engines/canonical_contact.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/verification.h"

@@ -78,7 +78,8 @@ TEST(FailingEngine_behaviour, that_does_not_end_is_stopped) {
 }
 
 TEST(FailingEngine_behaviour, name_that_is_misspelt_is_corrected) {
-  EXPECT_EQ(message_of<InputError>([] { make_engine("lamps"); }), "asperity cannot run an engine 'lamps'; did you mean 'lammps'?");
+  EXPECT_EQ(message_of<InputError>([] { engine_of("lamps"); }),
+            "asperity cannot run an engine 'lamps'; did you mean 'lammps'?");
   EXPECT_EQ(message_of<InputError>([] { engine_experiment_type("roling"); }), "there is no experiment 'roling'; did you mean 'rolling'?");
 }
 

@@ -1,4 +1,4 @@
-#include "dem_compare/contact_parameters.h"
+#include "dem_compare/parameters/contact_parameters.h"
 
 #include <gtest/gtest.h>
 

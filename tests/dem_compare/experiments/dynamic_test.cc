@@ -5,8 +5,9 @@
 #include <boost/math/constants/constants.hpp>
 
 #include "core/error.h"
+#include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
-#include "dem_compare/experiments/standard_contact.h"
+#include "tests/dem_compare/experiments/standard_contact.h"
 #include "tests/support/verification.h"
 
 namespace asperity {
@@ -29,7 +30,7 @@ StandardContact contact_on(const ElasticBody& plane) {
 }
 ContactModel damped(const StandardContact& contact) {
   ContactModel model = model_of(contact);
-  model.damping.coefficient = 1;
+  model.damping = ViscousDamping{1};
   return model;
 }
 
@@ -53,7 +54,7 @@ TEST(DynamicGluedSphere_analytic, loop_agrees_with_the_quasi_static_one_within_o
   for (const bool partial_slip : {false, true}) {
     StandardContact contact = contact_on(silicon);
     contact.partial_slip = partial_slip;
-    const SingleParticle particle = glued_sphere(damped(contact));
+    const SingleParticle particle = make_particle("glued", {damped(contact), damped(contact)});
     LoopProgram program;
     program.amplitude = 100e-9;
     DynamicOptions options;
@@ -65,7 +66,8 @@ TEST(DynamicGluedSphere_analytic, loop_agrees_with_the_quasi_static_one_within_o
 }
 
 TEST(DynamicRollingSphere_analytic, resistance_and_motion_agree_with_the_quasi_static_ones_within_one_percent) {
-  const SingleParticle particle = rolling_sphere(damped(contact_on(silicon)), damped(contact_on(diamond)));
+  const SingleParticle particle =
+      make_particle("rolling", {damped(contact_on(silicon)), damped(contact_on(diamond))});
   LoopProgram program;
   program.amplitude = 40e-9;
   DynamicOptions options;
@@ -76,7 +78,7 @@ TEST(DynamicRollingSphere_analytic, resistance_and_motion_agree_with_the_quasi_s
 
 TEST(DynamicRail_analytic, resistance_and_motion_agree_with_the_quasi_static_ones_within_one_percent) {
   const SingleParticle particle =
-      sphere_in_rail(damped(contact_on(silicon)), damped(contact_on(diamond)), 45 * pi / 180);
+      make_particle("rail", {damped(contact_on(silicon)), damped(contact_on(diamond)), 45 * pi / 180});
   LoopProgram program;
   program.amplitude = 40e-9;
   DynamicOptions options;
@@ -86,7 +88,8 @@ TEST(DynamicRail_analytic, resistance_and_motion_agree_with_the_quasi_static_one
 }
 
 TEST(DynamicGluedSphere_behaviour, halving_the_time_step_changes_nothing_that_matters) {
-  const SingleParticle particle = glued_sphere(damped(contact_on(silicon)));
+  const SingleParticle particle =
+      make_particle("glued", {damped(contact_on(silicon)), damped(contact_on(silicon))});
   LoopProgram program;
   program.amplitude = 20e-9;
   DynamicOptions coarse;
@@ -102,7 +105,7 @@ TEST(DynamicGluedSphere_behaviour, halving_the_time_step_changes_nothing_that_ma
 /// Speed after over speed before a sphere hits a plane, by velocity-Verlet.
 double restitution(double damping, double speed) {
   ContactModel model = model_of(contact_on(silicon));
-  model.damping.coefficient = damping;
+  model.damping = ViscousDamping{damping};
   const double mass = 4.0 / 3 * pi * std::pow(radius, 3) * 2230, dt = 1e-10;
   double approach = 0, rate = speed, acceleration = 0;
   ContactModelState state;
@@ -137,7 +140,8 @@ TEST(Viscous_other_code, the_papers_coefficient_gives_0989_and_not_097) {
 TEST(Dynamic_behaviour, a_speed_of_zero_is_refused) {
   DynamicOptions options;
   options.speed = 0;
-  EXPECT_THROW(simulate_dynamic(glued_sphere(model_of(contact_on(silicon))), LoopProgram{}, options), InputError);
+  const ContactModel still = model_of(contact_on(silicon));
+  EXPECT_THROW(simulate_dynamic(make_particle("glued", {still, still}), LoopProgram{}, options), InputError);
 }
 
 }  // namespace

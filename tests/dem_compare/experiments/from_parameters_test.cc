@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "dem_compare/engines/experiment.h"
+#include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
 
 namespace asperity {
@@ -62,15 +63,16 @@ void expect_closed_form(Motion type, const SingleParticle& particle, double angl
 
 TEST(FromParameters_analytic, glued_and_rolling_spheres_agree_with_the_closed_form) {
   const ContactModel below = contact_model(silicon()), above = contact_model(diamond());
-  expect_closed_form(Motion::sliding, glued_sphere(below));
-  expect_closed_form(Motion::rolling, rolling_sphere(below, above));
+  expect_closed_form(Motion::sliding, make_particle("glued", {below, below}));
+  expect_closed_form(Motion::rolling, make_particle("rolling", {below, above}));
 }
 
 TEST(FromParameters_analytic, a_sphere_in_a_rail_agrees_with_the_closed_form_at_every_angle) {
   for (const double degrees : {25.0, 45.0, 60.0}) {
     const double angle = degrees * boost::math::double_constants::degree;
     expect_closed_form(Motion::rail,
-                       sphere_in_rail(contact_model(silicon()), contact_model(diamond()), angle), angle);
+                       make_particle("rail", {contact_model(silicon()), contact_model(diamond()), angle}),
+                       angle);
   }
 }
 
@@ -82,12 +84,14 @@ TEST(FromParameters_analytic, given_stiffnesses_and_lengths_are_used_as_the_file
   record.rolling_friction->length_scale = LengthScale::none;
   record.rolling_friction->value = 7.9e-4 * 8.5e-6;
   const ContactModel model = contact_model(record);
-  const NormalState normal = advance(model.normal, {}, approach_at(model.normal, 1e-4));
-  EXPECT_NEAR(std::get<Mindlin>(model.sliding).stiffness(normal.contact_radius), 2219, 1e-6);
-  EXPECT_NEAR(model.rolling.limit(normal, 8.5e-6) / silicon().rolling_limit(1e-4), 1, 1e-12);
-  EXPECT_NEAR(model.rolling.stiffness.at(normal, 8.5e-6, 8.5e-6) / 1.56385e-6, 1, 1e-9);
+  const NormalState normal = model.normal->advance({}, model.normal->approach(1e-4));
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+  EXPECT_NEAR(model.sliding->advance({}, normal, still).spring.stiffness, 2219, 1e-6);
+  EXPECT_NEAR(model.rolling->limit(normal, 8.5e-6) / silicon().rolling_limit(1e-4), 1, 1e-12);
+  EXPECT_NEAR(model.rolling->advance({}, normal, 8.5e-6, still).stiffness / 1.56385e-6, 1, 1e-9);
   record.lateral_stiffness->length_scale = LengthScale::none;
-  EXPECT_EQ(std::get<LinearSliding>(contact_model(record).sliding).spring_stiffness, 2219);
+  EXPECT_EQ(contact_model(record).sliding->advance({}, NormalState{0, 9, 9, 9, true}, still).spring.stiffness,
+            2219);
   record.sliding_friction.reset();
   EXPECT_THROW(contact_model(record), InputError);
 }
@@ -97,7 +101,8 @@ TEST(FromParameters_analytic, pull_off_force_adds_to_the_pressure_of_the_contact
   record.pull_off_force = number(3.2e-6);
   ReducedLawOptions adhesive;
   adhesive.normal_adhesion = true;
-  EXPECT_GT(approach_at(contact_model(record, adhesive).normal, 1e-4), approach_at(contact_model(record).normal, 1e-4));
+  EXPECT_GT(contact_model(record, adhesive).normal->approach(1e-4),
+            contact_model(record).normal->approach(1e-4));
 }
 
 }  // namespace

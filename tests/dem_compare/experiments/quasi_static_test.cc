@@ -6,7 +6,9 @@
 
 #include "core/csv.h"
 #include "core/error.h"
-#include "dem_compare/experiments/standard_contact.h"
+#include "dem_compare/experiments/particle_experiment.h"
+#include "dem_compare/laws/jkr.h"
+#include "tests/dem_compare/experiments/standard_contact.h"
 #include "tests/support/verification.h"
 
 namespace asperity {
@@ -28,6 +30,18 @@ StandardContact on_diamond() {
   StandardContact contact = on_silicon();
   contact.plane = diamond;
   return contact;
+}
+
+FrictionLoop simulate_glued_sphere(const ContactModel& substrate, const LoopProgram& program) {
+  return simulate_quasi_static(make_particle("glued", {substrate, substrate}), program);
+}
+FrictionLoop simulate_rolling_sphere(const ContactModel& substrate, const ContactModel& indenter,
+                                     const LoopProgram& program) {
+  return simulate_quasi_static(make_particle("rolling", {substrate, indenter}), program);
+}
+FrictionLoop simulate_rail(const ContactModel& flank, const ContactModel& indenter, double inclination,
+                           const LoopProgram& program) {
+  return simulate_quasi_static(make_particle("rail", {flank, indenter, inclination}), program);
 }
 
 TEST(GluedSphere_analytic, slope_plateau_and_reversal_travel_are_those_of_Mindlin_and_Coulomb) {
@@ -78,7 +92,7 @@ TEST(GluedSphere_analytic, adhesive_contacts_carry_the_load_on_their_larger_area
   model.normal = jkr;
   LoopProgram program;
   program.normal_load = 0;
-  std::get<Mindlin>(model.sliding).friction.adhesion_force = 5e-6;
+  model.sliding = Mindlin{sliding_modulus(borosilicate, silicon), {0.23, 5e-6}};
   const LoopNumbers numbers = measure(simulate_glued_sphere(model, program));
   EXPECT_NEAR(numbers.initial_slope / (8 * sliding_modulus(borosilicate, silicon) * jkr.radius_at_force(0)), 1, 1e-8);
   EXPECT_NEAR(numbers.plateau / (0.23 * 5e-6), 1, 1e-8);
@@ -241,7 +255,7 @@ TEST(SingleParticle_behaviour, experiments_without_any_resistance_and_rails_with
   StandardContact bare = on_silicon();
   bare.sliding = {0, 0};
   EXPECT_THROW(simulate_glued_sphere(model_of(bare), LoopProgram{}), InputError);
-  EXPECT_THROW(sphere_in_rail(model_of(bare), model_of(bare), pi / 2), InputError);
+  EXPECT_THROW(make_particle("rail", {model_of(bare), model_of(bare), pi / 2}), InputError);
 }
 
 }  // namespace

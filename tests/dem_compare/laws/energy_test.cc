@@ -4,8 +4,9 @@
 #include <random>
 
 #include "dem_compare/laws/hertz_offset.h"
+#include "dem_compare/laws/mindlin.h"
+#include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/shear_moduli.h"
-#include "dem_compare/laws/sliding_law.h"
 
 namespace asperity {
 namespace {
@@ -26,7 +27,7 @@ double least_work(const SlidingLaw& law, bool planar, double largest_shift) {
   double least = 0;
   for (int path = 0; path < 40; ++path) {
     NormalState normal = hertz.advance({}, hertz.approach(load));
-    SlidingHistory history = advance(law, {}, normal, Vector3d::Zero());
+    SlidingHistory history = law->advance({}, normal, Vector3d::Zero());
     Vector3d at = Vector3d::Zero();
     double work = 0;
     for (int piece = 0; piece < 30; ++piece) {
@@ -39,7 +40,7 @@ double least_work(const SlidingLaw& law, bool planar, double largest_shift) {
       for (int i = 1; i <= steps; ++i) {
         normal = hertz.advance(normal, hertz.approach(from_load + (to_load - from_load) * i / steps));
         const Vector3d before = history.spring.resistance, step = at + way / steps * i - (at + way / steps * (i - 1));
-        history = advance(law, history, normal, step);
+        history = law->advance(history, normal, step);
         work += (before + history.spring.resistance).dot(step) / 2;
       }
       at = to;

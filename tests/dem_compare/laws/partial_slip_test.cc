@@ -5,9 +5,11 @@
 #include <map>
 
 #include "core/csv.h"
-#include "dem_compare/laws/normal_law.h"
+#include "dem_compare/laws/hertz_offset.h"
+#include "dem_compare/laws/linear_sliding.h"
+#include "dem_compare/laws/mindlin.h"
+#include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/shear_moduli.h"
-#include "dem_compare/laws/sliding_law.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
 
@@ -481,9 +483,9 @@ TEST(Mindlin_analytic, plain_increments_create_energy_where_rescaling_on_unloadi
 TEST(SlidingLaw_behaviour, a_contact_that_opened_forgets) {
   const NormalState closed = hertz.advance({}, hertz.approach(load)), open = hertz.advance(closed, -1e-9);
   for (const SlidingLaw& any : {SlidingLaw(no_slip), SlidingLaw(law), SlidingLaw(LinearSliding{1e4, {mu, 0}})}) {
-    SlidingHistory history = advance(any, {}, closed, 0.3e-9 * Vector3d::UnitX());
+    SlidingHistory history = any->advance({}, closed, 0.3e-9 * Vector3d::UnitX());
     EXPECT_GT(history.spring.resistance.x(), 0);
-    history = advance(any, history, open, 0.3e-9 * Vector3d::UnitX());
+    history = any->advance(history, open, 0.3e-9 * Vector3d::UnitX());
     EXPECT_EQ(history.spring.resistance.norm(), 0);
     EXPECT_TRUE(history.profile.empty());
   }

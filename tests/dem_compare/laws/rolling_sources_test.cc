@@ -76,7 +76,7 @@ TEST(SlidingWithSpin_other_code, force_and_moment_agree_with_the_reference) {
   ASSERT_GT(eps.size(), 10u);
   const SlidingWithSpin law{1};
   for (std::size_t i = 0; i < eps.size(); ++i) {
-    const auto limits = law.limits(1, 1, eps[i]);
+    const auto limits = law.resistance(1, 1, eps[i]);
     EXPECT_NEAR(limits.force / force[i], 1, 2e-6);  // seven digits, also of eps
     EXPECT_NEAR(limits.moment / moment[i], 1, 2e-6);
   }
@@ -84,27 +84,28 @@ TEST(SlidingWithSpin_other_code, force_and_moment_agree_with_the_reference) {
 
 TEST(SlidingWithSpin_analytic, its_ends_are_Coulomb_and_full_slip_torsion) {
   const SlidingWithSpin law{0.3};
-  const auto sliding = law.limits(2, 5, std::numeric_limits<double>::infinity()), spinning = law.limits(2, 5, 0);
+  const auto sliding = law.resistance(2, 5, std::numeric_limits<double>::infinity()),
+             spinning = law.resistance(2, 5, 0);
   EXPECT_EQ(sliding.force, 0.3 * 2);
   EXPECT_EQ(sliding.moment, 0);
   EXPECT_EQ(spinning.force, 0);
   EXPECT_NEAR(spinning.moment, 3 * pi / 16 * 0.3 * 2 * 5, 1e-14);
-  EXPECT_NEAR(law.limits(2, 5, 5e4).force / sliding.force, 1, 1e-8);
-  EXPECT_NEAR(law.limits(2, 5, 5e-6).moment / spinning.moment, 1, 1e-8);
+  EXPECT_NEAR(law.resistance(2, 5, 5e4).force / sliding.force, 1, 1e-8);
+  EXPECT_NEAR(law.resistance(2, 5, 5e-6).moment / spinning.moment, 1, 1e-8);
 }
 
 TEST(SlidingWithSpin_analytic, a_little_sliding_or_spin_meets_the_first_terms_of_the_series) {
   const SlidingWithSpin law{0.3};
   // F = mu v/(2 omega) int p/r dA = 3 pi/8 mu P eps; M = mu omega/(2 v) int p r^2 dA = mu P a/(5 eps).
-  const auto slow = law.limits(2, 5, 5e-5), fast = law.limits(2, 5, 5e3);
+  const auto slow = law.resistance(2, 5, 5e-5), fast = law.resistance(2, 5, 5e3);
   EXPECT_NEAR(slow.force / (0.3 * 2 * 3 * pi / 8 * 1e-5), 1, 1e-4);
   EXPECT_NEAR(fast.moment / (0.3 * 2 * 5 / 5e3), 1, 1e-5);
 }
 
 TEST(SlidingWithSpin_analytic, nothing_jumps_where_the_centre_of_rotation_passes_the_edge) {
   const SlidingWithSpin law{1};
-  const auto inside = law.limits(1, 1, 1 - 1e-7), at = law.limits(1, 1, 1),
-             outside = law.limits(1, 1, 1 + 1e-7);
+  const auto inside = law.resistance(1, 1, 1 - 1e-7), at = law.resistance(1, 1, 1),
+             outside = law.resistance(1, 1, 1 + 1e-7);
   for (const auto& side : {inside, outside}) {
     EXPECT_NEAR(side.force, at.force, 1e-6);
     EXPECT_NEAR(side.moment, at.moment, 1e-6);
@@ -138,6 +139,21 @@ TEST(RollingSources_analytic, have_the_values_of_their_formulas) {
   EXPECT_NEAR(adhesive.hysteresis_force(0) / (2 * std::cbrt(4.5 * pi * 0.1) * 0.02), 1,
               1e-12);  // a0^3 = 9 pi w R^2/(2 E*)
   EXPECT_DOUBLE_EQ(ViscousDamping{0.5}.factor(4, 9), 3);
+}
+
+TEST(RollingSources_analytic, limit_the_rolling_of_a_contact_by_their_moment) {
+  const NormalState normal{0, 5, 0.7, 1, true};
+  const RotationalStiffness stiff{RotationalStiffness::Kind::constant, 1e9};
+  const AdhesiveRolling adhesive{{1, 1, 0.1}, 0.01, 0.02, stiff};
+  const double lever = 3;
+  const auto moment = [&](const RollingLaw& law) {
+    return law->advance({}, normal, lever, Eigen::Vector3d::UnitY()).resistance.y();
+  };
+  const HysteresisRolling hysteresis{0.4, stiff};
+  EXPECT_DOUBLE_EQ(moment(hysteresis), 3.0 / 16 * 0.4 * 5 * 0.7);
+  const PlasticRolling ploughing{2 / pi, 3, stiff};
+  EXPECT_DOUBLE_EQ(moment(ploughing), ploughing.rolling_force(5) * lever);
+  EXPECT_DOUBLE_EQ(moment(adhesive), adhesive.pinning_moment(5) + lever * adhesive.hysteresis_force(5));
 }
 
 }  // namespace

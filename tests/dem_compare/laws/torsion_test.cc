@@ -159,7 +159,7 @@ TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and
   for (const LengthScale scale : {LengthScale::particle_radius, LengthScale::contact_radius}) {
     const double lambda = scale == LengthScale::particle_radius ? lever : normal.contact_radius;
     const TorsionResistance torsion{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
-    TorsionResistance::History history = torsion.advance({}, normal, lever, -1e-6);
+    TorsionHistory history = torsion.advance({}, normal, lever, -1e-6);
     EXPECT_NEAR(history.resistance / -1e-15, 1, 1e-14);
     history = torsion.advance(history, normal, lever, -1);
     EXPECT_TRUE(history.yields);
@@ -171,13 +171,13 @@ TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) 
   const RollingResistance rolling{7.9e-4, 571.4e-6, LengthScale::particle_radius,
                                   {RotationalStiffness::Kind::tangential_spring, 11.7989e9}};
   const Eigen::Vector3d axis = Eigen::Vector3d(3, 4, 0) / 5;
-  const RollingResistance::History history = rolling.advance({}, normal, lever, 0.1 * axis);
+  const RollingHistory history = RollingLaw(rolling)->advance({}, normal, lever, 0.1 * axis);
   EXPECT_LT((history.resistance - 7.9e-4 * lever * 671.4e-6 * axis).norm(), 1e-14 * history.resistance.norm());
 }
 
 TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
   const RollingResistance rolling{7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
-  EXPECT_EQ(rolling.advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
+  EXPECT_EQ(RollingLaw(rolling)->advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
 }
 
 TEST(Rolling_analytic, stiffness_of_each_kind_follows_from_its_value) {
@@ -207,10 +207,10 @@ TEST(Rolling_behaviour, a_contact_that_opened_forgets_its_moment) {
   const RollingResistance rolling{0.1, 0, LengthScale::particle_radius, spring};
   const TorsionResistance torsion{0.1, 0, LengthScale::particle_radius, spring};
   const NormalState open{};
-  const auto rolled = rolling.advance({}, normal, lever, 1e-3 * Eigen::Vector3d::UnitY());
+  const auto rolled = RollingLaw(rolling)->advance({}, normal, lever, 1e-3 * Eigen::Vector3d::UnitY());
   const auto twisted = torsion.advance({}, normal, lever, 1e-3);
   EXPECT_GT(rolled.resistance.norm(), 0);
-  EXPECT_EQ(rolling.advance(rolled, open, lever, Eigen::Vector3d::UnitY()).resistance.norm(), 0);
+  EXPECT_EQ(RollingLaw(rolling)->advance(rolled, open, lever, Eigen::Vector3d::UnitY()).resistance.norm(), 0);
   EXPECT_GT(twisted.resistance, 0);
   EXPECT_EQ(torsion.advance(twisted, open, lever, 1).resistance, 0);
 }
@@ -234,6 +234,41 @@ TEST(SpringSlider_analytic, force_stops_at_its_limit_in_the_direction_it_has) {
   EXPECT_FALSE(Slider::advance({}, 2, -2.5, 5, ChangingLoad::plain).yields);  // it just bears that
   EXPECT_EQ(Slider::advance({}, 2, 1, 0, ChangingLoad::plain).resistance, 0);
   EXPECT_EQ(Slider::advance({}, 2, 1, -1, ChangingLoad::plain).resistance, 0);
+}
+
+/// Moments of a contact with partial slip that is twisted from angle to angle.
+std::vector<double> moments_at(const std::vector<double>& angles) {
+  const PartialSlipTorsion law{unit.torsion_modulus, unit.coefficient};
+  const NormalState closed{1, unit.normal_force, unit.contact_radius, 1, true};
+  TorsionHistory history;
+  std::vector<double> moments;
+  double at = 0;
+  for (const double angle : angles) {
+    history = law.advance(history, closed, 1, angle - at);
+    moments.push_back(history.resistance);
+    at = angle;
+  }
+  return moments;
+}
+
+TEST(Lubkin_analytic, in_a_contact_every_branch_follows_Masings_rule_and_closed_loops_are_forgotten) {
+  const auto with_loop = moments_at({0.3, 0.8, 0.2, 0.5, -0.8, -1.2});
+  EXPECT_NEAR(with_loop[1], unit.moment(0.8), 1e-12);
+  EXPECT_NEAR(with_loop[2], unit.moment_after_reversal(0.2, 0.8, unit.moment(0.8)), 1e-12);
+  EXPECT_NEAR(with_loop[3], with_loop[2] + 2 * unit.moment(0.3 / 2), 1e-12);
+  EXPECT_NEAR(with_loop[4], -unit.moment(0.8),
+              1e-12);  // the way back meets the virgin curve at the first turn's opposite
+  EXPECT_NEAR(with_loop[5], -unit.moment(1.2), 1e-12);  // and goes on along it
+  EXPECT_NEAR(moments_at({0.8, 0.2, 0.5, 0.1}).back(), moments_at({0.8, 0.1}).back(), 1e-12);
+  EXPECT_NEAR(moments_at({0.8, 0.2, 0.5, 1.0}).back(), unit.moment(1.0), 1e-12);
+}
+
+TEST(Lubkin_analytic, a_contact_that_opens_forgets_its_twist) {
+  const PartialSlipTorsion law{1, 1};
+  const TorsionHistory twisted = law.advance({}, {1, 1, 1, 1, true}, 1, 0.5);
+  EXPECT_GT(twisted.resistance, 0);
+  EXPECT_EQ(law.advance(twisted, {}, 1, 0.5).resistance, 0);
+  EXPECT_NEAR(law.limit({1, 2, 3, 1, true}, 1), 3 * pi / 16 * 2 * 3, 1e-14);
 }
 
 }  // namespace

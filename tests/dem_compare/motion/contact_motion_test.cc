@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/motion/contact_model.h"
 #include "tests/support/verification.h"
@@ -195,10 +196,16 @@ ContactModel sample_model() {
   ContactModel model;
   model.normal = HertzOffset{reduced_modulus(sphere, plane), radius, 3.2e-6};
   model.sliding = MindlinDeresiewicz{sliding_modulus(sphere, plane), radius, {0.23, 12e-6}};
-  model.rolling = {7.9e-4, 571e-6, LengthScale::particle_radius,
-                   {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
-  model.torsion = {0.0056, 0, LengthScale::particle_radius,
-                   {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
+  model.rolling =
+      RollingResistance{7.9e-4,
+                        571e-6,
+                        LengthScale::particle_radius,
+                        {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
+  model.torsion =
+      TorsionResistance{0.0056,
+                        0,
+                        LengthScale::particle_radius,
+                        {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
   return model;
 }
 
@@ -226,7 +233,7 @@ double largest_difference(const ContactModel& model) {
     plane = plane_after;
     observer = observer_after;
     EXPECT_GT(rest.normal.force, 0);
-    const double limit = friction_of(model.sliding).limit(rest.normal.force);
+    const double limit = model.sliding->limit(rest.normal.force);
     largest = std::max({largest, (moving.force - observer.turn * rest.force).norm() / limit,
                         (moving.moment - observer.turn * rest.moment).norm() / (limit * rest.lever)});
   }
@@ -261,7 +268,7 @@ TEST(ContactModel_analytic, every_resistance_acts_against_its_motion) {
 
 TEST(ContactModel_analytic, viscous_forces_brake_and_obey_the_sliders_limits) {
   ContactModel model = sample_model();
-  model.damping.coefficient = 0.5;
+  model.damping = ViscousDamping{0.5};
   const Placement here = resting();
   const ContactMotion still = sphere_on_plane(here, here, radius, ground, ground, model.lever);
   const ContactModelState rest = advance(model, {}, still);

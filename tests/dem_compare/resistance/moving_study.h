@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/case_collection.h"
+#include "dem_compare/cases/case_collection.h"
 #include "tests/dem_compare/resistance/moving_folder.h"
 
 namespace asperity::test {

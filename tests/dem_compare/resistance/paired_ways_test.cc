@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "dem_compare/resistance/stretches.h"
+#include "dem_compare/cases/stretches.h"
 #include "tests/support/verification.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/experiment.h"
+#include "diagnosis/recording/experiment.h"
 
 namespace asperity::test {
 

@@ -1,7 +1,7 @@
 // Recordings, and instruments' own text.
 #include "core/error.h"
 #include "diagnosis/import/import.h"
-#include "diagnosis/recording_table_file.h"
+#include "diagnosis/recording/recording_table_file.h"
 #include "tests/fuzz/targets.h"
 
 namespace asperity::fuzz {

@@ -1,0 +1,38 @@
+// Sliding, torsion and rolling: where a history has them, what result.json and parameters.json call them, and
+// the field's law of their partial slip.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/motion.h"
+#include "dem_compare/cases/steady_motion.h"
+#include "dem_compare/parameters/contact_parameters.h"
+#include "results/history.h"
+
+namespace asperity {
+
+/// What tells the modes apart.
+struct MotionMode {
+  Motion motion;
+  const char* title;
+  std::vector<double> History::*position;
+  std::vector<double> History::*resistance;
+  const char* resistance_unit;
+  const char* stiffness_key;  ///< in `effective` of result.json
+  const char* stiffness_unit;
+  const char* way_entry;  ///< of the case file, for advice
+  bool way_is_length;     ///< to be counted in contact diameters
+  bool has_length;        ///< mu lambda (f + h) instead of mu (f + h)
+  double
+      stiffness_exponent;  ///< of the contact radius: Mindlin 1949, Reissner & Sagoci 1944; rolling: assumed
+  PartialSlip partial_slip;
+  std::optional<EffectiveQuantity> ContactParameters::*friction;
+  std::optional<EffectiveQuantity> ContactParameters::*offset;
+  std::optional<EffectiveQuantity> ContactParameters::*stiffness;
+};
+const MotionMode& sliding_mode();
+const MotionMode& torsion_mode();
+const MotionMode& rolling_mode();
+
+}  // namespace asperity

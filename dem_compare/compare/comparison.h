@@ -1,0 +1,100 @@
+// Rough, yielding contact against Hertz: ratios at each load with their scatter, and the verdict in words.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "dem_compare/cases/case_collection.h"
+#include "dem_compare/numbers/judged.h"
+#include "dem_compare/numbers/statistics.h"
+
+namespace asperity {
+
+/// One load of the first loading, over realisations. Ratios are to Hertz for the same bodies, smooth and
+/// elastic.
+struct LoadComparison {
+  double force = 0;              ///< [N]
+  Estimate approach;             ///< [m]
+  Estimate stiffness;            ///< tangent of loading [N/m]
+  Estimate unloading_stiffness;  ///< tangent of the first unloading at the same load [N/m]
+  Estimate contact_area;         ///< real [m^2]
+  Estimate mean_pressure;        ///< load over real area [Pa]
+  Estimate largest_pressure;     ///< [Pa]
+  Estimate plastic_volume;       ///< [m^3]
+  Estimate force_ratio;          ///< force over Hertz's at the same approach
+  Estimate stiffness_ratio;      ///< tangent stiffness over Hertz's at the same load
+  Estimate unloading_ratio;      ///< that of unloading
+  Estimate area_ratio;           ///< real contact area over Hertz's at the same load
+  Estimate pressure_ratio;       ///< largest pressure over Hertz's at the same load
+  double step_error = 0;  ///< largest relative bound on the loading stiffness from the finite load steps
+  /// Half widths of the intervals that hold the true means 19 times in 20: scatter of the mean (Student),
+  /// mesh error and step error; NaN where nothing is known of it.
+  double stiffness_doubt = 0, unloading_doubt = 0, force_doubt = 0;
+  Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
+};
+
+/// Numbers of a group at its largest load.
+struct GroupNumbers {
+  double force = 0;  ///< [N]
+  Hertz hertz;
+  Estimate approach;                                  ///< [m]
+  Estimate loading_stiffness;                         ///< [N/m]
+  Estimate unloading_stiffness;                       ///< at the start of unloading [N/m]
+  Estimate contact_area;                              ///< [m^2]
+  Estimate mean_pressure;                             ///< [Pa]
+  Estimate largest_pressure;                          ///< [Pa]
+  Estimate plastic_volume;                            ///< [m^3]
+  Estimate residual_imprint;                          ///< [m]
+  Estimate dissipated_energy;                         ///< [J]
+  Estimate fitted_radius, fitted_radius_with_offset;  ///< what a Hertz fit would report [m]
+  Estimate exponent, exponent_with_offset;
+  double differencing_error =
+      0;  ///< largest relative bound on the loading stiffness from the finite load steps
+};
+
+struct GroupComparison {
+  std::string label;
+  std::vector<std::string> values;
+  int realisations = 0;
+  double interface_spacing = 0;  ///< [m]
+  GroupNumbers numbers;
+  std::vector<LoadComparison> loads;
+  /// Spacings the same contact was solved on too [m]; the mesh errors come from them.
+  std::vector<double> other_spacings;
+  bool is_finest = true;  ///< no smaller one is among them: this is the result, the others judge it
+  /// The least compared load from which on the stiffness is within the tolerance, errors included; NaN
+  /// without one.
+  double hertzian_from = 0;
+  /// Smooth bodies that stay elastic: what departs from Hertz is the error of the computation, and says
+  /// nothing of roughness.
+  bool is_control = false;
+  /// At every load: within; at one load at least: outside; else not known.
+  Judged judged_at_all_loads = Judged::not_known;
+  std::string verdict;
+};
+
+struct Comparison {
+  std::string title;
+  double tolerance = 0;
+  std::vector<GroupComparison> groups;
+  std::vector<MissingCase> missing;
+  std::vector<std::string> remarks;  ///< on cases whose numbers are in doubt
+  std::size_t planned = 0;
+};
+
+Comparison compare_with_hertz(const CaseCollection& collection, double tolerance);
+
+/// Loads at which the curves are compared, one row per group and load, as CSV: each number with its standard
+/// deviation over realisations and its mesh error in columns of their own.
+std::string to_csv(const Comparison& comparison);
+nlohmann::ordered_json to_json(const Comparison& comparison);
+std::string to_markdown(const Comparison& comparison);
+
+/// "0.93 +- 0.02" in `digits` significant digits of the scatter's mean; "-" if it is not known.
+std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
+
+/// "+1.9 ± 0.7 %", with its standard error where that is known; "-" if the error is not known.
+std::string mesh_error_text(const Estimate& estimate);
+
+}  // namespace asperity

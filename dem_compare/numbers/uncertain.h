@@ -1,0 +1,28 @@
+// Numbers with a standard deviation, carried through formulas to first order (independent inputs).
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+
+struct Uncertain {
+  double value = 0;
+  double sd = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
+
+  bool has_sd() const { return std::isfinite(sd); }
+};
+
+/// f(inputs); the sd from its slopes at the inputs. Inputs without sd count as exact; none with sd: the
+/// result has none.
+Uncertain propagate(const std::function<double(const std::vector<double>&)>& f,
+                    const std::vector<Uncertain>& inputs);
+
+/// (computed - published) over the published sd; NaN without one.
+double deviation_in_sigma(const Uncertain& computed, const Uncertain& published);
+/// The same over both sds, in quadrature.
+double deviation_in_both_sigmas(const Uncertain& computed, const Uncertain& published);
+
+}  // namespace asperity

@@ -1,0 +1,86 @@
+// Where a recording and its simulation part, and which physics was left out: the result
+// "asperity-diagnosis/1", SI units.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+enum class Verdict { no_mismatch, explained, partly_explained, ambiguous, unexplained };
+
+std::string name_of(Verdict verdict);
+
+/// Does an effect belong to the physics of the contact or to that of the measurement?
+enum class EffectKind { contact, instrument };
+
+/// A number with unit and 95 % interval.
+struct DiagnosedParameter {
+  std::string name, unit;
+  double value = 0, low = 0, high = 0;
+};
+
+struct DiagnosedEffect {
+  std::string id, title, equation, source, meaning;
+  EffectKind kind = EffectKind::contact;
+  double probability = 0;  ///< that it belongs to the explanation, among those that were compared
+  std::vector<DiagnosedParameter> parameters;
+};
+
+/// A part of the data where the residual is not noise.
+struct MismatchRegion {
+  std::string table, channel, segment, variable, unit;
+  double from = 0, to = 0;   ///< of the variable
+  double size_in_noise = 0;  ///< mean residual in the region over the noise of one sample
+  double p_value = 1;        ///< of a departure as large as this by noise alone, anywhere in the data
+  double share = 0;          ///< of the excess squared residual
+};
+
+struct NoiseEstimate {
+  double value = 0;  ///< standard deviation of one sample
+  std::string unit;
+  std::string from;  ///< "given", "given by row", "repeats", "high frequencies"
+};
+
+/// How well one model does.
+struct FitQuality {
+  double chi2_reduced = 0;
+  std::map<std::string, double> rms;  ///< by channel
+  double held_out_chi2_reduced = 0;
+};
+
+struct AlternativeExplanation {
+  std::vector<DiagnosedEffect> effects;
+  double probability = 0;
+  double held_out_chi2_reduced = 0;
+  std::string told_apart_by;
+};
+
+/// One table's numbers for pictures: recorded, simulated before and after.
+struct ComparedTable {
+  std::string table, channel, unit, variable, variable_unit;
+  std::vector<double> x, recorded, before, after, sd;
+  std::vector<int> curve;            ///< number of the run and segment each sample belongs to
+  std::vector<std::string> segment;  ///< of each sample
+  bool is_series = false;
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::unexplained;
+  std::string in_words;  ///< the verdict in a sentence or two
+  std::map<std::string, NoiseEstimate> noise;
+  std::vector<DiagnosedParameter>
+      calibrated;  ///< the simulation's own parameters, as calibrated before physics is added
+  FitQuality baseline, improved;
+  std::vector<MismatchRegion> mismatch, remaining;
+  std::vector<DiagnosedEffect> left_out;
+  std::vector<AlternativeExplanation> alternatives;
+  std::vector<std::string> remarks;  ///< what limits the answer, in sentences
+  std::vector<ComparedTable> compared;
+};
+
+/// diagnosis.json
+std::string diagnosis_json(const Diagnosis& diagnosis);
+
+}  // namespace asperity

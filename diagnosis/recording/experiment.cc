@@ -1,0 +1,98 @@
+#include "diagnosis/recording/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnosis/recording/median.h"
+
+namespace asperity {
+namespace {
+
+/// Values that differ by more than a tenth: less is the spread of one setting.
+int different(std::vector<double> values) {
+  constexpr double least_ratio = 1.1;
+  std::sort(values.begin(), values.end());
+  int count = 0;
+  double last = 0;
+  for (const double value : values)
+    if (count == 0 || value > least_ratio * last) last = value, ++count;
+  return count;
+}
+
+}  // namespace
+
+Experiment experiment_of(const Recording& recording, const Samples& samples) {
+  Experiment e;
+  e.mode = recording.mode;
+  e.particle = {recording.particle.youngs_modulus, recording.particle.poissons_ratio};
+  e.substrate = {recording.substrate.youngs_modulus, recording.substrate.poissons_ratio};
+  e.indenter = recording.indenter
+                   ? ElasticBody{recording.indenter->youngs_modulus, recording.indenter->poissons_ratio}
+                   : e.substrate;
+  e.radius = recording.particle.radius;
+  for (const double yield : {recording.particle.yield_stress, recording.substrate.yield_stress})
+    if (yield > 0) e.yield_hint = e.yield_hint > 0 ? std::min(e.yield_hint, yield) : yield;
+  std::vector<double> forces, speeds;
+  std::map<std::string, std::vector<double>> set;
+  e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
+  bool forward = false, backward = false;
+  double deepest = 0, shallowest = 0;
+  for (const auto& run : samples.runs) {
+    (run.independent_rows ? e.has_series : e.has_trace) = true;
+    e.has_time = e.has_time || recording.tables[run.table].has("time");
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Sample& s = samples.list[i];
+      const double force =
+          recording.mode == Motion::normal && !run.response_is_displacement ? s.response : s.normal_force;
+      forces.push_back(force);
+      if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
+      deepest = std::max(deepest, recording.mode == Motion::normal && run.response_is_displacement
+                                      ? s.response
+                                      : s.normal_displacement);
+      shallowest = std::min(shallowest, s.normal_displacement);
+      if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
+      left = std::min(left, s.lateral_displacement);
+      right = std::max(right, s.lateral_displacement);
+      e.hold_duration = std::max(e.hold_duration, s.hold_time);
+      if (s.speed > 0) speeds.push_back(s.speed);
+      e.cycles = std::max(e.cycles, s.cycle + 1);
+      e.smoothest = std::min(e.smoothest, s.rms_roughness);
+      e.roughest = std::max(e.roughest, s.rms_roughness);
+      e.smallest_radius = std::min(e.smallest_radius, s.radius);
+      e.largest_radius = std::max(e.largest_radius, s.radius);
+      if (s.counts) {
+        set["rms_roughness"].push_back(s.rms_roughness);
+        set["radius"].push_back(s.radius);
+        set["rail_angle"].push_back(s.rail_angle);
+      }
+      (s.direction > 0 ? forward : backward) = true;
+    }
+    e.stroke = std::max(e.stroke, right - left);
+    e.duration = std::max(e.duration, samples.list[run.end - 1].time - samples.list[run.begin].time);
+  }
+  for (auto& [channel, values] : set) e.different[channel] = different(std::move(values));
+  e.largest_force = *std::max_element(forces.begin(), forces.end());
+  std::vector<double> sizes;
+  for (const double f : forces) sizes.push_back(std::abs(f));
+  e.typical_force = median(sizes);
+  if (e.typical_force <= 0) e.typical_force = e.largest_force;
+  e.largest_displacement = recording.mode == Motion::normal && deepest > 0
+                               ? deepest
+                               : e.hertz().approach(std::max(e.largest_force, 0.0));
+  e.has_both_directions = forward && backward;
+  e.has_unloading = recording.mode == Motion::normal && backward;
+  e.has_off_contact = recording.mode == Motion::normal && shallowest < 0;
+  if (!speeds.empty()) {
+    constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
+    std::sort(speeds.begin(), speeds.end());
+    const auto count = static_cast<double>(speeds.size() - 1);
+    e.slowest = speeds[static_cast<std::size_t>(std::lround(outermost * count))];
+    e.fastest = speeds[static_cast<std::size_t>(std::lround((1 - outermost) * count))];
+  }
+  if (!std::isfinite(e.smallest_force)) e.smallest_force = e.typical_force;
+  return e;
+}
+
+}  // namespace asperity

@@ -1,0 +1,42 @@
+// What a recording is of: bodies and typical sizes, from which effects take starting values and bounds. SI
+// units.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/hertz.h"
+#include "diagnosis/recording/samples.h"
+
+namespace asperity {
+
+struct Experiment {
+  Motion mode = Motion::normal;
+  ElasticBody particle, substrate, indenter;
+  double radius = 0;                            ///< nominal, of the particle [m]
+  double yield_hint = 0;                        ///< smallest known yield stress [Pa]; 0: none is known
+  double largest_force = 0, typical_force = 0;  ///< normal [N]
+  double largest_displacement = 0;              ///< of the contact under the largest force, by Hertz [m]
+  double largest_response = 0;                  ///< in units of the response
+  double stroke = 0;                            ///< lateral path of one way [m]
+  double duration = 0;                          ///< of the longest run [s]
+  double hold_duration = 0;                     ///< of the longest hold [s]
+  double slowest = 0, fastest = 0;     ///< speeds that a twentieth of the samples stay below and above [m/s]
+  double cycles = 0;                   ///< of the longest run
+  double smoothest = 0, roughest = 0;  ///< rms roughness [m]
+  double smallest_radius = 0, largest_radius = 0;
+  double smallest_force = 0;
+  /// How many different values each of the variables holds that an experimenter sets (rms_roughness, radius,
+  /// rail_angle), by channel.
+  std::map<std::string, int> different;
+  bool has_trace = false, has_series = false, has_both_directions = false, has_unloading = false,
+       has_off_contact = false;
+  bool has_time = false;
+
+  double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
+  Hertz hertz() const { return {reduced_modulus(), radius}; }
+};
+
+Experiment experiment_of(const Recording& recording, const Samples& samples);
+
+}  // namespace asperity

@@ -1,0 +1,148 @@
+#include "diagnosis/recording/recording_table_file.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/read_limits.h"
+#include "diagnosis/recording/file_size.h"
+#include "diagnosis/recording/trimmed.h"
+
+namespace asperity {
+namespace {
+
+struct Column {
+  std::string channel;  ///< "segment" for the text column
+  double factor = 1;    ///< to SI
+};
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells;
+  for (std::size_t from = 0;;) {
+    const auto comma = line.find(',', from);
+    cells.push_back(trimmed(line.substr(from, comma == std::string_view::npos ? comma : comma - from)));
+    if (comma == std::string_view::npos) return cells;
+    from = comma + 1;
+  }
+}
+
+/// "normal_force [uN]" -> channel and factor.
+Column column_of(const std::string& head) {
+  const auto bracket = head.find('[');
+  Column column{trimmed(head.substr(0, bracket)), 1};
+  if (column.channel == "segment") return column;
+  const Dimension dimension = dimension_of_channel(column.channel);
+  if (bracket == std::string::npos) return column;
+  const auto end = head.find(']', bracket);
+  if (end == std::string::npos)
+    throw InputError("column '" + head + "' lacks the closing bracket of its unit");
+  const std::string unit = trimmed(head.substr(bracket + 1, end - bracket - 1));
+  const bool is_plain = dimension == Dimension::none && (unit == "-" || unit == "–");
+  try {
+    if (!is_plain) column.factor = unit_factor(unit, dimension);
+  } catch (const InputError& error) {
+    throw InputError("in column '" + head + "' the " + error.what());
+  }
+  return column;
+}
+
+double number_of(const std::string& cell, const Column& column) {
+  if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  if (end == cell.c_str() || *end != '\0')
+    throw InputError("'" + cell + "' in column '" + column.channel +
+                     "' is not a number; leave the cell empty if the value is missing");
+  if (!std::isfinite(value))
+    throw InputError("'" + cell + "' in column '" + column.channel +
+                     "' is not finite; leave the cell empty if the value is missing");
+  return value * column.factor;
+}
+
+std::vector<Column> header_of(const std::vector<std::string>& cells) {
+  std::vector<Column> columns;
+  for (const auto& head : cells) {
+    columns.push_back(column_of(head));
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+      if (columns[i].channel == columns.back().channel)
+        throw InputError("column '" + columns.back().channel + "' stands there twice; remove one");
+  }
+  return columns;
+}
+
+}  // namespace
+
+void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
+  check_file_size(path, "thin it or split it into recordings");
+  const std::string text = read_file(path);
+  std::vector<Column> columns;
+  std::vector<std::vector<double>*> targets;
+  std::size_t number = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const auto end = std::min(text.find('\n', from), text.size());
+    const std::string_view line(text.data() + from, end - from);
+    from = end + 1;
+    ++number;
+    if (trimmed(line).empty() || line.front() == '#') continue;
+    try {
+      if (line.size() > read_limits::longest_line)
+        throw InputError("this line is longer than " + std::to_string(read_limits::longest_line) +
+                         " characters; this is no table of samples");
+      const std::vector<std::string> cells = cells_of(line);
+      if (columns.empty()) {
+        columns = header_of(cells);
+        for (const auto& column : columns)
+          targets.push_back(column.channel == "segment" ? nullptr : &table.columns[column.channel]);
+        continue;
+      }
+      if (cells.size() != columns.size())
+        throw InputError(std::to_string(cells.size()) + " cells where the header has " +
+                         std::to_string(columns.size()));
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        if (targets[c])
+          targets[c]->push_back(number_of(cells[c], columns[c]));
+        else
+          table.segment.push_back(cells[c]);
+      }
+    } catch (const InputError& refusal) {
+      throw InputError(path.string() + ":" + std::to_string(number) + ": " + refusal.what());
+    }
+  }
+  if (columns.empty()) throw InputError(path.string() + ": the table is empty; it needs a header row");
+}
+
+std::string format_table_file(const RecordingTable& table) {
+  std::string text;
+  std::vector<const std::vector<double>*> columns;
+  // Where a row belongs comes first, then what was measured.
+  std::vector<std::string> names;
+  for (const auto& channel : known_channels())
+    for (const auto& name : {channel, channel + "_sd"})
+      if (table.has(name)) names.push_back(name);
+  for (const auto& name : names) {
+    const std::string unit = unit_of_channel(name);
+    text += (text.empty() ? "" : ",") + name + (unit.empty() ? "" : " [" + unit + "]");
+    columns.push_back(&table.columns.at(name));
+  }
+  const bool has_segments = !table.segment.empty();
+  if (has_segments) text += ",segment";
+  text += '\n';
+  char number[32];
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const double value = (*columns[c])[row];
+      if (c) text += ',';
+      if (std::isnan(value)) continue;
+      std::snprintf(number, sizeof number, "%.10g", value);
+      text += number;
+    }
+    if (has_segments) text += "," + table.segment[row];
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace asperity
