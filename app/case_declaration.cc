@@ -29,12 +29,18 @@ std::string in_words(const Range& range, Dimension dimension) {
 
 std::string kind_of(Dimension dimension) {
   switch (dimension) {
-    case Dimension::length: return "a length [m, um, nm], ";
-    case Dimension::force: return "a force [N, mN, uN, nN], ";
-    case Dimension::pressure: return "a pressure [Pa, MPa, GPa], ";
-    case Dimension::surface_energy: return "an energy per area [J/m^2, mJ/m^2], ";
-    case Dimension::angle: return "an angle [rad, deg], ";
-    default: return "a number, ";
+    case Dimension::length:
+      return "a length [m, um, nm], ";
+    case Dimension::force:
+      return "a force [N, mN, uN, nN], ";
+    case Dimension::pressure:
+      return "a pressure [Pa, MPa, GPa], ";
+    case Dimension::surface_energy:
+      return "an energy per area [J/m^2, mJ/m^2], ";
+    case Dimension::angle:
+      return "an angle [rad, deg], ";
+    default:
+      return "a number, ";
   }
 }
 
@@ -47,22 +53,33 @@ std::string canonical_number(double value) {
 template <class T>
 using Member = std::function<T&(CaseInput&)>;
 
-CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension, Range range,
-                   std::string default_text, std::string example, std::string documentation) {
+CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
+                   Range range, std::string default_text, std::string example, std::string documentation) {
   const std::string admissible = kind_of(dimension) + in_words(range, dimension);
-  return {std::move(section), std::move(name), std::move(default_text), std::move(example), admissible,
-          std::move(documentation), [=](CaseInput& input, const std::string& text) {
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          std::move(example),
+          admissible,
+          std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
             const double value = parse_quantity(text, dimension);
-            if (!range.holds(value)) throw InputError("'" + text + "' is not admissible; it must be " + admissible);
+            if (!range.holds(value))
+              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
             member(input) = value;
           },
           [=](const std::string& text) { return canonical_number(parse_quantity(text, dimension)); }};
 }
 
-CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low, std::string default_text,
-                       std::string documentation) {
+CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
+                       std::string default_text, std::string documentation) {
   const std::string admissible = "a whole number, " + std::to_string(low) + " or more";
-  return {std::move(section), std::move(name), std::move(default_text), "", admissible, std::move(documentation),
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          "",
+          admissible,
+          std::move(documentation),
           [=](CaseInput& input, const std::string& text) {
             char* end = nullptr;
             const long value = std::strtol(text.c_str(), &end, 10);
@@ -76,14 +93,20 @@ CaseEntry whole_number(std::string section, std::string name, Member<int> member
 /// One of several words, each with the value it stands for.
 template <class T>
 CaseEntry choice(std::string section, std::string name, Member<T> member,
-                 std::vector<std::pair<std::string, T>> values, std::string default_text, std::string documentation) {
+                 std::vector<std::pair<std::string, T>> values, std::string default_text,
+                 std::string documentation) {
   std::vector<std::string> words;
   std::string admissible;
   for (const auto& [word, value] : values) {
     words.push_back(word);
     admissible += (admissible.empty() ? "" : " | ") + word;
   }
-  return {std::move(section), std::move(name), std::move(default_text), "", admissible, std::move(documentation),
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          "",
+          admissible,
+          std::move(documentation),
           [=](CaseInput& input, const std::string& text) {
             for (const auto& [word, value] : values)
               if (word == text) {
@@ -104,37 +127,56 @@ CaseEntry not_physical(CaseEntry entry) {
 
 CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
                std::string documentation) {
-  return choice<bool>(std::move(section), std::move(name), std::move(member), {{"true", true}, {"false", false}},
-                      std::move(default_text), std::move(documentation));
+  return choice<bool>(std::move(section), std::move(name), std::move(member),
+                      {{"true", true}, {"false", false}}, std::move(default_text), std::move(documentation));
 }
 
 CaseEntry topography(std::string section, Member<TopographySpec> member) {
-  return {std::move(section), "Topography", "smooth", "",
-          "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=80 nm, outside=mirror) | "
-          "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, size=10 um, seed=3)",
-          "Roughness of the surface: none, a measured scan, or a Gaussian surface from a spectrum. FILE: in any format of "
-          "`asperity surface measure`; a relative name is looked for beside the case file; the scan's centre is the centre of "
-          "contact. Arguments of scan, each optional: size, where the file lacks it; channel, by name or number; unit of heights, "
-          "where a text file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; default plane); "
-          "cutoff, below which waves are taken out (default: none are; a mesh needs four cells over the shortest wave, which without cutoff "
-          "is the one above which 99 % of the scan's slope variance lies, but no less than four pixels); outside, for a scan smaller than "
-          "the contact region: refuse (default), or mirror, continued by its mirror images. "
-          "Arguments of generated but rms are optional: with window, rms is what scans of that side (512 x 512 pixels, plane "
-          "removed) show on average; without, it is that of the whole surface. The surface is decided by these arguments alone: it is periodic "
-          "with size, by default 64 rolloffs or what 2048 pixels carry, and repeats in regions that are larger.",
-          [=](CaseInput& input, const std::string& text) {
-            member(input) = text;
-          }};
+  return {
+      std::move(section),
+      "Topography",
+      "smooth",
+      "",
+      "smooth | FILE | scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=80 nm, "
+      "outside=mirror) | "
+      "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, size=10 um, seed=3)",
+      "Roughness of the surface: none, a measured scan, or a Gaussian surface from a spectrum. FILE: in any "
+      "format of "
+      "`asperity surface measure`; a relative name is looked for beside the case file; the scan's centre is "
+      "the centre of "
+      "contact. Arguments of scan, each optional: size, where the file lacks it; channel, by name or number; "
+      "unit of heights, "
+      "where a text file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; "
+      "default plane); "
+      "cutoff, below which waves are taken out (default: none are; a mesh needs four cells over the shortest "
+      "wave, which without cutoff "
+      "is the one above which 99 % of the scan's slope variance lies, but no less than four pixels); "
+      "outside, for a scan smaller than "
+      "the contact region: refuse (default), or mirror, continued by its mirror images. "
+      "Arguments of generated but rms are optional: with window, rms is what scans of that side (512 x 512 "
+      "pixels, plane "
+      "removed) show on average; without, it is that of the whole surface. The surface is decided by these "
+      "arguments alone: it is periodic "
+      "with size, by default 64 rolloffs or what 2048 pixels carry, and repeats in regions that are larger.",
+      [=](CaseInput& input, const std::string& text) { member(input) = text; }};
 }
 
 CaseEntry motion_program(std::string section) {
-  return {std::move(section), "Program", "none", "",
-          "none | parts separated by ';' of motions joined by 'and': press LOAD, slide LENGTH, slide across LENGTH, roll ANGLE or LENGTH, "
+  return {std::move(section),
+          "Program",
+          "none",
+          "",
+          "none | parts separated by ';' of motions joined by 'and': press LOAD, slide LENGTH, slide across "
+          "LENGTH, roll ANGLE or LENGTH, "
           "spin ANGLE, indenter LENGTH; 'in N steps' ends a part",
-          "Motions one after the other, or several at once, after the particle was pressed to Normal load (Type = program), e.g. "
-          "slide 200 nm and spin 20 mrad; press 50 uN; roll 30 mrad in 12 steps. press: to a load (an approach with Control = "
-          "displacement) up to the first one; slide: along x, across: along y; roll: about y, by an angle or the arc's length, free of lateral force unless "
-          "the part also slides; spin: about the normal; indenter: rolls freely under a plane on top that moves by LENGTH, an arc of half of it.",
+          "Motions one after the other, or several at once, after the particle was pressed to Normal load "
+          "(Type = program), e.g. "
+          "slide 200 nm and spin 20 mrad; press 50 uN; roll 30 mrad in 12 steps. press: to a load (an "
+          "approach with Control = "
+          "displacement) up to the first one; slide: along x, across: along y; roll: about y, by an angle or "
+          "the arc's length, free of lateral force unless "
+          "the part also slides; spin: about the normal; indenter: rolls freely under a plane on top that "
+          "moves by LENGTH, an arc of half of it.",
           [](CaseInput& input, const std::string& text) {
             const std::string program = text == "none" ? "" : text;
             parse_motion_program(program);
@@ -159,10 +201,10 @@ CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
 void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
               const std::string& modulus_example, const std::string& ratio_example) {
   const auto at = [body](auto BodyInput::*member) {
-    return [=](CaseInput& input) -> auto& { return input.*body.*member; };
+    return [=](CaseInput & input) -> auto& { return input.*body.*member; };
   };
-  entries.push_back(quantity(section, "Young modulus", at(&BodyInput::youngs_modulus), Dimension::pressure, positive,
-                             "", modulus_example, "Young's modulus E."));
+  entries.push_back(quantity(section, "Young modulus", at(&BodyInput::youngs_modulus), Dimension::pressure,
+                             positive, "", modulus_example, "Young's modulus E."));
   entries.push_back(quantity(section, "Poisson ratio", at(&BodyInput::poisson_ratio), Dimension::none,
                              {0, 0.5, false, true}, "", ratio_example, "Poisson's ratio nu."));
   for (const auto& parameter : parameters_of(fem::material_laws()))
@@ -174,12 +216,14 @@ void add_interface(std::vector<CaseEntry>& entries) {
   const Member<LawValues> values = [](CaseInput& input) -> LawValues& { return input.interface.parameters; };
   for (const auto& parameter : parameters_of(fem::friction_laws()))
     entries.push_back(law_entry("Interface", parameter, values));
-  entries.push_back(quantity("Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
-                             Dimension::surface_energy, not_negative, "0 J/m^2", "",
-                             "Work per area that attraction does as the surfaces close; 0: no adhesion."));
-  entries.push_back(quantity("Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
-                             Dimension::surface_energy, not_negative, "0 J/m^2", "",
-                             "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
+  entries.push_back(quantity(
+      "Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
+      Dimension::surface_energy, not_negative, "0 J/m^2", "",
+      "Work per area that attraction does as the surfaces close; 0: no adhesion."));
+  entries.push_back(quantity(
+      "Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
+      Dimension::surface_energy, not_negative, "0 J/m^2", "",
+      "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
   std::vector<std::pair<std::string, std::string>> names;
   std::vector<std::string> falls;
   for (const auto& law : fem::adhesion_laws()) {
@@ -196,87 +240,121 @@ void add_interface(std::vector<CaseEntry>& entries) {
 
 void add_experiment(std::vector<CaseEntry>& entries) {
   const auto at = [](auto ExperimentInput::*member) {
-    return [=](CaseInput& input) -> auto& { return input.experiment.*member; };
+    return [=](CaseInput & input) -> auto& { return input.experiment.*member; };
   };
   using Control = ExperimentInput::Control;
   const std::string section = "Experiment";
-  entries.push_back(choice<Motion>(section, "Type", at(&ExperimentInput::type),
-                                 {{"normal", Motion::normal}, {"sliding", Motion::sliding}, {"rolling", Motion::rolling}, {"torsion", Motion::torsion},
-                                  {"program", Motion::program}},
-                                 "normal", "How the particle is moved after the normal load is applied; program: as Program says."));
+  entries.push_back(choice<Motion>(
+      section, "Type", at(&ExperimentInput::type),
+      {{"normal", Motion::normal},
+       {"sliding", Motion::sliding},
+       {"rolling", Motion::rolling},
+       {"torsion", Motion::torsion},
+       {"program", Motion::program}},
+      "normal", "How the particle is moved after the normal load is applied; program: as Program says."));
   entries.push_back(choice<Control>(section, "Control", at(&ExperimentInput::control),
-                                    {{"force", Control::force}, {"displacement", Control::displacement}}, "force",
-                                    "Whether Normal load or Normal approach is prescribed."));
-  entries.push_back(quantity(section, "Normal load", at(&ExperimentInput::normal_load), Dimension::force, not_negative,
-                             "0 N", "1 mN", "Largest normal force (control by force)."));
-  entries.push_back(quantity(section, "Normal approach", at(&ExperimentInput::normal_approach), Dimension::length,
-                             not_negative, "0 m", "", "Largest approach of the bodies (control by displacement)."));
-  entries.push_back(not_physical(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1, "10", "Steps from zero to the largest load.")));
-  entries.push_back(not_physical(quantity(section, "Load step error", at(&ExperimentInput::load_step_error), Dimension::none, not_negative, "0.005", "",
-                                          "Share of the approach that finite steps may leave: a step of bodies that yield which leaves more is "
-                                          "divided, into 16 at most; 0: steps stay as they are.")));
-  entries.push_back(flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
-  entries.push_back(quantity(section, "Retract", at(&ExperimentInput::retract), Dimension::length, not_negative, "0 m", "",
-                             "How far beyond first touch unloading goes on under control by displacement: for pull-off."));
-  entries.push_back(not_physical(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1, "10", "Steps from the largest load to zero.")));
+                                    {{"force", Control::force}, {"displacement", Control::displacement}},
+                                    "force", "Whether Normal load or Normal approach is prescribed."));
+  entries.push_back(quantity(section, "Normal load", at(&ExperimentInput::normal_load), Dimension::force,
+                             not_negative, "0 N", "1 mN", "Largest normal force (control by force)."));
+  entries.push_back(quantity(section, "Normal approach", at(&ExperimentInput::normal_approach),
+                             Dimension::length, not_negative, "0 m", "",
+                             "Largest approach of the bodies (control by displacement)."));
+  entries.push_back(not_physical(whole_number(section, "Load steps", at(&ExperimentInput::load_steps), 1,
+                                              "10", "Steps from zero to the largest load.")));
+  entries.push_back(not_physical(quantity(
+      section, "Load step error", at(&ExperimentInput::load_step_error), Dimension::none, not_negative,
+      "0.005", "",
+      "Share of the approach that finite steps may leave: a step of bodies that yield which leaves more is "
+      "divided, into 16 at most; 0: steps stay as they are.")));
+  entries.push_back(
+      flag(section, "Unload", at(&ExperimentInput::unload), "true", "Return to zero load after loading."));
+  entries.push_back(
+      quantity(section, "Retract", at(&ExperimentInput::retract), Dimension::length, not_negative, "0 m", "",
+               "How far beyond first touch unloading goes on under control by displacement: for pull-off."));
+  entries.push_back(not_physical(whole_number(section, "Unload steps", at(&ExperimentInput::unload_steps), 1,
+                                              "10", "Steps from the largest load to zero.")));
   entries.push_back(whole_number(section, "Cycles", at(&ExperimentInput::cycles), 1, "1",
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
-  entries.push_back(not_physical(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0", "Steps at the largest load before unloading.")));
-  entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
-                             "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, two contact diameters of them steady."));
-  entries.push_back(quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-                             "Angle of torsion, one way; 0: six times that at which a smooth contact slips as a whole."));
-  entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true", "Come back along the path: half a friction loop."));
-  entries.push_back(quantity(section, "Way back", at(&ExperimentInput::way_back), Dimension::length, not_negative, "0 m", "",
-                             "How far sliding and rolling come back with Reverse = true; 0: to where they began. A contact radius tells the stiffness "
+  entries.push_back(not_physical(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0",
+                                              "Steps at the largest load before unloading.")));
+  entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length,
+                             not_negative, "0 m", "",
+                             "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, "
+                             "two contact diameters of them steady."));
+  entries.push_back(
+      quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
+               "Angle of torsion, one way; 0: six times that at which a smooth contact slips as a whole."));
+  entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true",
+                         "Come back along the path: half a friction loop."));
+  entries.push_back(quantity(section, "Way back", at(&ExperimentInput::way_back), Dimension::length,
+                             not_negative, "0 m", "",
+                             "How far sliding and rolling come back with Reverse = true; 0: to where they "
+                             "began. A contact radius tells the stiffness "
                              "of rolling: over the same track hills drop out."));
   entries.push_back(motion_program(section));
-  entries.push_back(not_physical(whole_number(section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
-                                 "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
-                                 "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at the rim of a contact that spins.")));
+  entries.push_back(not_physical(whole_number(
+      section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
+      "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
+      "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at "
+      "the rim of a contact that spins.")));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
   const auto first = static_cast<std::ptrdiff_t>(entries.size());
-  entries.push_back(quantity("Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
-                             Dimension::length, not_negative, "0 m", "",
-                             "Distance of nodes where contact can come; 0: a twelfth of Hertz' contact radius or a quarter of the roughness' shortest wave, "
-                             "whichever is less (the largest pressure then reads 10 to 25 % too small, with an eighth some 2 %; real area is good to some "
-                             "7 %; result.json states both)."));
-  entries.push_back(quantity("Mesh", "Contact region", [](CaseInput& c) -> double& { return c.mesh.contact_region; },
-                             Dimension::length, not_negative, "0 m", "",
-                             "Half width of the finely meshed square; 0: derived from load and roughness."));
-  entries.push_back(whole_number("Mesh", "Layers", [](CaseInput& c) -> int& { return c.mesh.layers; }, 1, "4",
-                                 "Cells of each refinement level below the interface: the grading."));
-  entries.push_back(choice<std::string>("Mesh", "Sphere", [](CaseInput& c) -> std::string& { return c.mesh.sphere; },
-                                        {{"hemisphere", "hemisphere"}, {"full", "full"}}, "hemisphere",
-                                        "Part of the particle that is meshed: the lower half, driven at its equator, or all of "
-                                        "it, glued over the square of half width 0.45 R at its top."));
-  entries.push_back(choice<std::string>("Solver", "Backend", [](CaseInput& c) -> std::string& { return c.solver.backend; },
-                                        {{"matrix-free", "matrix-free"}, {"assembled", "assembled"}}, "matrix-free",
-                                        "Matrix-free operators with geometric multigrid, or assembled matrices with "
-                                        "algebraic multigrid."));
-  entries.push_back(quantity("Solver", "Tolerance", [](CaseInput& c) -> double& { return c.solver.tolerance; },
-                             Dimension::none, {0, 1e-2, true, false}, "1e-6", "",
-                             "Residual force of an accepted step relative to the contact force."));
-  entries.push_back(whole_number("Solver", "Newton steps", [](CaseInput& c) -> int& { return c.solver.newton_steps; }, 1, "60",
-                                 "Newton iterations after which a step is given up, halved and tried again from the last accepted "
-                                 "state; ten times as many with adhesion, where contacts jump."));
-  entries.push_back(whole_number("Solver", "Threads", [](CaseInput& c) -> int& { return c.solver.threads; }, 0, "0",
-                                 "Threads of each process; 0: all cores, divided by the processes of this machine."));
-  entries.push_back(flag("Output", "Fields", [](CaseInput& c) -> bool& { return c.output.fields; }, "true",
-                         "Write the fields for ParaView (VTU and PVD of the bodies, VTP of the interface)."));
-  entries.push_back(whole_number("Output", "Fields every", [](CaseInput& c) -> int& { return c.output.fields_every; }, 0, "0",
-                                 "Steps between files of fields; 0: at the largest load and at the last step."));
+  entries.push_back(quantity(
+      "Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
+      Dimension::length, not_negative, "0 m", "",
+      "Distance of nodes where contact can come; 0: a twelfth of Hertz' contact radius or a quarter of the "
+      "roughness' shortest wave, "
+      "whichever is less (the largest pressure then reads 10 to 25 % too small, with an eighth some 2 %; "
+      "real area is good to some "
+      "7 %; result.json states both)."));
+  entries.push_back(quantity(
+      "Mesh", "Contact region", [](CaseInput& c) -> double& { return c.mesh.contact_region; },
+      Dimension::length, not_negative, "0 m", "",
+      "Half width of the finely meshed square; 0: derived from load and roughness."));
+  entries.push_back(whole_number(
+      "Mesh", "Layers", [](CaseInput& c) -> int& { return c.mesh.layers; }, 1, "4",
+      "Cells of each refinement level below the interface: the grading."));
+  entries.push_back(choice<std::string>(
+      "Mesh", "Sphere", [](CaseInput& c) -> std::string& { return c.mesh.sphere; },
+      {{"hemisphere", "hemisphere"}, {"full", "full"}}, "hemisphere",
+      "Part of the particle that is meshed: the lower half, driven at its equator, or all of "
+      "it, glued over the square of half width 0.45 R at its top."));
+  entries.push_back(choice<std::string>(
+      "Solver", "Backend", [](CaseInput& c) -> std::string& { return c.solver.backend; },
+      {{"matrix-free", "matrix-free"}, {"assembled", "assembled"}}, "matrix-free",
+      "Matrix-free operators with geometric multigrid, or assembled matrices with "
+      "algebraic multigrid."));
+  entries.push_back(quantity(
+      "Solver", "Tolerance", [](CaseInput& c) -> double& { return c.solver.tolerance; }, Dimension::none,
+      {0, 1e-2, true, false}, "1e-6", "",
+      "Residual force of an accepted step relative to the contact force."));
+  entries.push_back(whole_number(
+      "Solver", "Newton steps", [](CaseInput& c) -> int& { return c.solver.newton_steps; }, 1, "60",
+      "Newton iterations after which a step is given up, halved and tried again from the last accepted "
+      "state; ten times as many with adhesion, where contacts jump."));
+  entries.push_back(whole_number(
+      "Solver", "Threads", [](CaseInput& c) -> int& { return c.solver.threads; }, 0, "0",
+      "Threads of each process; 0: all cores, divided by the processes of this machine."));
+  entries.push_back(flag(
+      "Output", "Fields", [](CaseInput& c) -> bool& { return c.output.fields; }, "true",
+      "Write the fields for ParaView (VTU and PVD of the bodies, VTP of the interface)."));
+  entries.push_back(whole_number(
+      "Output", "Fields every", [](CaseInput& c) -> int& { return c.output.fields_every; }, 0, "0",
+      "Steps between files of fields; 0: at the largest load and at the last step."));
   for (auto entry = entries.begin() + first; entry != entries.end(); ++entry) entry->is_physical = false;
 }
 
 std::vector<CaseEntry> declare_entries() {
   std::vector<CaseEntry> entries;
-  entries.push_back(not_physical({"", "Title", "untitled", "", "a text", "Name of the case in reports.",
-                                  [](CaseInput& input, const std::string& text) { input.title = text == "untitled" ? "" : text; }}));
-  entries.push_back(quantity("Particle", "Radius", [](CaseInput& c) -> double& { return c.radius; }, Dimension::length,
-                             positive, "", "8.5 um", "Radius R of the sphere."));
+  entries.push_back(not_physical(
+      {"", "Title", "untitled", "", "a text", "Name of the case in reports.",
+       [](CaseInput& input, const std::string& text) { input.title = text == "untitled" ? "" : text; }}));
+  entries.push_back(quantity(
+      "Particle", "Radius", [](CaseInput& c) -> double& { return c.radius; }, Dimension::length, positive, "",
+      "8.5 um", "Radius R of the sphere."));
   add_body(entries, "Particle", &CaseInput::particle, "71 GPa", "0.17");
   add_body(entries, "Substrate", &CaseInput::substrate, "179 GPa", "0.25");
   add_interface(entries);

@@ -1,5 +1,5 @@
-// Every entry of a case file, declared once: its place in CaseInput, default, admissible values and manual text.
-// Reading, checking, the template and the reference manual all work from this list.
+// Every entry of a case file, declared once: its place in CaseInput, default, admissible values and manual
+// text. Reading, checking, the template and the reference manual all work from this list.
 #pragma once
 
 #include <functional>
@@ -18,10 +18,11 @@ struct CaseEntry {
   std::string documentation;  ///< one or two sentences
   /// Stores the text's value; throws InputError with the reason alone (the reader adds file and line).
   std::function<void(CaseInput&, const std::string&)> store;
-  /// One text for all ways to write a value: a quantity in SI, with 14 digits. Expects a value that `store` accepts.
+  /// One text for all ways to write a value: a quantity in SI, with 14 digits. Expects a value that `store`
+  /// accepts.
   std::function<std::string(const std::string&)> canonical = [](const std::string& text) { return text; };
-  /// Decides the answer, so that cases which differ in it are of different contacts or experiments. A new entry does unless it says
-  /// otherwise (mesh, solver, steps, output, title).
+  /// Decides the answer, so that cases which differ in it are of different contacts or experiments. A new
+  /// entry does unless it says otherwise (mesh, solver, steps, output, title).
   bool is_physical = true;
 
   bool required() const { return default_text.empty(); }

@@ -71,12 +71,14 @@ class Checker {
     const auto& experiment = input_.experiment;
     const bool by_force = experiment.control == ExperimentInput::Control::force;
     if (by_force && !(experiment.normal_load > 0))
-      refuse("Experiment/Normal load", experiment.normal_approach > 0
-                                           ? "Experiment/Normal approach is given but Control is force; set Control = displacement"
-                                           : "Experiment/Normal load must be above 0 under control by force; set for example 1 mN");
+      refuse("Experiment/Normal load",
+             experiment.normal_approach > 0
+                 ? "Experiment/Normal approach is given but Control is force; set Control = displacement"
+                 : "Experiment/Normal load must be above 0 under control by force; set for example 1 mN");
     if (!by_force && !(experiment.normal_approach > 0))
-      refuse("Experiment/Normal approach",
-             "Experiment/Normal approach must be above 0 under control by displacement; set for example 10 nm");
+      refuse(
+          "Experiment/Normal approach",
+          "Experiment/Normal approach must be above 0 under control by displacement; set for example 10 nm");
     if (!by_force && experiment.normal_load > 0)
       refuse("Experiment/Normal load",
              "Experiment/Normal load is given but Control is displacement; remove it or set Control = force");
@@ -85,29 +87,32 @@ class Checker {
     const auto [contact, half] = quantities_apart(hertz_radius(), input_.radius / 2, Dimension::length);
     if (hertz_radius() > input_.radius / 2)
       refuse(by_force ? "Experiment/Normal load" : "Experiment/Normal approach",
-             "this load would press the sphere flat over a contact radius of " + contact + " (Hertz), more than half its radius, " + half +
+             "this load would press the sphere flat over a contact radius of " + contact +
+                 " (Hertz), more than half its radius, " + half +
                  "; small strain does not hold there: lower it");
   }
 
   void check_mesh() const {
     const auto& mesh = input_.mesh;
     if (mesh.contact_region > 0 && !(mesh.contact_region < input_.radius / 2))
-      refuse("Mesh/Contact region", "Mesh/Contact region, " + format_quantity(mesh.contact_region, Dimension::length) +
-                                        ", must be less than half the Radius of " +
-                                        format_quantity(input_.radius, Dimension::length) + "; lower it, or 0 derives it");
+      refuse("Mesh/Contact region",
+             "Mesh/Contact region, " + format_quantity(mesh.contact_region, Dimension::length) +
+                 ", must be less than half the Radius of " +
+                 format_quantity(input_.radius, Dimension::length) + "; lower it, or 0 derives it");
     if (mesh.contact_region > 0 && mesh.contact_region < hertz_radius())
-      refuse("Mesh/Contact region", "Mesh/Contact region, " +
-                                        quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).first +
-                                        ", does not hold the contact radius of " +
-                                        quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).second +
-                                        " (Hertz); raise it, or 0 derives it");
+      refuse("Mesh/Contact region",
+             "Mesh/Contact region, " +
+                 quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).first +
+                 ", does not hold the contact radius of " +
+                 quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).second +
+                 " (Hertz); raise it, or 0 derives it");
     const double extent = mesh.contact_region > 0 ? mesh.contact_region : hertz_radius();
     if (mesh.interface_spacing > extent / 2)
-      refuse("Mesh/Interface spacing", "Mesh/Interface spacing, " +
-                                           format_quantity(mesh.interface_spacing, Dimension::length) +
-                                           ", leaves less than two cells in the " +
-                                           (mesh.contact_region > 0 ? "contact region" : "contact radius") + " of " +
-                                           format_quantity(extent, Dimension::length) + "; lower it, or 0 derives it");
+      refuse("Mesh/Interface spacing",
+             "Mesh/Interface spacing, " + format_quantity(mesh.interface_spacing, Dimension::length) +
+                 ", leaves less than two cells in the " +
+                 (mesh.contact_region > 0 ? "contact region" : "contact radius") + " of " +
+                 format_quantity(extent, Dimension::length) + "; lower it, or 0 derives it");
   }
 
   void check_material(const std::string& section, const BodyInput& body) const {
@@ -116,10 +121,12 @@ class Checker {
   }
 
   void check_seeds() const {
-    const auto *on_particle = input_.particle.topography.generator(), *on_substrate = input_.substrate.topography.generator();
+    const auto *on_particle = input_.particle.topography.generator(),
+               *on_substrate = input_.substrate.topography.generator();
     if (on_particle && on_substrate && on_particle->seed == on_substrate->seed)
       refuse("Substrate/Topography",
-             "both surfaces are generated with the same seed, so that their heights are correlated; give one another seed");
+             "both surfaces are generated with the same seed, so that their heights are correlated; give one "
+             "another seed");
   }
 
   const CaseInput& input_;
@@ -128,7 +135,8 @@ class Checker {
 };
 
 /// The entry with its scan named in full, relative to the folder of the case file.
-void find_scan(TopographySpec& topography, const std::string& section, const Settings& settings, const fs::path& file) {
+void find_scan(TopographySpec& topography, const std::string& section, const Settings& settings,
+               const fs::path& file) {
   if (!topography.scan()) return;
   ScanParameters scan = *topography.scan();
   const fs::path beside = (file.parent_path() / scan.file).lexically_normal();
@@ -137,9 +145,10 @@ void find_scan(TopographySpec& topography, const std::string& section, const Set
     topography = scan;
     return;
   }
-  const std::string meant = nearest_name(topography.text().substr(0, topography.text().find('(')), {"smooth", "generated"});
-  throw InputError(where_set(settings, section + "/Topography", file) + ": " + section + "/Topography: there is no file '" +
-                   beside.string() + "'" +
+  const std::string meant =
+      nearest_name(topography.text().substr(0, topography.text().find('(')), {"smooth", "generated"});
+  throw InputError(where_set(settings, section + "/Topography", file) + ": " + section +
+                   "/Topography: there is no file '" + beside.string() + "'" +
                    (meant.empty() ? "; write smooth, a file, or generated(rms=1.5 nm, rolloff=200 nm, seed=3)"
                     : meant == "smooth" ? "; did you mean smooth?"
                                         : "; did you mean generated(rms=1.5 nm, rolloff=200 nm, seed=3)?"));
@@ -160,7 +169,8 @@ void remember_physical_entries(const Settings& settings, const fs::path& file, C
       const Setting setting = setting_of(entry, settings, file);
       input.physical_entries[setting.path()] = setting.value;
     }
-  for (const auto& [section, body] : {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
+  for (const auto& [section, body] :
+       {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
     if (const auto* scan = body->topography.scan())
       input.physical_entries[std::string(section) + "Topography"] = with_absolute_file(*scan, {}).text();
 }
@@ -172,11 +182,14 @@ ScanParameters with_absolute_file(ScanParameters scan, const fs::path& folder) {
   return scan;
 }
 
-void naming_lines_of_scans(const Settings& settings, const CaseInput& input, const std::function<void()>& work) {
+void naming_lines_of_scans(const Settings& settings, const CaseInput& input,
+                           const std::function<void()>& work) {
   try {
     work();
   } catch (const ScanError& error) {
-    const std::string path = std::string(error.spec == input.particle.topography.canonical() ? "Particle" : "Substrate") + "/Topography";
+    const std::string path =
+        std::string(error.spec == input.particle.topography.canonical() ? "Particle" : "Substrate") +
+        "/Topography";
     throw InputError(where_set(settings, path, input.file) + ": " + path + ": " + error.what());
   }
 }
@@ -187,8 +200,9 @@ void check_entry_exists(const Setting& setting) {
     std::vector<std::string> names;
     for (const auto& section : case_sections()) names.push_back(section.name);
     const std::string meant = nearest_name(setting.section, names);
-    throw InputError(setting.where + ": there is no subsection '" + setting.section + "'" +
-                     (meant.empty() ? "; `asperity case-reference` lists them" : "; did you mean '" + meant + "'?"));
+    throw InputError(
+        setting.where + ": there is no subsection '" + setting.section + "'" +
+        (meant.empty() ? "; `asperity case-reference` lists them" : "; did you mean '" + meant + "'?"));
   }
   std::vector<std::string> here;
   for (const auto& entry : case_entries())
@@ -200,7 +214,8 @@ void check_entry_exists(const Setting& setting) {
     for (const auto& entry : case_entries())
       if (entry.name == setting.entry) remedy = "; it belongs " + place(entry.section);
   }
-  throw InputError(setting.where + ": there is no entry '" + setting.entry + "' " + place(setting.section) + remedy);
+  throw InputError(setting.where + ": there is no entry '" + setting.entry + "' " + place(setting.section) +
+                   remedy);
 }
 
 CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
@@ -221,8 +236,9 @@ CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
       return s.section == entry.section && s.entry == entry.name;
     });
     if (entry.required() && !given)
-      throw InputError(file.string() + ": " + entry.section + "/" + entry.name + " is missing; add 'set " + entry.name +
-                       " = " + entry.example + "' (with your value) to subsection " + entry.section);
+      throw InputError(file.string() + ": " + entry.section + "/" + entry.name + " is missing; add 'set " +
+                       entry.name + " = " + entry.example + "' (with your value) to subsection " +
+                       entry.section);
   }
   find_scan(input.particle.topography, "Particle", settings, file);
   find_scan(input.substrate.topography, "Substrate", settings, file);
@@ -237,7 +253,8 @@ Settings complete_settings(const Settings& settings, const fs::path& file) {
   for (const auto& entry : case_entries()) {
     Setting setting = setting_of(entry, settings, file);
     if (entry.name == "Topography") {
-      const TopographySpec& found = (entry.section == "Particle" ? input.particle : input.substrate).topography;
+      const TopographySpec& found =
+          (entry.section == "Particle" ? input.particle : input.substrate).topography;
       if (found.scan()) setting.value = with_absolute_file(*found.scan(), {}).text();
     }
     complete.push_back(setting);

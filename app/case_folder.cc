@@ -31,12 +31,15 @@ Provenance provenance_in(const fs::path& file) {
 }
 
 [[noreturn]] void refuse(const FolderedCase& now, const std::string& why) {
-  throw InputError("'" + now.folder.string() + "' " + why + "; --overwrite solves it anew, or choose another folder");
+  throw InputError("'" + now.folder.string() + "' " + why +
+                   "; --overwrite solves it anew, or choose another folder");
 }
 
 void refuse_unless_same(const FolderedCase& now, const Provenance& solved) {
   if (solved.inputs_sha256.empty())
-    refuse(now, "was solved by a version of asperity that did not record its inputs, so that --resume could mix two cases");
+    refuse(now,
+           "was solved by a version of asperity that did not record its inputs, so that --resume could mix "
+           "two cases");
   if (solved.inputs_sha256 != now.provenance.inputs_sha256) refuse(now, difference_from_folder(now));
 }
 
@@ -45,7 +48,8 @@ std::string without_head(const std::string& text) {
   std::string rest;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
-    if (text.compare(at, hash_line.size(), hash_line) != 0 && text.compare(at, commit_line.size(), commit_line) != 0)
+    if (text.compare(at, hash_line.size(), hash_line) != 0 &&
+        text.compare(at, commit_line.size(), commit_line) != 0)
       rest += text.substr(at, end - at);
     at = end;
   }
@@ -64,7 +68,8 @@ void write_case(const FolderedCase& now) {
   const fs::path path = now.folder / "case.prm";
   if (fs::exists(path)) {
     const std::string text = read_file(path), own = without_head(text);
-    const bool is_json = own.find_first_not_of(" \t\r\n") != std::string::npos && own[own.find_first_not_of(" \t\r\n")] == '{';
+    const bool is_json =
+        own.find_first_not_of(" \t\r\n") != std::string::npos && own[own.find_first_not_of(" \t\r\n")] == '{';
     if (!is_json && says_the_same_case(path, now.provenance)) {
       const std::string headed = head(now.provenance) + own;
       if (headed != text) write_file_atomically(path, headed);
@@ -78,7 +83,9 @@ void write_case(const FolderedCase& now) {
 
 }  // namespace
 
-std::string case_text(const Settings& complete, const Provenance& provenance) { return head(provenance) + format_settings(complete); }
+std::string case_text(const Settings& complete, const Provenance& provenance) {
+  return head(provenance) + format_settings(complete);
+}
 
 Provenance provenance_of_result(const fs::path& folder) {
   return has_result(folder) ? provenance_in(folder / "result.json") : Provenance{};
@@ -89,10 +96,12 @@ std::string difference_from_folder(const FolderedCase& now) {
   const std::string unknown = "was solved from another case";
   if (!fs::exists(remembered)) return unknown;
   try {
-    const Settings before = complete_settings(read_settings(remembered), remembered), present = complete_settings(now.settings, now.file);
+    const Settings before = complete_settings(read_settings(remembered), remembered),
+                   present = complete_settings(now.settings, now.file);
     for (std::size_t i = 0; i < present.size(); ++i)
       if (present[i].value != before[i].value && !is_about_the_run(present[i]))
-        return "was solved with " + present[i].path() + " = " + before[i].value + ", and now it is " + present[i].value;
+        return "was solved with " + present[i].path() + " = " + before[i].value + ", and now it is " +
+               present[i].value;
   } catch (const InputError&) {
     return unknown;
   }
@@ -108,8 +117,9 @@ SolveStart check_folder(const FolderedCase& now, IfSolved if_solved) {
   if (if_solved == IfSolved::overwrite) return SolveStart::anew;
   const bool finished = has_result(now.folder);
   if (if_solved == IfSolved::refuse)
-    throw InputError("'" + now.folder.string() + "' holds a " + (finished ? "finished" : "begun") + " solution already; add --resume to " +
-                     (finished ? "keep" : "go on with") + " it, --overwrite to solve it anew, or choose another folder");
+    throw InputError("'" + now.folder.string() + "' holds a " + (finished ? "finished" : "begun") +
+                     " solution already; add --resume to " + (finished ? "keep" : "go on with") +
+                     " it, --overwrite to solve it anew, or choose another folder");
   if (finished) {
     refuse_unless_same(now, provenance_of_result(now.folder));
     return SolveStart::finished;
@@ -118,7 +128,8 @@ SolveStart check_folder(const FolderedCase& now, IfSolved if_solved) {
   const Provenance begun = provenance_in(manifest);
   refuse_unless_same(now, begun);
   if (begun.commit != now.provenance.commit)
-    refuse(now, "was begun by the build of commit " + begun.commit + ", and this one is of " + now.provenance.commit);
+    refuse(now, "was begun by the build of commit " + begun.commit + ", and this one is of " +
+                    now.provenance.commit);
   return SolveStart::go_on;
 }
 
@@ -126,7 +137,8 @@ void claim_folder(const FolderedCase& now, SolveStart start) {
   make_folder(now.folder);
   // The result first: what is left when this is interrupted must not pass for a solved case.
   if (start == SolveStart::anew)
-    for (const char* name : {"result.json", "checkpoint", "history.csv", "fields", "fields.pvd", "interface", "interface.pvd", "report.html"})
+    for (const char* name : {"result.json", "checkpoint", "history.csv", "fields", "fields.pvd", "interface",
+                             "interface.pvd", "report.html"})
       fs::remove_all(now.folder / name);
   write_case(now);
 }

@@ -34,7 +34,8 @@ struct CompareArguments {
 void run_compare(const CompareArguments& arguments) {
   if (!arguments.indenter.empty() && arguments.parameters.empty())
     throw InputError(
-        "--indenter is the contact with the moving plate beside that with the substrate: name that with --parameters");
+        "--indenter is the contact with the moving plate beside that with the substrate: name that with "
+        "--parameters");
   for (const auto& folder : arguments.folders)
     if (is_case_folder(folder) && !is_study_folder(folder)) refuse_open_energy(read_solved_case(folder));
   const CaseCollection collection = collect_cases({arguments.folders.begin(), arguments.folders.end()});
@@ -48,12 +49,13 @@ void run_compare(const CompareArguments& arguments) {
   options.program = arguments.program;
   options.time_limit = std::chrono::seconds(arguments.time_limit);
   EngineColumn engine(arguments.engine, output / "engine", options);
-  const SideBySide columns =
-      compare_side_by_side(input, PublishedColumn(read_published(arguments.published)), engine, arguments.tolerance);
+  const SideBySide columns = compare_side_by_side(input, PublishedColumn(read_published(arguments.published)),
+                                                  engine, arguments.tolerance);
 
   auto object = to_json(comparison);
   object["side_by_side"] = to_json(columns);
-  const std::string json = object.dump(1) + "\n", markdown = to_markdown(comparison) + "\n" + to_markdown(columns);
+  const std::string json = object.dump(1) + "\n",
+                    markdown = to_markdown(comparison) + "\n" + to_markdown(columns);
   make_folder(output);
   write_file_atomically(output / "comparison.json", json);
   write_file_atomically(output / "comparison.md", markdown);
@@ -70,7 +72,8 @@ void run_compare(const CompareArguments& arguments) {
 void add_compare_command(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Set solved cases beside Hertz, the reduced laws, a live engine and the published measurement");
+      "compare",
+      "Set solved cases beside Hertz, the reduced laws, a live engine and the published measurement");
   command->add_option("DIR", arguments->folders, "Folders that solve or study wrote")
       ->required()
       ->check(CLI::ExistingDirectory);
@@ -79,7 +82,8 @@ void add_compare_command(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--parameters", arguments->parameters,
-                   "Contact's numbers for an engine: adds rolling, torsion and rails (as runs/paper/parameters_silicon.json); once for "
+                   "Contact's numbers for an engine: adds rolling, torsion and rails (as "
+                   "runs/paper/parameters_silicon.json); once for "
                    "each roughness")
       ->allow_extra_args(false);
   command->add_option("--indenter", arguments->indenter,
@@ -89,15 +93,20 @@ void add_compare_command(CLI::App& app) {
   command->add_option(
       "--program", arguments->program,
       "The engine's executable (default: " + list_runnable_engines(&Engine::executable, ", ") + ")");
-  command->add_option("--time-limit", arguments->time_limit, "Seconds after which one run of the engine is stopped")
+  command
+      ->add_option("--time-limit", arguments->time_limit,
+                   "Seconds after which one run of the engine is stopped")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--published", arguments->published, "Folder of the published numbers")->capture_default_str();
-  command->add_option(
-      "--output", arguments->output,
-      "Folder for comparison.html, .json, .csv and .md, side_by_side.csv and the engine's runs (default: the first DIR)");
+  command->add_option("--published", arguments->published, "Folder of the published numbers")
+      ->capture_default_str();
+  command->add_option("--output", arguments->output,
+                      "Folder for comparison.html, .json, .csv and .md, side_by_side.csv and the engine's "
+                      "runs (default: the first DIR)");
   command->add_flag("--json", arguments->json, "Print JSON instead of tables");
-  command->footer("Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps");
+  command->footer(
+      "Example: asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine "
+      "lammps");
   command->callback([arguments] { run_compare(*arguments); });
 }
 

@@ -27,9 +27,11 @@ void run_conceal(const ConcealArguments& arguments) {
   options.noise = arguments.noise;
   options.seed = arguments.seed;
   options.setting = arguments.setting;
-  const ConcealedRecording concealed = arguments.from_case.empty() ? conceal(options) : conceal_case(arguments.from_case, options);
+  const ConcealedRecording concealed =
+      arguments.from_case.empty() ? conceal(options) : conceal_case(arguments.from_case, options);
   write_concealed(concealed, arguments.output);
-  std::cout << arguments.output << ": " << concealed.recording.tables[0].rows() << " rows; the truth is in truth.json, which 'asperity diagnose' does not read\n";
+  std::cout << arguments.output << ": " << concealed.recording.tables[0].rows()
+            << " rows; the truth is in truth.json, which 'asperity diagnose' does not read\n";
 }
 
 std::string list_of_effects() {
@@ -47,16 +49,28 @@ std::string list_of_effects() {
 
 void add_conceal_command(CLI::App& app) {
   const auto arguments = std::make_shared<ConcealArguments>();
-  CLI::App* command = app.add_subcommand("conceal", "Write a recording in which effects are hidden, from other models than those that diagnose");
-  command->add_option("--effect", arguments->effects, "Name, or names separated by commas; none: an experiment without mismatch")->delimiter(',');
+  CLI::App* command = app.add_subcommand(
+      "conceal", "Write a recording in which effects are hidden, from other models than those that diagnose");
+  command
+      ->add_option("--effect", arguments->effects,
+                   "Name, or names separated by commas; none: an experiment without mismatch")
+      ->delimiter(',');
   command->add_option("--mode", arguments->mode, "normal, sliding, rolling, rail or torsion")->required();
-  command->add_option("--noise", arguments->noise, "Standard deviation of a sample over the largest response")->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Of everything that is drawn: experiment, parameters, noise")->capture_default_str();
-  command->add_option("--setting", arguments->setting, "one_load, ramp_only: experiments that cannot tell some effects apart; long_hold, small_loops: in which one looks like another");
+  command->add_option("--noise", arguments->noise, "Standard deviation of a sample over the largest response")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Of everything that is drawn: experiment, parameters, noise")
+      ->capture_default_str();
+  command->add_option("--setting", arguments->setting,
+                      "one_load, ramp_only: experiments that cannot tell some effects apart; long_hold, "
+                      "small_loops: in which one looks like another");
   command->add_option("--from-case", arguments->from_case,
-                      "Take the history of this solved case as truth (modes normal and sliding); --effect then only says what it shows");
-  command->add_option("--output", arguments->output, "Folder for recording.json, its CSV and truth.json")->required();
-  command->footer(list_of_effects() + "Example: asperity conceal --effect lateral_compliance --mode sliding --noise 0.02 --seed 3 --output output/hidden");
+                      "Take the history of this solved case as truth (modes normal and sliding); --effect "
+                      "then only says what it shows");
+  command->add_option("--output", arguments->output, "Folder for recording.json, its CSV and truth.json")
+      ->required();
+  command->footer(list_of_effects() +
+                  "Example: asperity conceal --effect lateral_compliance --mode sliding --noise 0.02 --seed "
+                  "3 --output output/hidden");
   command->callback([arguments] { run_conceal(*arguments); });
 }
 

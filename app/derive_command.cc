@@ -47,8 +47,8 @@ void run_derive(const DeriveArguments& arguments) {
     const fs::path file = file_of(output, i, derivations.size());
     write_contact_parameters(derivations[i].parameters, file);
     const std::string needed = needed_cases_text(derivations[i].parameters);
-    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + (needed.empty() ? "" : "\n" + needed) + "\nwrote " +
-            file.string() + "\n";
+    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + (needed.empty() ? "" : "\n" + needed) +
+            "\nwrote " + file.string() + "\n";
     all.push_back(to_json(derivations[i].parameters));
   }
   for (const auto& report : over_radii) text += "\n" + to_text(report);

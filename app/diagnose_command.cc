@@ -28,10 +28,12 @@ struct DiagnoseArguments {
 std::string summary(const Diagnosis& d, const fs::path& output) {
   std::string text = name_of(d.verdict) + ": " + d.in_words + "\n";
   for (const auto& effect : d.left_out) {
-    text += "  " + effect.id + " (" + (effect.kind == EffectKind::contact ? "contact" : "instrument") + "): " + effect.equation + "\n";
+    text += "  " + effect.id + " (" + (effect.kind == EffectKind::contact ? "contact" : "instrument") +
+            "): " + effect.equation + "\n";
     for (const auto& p : effect.parameters) {
       char line[200];
-      std::snprintf(line, sizeof line, "    %s = %.4g %s (95 %%: %.4g to %.4g)\n", p.name.c_str(), p.value, p.unit.c_str(), p.low, p.high);
+      std::snprintf(line, sizeof line, "    %s = %.4g %s (95 %%: %.4g to %.4g)\n", p.name.c_str(), p.value,
+                    p.unit.c_str(), p.low, p.high);
       text += line;
     }
   }
@@ -43,7 +45,8 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
     text += "  or: " + names + line + "; " + a.told_apart_by + "\n";
   }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
-  return text + "wrote " + (output / "diagnosis.json").string() + " and " + (output / "report.html").string() + "\n";
+  return text + "wrote " + (output / "diagnosis.json").string() + " and " +
+         (output / "report.html").string() + "\n";
 }
 
 void run_diagnose(const DiagnoseArguments& arguments) {
@@ -70,8 +73,10 @@ void add_diagnose_command(CLI::App& app) {
   const auto arguments = std::make_shared<DiagnoseArguments>();
   CLI::App* command = app.add_subcommand(
       "diagnose", "Locate where a recording and its simulation part, and name the physics that was left out");
-  command->add_option("RECORDING", arguments->recording, "Folder with recording.json and its tables")->check(CLI::ExistingPath);
-  command->add_option("--output", arguments->output, "Folder for diagnosis.json and report.html")->capture_default_str();
+  command->add_option("RECORDING", arguments->recording, "Folder with recording.json and its tables")
+      ->check(CLI::ExistingPath);
+  command->add_option("--output", arguments->output, "Folder for diagnosis.json and report.html")
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
   command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");

@@ -32,12 +32,14 @@ void run_engine(const RunArguments& arguments) {
   EngineExperiment experiment;
   experiment.type = engine_experiment_type(arguments.experiment);
   experiment.substrate = read_contact_parameters(arguments.parameters);
-  experiment.indenter = arguments.indenter.empty() ? experiment.substrate : read_contact_parameters(arguments.indenter);
+  experiment.indenter =
+      arguments.indenter.empty() ? experiment.substrate : read_contact_parameters(arguments.indenter);
   for (const ContactParameters* contact : {&experiment.substrate, &experiment.indenter})
     if (!contact->target.is_plane())
       throw InputError(contact->file + ": these experiments are with planes; its target is a sphere");
   if (experiment.indenter.particle.radius != experiment.substrate.particle.radius)
-    throw InputError(arguments.indenter + ": its particle has another radius than that of " + arguments.parameters);
+    throw InputError(arguments.indenter + ": its particle has another radius than that of " +
+                     arguments.parameters);
   experiment.load = parse_quantity(arguments.load, Dimension::force);
   experiment.amplitude = parse_quantity(arguments.amplitude, Dimension::length);
   experiment.rail_angle = parse_quantity(arguments.rail_angle, Dimension::angle);
@@ -78,37 +80,54 @@ void add_engine_commands(CLI::App& app) {
   const auto run_arguments = std::make_shared<RunArguments>();
   CLI::App* engine = app.add_subcommand("engine", "Run one of the paper's experiments with one particle in " +
                                                       list_runnable_engines(&Engine::name, " or "));
-  engine->add_option("PARAMETERS.json", run_arguments->parameters, "Contact of particle and substrate")->required();
+  engine->add_option("PARAMETERS.json", run_arguments->parameters, "Contact of particle and substrate")
+      ->required();
   engine->add_option("--engine", run_arguments->engine, list_runnable_engines(&Engine::key, " or "))
       ->required();
-  engine->add_option("--experiment", run_arguments->experiment,
-                     "glued (sliding loop), rolling (under a plate), rail (V-rail under a plate) or twisting")->required();
-  engine->add_option("--output", run_arguments->output, "Folder for the engine's input, its log, trace.csv and engine.json")->required();
-  engine->add_option("--indenter", run_arguments->indenter, "Contact of particle and plate (default: as with the substrate)");
-  engine->add_option("--load", run_arguments->load, "Normal load on the substrate, in a rail on each slope")->capture_default_str();
-  engine->add_option("--amplitude", run_arguments->amplitude, "Of the loop; of the way in a rail")->capture_default_str();
-  engine->add_option("--rail-angle", run_arguments->rail_angle, "Inclination of the rail's slopes")->capture_default_str();
-  engine->add_option("--haste", run_arguments->haste, "Factor on the speed that asperity chooses")->capture_default_str()
+  engine
+      ->add_option("--experiment", run_arguments->experiment,
+                   "glued (sliding loop), rolling (under a plate), rail (V-rail under a plate) or twisting")
+      ->required();
+  engine
+      ->add_option("--output", run_arguments->output,
+                   "Folder for the engine's input, its log, trace.csv and engine.json")
+      ->required();
+  engine->add_option("--indenter", run_arguments->indenter,
+                     "Contact of particle and plate (default: as with the substrate)");
+  engine->add_option("--load", run_arguments->load, "Normal load on the substrate, in a rail on each slope")
+      ->capture_default_str();
+  engine->add_option("--amplitude", run_arguments->amplitude, "Of the loop; of the way in a rail")
+      ->capture_default_str();
+  engine->add_option("--rail-angle", run_arguments->rail_angle, "Inclination of the rail's slopes")
+      ->capture_default_str();
+  engine->add_option("--haste", run_arguments->haste, "Factor on the speed that asperity chooses")
+      ->capture_default_str()
       ->check(CLI::PositiveNumber);
   engine->add_option(
       "--program", run_arguments->program,
       "The engine's executable (default: " + list_runnable_engines(&Engine::executable, ", ") + ")");
-  engine->add_option("--time-limit", run_arguments->time_limit, "Seconds after which the engine is stopped")->capture_default_str()
+  engine->add_option("--time-limit", run_arguments->time_limit, "Seconds after which the engine is stopped")
+      ->capture_default_str()
       ->check(CLI::PositiveNumber);
   engine->add_flag("--json", run_arguments->json, "Print JSON instead of a table");
-  engine->footer("Example: asperity engine runs/paper/parameters_silicon.json --indenter runs/paper/parameters_diamond.json"
-                 " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
+  engine->footer(
+      "Example: asperity engine runs/paper/parameters_silicon.json --indenter "
+      "runs/paper/parameters_diamond.json"
+      " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
   engine->callback([run_arguments] { run_engine(*run_arguments); });
 
   std::string written_engines;
   for (const auto& key : engine_input_names()) written_engines += (written_engines.empty() ? "" : ", ") + key;
   const auto input_arguments = std::make_shared<InputArguments>();
-  CLI::App* input = app.add_subcommand("engine-input", "Write a contact as what a user pastes into a discrete element engine");
-  input->add_option("PARAMETERS.json", input_arguments->parameters, "Contact as asperity derived it")->required();
+  CLI::App* input = app.add_subcommand(
+      "engine-input", "Write a contact as what a user pastes into a discrete element engine");
+  input->add_option("PARAMETERS.json", input_arguments->parameters, "Contact as asperity derived it")
+      ->required();
   input->add_option("--engine", input_arguments->engine, written_engines)->required();
   input->add_option("--output", input_arguments->output, "File to write (default: print)");
-  input->add_option("--load", input_arguments->load,
-                    "Normal load at which limits that depend on it are right (default: balanced over the fitted loads)");
+  input->add_option(
+      "--load", input_arguments->load,
+      "Normal load at which limits that depend on it are right (default: balanced over the fitted loads)");
   input->callback([input_arguments] { write_input(*input_arguments); });
 }
 

@@ -1,4 +1,5 @@
-// asperity engine: one experiment run by LAMMPS or YADE; asperity engine-input: what a user pastes into an engine.
+// asperity engine: one experiment run by LAMMPS or YADE; asperity engine-input: what a user pastes into an
+// engine.
 #pragma once
 
 namespace CLI {

@@ -35,10 +35,13 @@ struct ExperimentArguments {
   bool partial_slip = false, normal_adhesion = false, json = false;
 };
 
-nlohmann::ordered_json experiment_json(const ExperimentArguments& arguments, const FrictionLoop& loop, const LoopNumbers& numbers,
-                                       double load) {
-  const auto quantity = [](double value, const char* unit) { return nlohmann::ordered_json{{"value", value}, {"unit", unit}}; };
-  nlohmann::ordered_json json{{"format", "asperity-experiment/1"}, {"experiment", arguments.type},
+nlohmann::ordered_json experiment_json(const ExperimentArguments& arguments, const FrictionLoop& loop,
+                                       const LoopNumbers& numbers, double load) {
+  const auto quantity = [](double value, const char* unit) {
+    return nlohmann::ordered_json{{"value", value}, {"unit", unit}};
+  };
+  nlohmann::ordered_json json{{"format", "asperity-experiment/1"},
+                              {"experiment", arguments.type},
                               {"normal_load", quantity(load, "N")},
                               {"initial_slope", quantity(numbers.initial_slope, "N/m")},
                               {"reversal_slope", quantity(numbers.reversal_slope, "N/m")},
@@ -63,7 +66,8 @@ std::string experiment_text(const LoopNumbers& numbers, double load) {
          line("slope after a reversal             ", numbers.reversal_slope, Dimension::stiffness) +
          line("plateau of the lateral force       ", numbers.plateau, Dimension::force) +
          line("way from a reversal to the plateau ", numbers.plateau_travel, Dimension::length) +
-         "plateau over normal load           " + format_quantity(numbers.plateau / load, Dimension::none, 5) + "\n";
+         "plateau over normal load           " + format_quantity(numbers.plateau / load, Dimension::none, 5) +
+         "\n";
 }
 
 bool has_viscous_law(const ReducedLawOptions& options) {
@@ -76,10 +80,13 @@ void run_experiment(const ExperimentArguments& arguments) {
   options.partial_slip = arguments.partial_slip;
   options.normal_adhesion = arguments.normal_adhesion;
   for (const auto& law : arguments.laws) options.laws.push_back(parse_law(law));
-  ContactModel substrate = contact_model(read_contact_parameters(arguments.substrate), options), indenter = substrate;
-  if (!arguments.indenter.empty()) indenter = contact_model(read_contact_parameters(arguments.indenter), options);
+  ContactModel substrate = contact_model(read_contact_parameters(arguments.substrate), options),
+               indenter = substrate;
+  if (!arguments.indenter.empty())
+    indenter = contact_model(read_contact_parameters(arguments.indenter), options);
   if (indenter.normal->radius() != substrate.normal->radius())
-    throw InputError(arguments.indenter + ": its particle has another radius than that of " + arguments.substrate);
+    throw InputError(arguments.indenter + ": its particle has another radius than that of " +
+                     arguments.substrate);
   if (!has_viscous_law(options)) substrate.damping = indenter.damping = ViscousDamping{arguments.damping};
   const SingleParticle particle = make_particle(
       arguments.type, {substrate, indenter, parse_quantity(arguments.rail_angle, Dimension::angle)});
@@ -167,9 +174,10 @@ void add_law_commands(CLI::App& app) {
 
 void add_experiment_commands(CLI::App& app) {
   const auto arguments = std::make_shared<ExperimentArguments>();
-  CLI::App* command =
-      app.add_subcommand("experiment", "Run one of the paper's experiments with one particle by the reduced laws");
-  command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")->required();
+  CLI::App* command = app.add_subcommand(
+      "experiment", "Run one of the paper's experiments with one particle by the reduced laws");
+  command->add_option("PARAMETERS.json", arguments->substrate, "Contact of particle and substrate")
+      ->required();
   std::string types;
   std::vector<std::string> names;
   for (const auto& experiment : particle_experiments()) {
@@ -177,25 +185,36 @@ void add_experiment_commands(CLI::App& app) {
     names.push_back(experiment.name);
   }
   command->add_option("--type", arguments->type, types)->required()->check(CLI::IsMember(names));
-  command->add_option("--output", arguments->output, "Folder for loop.csv and experiment.json (default: print the numbers alone)");
-  command->add_option("--indenter", arguments->indenter, "Contact of particle and plate (default: as with the substrate)");
-  command->add_option("--load", arguments->load, "Normal load on the substrate, in a rail on each flank")->capture_default_str();
+  command->add_option("--output", arguments->output,
+                      "Folder for loop.csv and experiment.json (default: print the numbers alone)");
+  command->add_option("--indenter", arguments->indenter,
+                      "Contact of particle and plate (default: as with the substrate)");
+  command->add_option("--load", arguments->load, "Normal load on the substrate, in a rail on each flank")
+      ->capture_default_str();
   command->add_option("--amplitude", arguments->amplitude, "Of the loop")->capture_default_str();
-  command->add_option("--cycles", arguments->cycles, "Full cycles of the loop")->capture_default_str()->check(CLI::Range(1, 1000));
-  command->add_option("--rail-angle", arguments->rail_angle, "Inclination of the rail's flanks")->capture_default_str();
+  command->add_option("--cycles", arguments->cycles, "Full cycles of the loop")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--rail-angle", arguments->rail_angle, "Inclination of the rail's flanks")
+      ->capture_default_str();
   command->add_flag("--partial-slip", arguments->partial_slip, "Mindlin and Deresiewicz in place of Mindlin");
   command
       ->add_option("--law", arguments->laws,
                    "In place of the law of its mode, such as 'jkr, work_of_adhesion = 50 mJ/m^2'; "
                    "once for each mode ('asperity laws' names them all)")
       ->allow_extra_args(false);
-  command->add_flag("--normal-adhesion", arguments->normal_adhesion, "The pull-off force presses with the load");
-  command->add_option("--speed", arguments->speed, "With inertia, at this speed of the indenter (default: quasi-static)");
+  command->add_flag("--normal-adhesion", arguments->normal_adhesion,
+                    "The pull-off force presses with the load");
+  command->add_option("--speed", arguments->speed,
+                      "With inertia, at this speed of the indenter (default: quasi-static)");
   command->add_option("--damping", arguments->damping, "Viscous coefficient c of (m k)^(1/2), with --speed")
-      ->capture_default_str()->check(CLI::NonNegativeNumber);
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  command->footer("Example: asperity experiment runs/paper/parameters_silicon.json --indenter runs/paper/parameters_diamond.json"
-                  " --type rail --rail-angle '25 deg' --load '500 uN' --output output/rail");
+  command->footer(
+      "Example: asperity experiment runs/paper/parameters_silicon.json --indenter "
+      "runs/paper/parameters_diamond.json"
+      " --type rail --rail-angle '25 deg' --load '500 uN' --output output/rail");
   command->callback([arguments] { run_experiment(*arguments); });
   add_law_commands(app);
 }

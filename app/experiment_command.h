@@ -1,4 +1,5 @@
-// `asperity experiment`: one of the paper's experiments with one particle, by the reduced laws; `asperity laws`: their manual.
+// `asperity experiment`: one of the paper's experiments with one particle, by the reduced laws; `asperity
+// laws`: their manual.
 #pragma once
 
 namespace CLI {

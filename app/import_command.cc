@@ -46,8 +46,8 @@ void run_import(const ImportArguments& arguments) {
   const RecordingTable& table = recording.tables.front();
   std::map<std::string, std::size_t> segments;
   for (const auto& segment : table.segment) ++segments[segment];
-  std::cout << arguments.output << ": " << recording.title << ", " << table.rows() << " samples, " << table.response << " driven by "
-            << table.control.front();
+  std::cout << arguments.output << ": " << recording.title << ", " << table.rows() << " samples, "
+            << table.response << " driven by " << table.control.front();
   for (const auto& [segment, count] : segments) std::cout << ", " << segment << " " << count;
   std::cout << "\n";
 }
@@ -56,25 +56,37 @@ void run_import(const ImportArguments& arguments) {
 
 void add_import_command(CLI::App& app) {
   const auto a = std::make_shared<ImportArguments>();
-  CLI::App* command = app.add_subcommand("import", "Turn an instrument's own text (Hysitron, Optics11, Fischer, any CSV) into a recording");
-  command->add_option("FILE", a->file, "Text as the instrument wrote it; UTF-8 or Latin-1, decimal points or commas")->required();
+  CLI::App* command = app.add_subcommand(
+      "import", "Turn an instrument's own text (Hysitron, Optics11, Fischer, any CSV) into a recording");
+  command
+      ->add_option("FILE", a->file,
+                   "Text as the instrument wrote it; UTF-8 or Latin-1, decimal points or commas")
+      ->required();
   command->add_option("--output", a->output, "Folder for recording.json and its CSV")->required();
-  command->add_option("--format", a->format, "hysitron, optics11, fischer or csv (default: recognised from the text)");
+  command->add_option("--format", a->format,
+                      "hysitron, optics11, fischer or csv (default: recognised from the text)");
   command->add_option("--mode", a->mode, "normal, sliding, rolling, rail or torsion")->capture_default_str();
   command->add_option("--title", a->title, "Of the recording");
   command->add_option("--radius", a->radius, "Of sphere or tip, where the file does not say it");
-  command->add_option("--particle-modulus", a->particle_modulus, "Young's modulus of sphere or tip (default: diamond, 1140 GPa)");
+  command->add_option("--particle-modulus", a->particle_modulus,
+                      "Young's modulus of sphere or tip (default: diamond, 1140 GPa)");
   command->add_option("--particle-poisson", a->particle_poisson, "Its Poisson's ratio");
   command->add_option("--substrate-modulus", a->substrate_modulus, "Young's modulus of the substrate");
   command->add_option("--substrate-poisson", a->substrate_poisson, "Its Poisson's ratio");
-  command->add_option("--spring-constant", a->spring_constant, "Of the cantilever, in place of the file's own");
+  command->add_option("--spring-constant", a->spring_constant,
+                      "Of the cantilever, in place of the file's own");
   command->add_option("--run", a->run, "Only this experiment of the file, from 1");
-  command->add_option("--column", a->columns, "For tables that are not recognised: \"channel [unit] = factor * column\"; once for each channel; "
-                                              "\"channel:forward\" and \"channel:backward\" for scans with both ways side by side");
-  command->add_option("--control", a->control, "Channel that drives the simulation (default: by format and mode)");
+  command->add_option(
+      "--column", a->columns,
+      "For tables that are not recognised: \"channel [unit] = factor * column\"; once for each channel; "
+      "\"channel:forward\" and \"channel:backward\" for scans with both ways side by side");
+  command->add_option("--control", a->control,
+                      "Channel that drives the simulation (default: by format and mode)");
   command->add_option("--response", a->response, "Channel that is compared");
-  command->footer("Example: asperity import test.csv --column 'time [s]=t' --column 'normal_displacement [nm]=depth' --column 'normal_force [mN]=load'"
-                  " --radius '5 um' --substrate-modulus '72 GPa' --substrate-poisson 0.17 --output output/test");
+  command->footer(
+      "Example: asperity import test.csv --column 'time [s]=t' --column 'normal_displacement [nm]=depth' "
+      "--column 'normal_force [mN]=load'"
+      " --radius '5 um' --substrate-modulus '72 GPa' --substrate-poisson 0.17 --output output/test");
   command->callback([a] { run_import(*a); });
 }
 

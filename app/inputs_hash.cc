@@ -14,7 +14,8 @@ constexpr const char* version = "asperity-inputs/1\n";
 
 /// A scan by its content: the same file in another folder is the same input.
 std::string by_content(ScanParameters scan) {
-  scan.file = std::filesystem::path(scan.file).filename().string() + " sha256 " + sha256(read_file(scan.file));
+  scan.file =
+      std::filesystem::path(scan.file).filename().string() + " sha256 " + sha256(read_file(scan.file));
   return scan.text();
 }
 
@@ -32,8 +33,10 @@ std::string inputs_sha256(const Settings& settings, const std::filesystem::path&
     if (is_about_the_run(complete[i])) continue;
     std::string value = entry.canonical(complete[i].value);
     if (!entry.required() && value == entry.canonical(entry.default_text)) continue;
-    if (entry.name == "Topography")
-      if (const auto* scan = TopographySpec(value).scan()) value = by_content(*scan);
+    if (entry.name == "Topography") {
+      const TopographySpec topography(value);
+      if (topography.scan()) value = by_content(*topography.scan());
+    }
     text += complete[i].path() + " = " + value + "\n";
   }
   return sha256(text);

@@ -1,4 +1,5 @@
-// The program `asperity`: one subcommand per hop. Exit status 0 done, 1 the work failed, 2 the input was refused.
+// The program `asperity`: one subcommand per hop. Exit status 0 done, 1 the work failed, 2 the input was
+// refused.
 #include <CLI/CLI.hpp>
 
 #include "app/case_command.h"

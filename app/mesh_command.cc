@@ -37,10 +37,14 @@ void run_mesh(const MeshArguments& arguments) {
 void add_mesh_command(CLI::App& app) {
   const auto arguments = std::make_shared<MeshArguments>();
   CLI::App* command = app.add_subcommand(solver_commands::mesh.name, solver_commands::mesh.says);
-  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
+  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")
+      ->required();
   command->add_option("--output", arguments->output, "Folder for the meshes")->required();
-  command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")
-      ->expected(1)->take_all();
+  command
+      ->add_option("--set", arguments->overrides,
+                   "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)
+      ->take_all();
   command->callback([arguments] { run_mesh(*arguments); });
 }
 

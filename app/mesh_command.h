@@ -1,4 +1,5 @@
-// asperity mesh CASE.prm --output DIR: the meshes of a case, their quality, and the surfaces for other programs.
+// asperity mesh CASE.prm --output DIR: the meshes of a case, their quality, and the surfaces for other
+// programs.
 #pragma once
 
 namespace CLI {

@@ -24,14 +24,17 @@ void with_mpi(int threads, const std::function<void()>& work) {
   {
     int argc = 0;
     char** argv = nullptr;
-    // hwloc, which MPI asks for the cores, would ask every X server for its graphics card too, and dies with a server that ends meanwhile.
+    // hwloc, which MPI asks for the cores, would ask every X server for its graphics card too, and dies with
+    // a server that ends meanwhile.
     constexpr int unless_set = 0;
     ::setenv("HWLOC_COMPONENTS", "-gl", unless_set);
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
     // Ours are OpenMP threads; deal.II knows how many cores each rank of this machine may have.
-    if (threads > 0) omp_set_num_threads(threads);
-    else if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(static_cast<int>(dealii::MultithreadInfo::n_threads()));
+    if (threads > 0)
+      omp_set_num_threads(threads);
+    else if (!std::getenv("OMP_NUM_THREADS"))
+      omp_set_num_threads(static_cast<int>(dealii::MultithreadInfo::n_threads()));
     try {
       work();
     } catch (const InputError&) {

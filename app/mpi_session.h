@@ -5,9 +5,9 @@
 
 namespace asperity {
 
-/// Runs `work` between MPI's start and end and passes on what it throws. With several ranks, one whose work fails
-/// alone ends all of them (the others would wait for it for ever).
-/// `threads`: per rank; 0: all cores of the machine divided by the ranks on it.
+/// Runs `work` between MPI's start and end and passes on what it throws. With several ranks, one whose work
+/// fails alone ends all of them (the others would wait for it for ever). `threads`: per rank; 0: all cores of
+/// the machine divided by the ranks on it.
 void with_mpi(int threads, const std::function<void()>& work);
 
 /// True on the one rank that talks to the user; known before and after MPI runs.

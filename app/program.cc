@@ -40,7 +40,8 @@ void check_subcommand_exists(const CLI::App& app, int argc, char** argv) {
                    (meant.empty() ? "; asperity --help lists them" : "; did you mean '" + meant + "'?"));
 }
 
-/// A program started without one of its standard streams would open its results in their place, and print into them.
+/// A program started without one of its standard streams would open its results in their place, and print
+/// into them.
 void open_missing_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::exit(failed);
@@ -51,13 +52,16 @@ int with_printed_output(int status) {
   std::cout.flush();
   const bool printed = std::cout.good() && std::fflush(stdout) == 0 && !std::ferror(stdout);
   if (std::fclose(stdout) == 0 && printed) return status;
-  std::fprintf(stderr, "asperity: cannot write to standard output, and what it should have said is cut off; is its disk full?\n");
+  std::fprintf(stderr,
+               "asperity: cannot write to standard output, and what it should have said is cut off; is its "
+               "disk full?\n");
   return status == 0 ? failed : status;
 }
 
 int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   CLI::App app(
-      "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a discrete "
+      "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a "
+      "discrete "
       "element simulation needs.");
   app.name("asperity");
   app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + build_commit());

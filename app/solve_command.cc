@@ -38,8 +38,10 @@ void run_solve(const SolveArguments& arguments) {
     say("'" + arguments.file + "' is accepted; nothing was solved");
     return;
   }
-  if (arguments.output.empty()) throw InputError("solve needs --output DIR, the folder for the results (or --check)");
-  const FolderedCase now{settings, arguments.file, arguments.output, {inputs_sha256(settings, arguments.file), build_commit()}};
+  if (arguments.output.empty())
+    throw InputError("solve needs --output DIR, the folder for the results (or --check)");
+  const FolderedCase now{
+      settings, arguments.file, arguments.output, {inputs_sha256(settings, arguments.file), build_commit()}};
   const SolveStart start = check_folder(now, arguments.overwrite ? IfSolved::overwrite
                                              : arguments.resume  ? IfSolved::resume
                                                                  : IfSolved::refuse);
@@ -63,17 +65,31 @@ void run_solve(const SolveArguments& arguments) {
 void add_solve_command(CLI::App& app) {
   const auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand(solver_commands::solve.name, solver_commands::solve.says);
-  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")->required();
+  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")
+      ->required();
   command->add_option("--output", arguments->output, "Folder for the results");
-  command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of the case file")
-      ->expected(1)->take_all();
-  const auto resume = command->add_flag("--resume", arguments->resume, "Go on after the last accepted step in the folder; refused if that is of other inputs");
-  command->add_flag("--overwrite", arguments->overwrite, "Solve anew where the folder holds a solution; what is there is lost")->excludes(resume);
-  command->add_flag("--check", arguments->check, "Read the case and its scans and refuse what would be refused before meshing; solve and write nothing");
-  command->add_flag_callback("--help-case", [] {
-    std::cout << case_reference();
-    throw CLI::Success();
-  }, "Print the reference manual of case files");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)
+      ->take_all();
+  const auto resume = command->add_flag(
+      "--resume", arguments->resume,
+      "Go on after the last accepted step in the folder; refused if that is of other inputs");
+  command
+      ->add_flag("--overwrite", arguments->overwrite,
+                 "Solve anew where the folder holds a solution; what is there is lost")
+      ->excludes(resume);
+  command->add_flag(
+      "--check", arguments->check,
+      "Read the case and its scans and refuse what would be refused before meshing; solve and write nothing");
+  command->add_flag_callback(
+      "--help-case",
+      [] {
+        std::cout << case_reference();
+        throw CLI::Success();
+      },
+      "Print the reference manual of case files");
   command->footer("On several processes: mpirun -np N asperity solve CASE.prm --output DIR");
   command->callback([arguments] { run_solve(*arguments); });
 }

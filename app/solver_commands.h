@@ -1,5 +1,6 @@
-// The commands that mesh, solve or draw. They need deal.II, CGAL and VTK, some 240 shared libraries, and stand in a program of their
-// own, asperity-solver, which asperity starts for them: other commands start at once.
+// The commands that mesh, solve or draw. They need deal.II, CGAL and VTK, some 240 shared libraries, and
+// stand in a program of their own, asperity-solver, which asperity starts for them: other commands start at
+// once.
 #pragma once
 
 namespace CLI {
@@ -13,14 +14,15 @@ struct SolverCommand {
 };
 
 namespace solver_commands {
-inline constexpr SolverCommand mesh{"mesh", "Write the meshes of a case; print quality, counts and memory to solve it"};
+inline constexpr SolverCommand mesh{
+    "mesh", "Write the meshes of a case; print quality, counts and memory to solve it"};
 inline constexpr SolverCommand solve{"solve", "Solve one case: result.json, history.csv and fields"};
 inline constexpr SolverCommand study{"study", "Solve a matrix of cases, several at a time"};
 inline constexpr SolverCommand report{"report", "Write report.html for a solved case or a study"};
 }  // namespace solver_commands
 
-/// A command of that name that goes on as asperity-solver with the arguments of this process. When it is called, it throws WorkError where
-/// that program is neither beside this one nor in ../libexec/asperity.
+/// A command of that name that goes on as asperity-solver with the arguments of this process. When it is
+/// called, it throws WorkError where that program is neither beside this one nor in ../libexec/asperity.
 void add_solver_command(CLI::App& app, const SolverCommand& command, char** argv);
 
 }  // namespace asperity

@@ -64,7 +64,8 @@ void make_topography_absolute(Setting& setting, const fs::path& file) {
 }
 
 /// "Section/Entry" of a case file.
-Setting case_setting(const std::string& path, const std::string& value, const std::string& where, const fs::path& file) {
+Setting case_setting(const std::string& path, const std::string& value, const std::string& where,
+                     const fs::path& file) {
   const auto slash = path.rfind('/');
   Setting setting{slash == std::string::npos ? "" : trim(path.substr(0, slash)),
                   slash == std::string::npos ? path : trim(path.substr(slash + 1)), value, where};
@@ -77,7 +78,8 @@ Setting case_setting(const std::string& path, const std::string& value, const st
 Setting read_assignment(const std::string& text, const std::string& where, const fs::path& file) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)
-    throw InputError(where + ": '" + text + "' lacks '='; write Section/Entry=value, several separated by ';'");
+    throw InputError(where + ": '" + text +
+                     "' lacks '='; write Section/Entry=value, several separated by ';'");
   return case_setting(trim(text.substr(0, equals)), trim(text.substr(equals + 1)), where, file);
 }
 
@@ -85,11 +87,15 @@ Setting read_assignment(const std::string& text, const std::string& where, const
 Choice read_value(const Setting& written, const std::string& text, const fs::path& file) {
   auto parts = split(text, ';');
   const std::string& first = parts.front();
-  if (first.empty()) throw InputError(written.where + ": the values of " + written.entry + " have an empty one; remove the comma");
+  if (first.empty())
+    throw InputError(written.where + ": the values of " + written.entry +
+                     " have an empty one; remove the comma");
   const auto colon = first.find(": ");
   const std::string value = colon == std::string::npos ? first : trim(first.substr(colon + 1));
-  Choice choice{colon == std::string::npos ? first : trim(first.substr(0, colon)), {case_setting(written.entry, value, written.where, file)}};
-  for (auto part = parts.begin() + 1; part != parts.end(); ++part) choice.settings.push_back(read_assignment(*part, written.where, file));
+  Choice choice{colon == std::string::npos ? first : trim(first.substr(0, colon)),
+                {case_setting(written.entry, value, written.where, file)}};
+  for (auto part = parts.begin() + 1; part != parts.end(); ++part)
+    choice.settings.push_back(read_assignment(*part, written.where, file));
   return choice;
 }
 
@@ -102,7 +108,8 @@ Axis read_vary(const Setting& written, const fs::path& file) {
 Choice read_variant(const Setting& written, const fs::path& file) {
   Choice variant{written.entry, {}};
   if (written.value.empty()) return variant;
-  for (const auto& part : split(written.value, ';')) variant.settings.push_back(read_assignment(part, written.where, file));
+  for (const auto& part : split(written.value, ';'))
+    variant.settings.push_back(read_assignment(part, written.where, file));
   return variant;
 }
 
@@ -110,8 +117,8 @@ int count_of(const Setting& setting, int least) {
   char* end = nullptr;
   const long value = std::strtol(setting.value.c_str(), &end, 10);
   if (setting.value.empty() || *end != '\0' || value < least || value > 1000000)
-    throw InputError(setting.where + ": " + setting.path() + ": '" + setting.value + "' is not a whole number, " +
-                     std::to_string(least) + " or more");
+    throw InputError(setting.where + ": " + setting.path() + ": '" + setting.value +
+                     "' is not a whole number, " + std::to_string(least) + " or more");
   return static_cast<int>(value);
 }
 
@@ -149,7 +156,8 @@ Settings overridden(Settings settings, const std::vector<std::string>& overrides
   for (const auto& text : overrides) {
     Setting setting = parse_override(text);
     const Setting varied{"Study/Vary", setting.path(), setting.value, setting.where};
-    const bool is_varied = std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.path() == varied.path(); });
+    const bool is_varied = std::any_of(settings.begin(), settings.end(),
+                                       [&](const Setting& s) { return s.path() == varied.path(); });
     override_setting(settings, is_varied ? varied : setting);
   }
   return settings;
@@ -178,7 +186,8 @@ class StudyReader {
     } else if (setting.section == "Study") {
       take_study_entry(setting);
     } else if (setting.section.rfind("Study/", 0) == 0) {
-      throw InputError(setting.where + ": subsection Study has Vary and Variants, not '" + setting.section.substr(6) + "'");
+      throw InputError(setting.where + ": subsection Study has Vary and Variants, not '" +
+                       setting.section.substr(6) + "'");
     } else {
       check_entry_exists(setting);
       own_.push_back(setting);
@@ -189,7 +198,8 @@ class StudyReader {
   void take_study_entry(const Setting& setting) {
     if (setting.entry == "Base case") {
       base_ = study_.file.parent_path() / setting.value;
-      if (!fs::exists(base_)) throw InputError(setting.where + ": there is no base case '" + base_.string() + "'");
+      if (!fs::exists(base_))
+        throw InputError(setting.where + ": there is no base case '" + base_.string() + "'");
     } else if (setting.entry == "Realisations") {
       study_.realisations = count_of(setting, 1);
     } else if (setting.entry == "Parallel cases") {
@@ -200,7 +210,8 @@ class StudyReader {
       const std::string meant =
           nearest_name(setting.entry, {"Base case", "Realisations", "Parallel cases", "Name of variants"});
       throw InputError(setting.where + ": there is no entry '" + setting.entry + "' in subsection Study" +
-                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases, Name of variants and the subsections Vary and Variants"
+                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases, Name of variants "
+                                        "and the subsections Vary and Variants"
                                       : "; did you mean '" + meant + "'?"));
     }
   }
@@ -227,8 +238,9 @@ class StudyReader {
     for (std::size_t i = 0; i < axis.choices.size(); ++i) {
       named.labels.push_back(axis.choices[i].label);
       if (!folders.insert(folder_part(axis.choices[i].label, i)).second)
-        throw InputError(axis.where + ": two values of " + axis.path + " are called '" + axis.choices[i].label +
-                         "' or give the same folder name; write a label before each, as in 'smooth one: value'");
+        throw InputError(
+            axis.where + ": two values of " + axis.path + " are called '" + axis.choices[i].label +
+            "' or give the same folder name; write a label before each, as in 'smooth one: value'");
     }
     study_.axes.push_back(named);
   }
@@ -282,7 +294,8 @@ const char* const study_example =
     "  set Base case        = base.prm     # optional; the study's own case sections override it\n"
     "  set Realisations     = 4            # seeds of each generated topography\n"
     "  set Parallel cases   = 2            # at the same time; 0 or nothing: one per core\n"
-    "  subsection Vary                     # each value with each value of the others; \";\" adds entries to a value\n"
+    "  subsection Vary                     # each value with each value of the others; \";\" adds entries to "
+    "a value\n"
     "    set Experiment/Normal load = 300 uN, 1 mN\n"
     "    set Substrate/Topography   = flat: smooth, rough: generated(rms=1.5 nm)\n"
     "  end\n"
@@ -293,6 +306,8 @@ const char* const study_example =
     "  end\n"
     "end\n";
 
-Study read_study(const fs::path& file, const std::vector<std::string>& overrides) { return StudyReader(file).read(overrides); }
+Study read_study(const fs::path& file, const std::vector<std::string>& overrides) {
+  return StudyReader(file).read(overrides);
+}
 
 }  // namespace asperity

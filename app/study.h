@@ -3,7 +3,8 @@
 //   subsection Study
 //     set Base case    = base.prm            # optional; the study's own case sections override it
 //     set Realisations = 4                   # of every generated topography
-//     subsection Vary                        # each value with each value of the others; ";" adds entries to a value
+//     subsection Vary                        # each value with each value of the others; ";" adds entries to
+//     a value
 //       set Experiment/Normal load = 300 uN, 1 mN
 //       set Substrate/Topography   = untreated: generated(rms=0.3 nm), etched: generated(rms=1.5 nm)
 //     end
@@ -42,15 +43,15 @@ struct Study {
   std::filesystem::path file;
   std::vector<StudyAxis> axes;
   int realisations = 1;
-  int parallel_cases = 0;           ///< at the same time; 0: as many as the machine has cores
-  std::vector<StudyCase> cases;     ///< the first realisation of all, then the second, ...
+  int parallel_cases = 0;        ///< at the same time; 0: as many as the machine has cores
+  std::vector<StudyCase> cases;  ///< the first realisation of all, then the second, ...
 };
 
 /// The subsection above, for the help and the manual.
 extern const char* const study_example;
 
-/// Reads a study and checks each of its cases, with `overrides` "Section/Entry=value" as if they stood in the file (of an entry that
-/// is varied: in place of its values). Throws InputError naming file and line.
+/// Reads a study and checks each of its cases, with `overrides` "Section/Entry=value" as if they stood in the
+/// file (of an entry that is varied: in place of its values). Throws InputError naming file and line.
 Study read_study(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace asperity

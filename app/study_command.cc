@@ -36,17 +36,21 @@ std::function<bool(const std::string&)> names_with(const std::string& expression
   try {
     wanted = std::regex(expression, std::regex::ECMAScript | std::regex::icase);
   } catch (const std::regex_error&) {
-    throw InputError("--only '" + expression + "' is not a regular expression; write part of a case's name, such as '" + study.cases.front().name + "'");
+    throw InputError("--only '" + expression +
+                     "' is not a regular expression; write part of a case's name, such as '" +
+                     study.cases.front().name + "'");
   }
   const auto chosen = [wanted](const std::string& name) { return std::regex_search(name, wanted); };
-  if (std::none_of(study.cases.begin(), study.cases.end(), [&](const StudyCase& item) { return chosen(item.name); }))
-    throw InputError("--only '" + expression + "' chooses none of the study's " + std::to_string(study.cases.size()) +
-                     " cases; their names are like '" + study.cases.front().name + "'");
+  if (std::none_of(study.cases.begin(), study.cases.end(),
+                   [&](const StudyCase& item) { return chosen(item.name); }))
+    throw InputError("--only '" + expression + "' chooses none of the study's " +
+                     std::to_string(study.cases.size()) + " cases; their names are like '" +
+                     study.cases.front().name + "'");
   return chosen;
 }
 
-/// Before the first case is solved rather than when its turn comes: contacts and ways that the bodies have no room for, scans that
-/// are too small.
+/// Before the first case is solved rather than when its turn comes: contacts and ways that the bodies have no
+/// room for, scans that are too small.
 void check_cases(const Study& study) {
   for (const StudyCase& item : study.cases) {
     try {
@@ -64,16 +68,19 @@ void run_study(const StudyArguments& arguments) {
   if (!arguments.only.empty()) chosen_name = names_with(arguments.only, study);
   check_cases(study);
   if (arguments.check) {
-    std::cout << "all " << study.cases.size() << " cases of '" << arguments.file << "' are accepted; nothing was solved" << std::endl;
+    std::cout << "all " << study.cases.size() << " cases of '" << arguments.file
+              << "' are accepted; nothing was solved" << std::endl;
     return;
   }
-  if (arguments.output.empty()) throw InputError("study needs --output DIR, the folder for the results (or --check)");
+  if (arguments.output.empty())
+    throw InputError("study needs --output DIR, the folder for the results (or --check)");
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   StudyRunOptions options;
   options.output = arguments.output;
   options.resume = arguments.resume;
   options.cores = std::max(1u, std::thread::hardware_concurrency());
-  options.program = arguments.solver.empty() ? fs::read_symlink("/proc/self/exe") : fs::absolute(arguments.solver);
+  options.program =
+      arguments.solver.empty() ? fs::read_symlink("/proc/self/exe") : fs::absolute(arguments.solver);
   options.overwrite = arguments.overwrite;
   options.objection_to_resume = [](const fs::path& folder, const std::string& inputs) {
     return fem::objection_to_resume(folder / "checkpoint", {inputs, build_commit()});
@@ -88,18 +95,20 @@ void run_study(const StudyArguments& arguments) {
       if (progress[i].state == state && options.chosen(study.cases[i].name)) ++number;
     return number;
   };
-  const auto chosen = std::count_if(study.cases.begin(), study.cases.end(), [&](const StudyCase& item) { return options.chosen(item.name); });
+  const auto chosen = std::count_if(study.cases.begin(), study.cases.end(),
+                                    [&](const StudyCase& item) { return options.chosen(item.name); });
   const auto done = count(CaseProgress::State::done), failed = count(CaseProgress::State::failed);
   const std::string all = std::to_string(chosen) + (arguments.only.empty() ? "" : " chosen");
-  std::cout << done << " of " << all << " cases done; summary: " << (options.output / "study.csv").string() << std::endl;
+  std::cout << done << " of " << all << " cases done; summary: " << (options.output / "study.csv").string()
+            << std::endl;
   std::string again = "asperity study " + arguments.file + " --output " + arguments.output + " --resume" +
                       (arguments.only.empty() ? "" : " --only '" + arguments.only + "'");
   for (const auto& text : arguments.overrides) again += " --set '" + text + "'";
-  if (done + failed < chosen)
-    throw WorkError("the study was stopped; '" + again + "' goes on with it");
+  if (done + failed < chosen) throw WorkError("the study was stopped; '" + again + "' goes on with it");
   if (failed > 0)
-    throw WorkError(std::to_string(failed) + " of " + all + " cases failed; solve.log in the folder of each says why, and '" +
-                    again + "' tries them again");
+    throw WorkError(std::to_string(failed) + " of " + all +
+                    " cases failed; solve.log in the folder of each says why, and '" + again +
+                    "' tries them again");
 }
 
 }  // namespace
@@ -109,16 +118,28 @@ void add_study_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(solver_commands::study.name, solver_commands::study.says);
   command->add_option("STUDY.prm", arguments->file, "Study file: a base case and what is varied")->required();
   command->add_option("--output", arguments->output, "Folder for the results, a folder in it for each case");
-  command->add_flag("--resume", arguments->resume, "Go on with an earlier run: complete cases are kept; refused if one of them is of other inputs");
-  command->add_flag("--overwrite", arguments->overwrite,
-                    "Go on, and solve complete cases of other inputs anew; what was there is kept in the folder 'earlier'");
-  command->add_option("--set", arguments->overrides, "\"Section/Entry=value\": replaces an entry of every case, or the values of one that is varied")
-      ->expected(1)->take_all();
-  command->add_flag("--check", arguments->check, "Read all cases and their scans and refuse what would be refused before meshing; solve and write nothing");
+  command->add_flag(
+      "--resume", arguments->resume,
+      "Go on with an earlier run: complete cases are kept; refused if one of them is of other inputs");
+  command->add_flag(
+      "--overwrite", arguments->overwrite,
+      "Go on, and solve complete cases of other inputs anew; what was there is kept in the folder 'earlier'");
+  command
+      ->add_option(
+          "--set", arguments->overrides,
+          "\"Section/Entry=value\": replaces an entry of every case, or the values of one that is varied")
+      ->expected(1)
+      ->take_all();
+  command->add_flag("--check", arguments->check,
+                    "Read all cases and their scans and refuse what would be refused before meshing; solve "
+                    "and write nothing");
   command->add_option("--only", arguments->only,
-                      "Solve only cases whose names contain this (regular expression); the others wait. Machines may share a study: "
+                      "Solve only cases whose names contain this (regular expression); the others wait. "
+                      "Machines may share a study: "
                       "bring the case folders together, and --resume collects them");
-  command->add_option("--parallel", arguments->parallel, "Cases at the same time (default: the study's, else one per core)")
+  command
+      ->add_option("--parallel", arguments->parallel,
+                   "Cases at the same time (default: the study's, else one per core)")
       ->check(CLI::PositiveNumber);
   command->add_option("--solver", arguments->solver, "Program called in place of this one")->group("");
   command->footer(std::string("A study file is a case file with one more subsection:\n\n") + study_example);

@@ -24,10 +24,12 @@ bool StudyFolders::is_solved(std::size_t index) const {
 }
 
 bool StudyFolders::has_begun(std::size_t index) const {
-  return fs::exists(log(index)) || fs::exists(folder(index) / "checkpoint") || fs::exists(folder(index) / "history.csv");
+  return fs::exists(log(index)) || fs::exists(folder(index) / "checkpoint") ||
+         fs::exists(folder(index) / "history.csv");
 }
 
-/// Entries that a case file lacks are at their defaults, so that a program that knows more entries still knows the case.
+/// Entries that a case file lacks are at their defaults, so that a program that knows more entries still
+/// knows the case.
 bool StudyFolders::says_the_same(std::size_t index) const {
   if (!fs::exists(case_file(index))) return false;
   try {
@@ -41,11 +43,14 @@ void StudyFolders::refuse_other_inputs() const {
   for (std::size_t i = 0; i < study_.cases.size(); ++i) {
     if (!has_result(i) || is_solved(i)) continue;
     const std::string& name = study_.cases[i].name;
-    const std::string why = provenance_of_result(folder(i)).inputs_sha256.empty()
-                                ? "was solved by a version of asperity that did not record its inputs"
-                                : difference_from_folder({study_.cases[i].settings, study_.file, folder(i), {inputs(i), ""}});
-    throw InputError("case " + name + ": '" + folder(i).string() + "' " + why + "; --overwrite solves such cases anew (with --only '" + name +
-                     "' this one alone) and keeps what was there in '" + (output_ / "earlier").string() + "'");
+    const std::string why =
+        provenance_of_result(folder(i)).inputs_sha256.empty()
+            ? "was solved by a version of asperity that did not record its inputs"
+            : difference_from_folder({study_.cases[i].settings, study_.file, folder(i), {inputs(i), ""}});
+    throw InputError("case " + name + ": '" + folder(i).string() + "' " + why +
+                     "; --overwrite solves such cases anew (with --only '" + name +
+                     "' this one alone) and keeps what was there in '" + (output_ / "earlier").string() +
+                     "'");
   }
 }
 

@@ -27,10 +27,11 @@ class StudyFolders {
   /// Something was begun in the folder.
   bool has_begun(std::size_t index) const;
 
-  /// Refuses complete cases of other inputs than the study's, or that do not say of which. Throws InputError naming case and remedy.
+  /// Refuses complete cases of other inputs than the study's, or that do not say of which. Throws InputError
+  /// naming case and remedy.
   void refuse_other_inputs() const;
-  /// Makes the folder of a case to be solved and writes its case.prm; what is there of other inputs goes to the folder `earlier`.
-  /// Returns where it went; empty if nothing did.
+  /// Makes the folder of a case to be solved and writes its case.prm; what is there of other inputs goes to
+  /// the folder `earlier`. Returns where it went; empty if nothing did.
   std::filesystem::path prepare(std::size_t index) const;
 
  private:

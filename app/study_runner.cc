@@ -32,7 +32,9 @@ constexpr auto poll_interval = std::chrono::milliseconds(50);
 constexpr auto report_interval = std::chrono::seconds(30);
 constexpr auto stop_grace = std::chrono::seconds(10);
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 volatile sig_atomic_t stop_requested = 0;
 
@@ -54,10 +56,12 @@ class StopOnSignal {
   StopOnSignal& operator=(const StopOnSignal&) = delete;
 
  private:
-  struct sigaction interrupt_before_ {}, terminate_before_ {};
+  struct sigaction interrupt_before_ {
+  }, terminate_before_{};
 };
 
-/// Keeps a second study out of the same folder; the kernel gives it free when this process ends, however it ends.
+/// Keeps a second study out of the same folder; the kernel gives it free when this process ends, however it
+/// ends.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) {
@@ -66,7 +70,8 @@ class FolderLock {
     if (file_ < 0) throw WorkError("cannot write '" + path.string() + "': " + std::strerror(errno));
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       ::close(file_);
-      throw InputError("another study is running in '" + folder.string() + "'; wait for it or choose another folder");
+      throw InputError("another study is running in '" + folder.string() +
+                       "'; wait for it or choose another folder");
     }
   }
   ~FolderLock() { ::close(file_); }
@@ -89,7 +94,8 @@ std::string last_line(const fs::path& file) {
 
 class StudyRun {
  public:
-  StudyRun(const Study& study, const StudyRunOptions& options) : study_(study), options_(options), progress_(study.cases.size()), folders_(study, options.output) {}
+  StudyRun(const Study& study, const StudyRunOptions& options)
+      : study_(study), options_(options), progress_(study.cases.size()), folders_(study, options.output) {}
 
   std::vector<CaseProgress> run() {
     prepare();
@@ -119,7 +125,8 @@ class StudyRun {
     std::vector<fs::path> unfinished;
     for (const auto& item : fs::directory_iterator(options_.output)) {
       const std::string name = item.path().filename().string();
-      if (name.rfind("study.", 0) == 0 && name.find(".tmp") != std::string::npos) unfinished.push_back(item.path());
+      if (name.rfind("study.", 0) == 0 && name.find(".tmp") != std::string::npos)
+        unfinished.push_back(item.path());
     }
     for (const auto& path : unfinished) fs::remove(path);
   }
@@ -131,12 +138,14 @@ class StudyRun {
       return;
     }
     if (folders_.has_result(i) && !chosen(i)) {
-      options_.say(study_.cases[i].name + ": its result is of other inputs and left out; it is not among the cases chosen");
+      options_.say(study_.cases[i].name +
+                   ": its result is of other inputs and left out; it is not among the cases chosen");
       return;
     }
     const fs::path earlier = folders_.prepare(i);
     if (!earlier.empty())
-      options_.say(study_.cases[i].name + ": its input has changed; it is solved anew, what was there is in " + earlier.string());
+      options_.say(study_.cases[i].name +
+                   ": its input has changed; it is solved anew, what was there is in " + earlier.string());
   }
 
   void prepare() {
@@ -146,14 +155,18 @@ class StudyRun {
     long to_do = 0, done = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i) {
       if (chosen(i)) ++chosen_;
-      if (progress_[i].state == State::done) ++done;
-      else if (chosen(i)) ++to_do;
+      if (progress_[i].state == State::done)
+        ++done;
+      else if (chosen(i))
+        ++to_do;
     }
     const int wanted = study_.parallel_cases > 0 ? study_.parallel_cases : options_.cores;
     parallel_ = std::clamp(static_cast<int>(to_do), 1, wanted);
     const std::string all = std::to_string(study_.cases.size());
     options_.say(all + " cases, " + std::to_string(done) + " of them done already; " +
-                 (chosen_ < static_cast<long>(study_.cases.size()) ? std::to_string(to_do) + " of the others chosen; " : "") +
+                 (chosen_ < static_cast<long>(study_.cases.size())
+                      ? std::to_string(to_do) + " of the others chosen; "
+                      : "") +
                  std::to_string(parallel_) + " at a time");
   }
 
@@ -167,14 +180,19 @@ class StudyRun {
   void start(std::size_t index) {
     const std::string threads = std::to_string(std::max(1, options_.cores / parallel_));
     const fs::path folder = folders_.folder(index);
-    std::vector<std::string> arguments{options_.program.string(), "solve", folders_.case_file(index).string(), "--output", folder.string(),
-                                       "--set", "Solver/Threads=" + threads};
+    std::vector<std::string> arguments{
+        options_.program.string(), "solve", folders_.case_file(index).string(), "--output",
+        folder.string(),           "--set", "Solver/Threads=" + threads};
     const bool begun = folders_.has_begun(index);
     const std::string objection = begun ? options_.objection_to_resume(folder, folders_.inputs(index)) : "";
     if (begun) arguments.push_back(objection.empty() ? "--resume" : "--overwrite");
-    running_.push_back({index, ChildProcess(arguments, folders_.log(index), {"OMP_NUM_THREADS=" + threads}), Clock::now()});
+    running_.push_back(
+        {index, ChildProcess(arguments, folders_.log(index), {"OMP_NUM_THREADS=" + threads}), Clock::now()});
     progress_[index].state = State::running;
-    options_.say(study_.cases[index].name + (!begun ? ": started" : objection.empty() ? ": resumed" : ": solved anew, for its checkpoint " + objection));
+    options_.say(study_.cases[index].name + (!begun ? ": started"
+                                             : objection.empty()
+                                                 ? ": resumed"
+                                                 : ": solved anew, for its checkpoint " + objection));
   }
 
   void collect_ended_cases() {
@@ -205,14 +223,16 @@ class StudyRun {
       progress.state = State::failed;
       progress.message = last_line(folders_.log(running.index));
       if (progress.message.empty())
-        progress.message = status == 0 ? "it left no complete result.json" : "it ended with status " + std::to_string(status);
+        progress.message = status == 0 ? "it left no complete result.json"
+                                       : "it ended with status " + std::to_string(status);
     }
     long ended = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i)
       if (chosen(i) && (progress_[i].state == State::done || progress_[i].state == State::failed)) ++ended;
     const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(chosen_) + "] ";
     options_.say(counter + name + ": " +
-                 (progress.state == State::done ? "done in " + wait_text(progress.seconds) : "failed: " + progress.message) +
+                 (progress.state == State::done ? "done in " + wait_text(progress.seconds)
+                                                : "failed: " + progress.message) +
                  time_left());
   }
 
@@ -224,7 +244,8 @@ class StudyRun {
     for (std::size_t i = 0; i < progress_.size(); ++i)
       if (progress_[i].state == State::waiting && chosen(i)) seconds += mean;
     for (const auto& running : running_)
-      if (progress_[running.index].state == State::running) seconds += std::max(0.0, mean - seconds_since(running.start));
+      if (progress_[running.index].state == State::running)
+        seconds += std::max(0.0, mean - seconds_since(running.start));
     return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
   }
 
@@ -242,7 +263,8 @@ class StudyRun {
     for (auto& running : running_) running.process.ask_to_stop();
     const auto start = Clock::now();
     const auto all_ended = [&] {
-      return std::all_of(running_.begin(), running_.end(), [](Running& r) { return r.process.exit_status().has_value(); });
+      return std::all_of(running_.begin(), running_.end(),
+                         [](Running& r) { return r.process.exit_status().has_value(); });
     };
     while (!all_ended() && Clock::now() - start < stop_grace) std::this_thread::sleep_for(poll_interval);
     for (const auto& running : running_)
@@ -269,7 +291,8 @@ std::vector<CaseProgress> run_study(const Study& study, const StudyRunOptions& o
   make_folder(options.output);
   const FolderLock lock(options.output);
   if (!options.resume && !options.overwrite && fs::exists(options.output / "study.json"))
-    throw InputError("'" + options.output.string() + "' holds a study already; add --resume to go on with it, or choose another folder");
+    throw InputError("'" + options.output.string() +
+                     "' holds a study already; add --resume to go on with it, or choose another folder");
   return StudyRun(study, options).run();
 }
 

@@ -21,10 +21,12 @@ using Json = nlohmann::ordered_json;
 
 using Results = std::vector<std::optional<CaseResult>>;
 
-/// result.json of a case; nothing if it is missing, cut off, of another format, or says that it is not complete.
+/// result.json of a case; nothing if it is missing, cut off, of another format, or says that it is not
+/// complete.
 std::optional<CaseResult> read_result(const fs::path& folder) {
   try {
-    return fs::is_regular_file(folder / "result.json") ? read_case_result(folder / "result.json") : std::nullopt;
+    return fs::is_regular_file(folder / "result.json") ? read_case_result(folder / "result.json")
+                                                       : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -32,11 +34,16 @@ std::optional<CaseResult> read_result(const fs::path& folder) {
 
 std::string word_for(CaseProgress::State state) {
   switch (state) {
-    case CaseProgress::State::waiting: return "waiting";
-    case CaseProgress::State::running: return "running";
-    case CaseProgress::State::done: return "done";
-    case CaseProgress::State::failed: return "failed";
-    case CaseProgress::State::stopped: return "stopped";
+    case CaseProgress::State::waiting:
+      return "waiting";
+    case CaseProgress::State::running:
+      return "running";
+    case CaseProgress::State::done:
+      return "done";
+    case CaseProgress::State::failed:
+      return "failed";
+    case CaseProgress::State::stopped:
+      return "stopped";
   }
   return "";
 }
@@ -66,7 +73,8 @@ class Scatter {
     if (!std::isnan(number.sd)) case_sds_.push_back(number.sd);
   }
 
-  /// Mean over realisations; `realisation_sd` their sample standard deviation, `case_sd` the mean of the cases' own.
+  /// Mean over realisations; `realisation_sd` their sample standard deviation, `case_sd` the mean of the
+  /// cases' own.
   Json json() const {
     Json object{{"value", mean(values_)}, {"unit", unit_}, {"count", values_.size()}};
     if (values_.size() > 1) {
@@ -96,7 +104,8 @@ Json varied_values(const Study& study, const std::vector<std::string>& labels) {
   return object;
 }
 
-Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& progress, const std::optional<CaseResult>& result) {
+Json case_json(const Study& study, const StudyCase& cell, const CaseProgress& progress,
+               const std::optional<CaseResult>& result) {
   Json object{{"name", cell.name},
               {"folder", cell.name},
               {"values", varied_values(study, cell.labels)},
@@ -138,15 +147,15 @@ Json groups_json(const Study& study, const Results& results) {
   return list;
 }
 
-std::string csv_text(const Study& study, const std::vector<CaseProgress>& progress,
-                     const Results& results) {
+std::string csv_text(const Study& study, const std::vector<CaseProgress>& progress, const Results& results) {
   // Columns: every effective quantity that any case has, with the unit it is given in.
   std::vector<std::pair<std::string, std::string>> quantities;
   for (const auto& result : results)
     if (result)
       for (const auto& [name, number] : result->effective) {
         const std::pair<std::string, std::string> column{name, number.unit};
-        if (std::find(quantities.begin(), quantities.end(), column) == quantities.end()) quantities.push_back(column);
+        if (std::find(quantities.begin(), quantities.end(), column) == quantities.end())
+          quantities.push_back(column);
       }
   std::string text = "case,state,realisation";
   for (const auto& axis : study.axes) text += "," + quoted(axis.name);
@@ -172,12 +181,16 @@ std::string csv_text(const Study& study, const std::vector<CaseProgress>& progre
 
 bool has_result(const fs::path& folder) { return read_result(folder).has_value(); }
 
-void write_study_summary(const Study& study, const std::vector<CaseProgress>& progress, const fs::path& output) {
+void write_study_summary(const Study& study, const std::vector<CaseProgress>& progress,
+                         const fs::path& output) {
   Results results;
   for (std::size_t i = 0; i < study.cases.size(); ++i)
-    results.push_back(progress[i].state == CaseProgress::State::done ? read_result(output / study.cases[i].name)
-                                                                     : std::nullopt);
-  Json json{{"format", "asperity-study/1"}, {"title", study.title}, {"file", study.file.filename().string()},
+    results.push_back(progress[i].state == CaseProgress::State::done
+                          ? read_result(output / study.cases[i].name)
+                          : std::nullopt);
+  Json json{{"format", "asperity-study/1"},
+            {"title", study.title},
+            {"file", study.file.filename().string()},
             {"realisations", study.realisations}};
   json["axes"] = Json::array();
   for (const auto& axis : study.axes) json["axes"].push_back({{"name", axis.name}, {"values", axis.labels}});
@@ -186,7 +199,8 @@ void write_study_summary(const Study& study, const std::vector<CaseProgress>& pr
     json["cases"].push_back(case_json(study, study.cases[i], progress[i], results[i]));
   json["groups"] = groups_json(study, results);
   // A message of a log that was cut off need not be valid UTF-8.
-  write_file_atomically(output / "study.json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file_atomically(output / "study.json",
+                        json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file_atomically(output / "study.csv", csv_text(study, progress, results));
 }
 

@@ -1,4 +1,5 @@
-// What a study found so far: study.json and study.csv, one row per case, and the mean and scatter over realisations.
+// What a study found so far: study.json and study.csv, one row per case, and the mean and scatter over
+// realisations.
 #pragma once
 
 #include <filesystem>

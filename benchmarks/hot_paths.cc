@@ -1,5 +1,6 @@
-// The paths where a solution spends its time, each against a reference measured in the same run: what is compared are times
-// per unknown (or pixel, point), so that another machine or other work on this one cancels out.
+// The paths where a solution spends its time, each against a reference measured in the same run: what is
+// compared are times per unknown (or pixel, point), so that another machine or other work on this one cancels
+// out.
 //
 //   hot_paths [--benchmark_filter=REGEX] [--benchmark_out=FILE]        OMP_NUM_THREADS=2 for two threads
 #include <benchmark/benchmark.h>
@@ -42,22 +43,30 @@ struct Scene {
   double yielding = 0;  ///< share of the cell batches with plastic tangents
 
   static ContactSystemOptions options() {
-    return set_up(read_case(ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm", {"Mesh/Interface spacing=10 nm"})).system;
+    return set_up(read_case(ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm",
+                            {"Mesh/Interface spacing=10 nm"}))
+        .system;
   }
   Scene()
       : system(std::make_unique<ContactSystem>(MPI_COMM_WORLD, options())),
         exact(system->level(), system->positions(), system->options().materials),
         single(system->level(), system->positions(), system->options().materials) {
-    const CaseSetup setup = set_up(read_case(ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm", {"Mesh/Interface spacing=10 nm"}));
+    const CaseSetup setup = set_up(
+        read_case(ASPERITY_SOURCE_DIR "/benchmarks/rough_contact.prm", {"Mesh/Interface spacing=10 nm"}));
     ContactSolver solver(*system, {});
     state = solver.first_touch();
     solver.push_rigidly(state, 0.8 * setup.hertz_approach);
-    if (!solver.solve(state, setup.largest_load).converged) throw std::runtime_error("the contact to be measured was not solved");
+    if (!solver.solve(state, setup.largest_load).converged)
+      throw std::runtime_error("the contact to be measured was not solved");
     for (std::size_t r = 0; r < state.multiplier.size(); ++r)
-      stiffness.push_back(state.multiplier[r] > 0 ? 8 * system->reduced_modulus() / system->options().mesh.sizes.spacing_particle * system->areas()[r] : 0.0);
+      stiffness.push_back(state.multiplier[r] > 0
+                              ? 8 * system->reduced_modulus() /
+                                    system->options().mesh.sizes.spacing_particle * system->areas()[r]
+                              : 0.0);
     Vector<double> force = vector<double>();
     system->bodies().internal_force(state.displacement, force, &tangent);
-    for (const auto& batch : tangent.batch) yielding += batch ? 1.0 / static_cast<double>(tangent.batch.size()) : 0.0;
+    for (const auto& batch : tangent.batch)
+      yielding += batch ? 1.0 / static_cast<double>(tangent.batch.size()) : 0.0;
     system->interface().set_stiffness(stiffness);
     exact.set_interface(&system->interface());
     single.set_interface(&system->interface());
@@ -79,7 +88,8 @@ struct Scene {
   Vector<Number> sample() const {
     Vector<Number> v = vector<Number>();
     const double scale = 1 / state.displacement.linfty_norm();
-    for (unsigned i = 0; i < v.locally_owned_size(); ++i) v.local_element(i) = static_cast<Number>(scale * state.displacement.local_element(i));
+    for (unsigned i = 0; i < v.locally_owned_size(); ++i)
+      v.local_element(i) = static_cast<Number>(scale * state.displacement.local_element(i));
     return v;
   }
 };
@@ -89,7 +99,9 @@ std::unique_ptr<Scene> scene;
 void count(benchmark::State& state, double items, double bytes = 0) {
   state.counters["items"] = items;
   state.counters["items/s"] = benchmark::Counter(items, benchmark::Counter::kIsIterationInvariantRate);
-  if (bytes > 0) state.counters["bytes/s"] = benchmark::Counter(bytes, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1024);
+  if (bytes > 0)
+    state.counters["bytes/s"] =
+        benchmark::Counter(bytes, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1024);
 }
 
 // What memory alone allows: y = x + a z over vectors as long as the solution.
@@ -111,9 +123,13 @@ void triad(benchmark::State& state) {
 template <typename Number>
 HexOperator<Number>& matrix_of(Scene& s);
 template <>
-HexOperator<double>& matrix_of<double>(Scene& s) { return s.exact; }
+HexOperator<double>& matrix_of<double>(Scene& s) {
+  return s.exact;
+}
 template <>
-HexOperator<float>& matrix_of<float>(Scene& s) { return s.single; }
+HexOperator<float>& matrix_of<float>(Scene& s) {
+  return s.single;
+}
 
 template <typename Number, bool yielding>
 void stiffness(benchmark::State& state) {
@@ -123,7 +139,9 @@ void stiffness(benchmark::State& state) {
   Vector<Number> y = scene->vector<Number>();
   for (auto _ : state) matrix.vmult(y, x);
   // Least traffic: positions and x read, y read and written, node numbers.
-  count(state, scene->unknowns(), 4 * sizeof(Number) * scene->unknowns() + static_cast<double>(scene->system->level().batches().size() * sizeof(CellBatch)));
+  count(state, scene->unknowns(),
+        4 * sizeof(Number) * scene->unknowns() +
+            static_cast<double>(scene->system->level().batches().size() * sizeof(CellBatch)));
   if (yielding) state.counters["yielding"] = scene->yielding;
 }
 
@@ -219,7 +237,9 @@ void solution(benchmark::State& state, LinearSolver& linear) {
 void matrix_free_solution(benchmark::State& state) { solution(state, scene->system->linear()); }
 void assembled_solution(benchmark::State& state) {
   auto& s = *scene->system;
-  const auto assembled = make_linear_solver("assembled", {s.level(), s.positions(), s.options().materials, s.interface(), s.rows(), s.options().mesh, s.geometry(), s.options().control});
+  const auto assembled =
+      make_linear_solver("assembled", {s.level(), s.positions(), s.options().materials, s.interface(),
+                                       s.rows(), s.options().mesh, s.geometry(), s.options().control});
   solution(state, *assembled);
 }
 
@@ -236,15 +256,19 @@ void level_transfer(benchmark::State& state) {
 }
 
 void forest_set_up(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(meshing::make_forest(MPI_COMM_WORLD, scene->system->options().mesh));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(meshing::make_forest(MPI_COMM_WORLD, scene->system->options().mesh));
   count(state, scene->unknowns());
 }
 void level_set_up(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(std::make_unique<MeshLevel>(scene->system->forest(), scene->system->options().control));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        std::make_unique<MeshLevel>(scene->system->forest(), scene->system->options().control));
   count(state, scene->unknowns());
 }
 void system_set_up(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(std::make_unique<ContactSystem>(MPI_COMM_WORLD, scene->system->options()));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(std::make_unique<ContactSystem>(MPI_COMM_WORLD, scene->system->options()));
   count(state, scene->unknowns());
 }
 
@@ -254,7 +278,10 @@ std::vector<PlaneFace> lattice(int cells, double width, double offset) {
   for (int j = 0; j < cells; ++j)
     for (int i = 0; i < cells; ++i) {
       const int n = j * (cells + 1) + i;
-      faces.push_back({offset - width / 2 + i * h, offset - width / 2 + (i + 1) * h, offset - width / 2 + j * h, offset - width / 2 + (j + 1) * h,
+      faces.push_back({offset - width / 2 + i * h,
+                       offset - width / 2 + (i + 1) * h,
+                       offset - width / 2 + j * h,
+                       offset - width / 2 + (j + 1) * h,
                        {n, n + 1, n + cells + 1, n + cells + 2}});
     }
   return faces;
@@ -299,7 +326,8 @@ void height_samples(benchmark::State& state) {
   constexpr int points = 10000;
   double sum = 0;
   for (auto _ : state)
-    for (int k = 0; k < points; ++k) sum += sampler.height(5e-7 * std::sin(0.7 * k), 5e-7 * std::cos(1.1 * k));
+    for (int k = 0; k < points; ++k)
+      sum += sampler.height(5e-7 * std::sin(0.7 * k), 5e-7 * std::cos(1.1 * k));
   benchmark::DoNotOptimize(sum);
   count(state, points);
 }
@@ -322,7 +350,8 @@ constexpr Comparison comparisons[] = {
     {"Chebyshev smoothing", "stiffness with yielding, float", "in operator applications (degree 4: four)"},
     {"V-cycle", "stiffness with yielding, float", "in operator applications (9 on the finest level)"},
     {"multigrid update", "V-cycle", "a new active set in V-cycles"},
-    {"solution, assembled", "solution, matrix-free", "a Newton step's update and solution, algebraic against geometric multigrid"},
+    {"solution, assembled", "solution, matrix-free",
+     "a Newton step's update and solution, algebraic against geometric multigrid"},
     {"level transfer", "stiffness, float", "there and back, against the operator"},
     {"forest set-up", "V-cycle", "in V-cycles"},
     {"mesh level set-up", "V-cycle", "in V-cycles"},
@@ -341,17 +370,20 @@ class Collector : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const auto& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations) / run.counters.at("items");
+      const double seconds =
+          run.real_accumulated_time / static_cast<double>(run.iterations) / run.counters.at("items");
       const auto [known, added] = shortest_.emplace(run.run_name.function_name, seconds);
       if (!added) known->second = std::min(known->second, seconds);
     }
     ConsoleReporter::ReportRuns(runs);
   }
   void print_ratios() const {
-    std::printf("\n%-34s %-34s %8s  %s\n", "path", "reference", "ratio", "times per item, shortest of the repetitions");
+    std::printf("\n%-34s %-34s %8s  %s\n", "path", "reference", "ratio",
+                "times per item, shortest of the repetitions");
     for (const auto& c : comparisons)
       if (shortest_.count(c.path) && shortest_.count(c.reference))
-        std::printf("%-34s %-34s %8.2f  %s\n", c.path, c.reference, shortest_.at(c.path) / shortest_.at(c.reference), c.meaning);
+        std::printf("%-34s %-34s %8.2f  %s\n", c.path, c.reference,
+                    shortest_.at(c.path) / shortest_.at(c.reference), c.meaning);
   }
 
  private:
@@ -362,7 +394,11 @@ void register_all() {
   constexpr int repetitions = 3;
   constexpr double least_seconds = 0.2;
   const auto add = [&](const char* name, void (*run)(benchmark::State&)) {
-    benchmark::RegisterBenchmark(name, run)->UseRealTime()->Repetitions(repetitions)->MinTime(least_seconds)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(name, run)
+        ->UseRealTime()
+        ->Repetitions(repetitions)
+        ->MinTime(least_seconds)
+        ->Unit(benchmark::kMillisecond);
   };
   add("triad, double", triad<double>);
   add("triad, float", triad<float>);
@@ -390,7 +426,10 @@ void register_all() {
   add("Fourier transform", fourier_transform);
   add("sampler set-up", sampler_set_up);
   add("height samples", height_samples);
-  benchmark::RegisterBenchmark("solution, assembled", assembled_solution)->UseRealTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("solution, assembled", assembled_solution)
+      ->UseRealTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
@@ -400,9 +439,11 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   int no_arguments = 0;
   char** none = nullptr;
-  const dealii::Utilities::MPI::MPI_InitFinalize session(no_arguments, none, static_cast<unsigned>(omp_get_max_threads()));
+  const dealii::Utilities::MPI::MPI_InitFinalize session(no_arguments, none,
+                                                         static_cast<unsigned>(omp_get_max_threads()));
   scene = std::make_unique<Scene>();
-  std::printf("%.0f unknowns, %d threads, %.1f %% of the cells yielding\n", scene->unknowns(), omp_get_max_threads(), 100 * scene->yielding);
+  std::printf("%.0f unknowns, %d threads, %.1f %% of the cells yielding\n", scene->unknowns(),
+              omp_get_max_threads(), 100 * scene->yielding);
   register_all();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);

@@ -1,8 +1,9 @@
-// Rough normal contact of two yielding bodies, loaded and unloaded in twenty steps, at a growing number of unknowns: wall
-// time, iterations and memory, and how the iterations grow. Each size is solved in a process of its own, as
-// `asperity solve` would, so that its peak memory is its own.
+// Rough normal contact of two yielding bodies, loaded and unloaded in twenty steps, at a growing number of
+// unknowns: wall time, iterations and memory, and how the iterations grow. Each size is solved in a process
+// of its own, as `asperity solve` would, so that its peak memory is its own.
 //
-//   rough_contact [--spacing "20 nm,10 nm,5 nm"] [--threads 2] [--output DIR] [--set "Section/Entry=value"]...
+//   rough_contact [--spacing "20 nm,10 nm,5 nm"] [--threads 2] [--output DIR] [--set
+//   "Section/Entry=value"]...
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
@@ -32,10 +33,10 @@ constexpr double asked_seconds = 20 * 60, asked_bytes = 8.0 * (1ull << 30), aske
 struct Size {
   std::string spacing;
   double unknowns = 0, contact_nodes = 0, steps = 0;
-  double wall_time = 0;    ///< meshing, far-field solution, all steps and their files [s]
-  double peak_memory = 0;  ///< largest resident set of the process [B]
-  double newton = 0, linear = 0;      ///< iterations, all steps
-  double most_newton = 0;             ///< in one step
+  double wall_time = 0;           ///< meshing, far-field solution, all steps and their files [s]
+  double peak_memory = 0;         ///< largest resident set of the process [B]
+  double newton = 0, linear = 0;  ///< iterations, all steps
+  double most_newton = 0;         ///< in one step
   double area = 0, approach = 0, plastic_volume = 0;  ///< at the largest load, at the end
   double force_error = 0, energy_error = 0;
 
@@ -86,11 +87,12 @@ Size read_size(const std::string& spacing, const fs::path& folder, double peak_m
 }
 
 void print(const std::vector<Size>& sizes) {
-  std::printf("\n%9s %10s %6s %9s %9s %7s %5s %9s %9s %9s %11s %9s\n", "spacing", "unknowns", "steps", "wall [s]", "s/step", "newton",
-              "most", "cg/step", "cg/newton", "GiB", "B/unknown", "area um2");
+  std::printf("\n%9s %10s %6s %9s %9s %7s %5s %9s %9s %9s %11s %9s\n", "spacing", "unknowns", "steps",
+              "wall [s]", "s/step", "newton", "most", "cg/step", "cg/newton", "GiB", "B/unknown", "area um2");
   for (const auto& s : sizes)
-    std::printf("%9s %10.0f %6.0f %9.1f %9.2f %7.2f %5.0f %9.1f %9.2f %9.2f %11.0f %9.5f\n", s.spacing.c_str(), s.unknowns, s.steps,
-                s.wall_time, s.wall_time / s.steps, s.newton_per_step(), s.most_newton, s.linear / s.steps, s.linear_per_newton(),
+    std::printf("%9s %10.0f %6.0f %9.1f %9.2f %7.2f %5.0f %9.1f %9.2f %9.2f %11.0f %9.5f\n",
+                s.spacing.c_str(), s.unknowns, s.steps, s.wall_time, s.wall_time / s.steps,
+                s.newton_per_step(), s.most_newton, s.linear / s.steps, s.linear_per_newton(),
                 s.peak_memory / (1ull << 30), s.peak_memory / s.unknowns, s.area * 1e12);
 }
 
@@ -101,14 +103,18 @@ json judge(const std::vector<Size>& sizes) {
   const double newton = last.newton_per_step() / first.newton_per_step();
   const double linear = last.linear_per_newton() / first.linear_per_newton();
   const double both = (last.linear / last.steps) / (first.linear / first.steps);
-  std::printf("\nfrom %.3g to %.3g unknowns (asked: at most %.1f)\n", first.unknowns, last.unknowns, asked_growth);
+  std::printf("\nfrom %.3g to %.3g unknowns (asked: at most %.1f)\n", first.unknowns, last.unknowns,
+              asked_growth);
   std::printf("  Newton iterations a step grow by %.2f: %s\n", newton, verdict(newton <= asked_growth));
   std::printf("  CG iterations a Newton step grow by %.2f: %s\n", linear, verdict(linear <= asked_growth));
   std::printf("  CG iterations a step grow by %.2f: %s\n", both, verdict(both <= asked_growth));
   std::printf("at %.3g unknowns\n", last.unknowns);
-  std::printf("  %.1f min (asked: %.0f min): %s\n", last.wall_time / 60, asked_seconds / 60, verdict(last.wall_time <= asked_seconds));
-  std::printf("  %.2f GiB (asked: %.0f GiB): %s\n", last.peak_memory / (1ull << 30), asked_bytes / (1ull << 30), verdict(last.peak_memory <= asked_bytes));
-  return {{"newton_per_step", newton}, {"cg_per_newton", linear}, {"cg_per_step", both}, {"asked", asked_growth}};
+  std::printf("  %.1f min (asked: %.0f min): %s\n", last.wall_time / 60, asked_seconds / 60,
+              verdict(last.wall_time <= asked_seconds));
+  std::printf("  %.2f GiB (asked: %.0f GiB): %s\n", last.peak_memory / (1ull << 30),
+              asked_bytes / (1ull << 30), verdict(last.peak_memory <= asked_bytes));
+  return {
+      {"newton_per_step", newton}, {"cg_per_newton", linear}, {"cg_per_step", both}, {"asked", asked_growth}};
 }
 
 }  // namespace
@@ -119,15 +125,21 @@ int main(int argc, char** argv) {
   int threads = std::min(2, omp_get_num_procs());
   CLI::App app{"Times rough normal contact of two yielding bodies at a growing number of unknowns"};
   app.add_option("CASE.prm", file, "Case file")->capture_default_str();
-  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")->delimiter(',')->capture_default_str();
+  app.add_option("--spacing", spacings, "Interface spacings, coarsest first")
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_option("--threads", threads, "Threads of each solution")->capture_default_str();
-  app.add_option("--output", output, "Folder of the results; rough_contact.json goes there")->capture_default_str();
-  app.add_option("--set", overrides, "\"Section/Entry=value\": replaces an entry of the case file")->expected(1)->take_all();
+  app.add_option("--output", output, "Folder of the results; rough_contact.json goes there")
+      ->capture_default_str();
+  app.add_option("--set", overrides, "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)
+      ->take_all();
   CLI11_PARSE(app, argc, argv);
   try {
     fs::create_directories(output);
     std::vector<Size> sizes;
-    json report{{"machine", asperity::machine_state()}, {"case", file}, {"set", overrides}, {"threads", threads}};
+    json report{
+        {"machine", asperity::machine_state()}, {"case", file}, {"set", overrides}, {"threads", threads}};
     for (const auto& spacing : spacings) {
       auto settings = overrides;
       settings.push_back("Mesh/Interface spacing=" + spacing);

@@ -26,7 +26,9 @@ double solve_in_child(const CaseInput& input, const std::filesystem::path& folde
       omp_set_num_threads(threads);
       SolveOptions options;
       options.output = folder;
-      options.progress = [](const std::string& line) { std::printf("  %s\n", line.c_str()), std::fflush(stdout); };
+      options.progress = [](const std::string& line) {
+        std::printf("  %s\n", line.c_str()), std::fflush(stdout);
+      };
       solve_case(input, options);
       status = 0;
     } catch (const std::exception& error) {

@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// Solves with so many threads, progress on the terminal; returns the largest resident set [B]. Throws WorkError.
+/// Solves with so many threads, progress on the terminal; returns the largest resident set [B]. Throws
+/// WorkError.
 double solve_in_child(const CaseInput& input, const std::filesystem::path& folder, int threads);
 
 }  // namespace asperity

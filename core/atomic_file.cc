@@ -27,10 +27,12 @@ constexpr auto wait_for_reader = std::chrono::seconds(5);
 constexpr auto poll_interval = std::chrono::milliseconds(20);
 
 [[noreturn]] void fail(const std::string& what, const fs::path& path, int error) {
-  throw WorkError(what + " '" + path.string() + "': " + std::strerror(error) + "; check space and permissions");
+  throw WorkError(what + " '" + path.string() + "': " + std::strerror(error) +
+                  "; check space and permissions");
 }
 
-/// A file descriptor that is closed on the way out of an error; after success, close() says whether that worked, too.
+/// A file descriptor that is closed on the way out of an error; after success, close() says whether that
+/// worked, too.
 class OpenFile {
  public:
   OpenFile(int descriptor, fs::path path) : descriptor_(descriptor), path_(std::move(path)) {}
@@ -51,7 +53,8 @@ class OpenFile {
 
   /// To the disk. Pipes, devices and the folders of some file systems have none to be flushed to.
   void flush() const {
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) fail("cannot flush", path_, errno);
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+      fail("cannot flush", path_, errno);
   }
 
   void close() {
@@ -88,11 +91,13 @@ class IgnoreBrokenPipe {
 int open_to_write_through(const fs::path& path, bool is_fifo) {
   const auto start = std::chrono::steady_clock::now();
   int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
-  while (file < 0 && errno == ENXIO && is_fifo && std::chrono::steady_clock::now() - start < wait_for_reader) {
+  while (file < 0 && errno == ENXIO && is_fifo &&
+         std::chrono::steady_clock::now() - start < wait_for_reader) {
     std::this_thread::sleep_for(poll_interval);
     file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   }
-  if (file < 0 && errno == ENXIO && is_fifo) throw WorkError("no program reads from the FIFO '" + path.string() + "'; start its reader first");
+  if (file < 0 && errno == ENXIO && is_fifo)
+    throw WorkError("no program reads from the FIFO '" + path.string() + "'; start its reader first");
   if (file < 0) fail("cannot open", path, errno);
   ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
   return file;
@@ -110,7 +115,8 @@ void write_through(int descriptor, const fs::path& path, const std::string& cont
 int own_stream(const struct stat& target) {
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat own {};
-    if (::fstat(stream, &own) == 0 && own.st_dev == target.st_dev && own.st_ino == target.st_ino) return stream;
+    if (::fstat(stream, &own) == 0 && own.st_dev == target.st_dev && own.st_ino == target.st_ino)
+      return stream;
   }
   return -1;
 }
@@ -145,7 +151,8 @@ void replace(const fs::path& path, const std::string& content, mode_t mode) {
     file.write(content);
     file.flush();
     file.close();
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("cannot rename '" + temporary.string() + "' to", path, errno);
+    if (::rename(temporary.c_str(), path.c_str()) != 0)
+      fail("cannot rename '" + temporary.string() + "' to", path, errno);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
@@ -165,7 +172,8 @@ void write_file_atomically(const fs::path& path, const std::string& content) {
     if (copy < 0) fail("cannot open", path, errno);
     return write_through(copy, path, content);
   }
-  if (!S_ISREG(target.st_mode)) return write_through(open_to_write_through(path, S_ISFIFO(target.st_mode)), path, content);
+  if (!S_ISREG(target.st_mode))
+    return write_through(open_to_write_through(path, S_ISFIFO(target.st_mode)), path, content);
   constexpr mode_t permissions = 07777;
   replace(behind_links(path), content, target.st_mode & permissions);
 }
@@ -180,7 +188,8 @@ std::string read_file(const fs::path& path) {
   if (!stream) throw InputError("cannot read '" + path.string() + "': " + std::strerror(errno));
   const auto check_size = [&](std::uint64_t bytes) {
     if (bytes > read_limits::largest_file)
-      throw InputError("'" + path.string() + "' holds more than the " + std::to_string(read_limits::largest_file >> 30) +
+      throw InputError("'" + path.string() + "' holds more than the " +
+                       std::to_string(read_limits::largest_file >> 30) +
                        " GiB that are read of one file; pass a part of it");
   };
   std::string content;

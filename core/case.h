@@ -32,68 +32,77 @@ struct InterfaceInput {
 struct ExperimentInput {
   Motion type = Motion::normal;  ///< not rail, which is a program
   enum class Control { force, displacement } control = Control::force;
-  double normal_load = 0;      ///< largest normal force F [N] (force control)
-  double normal_approach = 0;  ///< largest approach [m] (displacement control)
-  int load_steps = 10;         ///< recorded steps from zero to the largest load
-  double load_step_error = 0.005;  ///< of the approach, which steps of bodies that yield may leave before they are divided; 0: never
-  bool unload = true;          ///< return to zero load after loading
-  double retract = 0;          ///< beyond first touch, at the end of unloading under displacement control [m]
+  double normal_load = 0;          ///< largest normal force F [N] (force control)
+  double normal_approach = 0;      ///< largest approach [m] (displacement control)
+  int load_steps = 10;             ///< recorded steps from zero to the largest load
+  double load_step_error = 0.005;  ///< of the approach, which steps of bodies that yield may leave before
+                                   ///< they are divided; 0: never
+  bool unload = true;              ///< return to zero load after loading
+  double retract = 0;  ///< beyond first touch, at the end of unloading under displacement control [m]
   int unload_steps = 10;
-  int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
-  int hold_steps = 0;          ///< steps at the largest load before unloading
-  double distance = 0;         ///< lateral path of sliding and rolling, one way [m]
-  double angle = 0;            ///< torsion angle, one way [rad]
-  bool reverse = true;         ///< come back along the path
-  double way_back = 0;         ///< of a distance slid or rolled [m]; 0: all of it
-  std::string program;         ///< motions combined (core/motion_program.h)
-  int motion_steps = 0;        ///< equal steps one way; 0: fine where slip begins, then an interface spacing (half of one in torsion)
+  int cycles = 1;        ///< load-unload cycles (reloading follows unloading)
+  int hold_steps = 0;    ///< steps at the largest load before unloading
+  double distance = 0;   ///< lateral path of sliding and rolling, one way [m]
+  double angle = 0;      ///< torsion angle, one way [rad]
+  bool reverse = true;   ///< come back along the path
+  double way_back = 0;   ///< of a distance slid or rolled [m]; 0: all of it
+  std::string program;   ///< motions combined (core/motion_program.h)
+  int motion_steps = 0;  ///< equal steps one way; 0: fine where slip begins, then an interface spacing (half
+                         ///< of one in torsion)
 };
 
 struct MeshInput {
-  double interface_spacing = 0;  ///< node spacing where contact can come [m]; 0: derived from load and roughness
-  double contact_region = 0;     ///< half width of the finely meshed square [m]; 0: derived from load and roughness
-  int layers = 4;                ///< cells of each refinement level below the interface (grading)
+  double interface_spacing =
+      0;  ///< node spacing where contact can come [m]; 0: derived from load and roughness
+  double contact_region =
+      0;           ///< half width of the finely meshed square [m]; 0: derived from load and roughness
+  int layers = 4;  ///< cells of each refinement level below the interface (grading)
   std::string sphere = "hemisphere";
 };
 
 struct SolverInput {
-  std::string backend = "matrix-free";  ///< "matrix-free" (geometric multigrid) or "assembled" (algebraic multigrid)
-  int newton_steps = 60;                ///< most of one step; a step that needs more is halved
-  double tolerance = 1e-6;              ///< residual force of an accepted step relative to the contact force [-]
-  int threads = 0;                      ///< per process; 0: all cores of the machine divided by the ranks on it
+  std::string backend =
+      "matrix-free";        ///< "matrix-free" (geometric multigrid) or "assembled" (algebraic multigrid)
+  int newton_steps = 60;    ///< most of one step; a step that needs more is halved
+  double tolerance = 1e-6;  ///< residual force of an accepted step relative to the contact force [-]
+  int threads = 0;          ///< per process; 0: all cores of the machine divided by the ranks on it
 };
 
 struct OutputInput {
-  bool fields = true;       ///< VTU/PVD of the bodies, VTP/PVD of the interface
-  int fields_every = 0;     ///< steps between field files; 0: at the largest load and the last step
+  bool fields = true;    ///< VTU/PVD of the bodies, VTP/PVD of the interface
+  int fields_every = 0;  ///< steps between field files; 0: at the largest load and the last step
 };
 
 struct CaseInput {
-  std::string file;         ///< where it was read, for messages
+  std::string file;  ///< where it was read, for messages
   std::string title;
   BodyInput particle;
-  double radius = 0;        ///< of the particle [m]
+  double radius = 0;  ///< of the particle [m]
   BodyInput substrate;
   InterfaceInput interface;
   ExperimentInput experiment;
   MeshInput mesh;
   SolverInput solver;
   OutputInput output;
-  /// "Section/Entry" and text, defaults written out, of all entries that decide the answer and not how well or where it is computed:
-  /// for result.json, where cases of the same contact are known by them. Empty for a case that no file was read for.
+  /// "Section/Entry" and text, defaults written out, of all entries that decide the answer and not how well
+  /// or where it is computed: for result.json, where cases of the same contact are known by them. Empty for a
+  /// case that no file was read for.
   std::map<std::string, std::string> physical_entries;
 };
 
 /// The bodies as if they were smooth and elastic.
 inline Hertz hertz_of(const CaseInput& input) {
-  const auto elastic = [](const BodyInput& body) { return ElasticBody{body.youngs_modulus, body.poisson_ratio}; };
+  const auto elastic = [](const BodyInput& body) {
+    return ElasticBody{body.youngs_modulus, body.poisson_ratio};
+  };
   return {reduced_modulus(elastic(input.particle), elastic(input.substrate)), input.radius};
 }
 
 /// Their approach at the largest load, or the one that is asked for [m].
 inline double hertz_approach_of(const CaseInput& input) {
   const ExperimentInput& e = input.experiment;
-  return e.control == ExperimentInput::Control::displacement ? e.normal_approach : hertz_of(input).approach(e.normal_load);
+  return e.control == ExperimentInput::Control::displacement ? e.normal_approach
+                                                             : hertz_of(input).approach(e.normal_load);
 }
 
 }  // namespace asperity

@@ -16,8 +16,8 @@ extern char** environ;
 namespace asperity {
 namespace {
 
-/// This process's environment with `replaced` entries, without the variables of an MPI launcher (a child that found
-/// them would take itself for one of this launch's ranks).
+/// This process's environment with `replaced` entries, without the variables of an MPI launcher (a child that
+/// found them would take itself for one of this launch's ranks).
 std::vector<std::string> environment_of_child(const std::vector<std::string>& replaced) {
   std::vector<std::string> entries = replaced;
   for (char** entry = environ; *entry; ++entry) {
@@ -67,7 +67,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std:
   if (id_ < 0) throw WorkError(std::string("cannot start another process: ") + std::strerror(errno));
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept : id_(other.id_), status_(other.status_) { other.id_ = -1; }
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept : id_(other.id_), status_(other.status_) {
+  other.id_ = -1;
+}
 
 ChildProcess::~ChildProcess() {
   if (id_ < 0 || status_) return;

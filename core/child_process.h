@@ -12,8 +12,9 @@ namespace asperity {
 
 class ChildProcess {
  public:
-  /// Starts `arguments[0]` in `folder` (none: this process's own); output and errors are appended to `log`; `environment`
-  /// entries "NAME=value" replace this process's, and what an MPI launcher left there is taken out. Throws WorkError.
+  /// Starts `arguments[0]` in `folder` (none: this process's own); output and errors are appended to `log`;
+  /// `environment` entries "NAME=value" replace this process's, and what an MPI launcher left there is taken
+  /// out. Throws WorkError.
   ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log,
                const std::vector<std::string>& environment = {}, const std::filesystem::path& folder = {});
   /// Kills it, and what it started, if it still runs.

@@ -16,9 +16,12 @@ std::vector<std::string> split_row(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else if (c != '\r') cells.back() += c;
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else if (c != '\r')
+      cells.back() += c;
   }
   return cells;
 }
@@ -52,7 +55,8 @@ std::vector<double> CsvTable::numbers(const std::string& name) const {
     char* end = nullptr;
     values.push_back(std::strtod(cell.c_str(), &end));
     if (end == cell.c_str() || *end != '\0')
-      throw InputError("row " + std::to_string(r + 1) + " of column '" + name + "' holds '" + cell + "', not a number");
+      throw InputError("row " + std::to_string(r + 1) + " of column '" + name + "' holds '" + cell +
+                       "', not a number");
   }
   return values;
 }
@@ -68,7 +72,8 @@ CsvTable read_csv(const std::filesystem::path& path) {
     ++number;
     if (line.size() > read_limits::longest_line)
       throw InputError(path.string() + ":" + std::to_string(number) + ": this line is longer than " +
-                       std::to_string(read_limits::longest_line) + " characters; this is no table of asperity");
+                       std::to_string(read_limits::longest_line) +
+                       " characters; this is no table of asperity");
     if (line.empty() || line[0] == '#' || line == "\r") continue;
     std::vector<std::string> cells = split_row(line);
     if (table.names.empty()) {
@@ -84,7 +89,8 @@ CsvTable read_csv(const std::filesystem::path& path) {
   return table;
 }
 
-std::string format_csv(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
+std::string format_csv(const std::vector<std::string>& names,
+                       const std::vector<std::vector<double>>& columns) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ",") + name;
   text += '\n';

@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// Columns by name; '#' lines are comments, empty cells are NaN. Quoted cells may hold commas; text cells are kept.
+/// Columns by name; '#' lines are comments, empty cells are NaN. Quoted cells may hold commas; text cells are
+/// kept.
 struct CsvTable {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> rows;
@@ -23,6 +24,7 @@ struct CsvTable {
 CsvTable read_csv(const std::filesystem::path& path);
 
 /// One row per entry of each column (all of equal length), numbers to 9 significant digits.
-std::string format_csv(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns);
+std::string format_csv(const std::vector<std::string>& names,
+                       const std::vector<std::vector<double>>& columns);
 
 }  // namespace asperity

@@ -38,7 +38,8 @@ void read_entry_call(const std::string& text, const std::string& name, const std
     const bool has_key = equals != std::string::npos;
     const std::string key = has_key ? without_outer_blanks(argument.substr(0, equals)) : "";
     const std::string value = without_outer_blanks(has_key ? argument.substr(equals + 1) : argument);
-    if (has_key && !seen.insert(key).second) throw InputError("in '" + text + "' the entry '" + key + "' stands twice");
+    if (has_key && !seen.insert(key).second)
+      throw InputError("in '" + text + "' the entry '" + key + "' stands twice");
     try {
       take(key, value);
     } catch (const InputError& error) {

@@ -29,7 +29,8 @@ Amplitudes parse_amplitudes(const std::string& value) {
 
 double parse_side(const std::string& value) {
   const double side = parse_quantity(value, Dimension::length);
-  if (!(side > 0 && std::isfinite(side))) throw InputError("'" + value + "' is no side of a square; write a length above 0, such as 2.5 um");
+  if (!(side > 0 && std::isfinite(side)))
+    throw InputError("'" + value + "' is no side of a square; write a length above 0, such as 2.5 um");
   return side;
 }
 
@@ -57,9 +58,11 @@ void set_entry(GeneratorParameters& parameters, const std::string& key, const st
 std::string text_of(const GeneratorParameters& generator, const std::string& seed) {
   const auto length = [](double value) { return format_quantity(value, Dimension::length, 6); };
   const SelfAffineSpectrum& spectrum = generator.spectrum;
-  return call + "(rms=" + length(spectrum.rms) + (generator.window > 0 ? ", window=" + length(generator.window) : "") +
-         ", hurst=" + format_quantity(spectrum.hurst, Dimension::none) + ", rolloff=" + length(spectrum.rolloff) +
-         ", cutoff=" + length(spectrum.cutoff) + (generator.size > 0 ? ", size=" + length(generator.size) : "") + seed +
+  return call + "(rms=" + length(spectrum.rms) +
+         (generator.window > 0 ? ", window=" + length(generator.window) : "") +
+         ", hurst=" + format_quantity(spectrum.hurst, Dimension::none) +
+         ", rolloff=" + length(spectrum.rolloff) + ", cutoff=" + length(spectrum.cutoff) +
+         (generator.size > 0 ? ", size=" + length(generator.size) : "") + seed +
          (generator.amplitudes == Amplitudes::fixed ? ", amplitudes=fixed)" : ")");
 }
 
@@ -83,7 +86,8 @@ GeneratorParameters parse_generator(const std::string& spec) {
     throw InputError("in '" + spec + "' " + error.what());
   }
   if (parameters.size > 0 && parameters.size < 2 * parameters.spectrum.rolloff)
-    throw InputError("in '" + spec + "' size holds fewer than two waves of the rolloff; leave it out or make it larger");
+    throw InputError("in '" + spec +
+                     "' size holds fewer than two waves of the rolloff; leave it out or make it larger");
   return parameters;
 }
 

@@ -1,4 +1,5 @@
-// Frictionless contact of an elastic sphere with an elastic plane (Hertz 1882; Johnson 1985, Contact Mechanics, ch. 3-4):
+// Frictionless contact of an elastic sphere with an elastic plane (Hertz 1882; Johnson 1985, Contact
+// Mechanics, ch. 3-4):
 //   1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2,   F = (4/3) E* R^(1/2) delta^(3/2),   a^2 = R delta,
 //   p0 = 3F/(2 pi a^2),   k_n = dF/d(delta) = 2 E* a.
 // First yield under the surface, on the axis (von Mises or Tresca, equal there): p0 = C(nu) Y. SI units.
@@ -44,7 +45,8 @@ struct SubsurfaceMaximum {
 };
 
 inline SubsurfaceMaximum hertz_subsurface_maximum(double poisson_ratio) {
-  // The maximum lies between 0.38 (nu = 0) and 0.55 (nu = 1/2); a parabola near it is flat to half the digits.
+  // The maximum lies between 0.38 (nu = 0) and 0.55 (nu = 1/2); a parabola near it is flat to half the
+  // digits.
   const auto minimum = boost::math::tools::brent_find_minima(
       [&](double z) { return -hertz_axis_stress(z, poisson_ratio).von_mises(); }, 0.2, 1.0,
       std::numeric_limits<double>::digits / 2);
@@ -52,7 +54,9 @@ inline SubsurfaceMaximum hertz_subsurface_maximum(double poisson_ratio) {
 }
 
 /// C(nu) = p0/Y at first yield.
-inline double hertz_yield_factor(double poisson_ratio) { return 1 / hertz_subsurface_maximum(poisson_ratio).von_mises; }
+inline double hertz_yield_factor(double poisson_ratio) {
+  return 1 / hertz_subsurface_maximum(poisson_ratio).von_mises;
+}
 
 /// One pair of bodies.
 struct Hertz {
@@ -66,7 +70,9 @@ struct Hertz {
     return std::pow(force / (4.0 / 3.0 * reduced_modulus * std::sqrt(radius)), 2.0 / 3.0);
   }
   double contact_radius(double force) const { return std::sqrt(radius * approach(force)); }
-  double contact_area(double force) const { return boost::math::double_constants::pi * radius * approach(force); }
+  double contact_area(double force) const {
+    return boost::math::double_constants::pi * radius * approach(force);
+  }
   double peak_pressure(double force) const { return 1.5 * force / contact_area(force); }
   double normal_stiffness(double force) const { return 2 * reduced_modulus * contact_radius(force); }
   /// int F d(delta) = (2/5) F delta [J]
@@ -78,8 +84,9 @@ struct Hertz {
   }
   /// Load of first yield of a body with Poisson's ratio nu and yield stress Y; infinite for an elastic body.
   double first_yield_force(double poisson_ratio, double yield_stress) const {
-    return std::isinf(yield_stress) ? yield_stress
-                                    : force_at_peak_pressure(hertz_yield_factor(poisson_ratio) * yield_stress);
+    return std::isinf(yield_stress)
+               ? yield_stress
+               : force_at_peak_pressure(hertz_yield_factor(poisson_ratio) * yield_stress);
   }
 };
 

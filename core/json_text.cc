@@ -8,7 +8,8 @@
 namespace asperity {
 namespace {
 
-[[noreturn]] void refuse(const std::string& text, std::size_t byte, const std::string& file, const std::string& what) {
+[[noreturn]] void refuse(const std::string& text, std::size_t byte, const std::string& file,
+                         const std::string& what) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
   throw InputError(file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ": " + what);
 }
@@ -21,8 +22,10 @@ std::optional<std::size_t> too_deep_at(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string) {
-      if (c == '\\') ++i;  // what follows is no end of the string
-      else if (c == '"') in_string = false;
+      if (c == '\\')
+        ++i;  // what follows is no end of the string
+      else if (c == '"')
+        in_string = false;
     } else if (c == '"') {
       in_string = true;
     } else if (c == '{' || c == '[') {

@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// Byte at which objects and lists are nested deeper than read_limits::deepest_nesting; none: empty. Copying, writing and
-/// comparing JSON values recurses, so that deep nesting would overflow the stack.
+/// Byte at which objects and lists are nested deeper than read_limits::deepest_nesting; none: empty. Copying,
+/// writing and comparing JSON values recurses, so that deep nesting would overflow the stack.
 std::optional<std::size_t> too_deep_at(const std::string& text);
 
 /// The JSON of a file's text. Throws InputError naming file and line where it is none or nested too deep.

@@ -19,16 +19,17 @@ namespace asperity {
 using LawValues = std::map<std::string, double>;
 
 struct ParameterEntry {
-  std::string entry;          ///< name in the case file; laws that share it declare it alike
+  std::string entry;                 ///< name in the case file; laws that share it declare it alike
   std::vector<std::string> symbols;  ///< in the law's equation; of a joined parameter, in those of all laws
   Dimension dimension = Dimension::none;
-  std::string documentation;  ///< for the manual; {symbols} stands for those of all laws that take the entry
+  std::string
+      documentation{};  ///< for the manual; {symbols} stands for those of all laws that take the entry
   std::string default_text = "0";
   Range range = not_negative;
   std::vector<std::string>
-      words{};                ///< of a choice, whose value is the word's place among them; empty: a number
-  bool optional = false;      ///< the law can be meant by a case that leaves it at its default
-  std::string if_missing;     ///< what to do where a law that needs it lacks it, as the end of a sentence
+      words{};               ///< of a choice, whose value is the word's place among them; empty: a number
+  bool optional = false;     ///< the law can be meant by a case that leaves it at its default
+  std::string if_missing{};  ///< what to do where a law that needs it lacks it, as the end of a sentence
 };
 
 struct LawDeclaration {

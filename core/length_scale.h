@@ -3,8 +3,8 @@
 
 namespace asperity {
 
-/// lambda of the limit mu lambda (f + h), or what a stiffness grows with: the particle's radius (its lever arm), that of the contact,
-/// or none.
+/// lambda of the limit mu lambda (f + h), or what a stiffness grows with: the particle's radius (its lever
+/// arm), that of the contact, or none.
 enum class LengthScale { none, particle_radius, contact_radius };
 
 }  // namespace asperity

@@ -5,8 +5,9 @@
 namespace asperity {
 namespace {
 
-constexpr std::pair<Motion, const char*> names[] = {{Motion::normal, "normal"},   {Motion::sliding, "sliding"}, {Motion::rolling, "rolling"},
-                                                    {Motion::torsion, "torsion"}, {Motion::rail, "rail"},       {Motion::program, "program"}};
+constexpr std::pair<Motion, const char*> names[] = {
+    {Motion::normal, "normal"},   {Motion::sliding, "sliding"}, {Motion::rolling, "rolling"},
+    {Motion::torsion, "torsion"}, {Motion::rail, "rail"},       {Motion::program, "program"}};
 
 }  // namespace
 

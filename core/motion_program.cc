@@ -54,27 +54,36 @@ const std::vector<Word>& words() {
          const auto [value, is_force] = either(text, Dimension::force, Dimension::length);
          (is_force ? part.load : part.approach) = value;
        }},
-      {"slide across", [](ProgramPart& part, const std::string& text) { part.slide_across += parse_quantity(text, Dimension::length); }},
-      {"slide", [](ProgramPart& part, const std::string& text) { part.slide += parse_quantity(text, Dimension::length); }},
+      {"slide across",
+       [](ProgramPart& part, const std::string& text) {
+         part.slide_across += parse_quantity(text, Dimension::length);
+       }},
+      {"slide", [](ProgramPart& part,
+                   const std::string& text) { part.slide += parse_quantity(text, Dimension::length); }},
       {"roll",
        [](ProgramPart& part, const std::string& text) {
          const auto [value, is_angle] = either(text, Dimension::angle, Dimension::length);
          (is_angle ? part.roll : part.rolled_arc) += value;
        }},
-      {"spin", [](ProgramPart& part, const std::string& text) { part.spin += parse_quantity(text, Dimension::angle); }},
-      {"indenter", [](ProgramPart& part, const std::string& text) { part.rolled_arc += 0.5 * parse_quantity(text, Dimension::length); }}};
+      {"spin", [](ProgramPart& part,
+                  const std::string& text) { part.spin += parse_quantity(text, Dimension::angle); }},
+      {"indenter", [](ProgramPart& part, const std::string& text) {
+         part.rolled_arc += 0.5 * parse_quantity(text, Dimension::length);
+       }}};
   return words;
 }
 
 void read_motion(const std::string& text, ProgramPart& part) {
   std::vector<std::string> names;
   for (const auto& word : words()) {
-    if (text.rfind(word.name + " ", 0) == 0) return word.read(part, trimmed(text.substr(word.name.size() + 1)));
+    if (text.rfind(word.name + " ", 0) == 0)
+      return word.read(part, trimmed(text.substr(word.name.size() + 1)));
     names.push_back(word.name);
   }
   const std::string meant = nearest_name(text.substr(0, text.find(' ')), names);
-  throw InputError("'" + text + "' is not a motion" + (meant.empty() ? "" : "; did you mean '" + meant + "'?") +
-                   "; write for example '" + example + "'");
+  throw InputError("'" + text + "' is not a motion" +
+                   (meant.empty() ? "" : "; did you mean '" + meant + "'?") + "; write for example '" +
+                   example + "'");
 }
 
 }  // namespace
@@ -84,7 +93,8 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
   if (trimmed(text).empty()) return program;
   constexpr std::size_t longest = 10000;  // characters: std::regex recurses from one to the next
   if (text.size() > longest)
-    throw InputError("a program of motions has at most " + std::to_string(longest) + " characters, not " + std::to_string(text.size()));
+    throw InputError("a program of motions has at most " + std::to_string(longest) + " characters, not " +
+                     std::to_string(text.size()));
   static const std::regex steps(R"(^(.*\S)\s+in\s+(\d+)\s+steps?$)");
   for (const std::string& piece : split(text, ";")) {
     if (piece.empty()) continue;
@@ -93,7 +103,8 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
     std::smatch found;
     if (std::regex_match(piece, found, steps)) {
       part.steps = static_cast<int>(std::strtol(found[2].str().c_str(), nullptr, 10));
-      if (part.steps < 1 || part.steps > 100000) throw InputError("'" + piece + "': give between 1 and 100000 steps");
+      if (part.steps < 1 || part.steps > 100000)
+        throw InputError("'" + piece + "': give between 1 and 100000 steps");
       motions = trimmed(found[1].str());
     }
     for (const std::string& motion : split(motions, " and ")) read_motion(motion, part);
@@ -106,19 +117,25 @@ std::string objection_to_program(const ExperimentInput& e) {
   if (e.type != Motion::program)
     return e.program.empty() ? "" : "Experiment/Program is given but Type is another; set Type = program";
   const auto parts = parse_motion_program(e.program);
-  if (parts.empty()) return "Experiment/Type = program needs Experiment/Program, e.g. 'slide 200 nm and spin 20 mrad; roll 30 mrad'";
-  if (e.cycles > 1) return "a program is moved through once: write its cycles out in Experiment/Program and set Cycles = 1";
+  if (parts.empty())
+    return "Experiment/Type = program needs Experiment/Program, e.g. 'slide 200 nm and spin 20 mrad; roll 30 "
+           "mrad'";
+  if (e.cycles > 1)
+    return "a program is moved through once: write its cycles out in Experiment/Program and set Cycles = 1";
   const bool by_force = e.control == ExperimentInput::Control::force;
   const double largest_load = by_force ? e.normal_load : e.normal_approach;
   for (const auto& part : parts) {
     if (by_force ? part.approach.has_value() : part.load.has_value())
-      return by_force ? "Experiment/Program presses to an approach, but Control is force; give a normal load, e.g. 'press 50 uN'"
-                         : "Experiment/Program presses to a load, but Control is displacement; give an approach, e.g. 'press 5 nm'";
+      return by_force ? "Experiment/Program presses to an approach, but Control is force; give a normal "
+                        "load, e.g. 'press 50 uN'"
+                      : "Experiment/Program presses to a load, but Control is displacement; give an "
+                        "approach, e.g. 'press 5 nm'";
     const auto load = by_force ? part.load : part.approach;
     const Dimension dimension = by_force ? Dimension::force : Dimension::length;
     if (load && !(*load > 0 && *load <= largest_load))
-      return "Experiment/Program presses to " + format_quantity(*load, dimension) + "; give more than 0 and at most the " +
-             format_quantity(largest_load, dimension) + " that the particle is first pressed to, or raise those";
+      return "Experiment/Program presses to " + format_quantity(*load, dimension) +
+             "; give more than 0 and at most the " + format_quantity(largest_load, dimension) +
+             " that the particle is first pressed to, or raise those";
   }
   return "";
 }

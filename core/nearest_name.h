@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// Edits (insert, delete, replace, swap of neighbours; upper and lower case alike) that turn one word into the other:
-/// optimal string alignment, Damerau 1964.
+/// Edits (insert, delete, replace, swap of neighbours; upper and lower case alike) that turn one word into
+/// the other: optimal string alignment, Damerau 1964.
 int edit_distance(const std::string& a, const std::string& b);
 
 /// The nearest of `names`; "" if none is near enough to be meant.

@@ -5,7 +5,8 @@
 
 namespace asperity {
 
-/// Makes a folder and those above it. Throws InputError if something else has that name, WorkError if it cannot be made.
+/// Makes a folder and those above it. Throws InputError if something else has that name, WorkError if it
+/// cannot be made.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace asperity

@@ -5,10 +5,10 @@
 #include <map>
 #include <sstream>
 
-#include "core/nearest_name.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
+#include "core/nearest_name.h"
 #include "core/read_limits.h"
 #include "core/utf8.h"
 
@@ -22,7 +22,8 @@ std::string parameter_text(const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (!error && size > read_limits::largest_parameter_file)
-    throw InputError(file.string() + ": holds " + std::to_string(size) + " bytes, more than a parameter file has; pass a case or study file");
+    throw InputError(file.string() + ": holds " + std::to_string(size) +
+                     " bytes, more than a parameter file has; pass a case or study file");
   std::string text = read_file(file);
   if (text.find('\0') != std::string::npos)
     throw InputError(file.string() + ": this is a binary file, not a parameter file");
@@ -48,10 +49,11 @@ class PrmReader {
  public:
   void read(const fs::path& file) {
     if (++depth_ > deepest_include)
-      throw InputError(file.string() + ": files include each other more than " + std::to_string(deepest_include) +
-                       " deep; does one include itself?");
+      throw InputError(file.string() + ": files include each other more than " +
+                       std::to_string(deepest_include) + " deep; does one include itself?");
     if (++files_read_ > most_files)
-      throw InputError(file.string() + ": more than " + std::to_string(most_files) + " files are included; include each once");
+      throw InputError(file.string() + ": more than " + std::to_string(most_files) +
+                       " files are included; include each once");
     const std::size_t outer_sections = sections_.size();
     std::istringstream stream(parameter_text(file));
     std::map<std::string, int> set_in_line;
@@ -122,18 +124,19 @@ class PrmReader {
       if (setting.entry.empty()) throw InputError(where + ": 'set' lacks the name of an entry before '='");
       const auto [earlier, is_new] = set_in_line.emplace(setting.path(), number);
       if (!is_new)
-        throw InputError(where + ": " + setting.path() + " is set in line " + std::to_string(earlier->second) +
-                         " already; remove one of them");
+        throw InputError(where + ": " + setting.path() + " is set in line " +
+                         std::to_string(earlier->second) + " already; remove one of them");
       override_setting(settings, setting);
     } else if (word == "include") {
       if (line.empty()) throw InputError(where + ": 'include' lacks the name of a file");
       const fs::path included = file.parent_path() / line;
-      if (!fs::exists(included)) throw InputError(where + ": there is no file '" + included.string() + "' to include");
+      if (!fs::exists(included))
+        throw InputError(where + ": there is no file '" + included.string() + "' to include");
       read(included);
     } else {
       const std::string meant = nearest_name(word, {"subsection", "set", "end", "include"});
-      throw InputError(where + ": a line begins with subsection, set, end or include, not with '" + word + "'" +
-                       (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+      throw InputError(where + ": a line begins with subsection, set, end or include, not with '" + word +
+                       "'" + (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
     }
   }
 
@@ -145,7 +148,8 @@ class PrmReader {
 int line_of_key(const std::string& text, const std::string& key, std::size_t& start) {
   const auto found = text.find(nlohmann::json(key).dump(), start);
   if (found != std::string::npos) start = found + key.size() + 2;
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(std::min(start, text.size())), '\n'));
+  return 1 + static_cast<int>(std::count(
+                 text.begin(), text.begin() + static_cast<long>(std::min(start, text.size())), '\n'));
 }
 
 /// deal.II writes names into JSON with other characters than letters and digits as _XX (hexadecimal).
@@ -179,7 +183,8 @@ void collect_json(const nlohmann::ordered_json& object, const std::string& secti
     if (value.is_array() || value.is_null())
       throw InputError(where + ": '" + name + "' holds " + value.type_name() +
                        "; write a number, true, false, or a text such as \"8.5 um\"");
-    override_setting(settings, {section, name, value.is_string() ? trim(value.get<std::string>()) : value.dump(), where});
+    override_setting(
+        settings, {section, name, value.is_string() ? trim(value.get<std::string>()) : value.dump(), where});
   }
 }
 
@@ -198,7 +203,8 @@ Settings read_settings(const fs::path& file, const std::vector<std::string>& ove
   const std::string text = parameter_text(file);
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos)
-    throw InputError(file.string() + ": the file is empty; `asperity case-template` prints one to start from");
+    throw InputError(file.string() +
+                     ": the file is empty; `asperity case-template` prints one to start from");
   Settings settings;
   if (text[first] == '{') {
     settings = read_json(file, text);
@@ -216,7 +222,8 @@ Setting parse_override(const std::string& text) {
   const std::string path = trim(text.substr(0, equals));
   const std::string where = "--set \"" + text + "\"";
   if (equals == std::string::npos || path.empty())
-    throw InputError(where + ": write --set \"Section/Entry=value\", for example --set \"Experiment/Normal load=1 mN\"");
+    throw InputError(
+        where + ": write --set \"Section/Entry=value\", for example --set \"Experiment/Normal load=1 mN\"");
   const auto slash = path.rfind('/');
   if (slash == std::string::npos) return {"", path, trim(text.substr(equals + 1)), where};
   return {trim(path.substr(0, slash)), trim(path.substr(slash + 1)), trim(text.substr(equals + 1)), where};
@@ -242,7 +249,8 @@ std::string format_settings(const Settings& settings) {
     std::vector<std::string> names;
     std::istringstream parts(section);
     for (std::string name; std::getline(parts, name, '/');) names.push_back(name);
-    for (std::size_t i = 0; i < names.size(); ++i) text += std::string(2 * i, ' ') + "subsection " + names[i] + "\n";
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += std::string(2 * i, ' ') + "subsection " + names[i] + "\n";
     const std::string indent(2 * names.size(), ' ');
     for (const auto& setting : settings)
       if (setting.section == section) text += indent + "set " + setting.entry + " = " + setting.value + "\n";

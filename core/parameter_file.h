@@ -1,4 +1,5 @@
-// Parameter files as deal.II's ParameterHandler reads them (.prm: subsection, set, end, include, '#' comments,
+// Parameter files as deal.II's ParameterHandler reads them (.prm: subsection, set, end, include, '#'
+// comments,
 // '\' continuation) or JSON, as a flat list of settings that remember where they stand.
 #pragma once
 
@@ -20,8 +21,8 @@ struct Setting {
 
 using Settings = std::vector<Setting>;
 
-/// Settings of a file in their order, JSON if its first character is '{', after `overrides` (see parse_override).
-/// Throws InputError naming file and line.
+/// Settings of a file in their order, JSON if its first character is '{', after `overrides` (see
+/// parse_override). Throws InputError naming file and line.
 Settings read_settings(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// `Section/Entry=value` as given to --set.

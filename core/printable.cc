@@ -14,7 +14,8 @@ int sequence_length(unsigned char lead) {
   return 0;
 }
 
-/// The character at `at` and the bytes it takes. Overlong forms, surrogates and what lies beyond U+10FFFF are no characters.
+/// The character at `at` and the bytes it takes. Overlong forms, surrogates and what lies beyond U+10FFFF are
+/// no characters.
 CodePoint decode(const std::string& text, std::size_t at, std::size_t& bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const CodePoint invalid{byte(at), false};

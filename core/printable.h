@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// Visible ASCII as it is. Line breaks as \n and \r, other control characters and bytes that are no UTF-8 as \x1b, all other
-/// characters as \u00b5 or \U0001d400: nothing ends the line, hides or turns its direction.
+/// Visible ASCII as it is. Line breaks as \n and \r, other control characters and bytes that are no UTF-8 as
+/// \x1b, all other characters as \u00b5 or \U0001d400: nothing ends the line, hides or turns its direction.
 std::string printable(const std::string& text);
 
 /// One character of a text in UTF-8.

@@ -1,4 +1,5 @@
-// Where a result comes from: which inputs, which program. Case, checkpoint and result of a folder say the same.
+// Where a result comes from: which inputs, which program. Case, checkpoint and result of a folder say the
+// same.
 #pragma once
 
 #include <string>

@@ -19,10 +19,10 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 /// Units of each dimension, the SI unit first.
 const Units& units_of(Dimension dimension) {
   static const Units none{{"", 1.0}, {"%", 0.01}};
-  static const Units length{{"m", 1.0},    {"mm", 1e-3}, {"um", 1e-6},          {"µm", 1e-6}, {"μm", 1e-6},
-                            {"nm", 1e-9}, {"pm", 1e-12}, {"A", 1e-10}, {"Å", 1e-10}, {"cm", 1e-2},
-                            {"km", 1e3}};
-  static const Units force{{"N", 1.0},     {"mN", 1e-3}, {"uN", 1e-6},   {"µN", 1e-6},
+  static const Units length{{"m", 1.0},   {"mm", 1e-3}, {"um", 1e-6},  {"µm", 1e-6},
+                            {"μm", 1e-6}, {"nm", 1e-9}, {"pm", 1e-12}, {"A", 1e-10},
+                            {"Å", 1e-10}, {"cm", 1e-2}, {"km", 1e3}};
+  static const Units force{{"N", 1.0},   {"mN", 1e-3}, {"uN", 1e-6},  {"µN", 1e-6},
                            {"μN", 1e-6}, {"nN", 1e-9}, {"pN", 1e-12}, {"kN", 1e3}};
   static const Units pressure{{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"TPa", 1e12}};
   static const Units time{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}, {"h", 3600.0}};
@@ -32,16 +32,26 @@ const Units& units_of(Dimension dimension) {
   static const Units area{{"m^2", 1.0}, {"mm^2", 1e-6}, {"um^2", 1e-12}, {"nm^2", 1e-18}};
   static const Units stiffness{{"N/m", 1.0}, {"kN/m", 1e3}, {"MN/m", 1e6}, {"uN/nm", 1e3}, {"mN/um", 1e3}};
   switch (dimension) {
-    case Dimension::none: return none;
-    case Dimension::length: return length;
-    case Dimension::force: return force;
-    case Dimension::pressure: return pressure;
-    case Dimension::time: return time;
-    case Dimension::angle: return angle;
-    case Dimension::speed: return speed;
-    case Dimension::surface_energy: return surface_energy;
-    case Dimension::area: return area;
-    case Dimension::stiffness: return stiffness;
+    case Dimension::none:
+      return none;
+    case Dimension::length:
+      return length;
+    case Dimension::force:
+      return force;
+    case Dimension::pressure:
+      return pressure;
+    case Dimension::time:
+      return time;
+    case Dimension::angle:
+      return angle;
+    case Dimension::speed:
+      return speed;
+    case Dimension::surface_energy:
+      return surface_energy;
+    case Dimension::area:
+      return area;
+    case Dimension::stiffness:
+      return stiffness;
   }
   return none;
 }
@@ -108,14 +118,16 @@ std::string format_quantity(double si_value, Dimension dimension, int digits) {
     return buffer;
   }
   const std::string symbol = si_symbol(dimension);
-  // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor 1e+03 pm).
+  // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor
+  // 1e+03 pm).
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
   const double rounded = std::strtod(buffer, nullptr);
   if (rounded != 0.0 && takes_prefixes(dimension))
     for (const auto& [prefix, factor] : prefixes())
       if (std::abs(rounded) >= factor * (1 - 1e-12)) {
         // Two digits of 316 um are 320 um, not 3.2e+02 um.
-        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", std::max(digits, 3), rounded / factor, prefix.c_str(), symbol.c_str());
+        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", std::max(digits, 3), rounded / factor,
+                      prefix.c_str(), symbol.c_str());
         return buffer;
       }
   std::snprintf(buffer, sizeof buffer, "%.*g %s", digits, si_value, symbol.c_str());

@@ -18,7 +18,8 @@ double parse_quantity(const std::string& text, Dimension dimension);
 /// Factor from `unit` ("um", "GPa", ...) to SI. Throws InputError if the unit is not one of `dimension`.
 double unit_factor(const std::string& unit, Dimension dimension);
 
-/// "2.5 um" for (2.5e-6, length): `digits` significant digits and a prefix that keeps the number in [1, 1000).
+/// "2.5 um" for (2.5e-6, length): `digits` significant digits and a prefix that keeps the number in [1,
+/// 1000).
 std::string format_quantity(double value, Dimension dimension, int digits = 3);
 
 }  // namespace asperity

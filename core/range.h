@@ -9,9 +9,7 @@ namespace asperity {
 struct Range {
   double low, high;
   bool low_open = false, high_open = false;
-  bool holds(double x) const {
-    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
-  }
+  bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, true};
 inline constexpr Range positive_or_infinite{0, std::numeric_limits<double>::infinity(), true, false};

@@ -25,14 +25,17 @@ double loading_approach(const std::vector<double>& d, const std::vector<double>&
 }  // namespace
 
 ResidualImprint residual_imprint(const std::vector<double>& loading, const std::vector<double>& loading_force,
-                                 const std::vector<double>& unloading, const std::vector<double>& unloading_force) {
+                                 const std::vector<double>& unloading,
+                                 const std::vector<double>& unloading_force) {
   if (unloading.size() < 2) return {unknown, unknown, unknown};
   std::size_t end = unloading.size() - 1;
   while (end > 1 && unloading_force[end - 1] <= 0) --end;
   const double force = std::max(0.0, unloading_force[end]);
   const double at_same_force = loading_approach(loading, loading_force, force);
   const bool extrapolated = force > 0 && std::isfinite(at_same_force) && force < loading_force[0];
-  const double error = extrapolated ? std::abs(at_same_force - loading[0] * std::pow(force / loading_force[0], 2.0 / 3.0)) : 0.0;
+  const double error =
+      extrapolated ? std::abs(at_same_force - loading[0] * std::pow(force / loading_force[0], 2.0 / 3.0))
+                   : 0.0;
   return {unloading[end] - at_same_force, force, error};
 }
 

@@ -16,12 +16,14 @@ constexpr std::array<std::pair<Level, const char*>, 6> level_names{{{Level::mean
                                                                     {Level::rows1, "rows1"},
                                                                     {Level::rows2, "rows2"}}};
 const std::string call = "scan";
-const std::string example = "scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)";
+const std::string example =
+    "scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)";
 
 void set_argument(ScanParameters& scan, const std::string& key, const std::string& value) {
   if (value.empty()) throw InputError("there is no value");
   if (key.empty()) {
-    if (!scan.file.empty()) throw InputError("a file is named already, and other arguments are written key=value");
+    if (!scan.file.empty())
+      throw InputError("a file is named already, and other arguments are written key=value");
     scan.file = value;
   } else if (key == "size") {
     scan.options.size_x_m = parse_quantity(value, Dimension::length);
@@ -37,10 +39,12 @@ void set_argument(ScanParameters& scan, const std::string& key, const std::strin
     scan.cutoff = parse_quantity(value, Dimension::length);
     if (!(scan.cutoff > 0)) throw InputError("'" + value + "' is no wavelength above 0");
   } else if (key == "outside") {
-    if (value != "refuse" && value != "mirror") throw InputError("'" + value + "' is neither refuse nor mirror");
+    if (value != "refuse" && value != "mirror")
+      throw InputError("'" + value + "' is neither refuse nor mirror");
     scan.outside = value == "mirror" ? Outside::mirror : Outside::refuse;
   } else {
-    throw InputError("there is no such argument; those known are size, channel, unit, level, cutoff, outside");
+    throw InputError(
+        "there is no such argument; those known are size, channel, unit, level, cutoff, outside");
   }
 }
 

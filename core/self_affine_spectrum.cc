@@ -16,7 +16,8 @@ double SelfAffineSpectrum::plateau() const {
 
 double SelfAffineSpectrum::rms_slope() const {
   const double q_r = 2 * M_PI / rolloff, ratio = rolloff / cutoff;
-  // (2 pi) <|grad h|^2> = int q^3 C dq = C0 q_r^4 [1/4 + ((q_s/q_r)^(2-2H) - 1) / (2-2H)], the logarithm for H = 1
+  // (2 pi) <|grad h|^2> = int q^3 C dq = C0 q_r^4 [1/4 + ((q_s/q_r)^(2-2H) - 1) / (2-2H)], the logarithm for
+  // H = 1
   const double exponent = 2 - 2 * hurst;
   const double falling = exponent == 0 ? std::log(ratio) : (std::pow(ratio, exponent) - 1) / exponent;
   return std::sqrt(plateau() * std::pow(q_r, 4) * (0.25 + falling) / (2 * M_PI));
@@ -24,7 +25,8 @@ double SelfAffineSpectrum::rms_slope() const {
 
 double SelfAffineSpectrum::operator()(double q) const {
   const double q_r = 2 * M_PI / rolloff, q_s = 2 * M_PI / cutoff;
-  constexpr double rounding = 1e-9;  // a wave as long as the cut-off belongs to the surface, however its wave number was computed
+  constexpr double rounding =
+      1e-9;  // a wave as long as the cut-off belongs to the surface, however its wave number was computed
   if (q > q_s * (1 + rounding)) return 0;
   return q < q_r ? plateau() : plateau() * std::pow(q / q_r, -2 - 2 * hurst);
 }

@@ -1,4 +1,5 @@
-// SHA-256 (FIPS 180-4), by OpenSSL's libcrypto: whether two files or two inputs are the same, and whether one was damaged.
+// SHA-256 (FIPS 180-4), by OpenSSL's libcrypto: whether two files or two inputs are the same, and whether one
+// was damaged.
 #pragma once
 
 #include <string>

@@ -10,7 +10,9 @@ using Values = std::vector<double>;
 
 constexpr double few_sticking = 0.02, flat_share = 0.02;
 
-double slope_to(const Values& x, const Values& y, std::size_t row) { return (y[row] - y[row - 1]) / (x[row] - x[row - 1]); }
+double slope_to(const Values& x, const Values& y, std::size_t row) {
+  return (y[row] - y[row - 1]) / (x[row] - x[row - 1]);
+}
 
 /// Where the resistance has stopped to grow.
 std::size_t first_flat_row(const Values& x, const Values& y, const MotionLeg& leg) {
@@ -25,10 +27,13 @@ std::size_t first_flat_row(const Values& x, const Values& y, const MotionLeg& le
 }
 
 std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
-  if (rows.rolling_radius == 0 && rows.sticking.empty()) return first_flat_row(rows.position, rows.resistance, leg);
+  if (rows.rolling_radius == 0 && rows.sticking.empty())
+    return first_flat_row(rows.position, rows.resistance, leg);
   for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
     const double way = std::abs(rows.position[i] - rows.position[leg.first]);
-    if (rows.rolling_radius > 0 ? way * rows.rolling_radius >= rows.contact_radius[i] : rows.sticking[i] <= few_sticking) return i;
+    if (rows.rolling_radius > 0 ? way * rows.rolling_radius >= rows.contact_radius[i]
+                                : rows.sticking[i] <= few_sticking)
+      return i;
   }
   return leg.last + 1;
 }

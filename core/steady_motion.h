@@ -1,14 +1,16 @@
-// Where a motion of a contact is steady, and what resists it there: the one definition that result.json, derive, compare and the
-// study of resistances go by. SI units.
+// Where a motion of a contact is steady, and what resists it there: the one definition that result.json,
+// derive, compare and the study of resistances go by. SI units.
 //
 // A motion is cut into legs at its reversals. A leg is steady from its onset on, for three rows at least:
-// - sliding, spinning: from the first row with at most 2 % of the closed nodes sticking (nodes that have just closed, or lie at the
-//   axis of a spin, may stick while the contact slips as a whole). Where a history does not say, from where the resistance has
-//   stopped to grow: two slopes in a row below a fiftieth of the steepest of the first three steps.
+// - sliding, spinning: from the first row with at most 2 % of the closed nodes sticking (nodes that have just
+// closed, or lie at the
+//   axis of a spin, may stick while the contact slips as a whole). Where a history does not say, from where
+//   the resistance has stopped to grow: two slopes in a row below a fiftieth of the steepest of the first
+//   three steps.
 // - rolling: after one contact radius of way, so that the contact that was pressed has been left.
-// What resists is the energy dissipated per way or angle on the first leg, over surfaces not yet passed: hills give back what they
-// take, so that the force of a short way is mostly theirs. Where a history tells no energies, the mean force of all steady legs
-// stands in: there and back hills push in opposite directions.
+// What resists is the energy dissipated per way or angle on the first leg, over surfaces not yet passed:
+// hills give back what they take, so that the force of a short way is mostly theirs. Where a history tells no
+// energies, the mean force of all steady legs stands in: there and back hills push in opposite directions.
 #pragma once
 
 #include <cstddef>
@@ -46,8 +48,10 @@ struct SteadyRows {
 SteadyRows steady_rows_of_first_leg(const MotionRows& rows);
 
 /// Growth of a sum (a work, an energy) between two rows over their distance.
-double per_way(const std::vector<double>& position, const std::vector<double>& sum, std::size_t first, std::size_t last);
+double per_way(const std::vector<double>& position, const std::vector<double>& sum, std::size_t first,
+               std::size_t last);
 /// Running integral of the resistance over the position.
-std::vector<double> work_against_motion(const std::vector<double>& position, const std::vector<double>& resistance);
+std::vector<double> work_against_motion(const std::vector<double>& position,
+                                        const std::vector<double>& resistance);
 
 }  // namespace asperity

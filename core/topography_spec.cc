@@ -19,7 +19,9 @@ std::string TopographySpec::canonical() const {
   return scan() ? scan()->text() : generator()->text();
 }
 
-std::string TopographySpec::family() const { return generator() ? generator()->text_without_seed() : canonical(); }
+std::string TopographySpec::family() const {
+  return generator() ? generator()->text_without_seed() : canonical();
+}
 
 double TopographySpec::rms() const {
   if (is_smooth()) return 0;

@@ -1,4 +1,5 @@
-// What a case's entry `Topography` says, as a value: smooth, a measured scan, or a generated surface. surfaces/ makes heights of it.
+// What a case's entry `Topography` says, as a value: smooth, a measured scan, or a generated surface.
+// surfaces/ makes heights of it.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace asperity {
 
-/// What is taken off a scan: mean, plane (1, x, y) and quadratic (1, x, y, x^2, xy, y^2) over the whole map; rows0, rows1, rows2: a
-/// polynomial of that degree along x for each row on its own.
+/// What is taken off a scan: mean, plane (1, x, y) and quadratic (1, x, y, x^2, xy, y^2) over the whole map;
+/// rows0, rows1, rows2: a polynomial of that degree along x for each row on its own.
 enum class Level { mean, plane, quadratic, rows0, rows1, rows2 };
 
 /// "plane" and so on; throws InputError listing the names there are.
@@ -34,8 +35,8 @@ struct ReadOptions {
   std::optional<std::string> height_unit;  ///< unit of heights in a text file that names none, such as "nm"
 };
 
-/// A measured scan: FILE, or scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror) where the file
-/// alone does not say enough.
+/// A measured scan: FILE, or scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm,
+/// outside=mirror) where the file alone does not say enough.
 struct ScanParameters {
   std::string file;
   ReadOptions options;
@@ -47,15 +48,17 @@ struct ScanParameters {
   std::string text() const;
 };
 
-/// A Gaussian surface with a self-affine spectrum: generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3).
+/// A Gaussian surface with a self-affine spectrum: generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=20
+/// nm, seed=3).
 struct GeneratorParameters {
   SelfAffineSpectrum spectrum{0.0, 0.8, 200e-9, 20e-9};
   std::uint64_t seed = 1;
   Amplitudes amplitudes = Amplitudes::random;
-  /// Side of the scans in which spectrum.rms was measured [m] (512 x 512 pixels, mean plane removed, mean over many scans:
-  /// surfaces/virtual_afm.h); 0: spectrum.rms is that of the whole surface.
+  /// Side of the scans in which spectrum.rms was measured [m] (512 x 512 pixels, mean plane removed, mean
+  /// over many scans: surfaces/virtual_afm.h); 0: spectrum.rms is that of the whole surface.
   double window = 0;
-  /// Side of the periodic square that the surface repeats [m]; 0: that of default_period (surfaces/generated_surface.h).
+  /// Side of the periodic square that the surface repeats [m]; 0: that of default_period
+  /// (surfaces/generated_surface.h).
   double size = 0;
 
   /// The entry of a case file.
@@ -64,24 +67,32 @@ struct GeneratorParameters {
   std::string text_without_seed() const;
 };
 
-/// Reads the scan's forms. Throws InputError naming the argument that is unknown or wrong. The file need not exist.
+/// Reads the scan's forms. Throws InputError naming the argument that is unknown or wrong. The file need not
+/// exist.
 ScanParameters parse_scan(const std::string& text);
-/// Reads "generated(key=value, ...)". Keys: rms (needed), window, hurst, rolloff, cutoff, size, seed, amplitudes (random or fixed).
-/// Throws InputError naming the key that is unknown, missing, twice there, or has a value out of range.
+/// Reads "generated(key=value, ...)". Keys: rms (needed), window, hurst, rolloff, cutoff, size, seed,
+/// amplitudes (random or fixed). Throws InputError naming the key that is unknown, missing, twice there, or
+/// has a value out of range.
 GeneratorParameters parse_generator(const std::string& text);
 
 class TopographySpec {
  public:
   TopographySpec() = default;  ///< smooth
-  /// Reads what a case file says; implicit, for an entry is written as text. Throws InputError as parse_scan and parse_generator do.
+  /// Reads what a case file says; implicit, for an entry is written as text. Throws InputError as parse_scan
+  /// and parse_generator do.
   TopographySpec(const std::string& text);
   TopographySpec(const char* text) : TopographySpec(std::string(text)) {}
   TopographySpec(const ScanParameters& scan) : surface_(scan), text_(scan.text()) {}
   TopographySpec(const GeneratorParameters& generator) : surface_(generator), text_(generator.text()) {}
 
   bool is_smooth() const { return std::holds_alternative<std::monostate>(surface_); }
-  const ScanParameters* scan() const { return std::get_if<ScanParameters>(&surface_); }            ///< null: no scan
-  const GeneratorParameters* generator() const { return std::get_if<GeneratorParameters>(&surface_); }  ///< null: not generated
+  /// null: no scan
+  const ScanParameters* scan() const& { return std::get_if<ScanParameters>(&surface_); }
+  /// null: not generated
+  const GeneratorParameters* generator() const& { return std::get_if<GeneratorParameters>(&surface_); }
+  // Of a value that is gone with the statement they would point nowhere.
+  const ScanParameters* scan() const&& = delete;
+  const GeneratorParameters* generator() const&& = delete;
   /// As it was written.
   const std::string& text() const { return text_; }
   /// In one way of writing, whatever its units and the order of its arguments.

@@ -1,5 +1,5 @@
-// Two numbers that differ, written with as many digits as it takes to see it: "1.132 um is more than 1.131 um", not "1.13 um is more
-// than 1.13 um".
+// Two numbers that differ, written with as many digits as it takes to see it: "1.132 um is more than 1.131
+// um", not "1.13 um is more than 1.13 um".
 #pragma once
 
 #include <string>
@@ -21,12 +21,16 @@ std::pair<std::string, std::string> written_apart(double one, double other, cons
 
 /// "1.132 um" and "1.131 um".
 inline std::pair<std::string, std::string> quantities_apart(double one, double other, Dimension dimension) {
-  return written_apart(one, other, [dimension](double value, int digits) { return format_quantity(value, dimension, digits); });
+  return written_apart(one, other, [dimension](double value, int digits) {
+    return format_quantity(value, dimension, digits);
+  });
 }
 
 /// "1.004 %" and "1 %" of shares.
 inline std::pair<std::string, std::string> percents_apart(double one, double other) {
-  return written_apart(one, other, [](double value, int digits) { return format_quantity(100 * value, Dimension::none, digits) + " %"; });
+  return written_apart(one, other, [](double value, int digits) {
+    return format_quantity(100 * value, Dimension::none, digits) + " %";
+  });
 }
 
 }  // namespace asperity

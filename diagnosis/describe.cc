@@ -20,17 +20,20 @@ DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, doub
 
 std::string titles(const std::vector<DiagnosedEffect>& effects) {
   std::string text;
-  for (std::size_t i = 0; i < effects.size(); ++i) text += (i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ") + effects[i].id;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ") + effects[i].id;
   return text;
 }
 
 }  // namespace
 
-std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit, double probability) {
+std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
+                                               double probability) {
   std::vector<DiagnosedEffect> list;
   const auto& effects = fit.explanation->effects();
-  const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count))) *
-                           shared_variance(problem.samples, fit.residual(problem.samples), problem.noise);
+  const double inflation =
+      std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count))) *
+      shared_variance(problem.samples, fit.residual(problem.samples), problem.noise);
   const ModelFit known = with_intervals(problem, fit);
   const double accuracy = accuracy_of(fit);
   for (std::size_t e = 0; e < effects.size(); ++e) {
@@ -38,14 +41,16 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
     DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
-      if (free.effect == static_cast<int>(e)) effect.parameters.push_back(widened(known.parameter(k, inflation), free, accuracy));
+      if (free.effect == static_cast<int>(e))
+        effect.parameters.push_back(widened(known.parameter(k, inflation), free, accuracy));
     }
     list.push_back(effect);
   }
   return list;
 }
 
-FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual, const HeldOut& held_out) {
+FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
+                      const HeldOut& held_out) {
   FitQuality q;
   q.chi2_reduced = chi2_reduced(problem.samples, residual, problem.noise);
   q.held_out_chi2_reduced = held_out.chi2_reduced;
@@ -79,17 +84,24 @@ std::map<std::string, NoiseEstimate> described_noise(const FitProblem& problem) 
 std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t outliers) {
   std::vector<std::string> remarks;
   double correlation = 0;
-  for (const SharedNoise& shared : problem.noise.shared) correlation = std::max(correlation, shared.neighbours());
+  for (const SharedNoise& shared : problem.noise.shared)
+    correlation = std::max(correlation, shared.neighbours());
   char text[160];
   constexpr double worth_saying = 0.1;
   if (correlation > worth_saying) {
-    std::snprintf(text, sizeof text, "neighbouring samples share their noise (correlation %.2f), so that they count as fewer", correlation);
+    std::snprintf(text, sizeof text,
+                  "neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
+                  correlation);
     remarks.push_back(text);
   }
-  if (outliers > 0) remarks.push_back(std::to_string(outliers) + (outliers == 1 ? " sample lies" : " samples lie") + " far off their neighbours and do not count");
+  if (outliers > 0)
+    remarks.push_back(std::to_string(outliers) + (outliers == 1 ? " sample lies" : " samples lie") +
+                      " far off their neighbours and do not count");
   if (!problem.noise.is_absolute)
-    remarks.push_back("the noise is not known and too few rows repeat to estimate it: explanations are compared with each other, but whether the "
-                      "best is good enough cannot be tested; give 'noise' or a column of standard deviations");
+    remarks.push_back(
+        "the noise is not known and too few rows repeat to estimate it: explanations are compared with each "
+        "other, but whether the "
+        "best is good enough cannot be tested; give 'noise' or a column of standard deviations");
   return remarks;
 }
 
@@ -101,15 +113,18 @@ std::vector<std::string> remarks_on_effects_not_tried(const Experiment& experime
     const auto varied = experiment.different.find(needed.channel);
     const int have = varied == experiment.different.end() ? 0 : varied->second;
     if (have < 2) continue;  // what was never varied is no candidate anyone would think of
-    remarks.push_back(effect->id() + " was not tried: " + std::to_string(have) + " different values of " + needed.channel +
-                      " cannot test its law, " + std::to_string(needed.count) + " or more would");
+    remarks.push_back(effect->id() + " was not tried: " + std::to_string(have) + " different values of " +
+                      needed.channel + " cannot test its law, " + std::to_string(needed.count) +
+                      " or more would");
   }
   return remarks;
 }
 
-std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem, const ModelFit& before, const ModelFit& after) {
+std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem,
+                                           const ModelFit& before, const ModelFit& after) {
   std::vector<ComparedTable> tables;
-  const auto simulated_before = before.simulate(problem.samples), simulated_after = after.simulate(problem.samples);
+  const auto simulated_before = before.simulate(problem.samples),
+             simulated_after = after.simulate(problem.samples);
   for (std::size_t t = 0; t < problem.samples.table_names.size(); ++t) {
     ComparedTable table;
     table.table = problem.samples.table_names[t];
@@ -140,24 +155,30 @@ std::vector<ComparedTable> compared_tables(const Recording& recording, const Fit
 
 std::string in_words(const Diagnosis& d) {
   char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
-                d.baseline.chi2_reduced, d.improved.chi2_reduced, d.baseline.held_out_chi2_reduced, d.improved.held_out_chi2_reduced);
+  std::snprintf(numbers, sizeof numbers,
+                "chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
+                d.baseline.chi2_reduced, d.improved.chi2_reduced, d.baseline.held_out_chi2_reduced,
+                d.improved.held_out_chi2_reduced);
   switch (d.verdict) {
     case Verdict::no_mismatch:
-      return "Recording and simulation agree: what is left is noise. Nothing was left out that these data can show.";
+      return "Recording and simulation agree: what is left is noise. Nothing was left out that these data "
+             "can show.";
     case Verdict::explained:
       return "The simulation left out " + titles(d.left_out) + ". With it " + numbers + ", which is noise.";
     case Verdict::partly_explained:
-      return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " + numbers + "; structure remains.";
+      return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " +
+             numbers + "; structure remains.";
     case Verdict::ambiguous: {
       const double likeliest = d.alternatives.front().probability;
-      const auto others = std::count_if(d.alternatives.begin() + 1, d.alternatives.end(),
-                                        [&](const auto& a) { return a.probability * std::exp(as_good) > likeliest; });
+      const auto others = std::count_if(d.alternatives.begin() + 1, d.alternatives.end(), [&](const auto& a) {
+        return a.probability * std::exp(as_good) > likeliest;
+      });
       return "Something was left out, and these data cannot say which of " + std::to_string(1 + others) +
              " explanations it is. With the likeliest, " + titles(d.left_out) + ", " + numbers + ".";
     }
     case Verdict::unexplained:
-      return "Recording and simulation part, and no effect of the catalogue explains it. The mismatch is located; what it is remains open.";
+      return "Recording and simulation part, and no effect of the catalogue explains it. The mismatch is "
+             "located; what it is remains open.";
   }
   return "";
 }

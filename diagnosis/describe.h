@@ -1,4 +1,5 @@
-// What a diagnosis says, put together from its fits: parameters with intervals, qualities, curves, remarks, sentences.
+// What a diagnosis says, put together from its fits: parameters with intervals, qualities, curves, remarks,
+// sentences.
 #pragma once
 
 #include "diagnosis/choose/held_out.h"
@@ -7,9 +8,11 @@
 namespace asperity {
 
 /// Effects of a fit with what their laws may be off by in the intervals.
-std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit, double probability);
+std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
+                                               double probability);
 
-FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual, const HeldOut& held_out);
+FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
+                      const HeldOut& held_out);
 
 /// The deviation of a sample by response channel: the median of its table.
 std::map<std::string, NoiseEstimate> described_noise(const FitProblem& problem);
@@ -20,7 +23,8 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
 std::vector<std::string> remarks_on_effects_not_tried(const Experiment& experiment);
 
 /// Curves for the report.
-std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem, const ModelFit& before, const ModelFit& after);
+std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem,
+                                           const ModelFit& before, const ModelFit& after);
 
 /// The verdict in a sentence or two.
 std::string in_words(const Diagnosis& diagnosis);

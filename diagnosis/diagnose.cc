@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-/// Part of the excess of held-out data that one, two, three effects must take away to be named though structure remains: with more
-/// of them, something that none of them is can be imitated better.
+/// Part of the excess of held-out data that one, two, three effects must take away to be named though
+/// structure remains: with more of them, something that none of them is can be imitated better.
 constexpr double part_that_counts[] = {0, 0.7, 0.95, 0.98};
 /// How much worse held-out data may be predicted, relative, by an explanation that counts as equal.
 constexpr double held_out_equal = 1.05;
@@ -26,15 +26,20 @@ class Diagnoser {
 
   Diagnosis run() {
     say("locating the mismatch");
-    auto scanner_of_noise = std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
-    const IsNoise is_noise = [&](const ModelFit& fit) { return remaining(problem_, baseline_, *scanner_of_noise, fit).p_value > significance; };
+    auto scanner_of_noise =
+        std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    const IsNoise is_noise = [&](const ModelFit& fit) {
+      return remaining(problem_, baseline_, *scanner_of_noise, fit).p_value > significance;
+    };
     search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
     // What the best explanation leaves tells most about the noise.
-    const bool explains = !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
+    const bool explains =
+        !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
     if (explains && prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples))) {
       rescore(search_, problem_);
       baseline_ = search_.alone.fit;
-      scanner_of_noise = std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+      scanner_of_noise =
+          std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     }
     const Scanner& scanner = *scanner_of_noise;
     const ScanResult before = scanner.scan(problem_.baseline_residual);
@@ -44,11 +49,15 @@ class Diagnoser {
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
     judged_ = judged_sets(problem_, search_, scanner, blocks, baseline_held_out_);
     describe_common(before);
-    if (!judged_.list.empty()) judge(scanner);
-    else if (seems_noise) nothing_named(Verdict::no_mismatch, {}, {});
-    else nothing_named(Verdict::unexplained, before.regions, before.regions);
+    if (!judged_.list.empty())
+      judge(scanner);
+    else if (seems_noise)
+      nothing_named(Verdict::no_mismatch, {}, {});
+    else
+      nothing_named(Verdict::unexplained, before.regions, before.regions);
     if (result_.verdict != Verdict::no_mismatch)
-      for (auto& remark : remarks_on_effects_not_tried(problem_.experiment)) result_.remarks.push_back(std::move(remark));
+      for (auto& remark : remarks_on_effects_not_tried(problem_.experiment))
+        result_.remarks.push_back(std::move(remark));
     result_.in_words = in_words(result_);
     return result_;
   }
@@ -58,7 +67,8 @@ class Diagnoser {
     if (options_.progress) options_.progress(what);
   }
 
-  void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch, const std::vector<MismatchRegion>& remaining) {
+  void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch,
+                     const std::vector<MismatchRegion>& remaining) {
     result_.verdict = verdict;
     result_.mismatch = mismatch;
     result_.remaining = remaining;
@@ -70,22 +80,28 @@ class Diagnoser {
     const JudgedSet& chosen = judged_.list.front();
     const ScanResult left = remaining(problem_, baseline_, scanner, chosen.fit);
     const bool clean = !problem_.noise.is_absolute || left.p_value > significance;
-    const double gained = (baseline_held_out_.cost - chosen.held_out.cost) / std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
-    if (!clean && gained < part_that_counts[std::min<std::size_t>(3, chosen.fit.explanation->effects().size())]) {
+    const double gained = (baseline_held_out_.cost - chosen.held_out.cost) /
+                          std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
+    if (!clean &&
+        gained < part_that_counts[std::min<std::size_t>(3, chosen.fit.explanation->effects().size())]) {
       nothing_named(Verdict::unexplained, result_.mismatch, result_.mismatch);
-      result_.remarks.push_back("the nearest of the catalogue, " + chosen.fit.explanation->name() + ", takes away only part of the mismatch and is not named");
+      result_.remarks.push_back("the nearest of the catalogue, " + chosen.fit.explanation->name() +
+                                ", takes away only part of the mismatch and is not named");
       return;
     }
     result_.improved = quality_of(problem_, chosen.fit.residual(problem_.samples), chosen.held_out);
     if (!clean) result_.remaining = left.regions;
     const auto rivals = rivals_of(chosen);
     double weight = 1;
-    for (const JudgedSet* rival : rivals) weight += std::exp(rival->candidate->score - chosen.candidate->score);
+    for (const JudgedSet* rival : rivals)
+      weight += std::exp(rival->candidate->score - chosen.candidate->score);
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
     bool ambiguous = false;
     for (const JudgedSet* rival : rivals) {
       const double difference = chosen.candidate->score - rival->candidate->score;
-      const bool predicts_as_well = rival->held_out.cost <= held_out_equal * std::max(1.0, chosen.held_out.cost);  // below 1 both are noise
+      const bool predicts_as_well =
+          rival->held_out.cost <=
+          held_out_equal * std::max(1.0, chosen.held_out.cost);  // below 1 both are noise
       AlternativeExplanation alternative;
       alternative.probability = std::exp(-difference) / weight;
       alternative.held_out_chi2_reduced = rival->held_out.chi2_reduced;
@@ -93,12 +109,14 @@ class Diagnoser {
       if (difference < as_good && predicts_as_well) ambiguous = true;
       if (difference < 2 * as_good && predicts_as_well)
         alternative.told_apart_by = experiment_that_tells_apart(problem_, chosen.fit, rival->fit);
-      else alternative.told_apart_by = "these data tell them apart";
+      else
+        alternative.told_apart_by = "these data tell them apart";
       result_.alternatives.push_back(alternative);
     }
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
-      const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced, result_.alternatives.front().told_apart_by};
+      const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
+                                         result_.alternatives.front().told_apart_by};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
     result_.compared = compared_tables(recording_, problem_, baseline_, chosen.fit);
@@ -116,12 +134,15 @@ class Diagnoser {
     result_.mismatch = before.regions;
     result_.baseline = quality_of(problem_, problem_.baseline_residual, baseline_held_out_);
     const ModelFit calibrated = finished(problem_, baseline_);
-    for (std::size_t k = 0; k < calibrated.values.size(); ++k) result_.calibrated.push_back(calibrated.parameter(k, 1));
+    for (std::size_t k = 0; k < calibrated.values.size(); ++k)
+      result_.calibrated.push_back(calibrated.parameter(k, 1));
     result_.noise = described_noise(problem_);
     result_.remarks = remarks_on_noise(problem_, prepared_.outliers);
     constexpr std::size_t most_said = 3;
     for (std::size_t i = 0; i < std::min(most_said, judged_.inconsistent.size()); ++i)
-      result_.remarks.push_back(judged_.inconsistent[i] + " would fit only with other parameters in different parts of the data and was rejected");
+      result_.remarks.push_back(
+          judged_.inconsistent[i] +
+          " would fit only with other parameters in different parts of the data and was rejected");
   }
 
   const Recording& recording_;
@@ -139,15 +160,22 @@ class Diagnoser {
 
 std::string name_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::no_mismatch: return "no_mismatch";
-    case Verdict::explained: return "explained";
-    case Verdict::partly_explained: return "partly_explained";
-    case Verdict::ambiguous: return "ambiguous";
-    case Verdict::unexplained: return "unexplained";
+    case Verdict::no_mismatch:
+      return "no_mismatch";
+    case Verdict::explained:
+      return "explained";
+    case Verdict::partly_explained:
+      return "partly_explained";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unexplained:
+      return "unexplained";
   }
   return "";
 }
 
-Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) { return Diagnoser(recording, options).run(); }
+Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) {
+  return Diagnoser(recording, options).run();
+}
 
 }  // namespace asperity

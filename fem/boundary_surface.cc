@@ -4,10 +4,13 @@
 
 namespace asperity::fem {
 
-meshing::TriangleSurface boundary_surface(const MeshLevel& level, const Vector<double>& positions, meshing::Body body) {
+meshing::TriangleSurface boundary_surface(const MeshLevel& level, const Vector<double>& positions,
+                                          meshing::Body body) {
   // Vertices of each face of a cell in deal.II's order, counter-clockwise seen from outside.
-  static constexpr int outward[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  const std::size_t nodes = (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
+  static constexpr int outward[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  const std::size_t nodes =
+      (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
   std::vector<meshing::Point> points(nodes);
   const double* x = positions.begin();
   for (std::size_t n = 0; n < nodes; ++n) points[n] = {x[3 * n], x[3 * n + 1], x[3 * n + 2]};

@@ -1,4 +1,5 @@
-// The boundary of one body's hexahedra as triangles, for what works on surfaces: CGAL's checks, export, gap queries.
+// The boundary of one body's hexahedra as triangles, for what works on surfaces: CGAL's checks, export, gap
+// queries.
 #pragma once
 
 #include "fem/solver/mesh_level.h"
@@ -6,7 +7,9 @@
 
 namespace asperity::fem {
 
-/// Closed and outward, hanging nodes included; of the cells this rank owns. `positions`: MeshLevel::node_positions.
-meshing::TriangleSurface boundary_surface(const MeshLevel& level, const Vector<double>& positions, meshing::Body body);
+/// Closed and outward, hanging nodes included; of the cells this rank owns. `positions`:
+/// MeshLevel::node_positions.
+meshing::TriangleSurface boundary_surface(const MeshLevel& level, const Vector<double>& positions,
+                                          meshing::Body body);
 
 }  // namespace asperity::fem

@@ -16,18 +16,21 @@
 namespace asperity::fem {
 namespace {
 
-/// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured correction.
+/// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured
+/// correction.
 constexpr double block_half_width_in_radii = 0.7;
-/// Longest way from the middle of a roll [m] that a contact with this fine region has on the particle's finely meshed cap: no further
-/// up the sphere than where its slope makes the cap's cells, a lattice in projection, a fifteenth longer, and with the evenly spaced
-/// cells, half a region more on both sides (BodyMap), still on the cap.
+/// Longest way from the middle of a roll [m] that a contact with this fine region has on the particle's
+/// finely meshed cap: no further up the sphere than where its slope makes the cap's cells, a lattice in
+/// projection, a fifteenth longer, and with the evenly spaced cells, half a region more on both sides
+/// (BodyMap), still on the cap.
 double longest_reach(double region, double radius) {
   constexpr double highest = 0.78, widest = 0.97;
   const double cap = meshing::BodyMap::cap_fraction * radius;
   return std::min(highest * cap - region, widest * cap - 1.5 * region);
 }
 
-/// A longest length for a message, in three digits that are no longer than it: what is advised is not refused.
+/// A longest length for a message, in three digits that are no longer than it: what is advised is not
+/// refused.
 std::string at_most(double length) {
   if (length <= 0) return "0 m";
   const double unit = std::pow(10, std::floor(std::log10(length)) - 2);
@@ -59,15 +62,16 @@ Roughness roughness_of(const TopographySpec& spec, double half_width, double spa
   return roughness;
 }
 
-/// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick radius of a / 10),
-/// and steps of a spacing, an eighth of the contact radius at most;
-/// of half a spacing at the rim of a contact that spins.
+/// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick
+/// radius of a / 10), and steps of a spacing, an eighth of the contact radius at most; of half a spacing at
+/// the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const auto law = make_friction_law(input.interface);
   const double friction = law ? area * law->initial_limit(setup.largest_load / area).stress : 0;
-  const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) + (2 - input.substrate.poisson_ratio) / shear(input.substrate);
+  const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) +
+                         (2 - input.substrate.poisson_ratio) / shear(input.substrate);
   const double torsion = 1 / shear(input.particle) + 1 / shear(input.substrate);
   MotionScales scales;
   scales.full_slip_shift = 3 * friction * lateral / (16 * a);
@@ -88,22 +92,27 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
   setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
 }
 
-/// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves them.
+/// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves
+/// them.
 void fit_to_program(const CaseInput& input, CaseSetup& setup) {
   const double R = input.radius;
-  const MotionExtent extent = extent_of(combined_program(parse_motion_program(input.experiment.program), input.experiment, setup.motion, {}));
+  const MotionExtent extent = extent_of(
+      combined_program(parse_motion_program(input.experiment.program), input.experiment, setup.motion, {}));
   auto& sizes = setup.system.mesh.sizes;
   const auto refuse = [&](const std::string& motion, double longest) {
     throw InputError(input.file + ": Experiment/Program " + motion + "; let the contact move by " +
                      at_most(2 * longest) + " at most, to and fro counting once");
   };
   sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
-  const double longest = longest_reach(sizes.region_particle, R), reach = sizes.region_particle + sizes.reach_particle;
-  if (sizes.reach_particle > longest) refuse("rolls the contact out of the particle's finely meshed cap", longest);
+  const double longest = longest_reach(sizes.region_particle, R),
+               reach = sizes.region_particle + sizes.reach_particle;
+  if (sizes.reach_particle > longest)
+    refuse("rolls the contact out of the particle's finely meshed cap", longest);
   sizes.reach_substrate = 0.5 * (extent.high_x - extent.low_x);
   sizes.region_substrate += 0.5 * (extent.high_y - extent.low_y) + R * std::asin(reach / R) - reach;
   const double widest = sizes.block_half_width / 2;
-  if (sizes.region_substrate + sizes.reach_substrate > widest) refuse("leaves the middle half of the substrate's block", widest - sizes.region_substrate);
+  if (sizes.region_substrate + sizes.reach_substrate > widest)
+    refuse("leaves the middle half of the substrate's block", widest - sizes.region_substrate);
 }
 
 }  // namespace
@@ -120,14 +129,15 @@ double attraction_reach(const InterfaceInput& input) {
 std::string resolution_text(const MeshedRoughness& roughness, const std::string& body) {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };
   constexpr double little = 0.01;
-  std::string text = body + ": " + format_quantity(roughness.cells_per_wave(), Dimension::none, 2) + " cells over its shortest wave of " +
-                     length(roughness.scales.shortest_wave);
+  std::string text = body + ": " + format_quantity(roughness.cells_per_wave(), Dimension::none, 2) +
+                     " cells over its shortest wave of " + length(roughness.scales.shortest_wave);
   if (roughness.scales.unresolved > little)
-    text += "; still shorter waves hold " + format_quantity(100 * roughness.scales.unresolved, Dimension::none, 2) +
+    text += "; still shorter waves hold " +
+            format_quantity(100 * roughness.scales.unresolved, Dimension::none, 2) +
             " % of the scan's slope variance: they are not resolved";
   if (roughness.scales.period < roughness.region)
-    text += "; the surface repeats every " + length(roughness.scales.period) + " within the region of " + length(roughness.region) +
-            " (a larger size= in Topography makes another surface that does not)";
+    text += "; the surface repeats every " + length(roughness.scales.period) + " within the region of " +
+            length(roughness.region) + " (a larger size= in Topography makes another surface that does not)";
   return text;
 }
 
@@ -150,24 +160,28 @@ CaseInput with_derived_way(const CaseInput& input) {
   CaseSetup setup;
   find_hertz_scales(input, setup);
   auto& e = derived.experiment;
-  if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0) e.distance = 5 * setup.hertz_radius;
+  if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0)
+    e.distance = 5 * setup.hertz_radius;
   if (e.type == Motion::torsion && e.angle == 0) e.angle = 6 * motion_scales(input, setup, 0).full_slip_angle;
   return derived;
 }
 
 namespace {
 
-/// Spacing of the interface's nodes where the case gives none [m]: twelve cells over Hertz' contact radius, which keep Hertz within 1 %, and
-/// four over the shortest wave of either surface, with which the largest pressure reads 10 to 25 % too small and real area is good to some
-/// 7 % (output/discretisation_error.h); result.json states both.
+/// Spacing of the interface's nodes where the case gives none [m]: twelve cells over Hertz' contact radius,
+/// which keep Hertz within 1 %, and four over the shortest wave of either surface, with which the largest
+/// pressure reads 10 to 25 % too small and real area is good to some 7 % (output/discretisation_error.h);
+/// result.json states both.
 double derived_spacing(const CaseSetup& setup) {
   constexpr double cells_per_radius = 12, cells_per_wave = 4;
   double spacing = setup.hertz_radius / cells_per_radius;
-  for (const auto& body : setup.roughness) spacing = std::min(spacing, body.scales.shortest_wave / cells_per_wave);
+  for (const auto& body : setup.roughness)
+    spacing = std::min(spacing, body.scales.shortest_wave / cells_per_wave);
   return spacing;
 }
 
-/// Unknowns of a mesh with this fine region, roughly: layers of cells that double in size away from both interfaces.
+/// Unknowns of a mesh with this fine region, roughly: layers of cells that double in size away from both
+/// interfaces.
 double estimated_unknowns(const meshing::BodySizes& sizes, double layers) {
   const auto nodes = [&](double region, double reach, double spacing) {
     return 4 * region * (region + reach) / (spacing * spacing) * (4.0 / 3) * (layers + 1);
@@ -181,13 +195,20 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
   constexpr double most_unknowns = 4e6;
   const double unknowns = estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
   const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const auto& scales = setup.roughness[setup.roughness[0].scales.shortest_wave < setup.roughness[1].scales.shortest_wave ? 0 : 1].scales;
+  const auto& scales =
+      setup
+          .roughness[setup.roughness[0].scales.shortest_wave < setup.roughness[1].scales.shortest_wave ? 0
+                                                                                                       : 1]
+          .scales;
   if (unknowns <= most_unknowns || !std::isfinite(scales.shortest_wave)) return;
   const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
-  throw InputError(input.file + ": the slopes of the roughness lie in waves down to " + format_quantity(scales.shortest_wave, Dimension::length) +
-                   ", which take cells of " + format_quantity(spacing, Dimension::length) + " and some " +
-                   format_quantity(unknowns / 1e6, Dimension::none, 2) + " million unknowns; leave out the shorter waves with cutoff=" +
-                   format_quantity(4 * affordable, Dimension::length, 2) + " in Topography, lower the load, or accept what a mesh of your own "
+  throw InputError(input.file + ": the slopes of the roughness lie in waves down to " +
+                   format_quantity(scales.shortest_wave, Dimension::length) + ", which take cells of " +
+                   format_quantity(spacing, Dimension::length) + " and some " +
+                   format_quantity(unknowns / 1e6, Dimension::none, 2) +
+                   " million unknowns; leave out the shorter waves with cutoff=" +
+                   format_quantity(4 * affordable, Dimension::length, 2) +
+                   " in Topography, lower the load, or accept what a mesh of your own "
                    "Mesh/Interface spacing leaves out");
 }
 
@@ -205,12 +226,15 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   setup.roughness[0].scales = upper_scales;
   setup.roughness[1].scales = lower_scales;
 
-  const double spacing = input.mesh.interface_spacing == 0 ? derived_spacing(setup) : input.mesh.interface_spacing;
+  const double spacing =
+      input.mesh.interface_spacing == 0 ? derived_spacing(setup) : input.mesh.interface_spacing;
 
   double region = input.mesh.contact_region;
   if (region == 0) {
-    // Asperities three RMS heights high still touch where smooth surfaces would be that far apart; attraction goes further.
-    const double reach = std::hypot(3 * std::hypot(upper_scales.rms, lower_scales.rms), attraction_reach(input.interface));
+    // Asperities three RMS heights high still touch where smooth surfaces would be that far apart; attraction
+    // goes further.
+    const double reach =
+        std::hypot(3 * std::hypot(upper_scales.rms, lower_scales.rms), attraction_reach(input.interface));
     double r = 1.15 * a;
     while (hertz_separation(r, a, R) < reach) r *= 1.02;
     region = r + 2 * spacing;
@@ -219,12 +243,14 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   if (region > largest_region) {
     const auto [found, allowed] = quantities_apart(region, largest_region, Dimension::length);
     throw InputError(input.file + ": the contact region of " + found + " is more than " + allowed +
-                     ", where small strain and slopes end; lower Experiment/Normal load or set a smaller Mesh/Contact region");
+                     ", where small strain and slopes end; lower Experiment/Normal load or set a smaller "
+                     "Mesh/Contact region");
   }
   if (region < 4 * spacing)
-    throw InputError(input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
-                     " leaves fewer than eight cells across the contact region of " + format_quantity(2 * region, Dimension::length) +
-                     "; set it to " + at_most(region / 16) + " or less");
+    throw InputError(
+        input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
+        " leaves fewer than eight cells across the contact region of " +
+        format_quantity(2 * region, Dimension::length) + "; set it to " + at_most(region / 16) + " or less");
 
   auto& options = setup.system;
   options.materials = {material_of(input.particle), material_of(input.substrate)};
@@ -238,23 +264,27 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   sizes.region_particle = region;
   sizes.region_substrate = region + 3 * spacing;
   const Motion type = input.experiment.type;
-  const bool rough = upper != "smooth" || lower != "smooth";
-  options.tilted_normals = type == Motion::sliding || type == Motion::rolling || type == Motion::program || (type == Motion::torsion && rough);
+  const bool rough = !upper.is_smooth() || !lower.is_smooth();
+  options.tilted_normals = type == Motion::sliding || type == Motion::rolling || type == Motion::program ||
+                           (type == Motion::torsion && rough);
   if (type == Motion::rolling) {
     sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
     const double reach = region + sizes.reach_particle, longest = longest_reach(region, R);
     if (sizes.reach_particle > longest)
-      throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
+      throw InputError(input.file + ": Experiment/Distance of " +
+                       format_quantity(input.experiment.distance, Dimension::length) +
                        " rolls the contact out of the particle's finely meshed cap; set it to " +
                        at_most(2 * longest) + " or less");
-    sizes.region_substrate += R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
+    sizes.region_substrate +=
+        R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
   }
   if (type == Motion::sliding) {
     // The particle slides from the origin along x.
     sizes.reach_substrate = sizes.offset_substrate_x = input.experiment.distance / 2;
     const double longest = sizes.block_half_width / 2;
     if (sizes.region_substrate + sizes.reach_substrate > longest)
-      throw InputError(input.file + ": Experiment/Distance of " + format_quantity(input.experiment.distance, Dimension::length) +
+      throw InputError(input.file + ": Experiment/Distance of " +
+                       format_quantity(input.experiment.distance, Dimension::length) +
                        " leaves the middle half of the substrate's block; set it to " +
                        at_most(2 * (longest - sizes.region_substrate)) + " or less");
   }
@@ -277,9 +307,11 @@ CaseSetup set_up(const CaseInput& input) {
   auto& options = setup.system;
   const auto& sizes = options.mesh.sizes;
   const double spacing = sizes.spacing_particle;
-  const Roughness particle = roughness_of(input.particle.topography, sizes.region_particle + sizes.reach_particle, spacing);
+  const Roughness particle =
+      roughness_of(input.particle.topography, sizes.region_particle + sizes.reach_particle, spacing);
   const Roughness substrate =
-      roughness_of(input.substrate.topography, sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);
+      roughness_of(input.substrate.topography,
+                   sizes.region_substrate + sizes.reach_substrate + sizes.offset_substrate_x, spacing);
   options.mesh.particle_height = particle.height;
   options.mesh.substrate_height = substrate.height;
   options.mesh.largest_height_particle = particle.largest;

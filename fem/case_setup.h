@@ -1,4 +1,5 @@
-// From a case to the system that is solved: materials, roughness, and mesh defaults derived from load and roughness.
+// From a case to the system that is solved: materials, roughness, and mesh defaults derived from load and
+// roughness.
 #pragma once
 
 #include "core/case.h"
@@ -12,8 +13,8 @@ namespace asperity::fem {
 /// One body's roughness on the mesh.
 struct MeshedRoughness {
   TopographyScales scales;
-  double spacing = 0;  ///< of the interface's nodes [m]
-  double region = 0;   ///< longer side of the finely meshed rectangle [m]
+  double spacing = 0;          ///< of the interface's nodes [m]
+  double region = 0;           ///< longer side of the finely meshed rectangle [m]
   RoughnessFidelity fidelity;  ///< known once the mesh is made
 
   bool rough() const { return scales.rms > 0; }
@@ -25,17 +26,18 @@ std::string resolution_text(const MeshedRoughness& roughness, const std::string&
 
 struct CaseSetup {
   ContactSystemOptions system;
-  double hertz_radius = 0;      ///< a of the smooth elastic contact at the largest load [m]
-  double hertz_approach = 0;    ///< its approach [m]
-  double reduced_modulus = 0;   ///< E* [Pa]
-  double largest_load = 0;      ///< given, or Hertz' at the largest approach [N]
-  MotionScales motion;          ///< of the steps of sliding and torsion
+  double hertz_radius = 0;                     ///< a of the smooth elastic contact at the largest load [m]
+  double hertz_approach = 0;                   ///< its approach [m]
+  double reduced_modulus = 0;                  ///< E* [Pa]
+  double largest_load = 0;                     ///< given, or Hertz' at the largest approach [N]
+  MotionScales motion;                         ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
   std::array<MeshedRoughness, 2> roughness;    ///< particle, substrate
 };
 
-/// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so that two diameters
-/// of it are steady; six times the spin at which a smooth contact slips as a whole, for the spots of a rough one let go later.
+/// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so
+/// that two diameters of it are steady; six times the spin at which a smooth contact slips as a whole, for
+/// the spots of a rough one let go later.
 CaseInput with_derived_way(const CaseInput& input);
 
 /// Throws InputError if the mesh parameters do not fit the bodies.
@@ -46,7 +48,8 @@ void check_extent(const CaseInput& input);
 
 J2Material material_of(const BodyInput& body);
 
-/// Separation of the surfaces outside a Hertzian contact, at distance r > a from its centre (Johnson 1985, eq. 3.42a).
+/// Separation of the surfaces outside a Hertzian contact, at distance r > a from its centre (Johnson 1985,
+/// eq. 3.42a).
 double hertz_separation(double r, double contact_radius, double sphere_radius);
 
 }  // namespace asperity::fem

@@ -21,14 +21,16 @@ using namespace fem;
 namespace fs = std::filesystem;
 using Say = std::function<void(const std::string&)>;
 
-/// Peak memory of `asperity solve` on one process: program and libraries, then each unknown [byte]. Line through the
-/// maximum resident sets that result.json of runs/paper/surfaces.prm states: 295 MB for 122121 unknowns (18 nm at the
-/// interface), 389 MB for 257358 (12 nm).
+/// Peak memory of `asperity solve` on one process: program and libraries, then each unknown [byte]. Line
+/// through the maximum resident sets that result.json of runs/paper/surfaces.prm states: 295 MB for 122121
+/// unknowns (18 nm at the interface), 389 MB for 257358 (12 nm).
 constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
 
 const char* const body_name[2] = {"particle", "substrate"};
 
-std::string length(double metres, int digits = 3) { return format_quantity(metres, Dimension::length, digits); }
+std::string length(double metres, int digits = 3) {
+  return format_quantity(metres, Dimension::length, digits);
+}
 
 std::string text(const char* pattern, double value) {
   char buffer[64];
@@ -43,22 +45,27 @@ void say_lines(const Say& say, const std::string& lines) {
 }
 
 double smooth_volume(const meshing::BodySizes& sizes, int body) {
-  return body == 0 ? (sizes.full_sphere ? 4.0 : 2.0) / 3 * M_PI * std::pow(sizes.radius, 3) : std::pow(2 * sizes.block_half_width, 3);
+  return body == 0 ? (sizes.full_sphere ? 4.0 : 2.0) / 3 * M_PI * std::pow(sizes.radius, 3)
+                   : std::pow(2 * sizes.block_half_width, 3);
 }
 
-void say_counts(const Say& say, const meshing::ContactMeshOptions& options, const MeshLevel& level, const meshing::BodyMap& map) {
+void say_counts(const Say& say, const meshing::ContactMeshOptions& options, const MeshLevel& level,
+                const meshing::BodyMap& map) {
   const auto& sizes = options.sizes;
   std::array<long, 2> cells{}, faces{};
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l) ++cells[batch.body[l]];
   for (const auto& face : level.interface_faces()) ++faces[face.body];
   for (int body = 0; body < 2; ++body)
-    say(std::string(body_name[body]) + ": " + std::to_string(cells[body]) + " hexahedra, " + std::to_string(faces[body]) +
-        " faces on its interface, nodes every " + length(body == 0 ? sizes.spacing_particle : sizes.spacing_substrate) +
-        " within +-" + length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
+    say(std::string(body_name[body]) + ": " + std::to_string(cells[body]) + " hexahedra, " +
+        std::to_string(faces[body]) + " faces on its interface, nodes every " +
+        length(body == 0 ? sizes.spacing_particle : sizes.spacing_substrate) + " within +-" +
+        length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
         std::to_string(map.finest_level(static_cast<meshing::Body>(body))) + " levels of refinement");
   say("both: " + std::to_string(level.size()) + " unknowns; to solve them takes about " +
-      text("%.2g GiB", (bytes_of_program + static_cast<double>(level.size()) * bytes_per_unknown) / (1 << 30)) + " of memory");
+      text("%.2g GiB",
+           (bytes_of_program + static_cast<double>(level.size()) * bytes_per_unknown) / (1 << 30)) +
+      " of memory");
 }
 
 void say_quality(const Say& say, const HexMeshQuality& quality) {
@@ -67,9 +74,11 @@ void say_quality(const Say& say, const HexMeshQuality& quality) {
     say(name + ": smallest scaled Jacobian " + text("%.3f", quality.smallest_scaled_jacobian[body]));
     const RoughnessFidelity& roughness = quality.roughness[body];
     if (roughness.smooth()) continue;
-    say(name + ": Sq of the nodes " + length(roughness.sq_nodes, 4) + ", of the topography there " + length(roughness.sq_topography, 4) +
-        text(" (%+.2f %%)", 100 * (roughness.sq_ratio() - 1)) + "; facets depart from it by " + length(roughness.sq_between) +
-        text(" rms (%.2g %%)", 100 * roughness.missed_height_share()) + text(" and miss %.2g %% of its slope variance", 100 * roughness.missed_slope_share()));
+    say(name + ": Sq of the nodes " + length(roughness.sq_nodes, 4) + ", of the topography there " +
+        length(roughness.sq_topography, 4) + text(" (%+.2f %%)", 100 * (roughness.sq_ratio() - 1)) +
+        "; facets depart from it by " + length(roughness.sq_between) +
+        text(" rms (%.2g %%)", 100 * roughness.missed_height_share()) +
+        text(" and miss %.2g %% of its slope variance", 100 * roughness.missed_slope_share()));
   }
 }
 
@@ -122,17 +131,23 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
     const auto surface = boundary_surface(level, positions, static_cast<meshing::Body>(body));
     const auto check = meshing::check_surface(surface);
     say_lines(say, meshing::summary(name, surface, check));
-    say(name + text(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) + " of the smooth " +
-        (body == 1 ? "block's" : options.sizes.full_sphere ? "sphere's" : "hemisphere's"));
+    say(name +
+        text(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) +
+        " of the smooth " +
+        (body == 1                   ? "block's"
+         : options.sizes.full_sphere ? "sphere's"
+                                     : "hemisphere's"));
     meshing::require_body(check, "the " + name);
-    for (const char* extension : {".stl", ".ply", ".off"}) meshing::write_surface(surface, output / (name + extension));
+    for (const char* extension : {".stl", ".ply", ".off"})
+      meshing::write_surface(surface, output / (name + extension));
 
     const auto tetrahedra = meshing::tetrahedra(surface, tetrahedra_options(options.sizes, body));
     say_lines(say, meshing::summary(name, tetrahedra, meshing::quality(tetrahedra), check.volume));
     meshing::write_tetrahedra(tetrahedra, output / (name + "_tetrahedra.vtu"), meshing::LengthUnit::metre);
     meshing::write_tetrahedra(tetrahedra, output / (name + "_tetrahedra.msh"));
   }
-  say("written to " + output.string() + ": hexahedra.vtu, *_tetrahedra.vtu (coordinates in m), and in um *_tetrahedra.msh and the "
+  say("written to " + output.string() +
+      ": hexahedra.vtu, *_tetrahedra.vtu (coordinates in m), and in um *_tetrahedra.msh and the "
       "surfaces as .stl, .ply, .off");
 }
 

@@ -26,19 +26,23 @@ struct Moments {
   }
   double rms() const { return weight > 0 ? std::sqrt(square / weight) : 0; }
   /// About the mean.
-  double sq() const { return weight > 0 ? std::sqrt(std::max(0.0, square / weight - sum * sum / weight / weight)) : 0; }
+  double sq() const {
+    return weight > 0 ? std::sqrt(std::max(0.0, square / weight - sum * sum / weight / weight)) : 0;
+  }
 };
 
-/// Calls `visit(slope of the topography, slope of the facet)` for both components at the four Gauss points of a bilinear facet with
-/// corner `low`, of this width and these corner heights.
+/// Calls `visit(slope of the topography, slope of the facet)` for both components at the four Gauss points of
+/// a bilinear facet with corner `low`, of this width and these corner heights.
 template <typename Visit>
-void for_slopes(const meshing::HeightFunction& topography, const std::array<double, 2>& low, const std::array<double, 2>& width,
-                const std::array<double, 4>& height, const Visit& visit) {
-  constexpr double short_way = 1.0 / 64;  // of the cell: central differences that see every wave a mesh is refused for
+void for_slopes(const meshing::HeightFunction& topography, const std::array<double, 2>& low,
+                const std::array<double, 2>& width, const std::array<double, 4>& height, const Visit& visit) {
+  constexpr double short_way =
+      1.0 / 64;  // of the cell: central differences that see every wave a mesh is refused for
   const double first = 0.5 - 0.5 / std::sqrt(3.0), second = 1 - first;
   for (const double s : {first, second})
     for (const double t : {first, second}) {
-      const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = short_way * width[0], ey = short_way * width[1];
+      const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = short_way * width[0],
+                   ey = short_way * width[1];
       visit((topography(x + ex, y) - topography(x - ex, y)) / (2 * ex),
             ((1 - t) * (height[1] - height[0]) + t * (height[3] - height[2])) / width[0]);
       visit((topography(x, y + ey) - topography(x, y - ey)) / (2 * ey),
@@ -46,8 +50,8 @@ void for_slopes(const meshing::HeightFunction& topography, const std::array<doub
     }
 }
 
-RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options,
-                           int body) {
+RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positions,
+                           const meshing::ContactMeshOptions& options, int body) {
   RoughnessFidelity result;
   const auto& topography = body == 0 ? options.particle_height : options.substrate_height;
   if (!topography) return result;
@@ -57,7 +61,8 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
   const meshing::BodyMap smooth(options.sizes);
   const InterfaceNodes nodes(level);
   const auto z = nodes.gather(positions.begin(), 2);
-  const double unit = std::pow(2.0, -lattice_bits), offset_x = body == 0 ? 0 : options.sizes.offset_substrate_x,
+  const double unit = std::pow(2.0, -lattice_bits),
+               offset_x = body == 0 ? 0 : options.sizes.offset_substrate_x,
                offset_y = body == 0 ? 0 : options.sizes.offset_substrate_y;
 
   Moments nodal, deviation, sampled, between, slope, missed_slope;
@@ -67,13 +72,15 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
     std::array<double, 4> height;
     double reach = 0;
     for (int v = 0; v < 4; ++v) {
-      corner[v] = smooth.position(tree, {(face.i + (v & 1) * face.size) * unit, (face.j + (v >> 1) * face.size) * unit,
-                                         meshing::BodyMap::surface_coordinate(tree)});
+      corner[v] = smooth.position(
+          tree, {(face.i + (v & 1) * face.size) * unit, (face.j + (v >> 1) * face.size) * unit,
+                 meshing::BodyMap::surface_coordinate(tree)});
       height[v] = out_of_material * (z[nodes.index(face.node[v])] - corner[v][2]);
       reach = std::max({reach, std::abs(corner[v][0] - offset_x), std::abs(corner[v][1] - offset_y)});
     }
     if (reach > region * (1 + 1e-9)) continue;
-    const double width_x = corner[3][0] - corner[0][0], width_y = corner[3][1] - corner[0][1], area = width_x * width_y;
+    const double width_x = corner[3][0] - corner[0][0], width_y = corner[3][1] - corner[0][1],
+                 area = width_x * width_y;
     for (int v = 0; v < 4; ++v) {
       nodal.add(height[v], area / 4);
       deviation.add(height[v] - topography(corner[v][0], corner[v][1]), area / 4);
@@ -82,7 +89,8 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
       for (int a = 0; a < samples_per_cell; ++a) {
         const double s = (a + 0.5) / samples_per_cell, t = (b + 0.5) / samples_per_cell;
         const double h = topography(corner[0][0] + s * width_x, corner[0][1] + t * width_y);
-        const double facet = (1 - t) * ((1 - s) * height[0] + s * height[1]) + t * ((1 - s) * height[2] + s * height[3]);
+        const double facet =
+            (1 - t) * ((1 - s) * height[0] + s * height[1]) + t * ((1 - s) * height[2] + s * height[3]);
         sampled.add(h, area);
         between.add(facet - h, area);
       }
@@ -132,21 +140,24 @@ std::array<double, 2> smallest_scaled_jacobians(const MeshLevel& level, const Ve
   const auto jacobians = scaled_jacobians(level, positions);
   std::size_t cell = 0;
   for (const auto& batch : level.batches())
-    for (int l = 0; l < batch.count; ++l, ++cell) smallest[batch.body[l]] = std::min(smallest[batch.body[l]], jacobians[cell]);
+    for (int l = 0; l < batch.count; ++l, ++cell)
+      smallest[batch.body[l]] = std::min(smallest[batch.body[l]], jacobians[cell]);
   for (double& value : smallest) value = dealii::Utilities::MPI::min(value, level.communicator());
   return smallest;
 }
 
 }  // namespace
 
-HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& positions, const meshing::ContactMeshOptions& options) {
+HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& positions,
+                                const meshing::ContactMeshOptions& options) {
   HexMeshQuality quality;
   quality.smallest_scaled_jacobian = smallest_scaled_jacobians(level, positions);
   const auto& found = quality.smallest_scaled_jacobian;
   if (std::min(found[0], found[1]) <= smallest_allowed_scaled_jacobian) {
     meshing::ContactMeshOptions smooth = options;
     smooth.particle_height = smooth.substrate_height = {};
-    quality.without_roughness = smallest_scaled_jacobians(level, level.node_positions(meshing::RoughGeometry(smooth)));
+    quality.without_roughness =
+        smallest_scaled_jacobians(level, level.node_positions(meshing::RoughGeometry(smooth)));
   }
   for (int body = 0; body < 2; ++body) quality.roughness[body] = fidelity(level, positions, options, body);
   return quality;
@@ -154,39 +165,52 @@ HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& po
 
 std::string missed_roughness_text(const RoughnessFidelity& roughness, const std::string& body) {
   if (roughness.missed_slope_share() < worth_saying_of_slopes) return "";
-  return body + ": facets miss " + text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the slope variance and " +
-         text("%.0f %%", 100 * roughness.missed_height_share()) + " of Sq: pressures read too small (result.json says by how much)";
+  return body + ": facets miss " + text("%.0f %%", 100 * roughness.missed_slope_share()) +
+         " of the slope variance and " + text("%.0f %%", 100 * roughness.missed_height_share()) +
+         " of Sq: pressures read too small (result.json says by how much)";
 }
 
-void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options, const std::string& file) {
+void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options,
+                     const std::string& file) {
   for (int body = 0; body < 2; ++body) {
     const std::string name = body == 0 ? "Particle" : "Substrate";
     const double spacing = body == 0 ? options.sizes.spacing_particle : options.sizes.spacing_substrate;
     const double jacobian = quality.smallest_scaled_jacobian[body];
     const RoughnessFidelity& roughness = quality.roughness[body];
     if (!roughness.smooth()) {
-      if (roughness.missed_slope_share() > allowed_missed_slopes || roughness.missed_height_share() > allowed_missed_height)
-        throw InputError(file + ": " + name + "/Topography: between nodes every " + format_quantity(spacing, Dimension::length) + " the mesh misses " +
-                         text("%.0f %%", 100 * roughness.missed_slope_share()) + " of the topography's slope variance and " +
-                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " + text("%g %%", 100 * allowed_missed_slopes) +
-                         " of either is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less, or leave "
+      if (roughness.missed_slope_share() > allowed_missed_slopes ||
+          roughness.missed_height_share() > allowed_missed_height)
+        throw InputError(file + ": " + name + "/Topography: between nodes every " +
+                         format_quantity(spacing, Dimension::length) + " the mesh misses " +
+                         text("%.0f %%", 100 * roughness.missed_slope_share()) +
+                         " of the topography's slope variance and " +
+                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " +
+                         text("%g %%", 100 * allowed_missed_slopes) +
+                         " of either is allowed); set Mesh/Interface spacing to a quarter of the "
+                         "topography's shortest wave or less, or leave "
                          "out shorter waves with cutoff= in Topography");
-      const double ratio_error = std::abs(roughness.sq_ratio() - 1), node_error = roughness.sq_deviation / roughness.sq_topography;
+      const double ratio_error = std::abs(roughness.sq_ratio() - 1),
+                   node_error = roughness.sq_deviation / roughness.sq_topography;
       if (std::max(ratio_error, node_error) > allowed_roughness_error)
-        throw InputError(file + ": " + name + "/Topography: the mesh with nodes every " + format_quantity(spacing, Dimension::length) +
-                         " has an Sq of " + format_quantity(roughness.sq_nodes, Dimension::length, 4) + " where the topography has " +
+        throw InputError(file + ": " + name + "/Topography: the mesh with nodes every " +
+                         format_quantity(spacing, Dimension::length) + " has an Sq of " +
+                         format_quantity(roughness.sq_nodes, Dimension::length, 4) +
+                         " where the topography has " +
                          format_quantity(roughness.sq_topography, Dimension::length, 4) + " (at most " +
                          text("%g %%", 100 * allowed_roughness_error) +
-                         " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's shortest wave or less");
+                         " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's "
+                         "shortest wave or less");
     }
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
-    const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) + " (more than " +
-                              text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
+    const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) +
+                              " (more than " + text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
     if (roughness.smooth() || quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
-      throw InputError(file + ": " + name + ": the way from fine cells at the contact to the body's border distorts" + found +
+      throw InputError(file + ": " + name +
+                       ": the way from fine cells at the contact to the body's border distorts" + found +
                        "use a shorter Experiment/Distance or another Mesh/Interface spacing");
-    throw InputError(file + ": " + name + "/Topography: the roughness distorts" + found +
-                     "its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");
+    throw InputError(
+        file + ": " + name + "/Topography: the roughness distorts" + found +
+        "its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");
   }
 }
 

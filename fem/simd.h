@@ -1,5 +1,5 @@
-// Eight cells at a time: the compiler's vector extension, wide enough for AVX-512 in double precision and lowered by
-// the compiler to whatever the target has.
+// Eight cells at a time: the compiler's vector extension, wide enough for AVX-512 in double precision and
+// lowered by the compiler to whatever the target has.
 #pragma once
 
 #include <cmath>

@@ -17,7 +17,8 @@ void require_solvable(const CaseInput& input) {
   const auto parts = e.type == Motion::program ? parse_motion_program(e.program) : std::vector<ProgramPart>{};
   const std::string objection = objection_to_program(e);
   if (!objection.empty()) refuse(objection);
-  const bool rolls = e.type == Motion::rolling || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
+  const bool rolls = e.type == Motion::rolling ||
+                     std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.rolls(); });
   if (rolls && input.solver.backend != "matrix-free") refuse("rolling needs Solver/Backend = matrix-free");
   const auto& i = input.interface;
   bool rubs = false;
@@ -29,7 +30,9 @@ void require_solvable(const CaseInput& input) {
     refuse(error.what());
   }
   if (i.opening_work > 0 && i.opening_work < i.work_of_adhesion)
-    refuse("Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, or 0 for the same");
+    refuse(
+        "Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, "
+        "or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
   if (e.type == Motion::torsion && !rubs) {
@@ -38,8 +41,10 @@ void require_solvable(const CaseInput& input) {
     refuse("torsion without friction meets no resistance; set Interface/" + alternatives(entries));
   }
   if (e.type != Motion::normal && e.cycles > 1 && !e.reverse)
-    refuse("Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
-  if (e.way_back > 0 && (!e.reverse || e.cycles > 1 || (e.type != Motion::sliding && e.type != Motion::rolling)))
+    refuse(
+        "Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
+  if (e.way_back > 0 &&
+      (!e.reverse || e.cycles > 1 || (e.type != Motion::sliding && e.type != Motion::rolling)))
     refuse("Experiment/Way back is for one cycle of sliding or rolling with Reverse = true; set it to 0");
 }
 

@@ -9,10 +9,11 @@ Point3 blend(const Point3& a, const Point3& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-/// Level at which 2^level cells over `width` are at least as wide as `spacing`; the stretch makes up the rest. Where these are too few
-/// to reach over the uniform part, or the last one is more than `widest` times as wide as these, one level more, with cells that are
-/// narrower than asked. Hanging nodes lie in the middle of wide faces, where the nodes of a grading do not: on the cap scaled Jacobians
-/// fall below 0.2 at a widening of 9.5, in the block at 10.2.
+/// Level at which 2^level cells over `width` are at least as wide as `spacing`; the stretch makes up the
+/// rest. Where these are too few to reach over the uniform part, or the last one is more than `widest` times
+/// as wide as these, one level more, with cells that are narrower than asked. Hanging nodes lie in the middle
+/// of wide faces, where the nodes of a grading do not: on the cap scaled Jacobians fall below 0.2 at a
+/// widening of 9.5, in the block at 10.2.
 int level_for(double width, double spacing, double uniform_half_width) {
   constexpr double widest = 8;
   const int level = std::max(2, static_cast<int>(std::floor(std::log2(width / spacing * (1 + 1e-9)))));
@@ -63,8 +64,8 @@ std::array<double, 2> BodyMap::aside(int tree, const Point3& logical) const {
 }
 
 Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {
-  // Built for the side towards +x, then turned by quarter * 90 degrees about z. Axes of the tree: along (towards +x or +y when
-  // turned), up and inwards, in the order that makes them right-handed.
+  // Built for the side towards +x, then turned by quarter * 90 degrees about z. Axes of the tree: along
+  // (towards +x or +y when turned), up and inwards, in the order that makes them right-handed.
   const bool first = up_first(quarter);
   const double along = logical[first ? 1 : 0], up = logical[first ? 0 : 1];
   const double R = sizes_.radius, tangential = (first ? 1 : -1) * cap_lateral_(2 * along - 1);
@@ -76,17 +77,22 @@ Point3 BodyMap::in_side_tree(int quarter, const Point3& logical) const {
   const Point3 equator{R * std::cos(phi), R * std::sin(phi), R};
   Point3 from_centre = blend(edge, equator, up);
   from_centre[2] -= R;
-  const double norm = std::sqrt(from_centre[0] * from_centre[0] + from_centre[1] * from_centre[1] + from_centre[2] * from_centre[2]);
+  const double norm = std::sqrt(from_centre[0] * from_centre[0] + from_centre[1] * from_centre[1] +
+                                from_centre[2] * from_centre[2]);
   const Point3 outer{from_centre[0] * R / norm, from_centre[1] * R / norm, R + from_centre[2] * R / norm};
   const double c = core_fraction * R, height = core_height_fraction * R;
   const Point3 inner{c, c * fraction, R - height * (1 - up)};
 
   const Point3 p = blend(outer, inner, depth_fraction);
   switch (quarter) {
-    case 0: return p;
-    case 1: return {-p[1], p[0], p[2]};
-    case 2: return {-p[0], -p[1], p[2]};
-    default: return {p[1], -p[0], p[2]};
+    case 0:
+      return p;
+    case 1:
+      return {-p[1], p[0], p[2]};
+    case 2:
+      return {-p[0], -p[1], p[2]};
+    default:
+      return {p[1], -p[0], p[2]};
   }
 }
 

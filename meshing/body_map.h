@@ -1,11 +1,12 @@
 // The smooth shapes of the two bodies as logical boxes ("trees" of the octree forest) with analytic maps.
 //
-// Particle: a hemisphere, apex at the origin, its equator plane at z = R. Six trees: the cap below (projected, a square
-// |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides up to the equator, a core. A full
-// sphere has a second hemisphere, the mirror image of the first.
-// An edge that trees share has the same direction in all of them: p4est takes that for granted when deal.II describes a coarse
-// mesh to it (deal.II issue 16272); otherwise neighbours across such edges are missed, and meshes tear between ranks.
-// Substrate: a cube [-L, L]^2 x [-2L, 0], one tree. The cap and the substrate's tree carry the interface.
+// Particle: a hemisphere, apex at the origin, its equator plane at z = R. Six trees: the cap below
+// (projected, a square |x|, |y| <= cap R, so that its nodes are a Cartesian lattice in x and y), four sides
+// up to the equator, a core. A full sphere has a second hemisphere, the mirror image of the first. An edge
+// that trees share has the same direction in all of them: p4est takes that for granted when deal.II describes
+// a coarse mesh to it (deal.II issue 16272); otherwise neighbours across such edges are missed, and meshes
+// tear between ranks. Substrate: a cube [-L, L]^2 x [-2L, 0], one tree. The cap and the substrate's tree
+// carry the interface.
 #pragma once
 
 #include <array>
@@ -23,15 +24,17 @@ enum Tree { cap = 0, side_first = 1, core = 5, block = 6, upper_first = 7, upper
 
 /// Geometry that fixes both smooth bodies; lengths in m.
 struct BodySizes {
-  double radius = 0;          ///< of the particle
-  bool full_sphere = false;   ///< instead of a hemisphere
+  double radius = 0;            ///< of the particle
+  bool full_sphere = false;     ///< instead of a hemisphere
   double block_half_width = 0;  ///< L of the substrate's cube
   double spacing_particle = 0;  ///< node spacing at the interface
   double spacing_substrate = 0;
-  double region_particle = 0;   ///< half width of the uniformly spaced square around the axis
+  double region_particle = 0;  ///< half width of the uniformly spaced square around the axis
   double region_substrate = 0;
-  double reach_particle = 0;    ///< by which the particle's fine region is longer on both sides along x (rolling)
-  double reach_substrate = 0;   ///< by which the substrate's fine region is longer on both sides along x (sliding)
+  double reach_particle =
+      0;  ///< by which the particle's fine region is longer on both sides along x (rolling)
+  double reach_substrate =
+      0;  ///< by which the substrate's fine region is longer on both sides along x (sliding)
   double offset_substrate_x = 0, offset_substrate_y = 0;  ///< place of the substrate's centre
 };
 
@@ -41,9 +44,11 @@ class BodyMap {
 
   /// Position of a point of a tree, logical coordinates in [0, 1]^3.
   Point3 position(int tree, const Point3& logical) const;
-  /// Depth below the contact surface [m] along the grading, 0 at the surface; only for the trees cap and block.
+  /// Depth below the contact surface [m] along the grading, 0 at the surface; only for the trees cap and
+  /// block.
   double depth(int tree, const Point3& logical) const;
-  /// Place along x and y [m] of a line of the surface's lattice, from the middle of its body's; only for the trees cap and block.
+  /// Place along x and y [m] of a line of the surface's lattice, from the middle of its body's; only for the
+  /// trees cap and block.
   std::array<double, 2> aside(int tree, const Point3& logical) const;
   /// Refinement level at which the spacing at the interface is the requested one.
   int finest_level(Body body) const { return body == Body::particle ? level_particle_ : level_substrate_; }

@@ -31,7 +31,8 @@ void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
       Point3 p = map.position(tree, LogicalBox{tree, {0, 0, 0}, 1}.vertex(v));
       if (tree == block) p[2] -= 1;  // keep the bodies apart, whatever the tolerance for merging vertices
       const dealii::Point<3> point(p[0], p[1], p[2]);
-      auto known = std::find_if(vertices.begin(), vertices.end(), [&](const auto& q) { return q.distance(point) < 1e-6; });
+      auto known = std::find_if(vertices.begin(), vertices.end(),
+                                [&](const auto& q) { return q.distance(point) < 1e-6; });
       if (known == vertices.end()) known = vertices.insert(vertices.end(), point);
       cells[tree].vertices[v] = static_cast<unsigned>(known - vertices.begin());
     }
@@ -43,20 +44,27 @@ void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
       unsigned id = free_boundary;
-      if (tree == block) id = f == 5 ? interface_substrate : f == 4 ? fixed_boundary : free_boundary;
-      else if (tree == cap) id = f == 4 ? interface_particle : free_boundary;
-      else if (tree == upper_first + cap) id = f == 4 ? driven_boundary : free_boundary;  // glued over its upper cap
-      else if (tree > upper_first) id = free_boundary;
-      else id = static_cast<int>(f) == BodyMap::equator_face(tree) ? driven_boundary : free_boundary;
+      if (tree == block)
+        id = f == 5 ? interface_substrate : f == 4 ? fixed_boundary : free_boundary;
+      else if (tree == cap)
+        id = f == 4 ? interface_particle : free_boundary;
+      else if (tree == upper_first + cap)
+        id = f == 4 ? driven_boundary : free_boundary;  // glued over its upper cap
+      else if (tree > upper_first)
+        id = free_boundary;
+      else
+        id = static_cast<int>(f) == BodyMap::equator_face(tree) ? driven_boundary : free_boundary;
       cell->face(f)->set_boundary_id(id);
     }
   }
 }
 
-/// How far a cell is from the contact region: 0 where it touches the uniformly meshed square. Aside by the lattice of the surface, though
-/// the cap's lattice is narrower below: a cell is never farther than those below it, which would hang their nodes on its wide faces.
+/// How far a cell is from the contact region: 0 where it touches the uniformly meshed square. Aside by the
+/// lattice of the surface, though the cap's lattice is narrower below: a cell is never farther than those
+/// below it, which would hang their nodes on its wide faces.
 double distance_to_region(const BodyMap& map, const LogicalBox& box, double region) {
-  const std::array<double, 2> low = map.aside(box.tree, box.vertex(0)), high = map.aside(box.tree, box.vertex(7));
+  const std::array<double, 2> low = map.aside(box.tree, box.vertex(0)),
+                              high = map.aside(box.tree, box.vertex(7));
   double lateral = 0;
   for (int d = 0; d < 2; ++d) {
     const double nearest = std::max({0.0, low[d], -high[d]});
@@ -70,18 +78,22 @@ double distance_to_region(const BodyMap& map, const LogicalBox& box, double regi
 bool too_coarse(const BodyMap& map, const LogicalBox& box, double layers) {
   if (box.tree != cap && box.tree != block) return false;
   const Body body = BodyMap::body_of(box.tree);
-  const double spacing = body == Body::particle ? map.sizes().spacing_particle : map.sizes().spacing_substrate;
+  const double spacing =
+      body == Body::particle ? map.sizes().spacing_particle : map.sizes().spacing_substrate;
   const double region = body == Body::particle ? map.sizes().region_particle : map.sizes().region_substrate;
   const double width = box.size * spacing * std::pow(2.0, map.finest_level(body));
   if (width < 1.5 * spacing) return false;
   const double distance = distance_to_region(map, box, region);
-  // The near field, where stresses peak below a smooth contact, keeps at least six cells over the region's width.
-  const double allowed = distance < region ? std::min(0.5 * distance * 4 / layers, 0.35 * region) : 0.5 * distance * 4 / layers;
+  // The near field, where stresses peak below a smooth contact, keeps at least six cells over the region's
+  // width.
+  const double allowed =
+      distance < region ? std::min(0.5 * distance * 4 / layers, 0.35 * region) : 0.5 * distance * 4 / layers;
   return width > std::max(spacing, allowed) * (1 + 1e-9);
 }
 
-/// Whether the cell and all that it is a part of are too coarse. A part is never nearer to the region than the whole, but for rounding where
-/// cells begin just at the border: a part alone could be too coarse there, and a forest differ from the next coarser one by two levels.
+/// Whether the cell and all that it is a part of are too coarse. A part is never nearer to the region than
+/// the whole, but for rounding where cells begin just at the border: a part alone could be too coarse there,
+/// and a forest differ from the next coarser one by two levels.
 bool to_be_refined(const BodyMap& map, LogicalBox box, double layers) {
   for (;;) {
     if (!too_coarse(map, box, layers)) return false;
@@ -105,8 +117,11 @@ LogicalBox logical_box(const dealii::Triangulation<3>& forest, const dealii::Cel
 }
 
 RoughGeometry::RoughGeometry(const ContactMeshOptions& options)
-    : map_(options.sizes), particle_height_(options.particle_height), substrate_height_(options.substrate_height) {
-  // A height h that fades over a depth D strains the cells by h / D: D = 8 h keeps them within 1/8 of their shape.
+    : map_(options.sizes),
+      particle_height_(options.particle_height),
+      substrate_height_(options.substrate_height) {
+  // A height h that fades over a depth D strains the cells by h / D: D = 8 h keeps them within 1/8 of their
+  // shape.
   fade_particle_ = std::max(8 * options.largest_height_particle, 4 * options.sizes.spacing_particle);
   fade_substrate_ = std::max(8 * options.largest_height_substrate, 4 * options.sizes.spacing_substrate);
 }
@@ -117,9 +132,11 @@ double RoughGeometry::faded_height(Body body, double x, double y, double depth) 
   const auto& sizes = map_.sizes();
   const bool particle = body == Body::particle;
   const double region = particle ? sizes.region_particle : sizes.region_substrate;
-  const double along = std::abs(particle ? x : x - sizes.offset_substrate_x) - (particle ? sizes.reach_particle : sizes.reach_substrate);
+  const double along = std::abs(particle ? x : x - sizes.offset_substrate_x) -
+                       (particle ? sizes.reach_particle : sizes.reach_substrate);
   const double across = std::abs(particle ? y : y - sizes.offset_substrate_y);
-  // Beyond the region, where no contact comes and cells are wider than the asperities, the roughness ends smoothly.
+  // Beyond the region, where no contact comes and cells are wider than the asperities, the roughness ends
+  // smoothly.
   const double beyond = std::clamp((std::max(along, across) - 1.05 * region) / (0.25 * region), 0.0, 1.0);
   if (beyond >= 1) return 0;
   return height(x, y) * (1 - depth / fade_depth(body)) * (1 - beyond) * (1 - beyond) * (1 + 2 * beyond);
@@ -132,11 +149,14 @@ Point3 RoughGeometry::position(int tree, const Point3& logical) const {
   return p;
 }
 
-std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int coarsenings) {
+std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options,
+                                           int coarsenings) {
   auto forest = std::make_unique<Triangulation>(communicator);
   make_coarse_mesh(*forest, options.sizes.full_sphere);
   const BodyMap map(options.sizes);
-  const auto level_cap = [&](int tree) { return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings); };
+  const auto level_cap = [&](int tree) {
+    return std::max(1, map.finest_level(BodyMap::body_of(tree)) - coarsenings);
+  };
   const int deepest = std::max(level_cap(cap), level_cap(block));
   const int everywhere = std::min({3, level_cap(cap), level_cap(block)});
   forest->refine_global(everywhere);

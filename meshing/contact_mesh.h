@@ -1,4 +1,5 @@
-// The hexahedral meshes of both bodies as one p4est forest: graded towards the contact region, real rough geometry.
+// The hexahedral meshes of both bodies as one p4est forest: graded towards the contact region, real rough
+// geometry.
 #pragma once
 
 #include <deal.II/distributed/tria.h>
@@ -17,13 +18,21 @@ struct ContactMeshOptions {
   BodySizes sizes;
   double layers = 4;  ///< a cell is no wider than its distance to the contact region divided by layers / 2
   HeightFunction particle_height, substrate_height;  ///< empty: smooth
-  double largest_height_particle = 0, largest_height_substrate = 0;  ///< max |height|, sets how deep the roughness fades
+  double largest_height_particle = 0,
+         largest_height_substrate = 0;  ///< max |height|, sets how deep the roughness fades
 };
 
 /// Boundary indicators of the forest.
-enum Boundary : unsigned { free_boundary = 0, driven_boundary = 1, fixed_boundary = 2, interface_particle = 3, interface_substrate = 4 };
+enum Boundary : unsigned {
+  free_boundary = 0,
+  driven_boundary = 1,
+  fixed_boundary = 2,
+  interface_particle = 3,
+  interface_substrate = 4
+};
 
-/// Places points of the forest in space: smooth shape plus roughness that fades with depth and beyond the region.
+/// Places points of the forest in space: smooth shape plus roughness that fades with depth and beyond the
+/// region.
 class RoughGeometry {
  public:
   explicit RoughGeometry(const ContactMeshOptions& options);
@@ -44,7 +53,8 @@ using Triangulation = dealii::parallel::distributed::Triangulation<3>;
 /// Forest in logical space (each tree a box; positions come from RoughGeometry), refined for `options`.
 /// material_id of a cell is its Body. Cells of each body stop `coarsenings` levels
 /// above its finest: such forests are nested, which makes them the levels of a multigrid method.
-std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options, int coarsenings = 0);
+std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options,
+                                           int coarsenings = 0);
 
 /// The logical box of a cell within its tree: lower corner and edge length.
 struct LogicalBox {

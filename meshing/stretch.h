@@ -1,4 +1,5 @@
-// A one-dimensional grading: a uniform stretch of nodes near the origin that widens smoothly to a given length.
+// A one-dimensional grading: a uniform stretch of nodes near the origin that widens smoothly to a given
+// length.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,9 @@ class Stretch {
   Stretch() = default;
   /// slope: dx/ds of the uniform part [m]; uniform_half_width: |x| up to which the spacing stays uniform [m].
   Stretch(double length, double slope, double uniform_half_width)
-      : length_(length), slope_(std::min(slope, length)), uniform_part_(std::min(largest_uniform_part, uniform_half_width / slope_)) {
+      : length_(length),
+        slope_(std::min(slope, length)),
+        uniform_part_(std::min(largest_uniform_part, uniform_half_width / slope_)) {
     cubic_ = (length_ - slope_) / std::pow(1.0 - uniform_part_, 3);
   }
 

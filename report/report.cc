@@ -25,7 +25,8 @@ void write_report(const std::filesystem::path& directory) {
     page = report::case_report_html(directory, painter);
   } else {
     throw InputError(directory.string() +
-                     ": holds neither a solved case (history.csv) nor a study (study.json); name a folder that 'asperity solve' "
+                     ": holds neither a solved case (history.csv) nor a study (study.json); name a folder "
+                     "that 'asperity solve' "
                      "or 'asperity study' wrote");
   }
   write_file_atomically(directory / "report.html", page);

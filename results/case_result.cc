@@ -32,7 +32,9 @@ const Json& object_in(const Json& whole, std::initializer_list<const char*> name
   return part.is_object() ? part : none;
 }
 
-double number_in(const Json& whole, std::initializer_list<const char*> names) { return number_of(part_of(whole, names)); }
+double number_in(const Json& whole, std::initializer_list<const char*> names) {
+  return number_of(part_of(whole, names));
+}
 
 std::string text_in(const Json& whole, std::initializer_list<const char*> names) {
   const Json& part = part_of(whole, names);
@@ -41,10 +43,12 @@ std::string text_in(const Json& whole, std::initializer_list<const char*> names)
 
 /// Parts of a result that are of one kind or missing.
 void check_kinds(const Json& result, const std::string& file) {
-  const auto check = [&](std::initializer_list<const char*> names, bool (Json::*is_kind)() const noexcept, const char* kind) {
+  const auto check = [&](std::initializer_list<const char*> names, bool (Json::*is_kind)() const noexcept,
+                         const char* kind) {
     for (const char* name : names)
       if (result.contains(name) && !(result[name].*is_kind)())
-        throw InputError(file + ": '" + name + "' is no " + kind + "; solve the case again, or remove the file");
+        throw InputError(file + ": '" + name + "' is no " + kind +
+                         "; solve the case again, or remove the file");
   };
   check({"format", "title", "experiment", "commit", "inputs_sha256"}, &Json::is_string, "text");
   check({"inputs", "hertz", "mesh", "effective", "balance", "cost", "versions"}, &Json::is_object, "object");
@@ -55,49 +59,58 @@ std::optional<ResolvedRoughness> roughness_in(const Json& document, const char* 
   const Json& said = part_of(document, {"mesh", "roughness", body});
   if (!said.is_object()) return std::nullopt;
   return ResolvedRoughness{number_in(said, {"shortest_wave"}), number_in(said, {"cells_over_shortest_wave"}),
-                           number_in(said, {"slope_variance_in_shorter_waves"}), number_in(said, {"missed_by_facets", "slope_variance"}),
+                           number_in(said, {"slope_variance_in_shorter_waves"}),
+                           number_in(said, {"missed_by_facets", "slope_variance"}),
                            number_in(said, {"repeats_every"})};
 }
 
 }  // namespace
 
 CaseResult case_result_of(const Json& document, const std::string& file) {
-  if (!document.is_object()) throw InputError(file + ": is not valid JSON; solve the case again, or remove the file");
+  if (!document.is_object())
+    throw InputError(file + ": is not valid JSON; solve the case again, or remove the file");
   check_kinds(document, file);
   const std::string format = text_in(document, {"format"});
   if (format != CaseResult::format)
-    throw InputError(file + ": has the format '" + format + "' where this program reads '" + CaseResult::format + "'");
+    throw InputError(file + ": has the format '" + format + "' where this program reads '" +
+                     CaseResult::format + "'");
   CaseResult result;
   result.title = text_in(document, {"title"});
   result.experiment = text_in(document, {"experiment"});
   result.version = text_in(document, {"versions", "asperity"});
   result.commit = text_in(document, {"commit"});
-  const Json &complete = part_of(document, {"complete"}), &rim = part_of(document, {"mesh", "contact_reaches_rim"});
+  const Json &complete = part_of(document, {"complete"}),
+             &rim = part_of(document, {"mesh", "contact_reaches_rim"});
   result.complete = !complete.is_boolean() || complete.get<bool>();
   result.reaches_rim = rim.is_boolean() && rim.get<bool>();
   for (const auto& [name, said] : object_in(document, {"effective"}).items())
     result.effective.push_back({name, {number_of(said), number_in(said, {"sd"}), text_in(said, {"unit"})}});
-  for (const auto& [name, said] : object_in(document, {"balance"}).items()) result.balance.push_back({name, number_of(said)});
+  for (const auto& [name, said] : object_in(document, {"balance"}).items())
+    result.balance.push_back({name, number_of(said)});
   for (const auto& [path, said] : object_in(document, {"inputs", "entries"}).items())
     result.physical_entries[path] = said.is_string() ? said.get<std::string>() : said.dump();
   result.rms_in_region = {number_in(document, {"inputs", "rms_in_region", "particle"}),
                           number_in(document, {"inputs", "rms_in_region", "substrate"})};
   result.roughness = {roughness_in(document, "particle"), roughness_in(document, "substrate")};
-  result.cells = number_in(document, {"mesh", "cells"}), result.unknowns = number_in(document, {"mesh", "dofs"});
+  result.cells = number_in(document, {"mesh", "cells"}),
+  result.unknowns = number_in(document, {"mesh", "dofs"});
   result.interface_spacing = number_in(document, {"mesh", "interface_spacing"});
-  result.wall_time = number_in(document, {"cost", "wall_time"}), result.peak_memory = number_in(document, {"cost", "peak_memory"});
+  result.wall_time = number_in(document, {"cost", "wall_time"}),
+  result.peak_memory = number_in(document, {"cost", "peak_memory"});
   result.document = document;
   return result;
 }
 
 double number_of(const Json& value) {
   if (value.is_number()) return value.get<double>();
-  if (value.is_object() && value.contains("value") && value["value"].is_number()) return value["value"].get<double>();
+  if (value.is_object() && value.contains("value") && value["value"].is_number())
+    return value["value"].get<double>();
   return std::numeric_limits<double>::quiet_NaN();
 }
 
 bool CaseResult::tells(const std::string& name) const {
-  return std::any_of(effective.begin(), effective.end(), [&](const auto& entry) { return entry.first == name; });
+  return std::any_of(effective.begin(), effective.end(),
+                     [&](const auto& entry) { return entry.first == name; });
 }
 
 EffectiveNumber CaseResult::effective_number(const std::string& name) const {

@@ -1,4 +1,5 @@
-// What a solved case says of itself: result.json ("asperity-result/1", docs/result.md), with a type for each of its parts. SI units.
+// What a solved case says of itself: result.json ("asperity-result/1", docs/result.md), with a type for each
+// of its parts. SI units.
 #pragma once
 
 #include <array>
@@ -34,15 +35,15 @@ struct CaseResult {
   std::string version, commit;  ///< of asperity
   bool complete = true;
   std::vector<std::pair<std::string, EffectiveNumber>> effective;  ///< in the order of the file
-  std::vector<std::pair<std::string, double>> balance;             ///< relative errors of force, moment, energy
+  std::vector<std::pair<std::string, double>> balance;  ///< relative errors of force, moment, energy
   /// Entries that decide the answer, "Section/Entry" and text; empty for a result of an earlier version.
   std::map<std::string, std::string> physical_entries;
-  std::array<double, 2> rms_in_region;                             ///< particle, substrate [m]
-  std::array<std::optional<ResolvedRoughness>, 2> roughness;       ///< particle, substrate
-  double cells, unknowns, interface_spacing;                       ///< of the mesh; spacing [m]
-  bool reaches_rim = false;                                        ///< contact has come to the edge of the potential contact zone
-  double wall_time, peak_memory;                                   ///< [s], [byte]
-  nlohmann::ordered_json document;                                 ///< the whole file, for tables that show all of it
+  std::array<double, 2> rms_in_region;                        ///< particle, substrate [m]
+  std::array<std::optional<ResolvedRoughness>, 2> roughness;  ///< particle, substrate
+  double cells, unknowns, interface_spacing;                  ///< of the mesh; spacing [m]
+  bool reaches_rim = false;         ///< contact has come to the edge of the potential contact zone
+  double wall_time, peak_memory;    ///< [s], [byte]
+  nlohmann::ordered_json document;  ///< the whole file, for tables that show all of it
 
   bool tells(const std::string& effective_name) const;
   /// NaN where it is not told.
@@ -50,8 +51,8 @@ struct CaseResult {
   double balance_of(const std::string& name) const;
 };
 
-/// Empty where there is no such file, or it says that it is not complete. Throws InputError naming the file and the part that is of
-/// another kind than it should be, or another format.
+/// Empty where there is no such file, or it says that it is not complete. Throws InputError naming the file
+/// and the part that is of another kind than it should be, or another format.
 std::optional<CaseResult> read_case_result(const std::filesystem::path& file);
 
 /// From the text of such a file, which messages call `file`.

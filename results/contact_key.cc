@@ -15,17 +15,20 @@ namespace asperity {
 namespace {
 
 std::string key_without_blanks(std::string text) {
-  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }), text.end());
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }),
+             text.end());
   return text;
 }
 
-/// A text with blanks as single ones and each length as format_quantity() writes it: "slide 0.2 um" as "slide 200 nm".
+/// A text with blanks as single ones and each length as format_quantity() writes it: "slide 0.2 um" as "slide
+/// 200 nm".
 std::string lengths_in_one_writing(const std::string& text) {
   static const std::regex blanks(R"(\s+)"), length(R"(([0-9.]+(?:e[+-]?[0-9]+)?) ?(pm|nm|um|mm|m)\b)");
   constexpr int digits = 6;
   std::string rest = std::regex_replace(text, blanks, " "), result;
   for (std::smatch found; std::regex_search(rest, found, length); rest = found.suffix().str())
-    result += found.prefix().str() + format_quantity(parse_quantity(found.str(), Dimension::length), Dimension::length, digits);
+    result += found.prefix().str() +
+              format_quantity(parse_quantity(found.str(), Dimension::length), Dimension::length, digits);
   return result + rest;
 }
 
@@ -34,22 +37,28 @@ constexpr int digits_of_key = 9;  // more than any two inputs that are meant to 
 /// In one way of writing, whatever the entry measures.
 std::string canonical(const std::string& path, const std::string& text) {
   for (const auto& known : known_quantities())
-    if (path == known.path) return format_quantity(parse_quantity(text, known.dimension), known.dimension, digits_of_key);
-  const bool is_number = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.');
+    if (path == known.path)
+      return format_quantity(parse_quantity(text, known.dimension), known.dimension, digits_of_key);
+  const bool is_number = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) ||
+                                           text[0] == '-' || text[0] == '.');
   if (is_number)
-    for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
-                                      Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness}) {
+    for (const Dimension dimension :
+         {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
+          Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area,
+          Dimension::stiffness}) {
       try {
         return format_quantity(parse_quantity(text, dimension), dimension, digits_of_key);
       } catch (const InputError&) {  // of another dimension
       }
     }
   const std::string topography = "/Topography";
-  const bool is_surface = path.size() > topography.size() && path.compare(path.size() - topography.size(), topography.size(), topography) == 0;
+  const bool is_surface = path.size() > topography.size() &&
+                          path.compare(path.size() - topography.size(), topography.size(), topography) == 0;
   return is_surface ? key_without_blanks(TopographySpec(text).family()) : lengths_in_one_writing(text);
 }
 
-void add_canonical(const SolvedCase& solved, const std::string& path, const std::string& text, ContactInputs& inputs) {
+void add_canonical(const SolvedCase& solved, const std::string& path, const std::string& text,
+                   ContactInputs& inputs) {
   try {
     inputs[path] = canonical(path, text);
   } catch (const InputError& error) {
@@ -57,7 +66,9 @@ void add_canonical(const SolvedCase& solved, const std::string& path, const std:
   }
 }
 
-bool is_of_section(const std::string& path, const std::string& section) { return path.rfind(section + "/", 0) == 0; }
+bool is_of_section(const std::string& path, const std::string& section) {
+  return path.rfind(section + "/", 0) == 0;
+}
 
 /// Of a result that does not list them.
 ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
@@ -66,7 +77,8 @@ ContactInputs inputs_of_earlier_version(const SolvedCase& solved) {
   for (const auto& known : known_quantities())
     if (*known.otherwise) add_canonical(solved, known.path, known.otherwise, inputs);
   for (const auto& [path, text] : solved.entries.all())
-    if (is_of_section(path, "Particle") || is_of_section(path, "Substrate") || is_of_section(path, "Interface"))
+    if (is_of_section(path, "Particle") || is_of_section(path, "Substrate") ||
+        is_of_section(path, "Interface"))
       add_canonical(solved, path, text, inputs);
   return inputs;
 }
@@ -111,7 +123,8 @@ std::vector<std::string> differing_entries(const ContactInputs& one, const Conta
 }
 
 std::string realisation_of(const SolvedCase& solved) {
-  return key_without_blanks(solved.entries.topography("Particle").canonical() + " on " + solved.entries.topography("Substrate").canonical());
+  return key_without_blanks(solved.entries.topography("Particle").canonical() + " on " +
+                            solved.entries.topography("Substrate").canonical());
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
-// What makes "the same contact": the one definition that derive, compare and resistance go by. All physical entries of a case are in
-// it; result.json lists them (`inputs`, `entries`), so that an entry which a later version adds is in it too.
+// What makes "the same contact": the one definition that derive, compare and resistance go by. All physical
+// entries of a case are in it; result.json lists them (`inputs`, `entries`), so that an entry which a later
+// version adds is in it too.
 #pragma once
 
 #include <map>
@@ -10,13 +11,14 @@
 
 namespace asperity {
 
-/// "Section/Entry" and text; quantities in one way of writing (700 pm, not 0.7 nm), surfaces without their seeds, which make
-/// realisations of the same surface.
+/// "Section/Entry" and text; quantities in one way of writing (700 pm, not 0.7 nm), surfaces without their
+/// seeds, which make realisations of the same surface.
 using ContactInputs = std::map<std::string, std::string>;
 
-/// Physical entries but those of the experiment: the same for all motions, loads, meshes and realisations of a contact. A result that
-/// does not list them (solved by an earlier version) gives those of its case.prm and its own numbers; what these do not say has the
-/// default of that version. Throws InputError naming folder and entry.
+/// Physical entries but those of the experiment: the same for all motions, loads, meshes and realisations of
+/// a contact. A result that does not list them (solved by an earlier version) gives those of its case.prm and
+/// its own numbers; what these do not say has the default of that version. Throws InputError naming folder
+/// and entry.
 ContactInputs contact_inputs(const SolvedCase& solved);
 
 /// With all entries of the experiment, its steps too: the same for all meshes and realisations of a case.

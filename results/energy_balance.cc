@@ -13,14 +13,16 @@ std::string open_energy_words(const SolvedCase& solved) {
   const double limit = is_energy_refused(solved) ? refused_open_energy : flagged_open_energy;
   const auto [share, allowed] = percents_apart(solved.open_energy(), limit);
   return share + " of its energy is not accounted for, more than " + allowed +
-         (is_energy_refused(solved) ? ": none of its numbers can be relied on" : ": its numbers are in doubt by about as much");
+         (is_energy_refused(solved) ? ": none of its numbers can be relied on"
+                                    : ": its numbers are in doubt by about as much");
 }
 
 void refuse_open_energy(const SolvedCase& solved) {
   if (is_energy_refused(solved))
-    throw InputError(solved.folder.string() + ": " + open_energy_words(solved) +
-                     "; solve it again in a new folder with more steps (Experiment/Load steps, Motion steps) or a finer "
-                     "Mesh/Interface spacing, or leave it out");
+    throw InputError(
+        solved.folder.string() + ": " + open_energy_words(solved) +
+        "; solve it again in a new folder with more steps (Experiment/Load steps, Motion steps) or a finer "
+        "Mesh/Interface spacing, or leave it out");
 }
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// How far a solved case's own balance of energy lets its numbers be believed: what was put in must be stored or dissipated.
+// How far a solved case's own balance of energy lets its numbers be believed: what was put in must be stored
+// or dissipated.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What a contact did, one row for each accepted step: what the solver writes as history.csv, and what derive, compare, diagnosis and
-// report read. SI units. A new column is one line here and one in history.cc.
+// What a contact did, one row for each accepted step: what the solver writes as history.csv, and what derive,
+// compare, diagnosis and report read. SI units. A new column is one line here and one in history.cc.
 #pragma once
 
 #include <filesystem>
@@ -11,59 +11,63 @@ namespace asperity {
 /// Value: double for a row, a vector of all rows' values for a history.
 template <class Value>
 struct HistoryColumns {
-  Value step{}, time{};              ///< number of the step, twice: quasi-static, there is no rate
-  Value normal_displacement{};       ///< approach of points far from the contact [m]
-  Value normal_force{};              ///< [N], compression is positive
-  Value lateral_displacement{};      ///< of points far from the contact along x [m]
-  Value lateral_force{};             ///< [N]
-  Value rolling_angle{};             ///< [rad]
-  Value rolling_moment{};            ///< about the contact [N m]
-  Value torsion_angle{};             ///< [rad]
-  Value torsion_moment{};            ///< [N m]
-  Value contact_radius{};            ///< of the circle with the contact area [m]
-  Value contact_area{};              ///< real area [m^2]
-  Value max_pressure{};              ///< [Pa]
-  Value plastic_volume{};            ///< [m^3]
-  Value dissipated_energy{};         ///< [J]
+  Value step{}, time{};          ///< number of the step, twice: quasi-static, there is no rate
+  Value normal_displacement{};   ///< approach of points far from the contact [m]
+  Value normal_force{};          ///< [N], compression is positive
+  Value lateral_displacement{};  ///< of points far from the contact along x [m]
+  Value lateral_force{};         ///< [N]
+  Value rolling_angle{};         ///< [rad]
+  Value rolling_moment{};        ///< about the contact [N m]
+  Value torsion_angle{};         ///< [rad]
+  Value torsion_moment{};        ///< [N m]
+  Value contact_radius{};        ///< of the circle with the contact area [m]
+  Value contact_area{};          ///< real area [m^2]
+  Value max_pressure{};          ///< [Pa]
+  Value plastic_volume{};        ///< [m^3]
+  Value dissipated_energy{};     ///< [J]
   // Beyond the columns that every history has:
-  Value driven_displacement{};       ///< of the driven plane, finite bodies included [m]
-  Value shift{};                     ///< of the particle's frame along x, finite bodies included [m]
-  Value elastic_energy{};            ///< [J]
-  Value hardening_energy{};          ///< stored by hardening [J]
-  Value plastic_work{};              ///< [J]
-  Value friction_work{};             ///< dissipated by slip [J]
-  Value adhesion_energy{};           ///< potential of attraction [J]
-  Value adhesion_loss{};             ///< dissipated by bonds that form and break [J]
-  Value attraction{};                ///< part of the normal force that attracts [N]
-  Value work{};                      ///< of the external forces and moments [J]
-  Value mean_pressure{};             ///< [Pa]
+  Value driven_displacement{};  ///< of the driven plane, finite bodies included [m]
+  Value shift{};                ///< of the particle's frame along x, finite bodies included [m]
+  Value elastic_energy{};       ///< [J]
+  Value hardening_energy{};     ///< stored by hardening [J]
+  Value plastic_work{};         ///< [J]
+  Value friction_work{};        ///< dissipated by slip [J]
+  Value adhesion_energy{};      ///< potential of attraction [J]
+  Value adhesion_loss{};        ///< dissipated by bonds that form and break [J]
+  Value attraction{};           ///< part of the normal force that attracts [N]
+  Value work{};                 ///< of the external forces and moments [J]
+  Value mean_pressure{};        ///< [Pa]
   Value largest_plastic_strain{};
-  Value largest_von_mises{};         ///< [Pa]
-  Value force_error{}, moment_error{}, energy_error{};  ///< relative: tractions against reactions; energy left open
+  Value largest_von_mises{};  ///< [Pa]
+  Value force_error{}, moment_error{},
+      energy_error{};  ///< relative: tractions against reactions; energy left open
   Value newton_iterations{}, linear_iterations{};
-  Value penetration{};               ///< relative change of pressures and shear by the last multiplier update
-  Value wall_time{};                 ///< [s]
-  Value reaches_rim{};               ///< 1 where contact has come to the edge of the potential contact zone
-  Value sticking_share{};            ///< of the active contact nodes
-  Value shift_across{};              ///< of the particle's frame along y [m]
-  Value lateral_force_across{};      ///< [N]
-  Value mean_plane_approach{};       ///< counted from where the mean surfaces, without roughness, would touch [m]
-  Value pressure_radius{};           ///< of the Hertzian pressure with the same second moment [m]
+  Value penetration{};           ///< relative change of pressures and shear by the last multiplier update
+  Value wall_time{};             ///< [s]
+  Value reaches_rim{};           ///< 1 where contact has come to the edge of the potential contact zone
+  Value sticking_share{};        ///< of the active contact nodes
+  Value shift_across{};          ///< of the particle's frame along y [m]
+  Value lateral_force_across{};  ///< [N]
+  Value mean_plane_approach{};   ///< counted from where the mean surfaces, without roughness, would touch [m]
+  Value pressure_radius{};       ///< of the Hertzian pressure with the same second moment [m]
   Value load_centre_x{}, load_centre_y{};  ///< of the contact pressure, in the substrate's frame [m]
-  Value spots{};                     ///< contacts apart from each other
-  Value contact_perimeter{};         ///< length of their edges [m]
+  Value spots{};                           ///< contacts apart from each other
+  Value contact_perimeter{};               ///< length of their edges [m]
   Value particle_von_mises{}, substrate_von_mises{};            ///< largest of each body [Pa]
   Value particle_plastic_strain{}, substrate_plastic_strain{};  ///< largest of each body
-  Value load_step_error{};           ///< of the approach, from finite load steps of bodies that yield; positive: too large [m]
+  Value load_step_error{};  ///< of the approach, from finite load steps of bodies that yield; positive: too
+                            ///< large [m]
 };
 
 using HistoryRow = HistoryColumns<double>;
 
 /// Columns of equal length; those that a file does not have are empty.
 struct History : HistoryColumns<std::vector<double>> {
-  /// Radius [m] of the contact as a whole, which spots of a rough one spread over: that of the pressure. Where that is not told the
-  /// contact radius, which was it before results told both.
-  const std::vector<double>& radius_of_whole() const { return pressure_radius.empty() ? contact_radius : pressure_radius; }
+  /// Radius [m] of the contact as a whole, which spots of a rough one spread over: that of the pressure.
+  /// Where that is not told the contact radius, which was it before results told both.
+  const std::vector<double>& radius_of_whole() const {
+    return pressure_radius.empty() ? contact_radius : pressure_radius;
+  }
   std::size_t size() const { return normal_force.size(); }
 };
 
@@ -72,15 +76,17 @@ struct HistoryColumn {
   const char* name;  ///< with its unit, "normal_force [N]"
   double HistoryRow::*of_row;
   std::vector<double> HistoryColumns<std::vector<double>>::*values;
-  bool always;       ///< every history has it
+  bool always;  ///< every history has it
 };
 const std::vector<HistoryColumn>& history_columns();
 
 History history_of(const std::vector<HistoryRow>& rows);
 
-/// Throws InputError naming file and column; cells that are not known are NaN. Columns that are not known here are passed over.
+/// Throws InputError naming file and column; cells that are not known are NaN. Columns that are not known
+/// here are passed over.
 History read_history(const std::filesystem::path& file);
-/// history.csv. Of the columns that every history has, those that are empty are written as zeros; of the others only those that are not.
+/// history.csv. Of the columns that every history has, those that are empty are written as zeros; of the
+/// others only those that are not.
 std::string format_history(const History& history);
 
 /// A stretch of steps in which the load grows, falls or stays; its turning points belong to both neighbours.

@@ -21,21 +21,25 @@ using Entries = std::map<std::string, std::string>;
 /// Names that `inputs` of result.json has for entries of a case file.
 const std::vector<std::pair<const char*, const char*>>& result_names() {
   static const std::vector<std::pair<const char*, const char*>> names{
-      {"youngs_modulus", "Young modulus"},   {"poissons_ratio", "Poisson ratio"},
-      {"yield_stress", "Yield stress"},      {"hardening_modulus", "Hardening modulus"},
-      {"hardening", "Hardening"},            {"voce_saturation", "Voce saturation"},
-      {"voce_rate", "Voce rate"},            {"topography", "Topography"}};
+      {"youngs_modulus", "Young modulus"}, {"poissons_ratio", "Poisson ratio"},
+      {"yield_stress", "Yield stress"},    {"hardening_modulus", "Hardening modulus"},
+      {"hardening", "Hardening"},          {"voce_saturation", "Voce saturation"},
+      {"voce_rate", "Voce rate"},          {"topography", "Topography"}};
   return names;
 }
 
-std::string entry_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string entry_text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
 
 /// Inputs of a result as entries; a number is in SI units.
 void add_result_inputs(const CaseResult& result, Entries& entries) {
   const Json inputs = result.document.value("inputs", Json::object());
-  for (const auto& [body, section] : {std::pair{"particle", "Particle/"}, std::pair{"substrate", "Substrate/"}})
+  for (const auto& [body, section] :
+       {std::pair{"particle", "Particle/"}, std::pair{"substrate", "Substrate/"}})
     for (const auto& [name, entry] : result_names())
-      if (inputs.contains(body) && inputs[body].contains(name)) entries[std::string(section) + entry] = entry_text(inputs[body][name]);
+      if (inputs.contains(body) && inputs[body].contains(name))
+        entries[std::string(section) + entry] = entry_text(inputs[body][name]);
   if (inputs.contains("radius")) entries["Particle/Radius"] = entry_text(inputs["radius"]);
   if (inputs.contains("largest_load")) entries["Experiment/Normal load"] = entry_text(inputs["largest_load"]);
   if (inputs.contains("control")) entries["Experiment/Control"] = entry_text(inputs["control"]);
@@ -77,7 +81,8 @@ TopographySpec CaseEntries::topography(const std::string& section) const {
 
 std::string SolvedCase::title() const {
   const std::string name = entries.text("Title");
-  return name.empty() || name == "untitled" ? fs::absolute(folder).lexically_normal().filename().string() : name;
+  return name.empty() || name == "untitled" ? fs::absolute(folder).lexically_normal().filename().string()
+                                            : name;
 }
 
 ElasticBody SolvedCase::body(const std::string& section) const {
@@ -86,7 +91,8 @@ ElasticBody SolvedCase::body(const std::string& section) const {
 }
 
 double SolvedCase::yield_stress(const std::string& section) const {
-  return entries.quantity(section + "/Yield stress", Dimension::pressure, std::numeric_limits<double>::infinity());
+  return entries.quantity(section + "/Yield stress", Dimension::pressure,
+                          std::numeric_limits<double>::infinity());
 }
 
 Hertz SolvedCase::hertz() const {
@@ -117,9 +123,13 @@ double SolvedCase::open_energy() const {
 }
 
 Motion SolvedCase::motion() const {
-  const std::string name = finished() && !result->experiment.empty() ? result->experiment : entries.text("Experiment/Type", "normal");
+  const std::string name = finished() && !result->experiment.empty()
+                               ? result->experiment
+                               : entries.text("Experiment/Type", "normal");
   const auto motion = motion_named(name);
-  if (!motion) throw InputError(folder.string() + ": there is no experiment '" + name + "'; its result.json or case.prm was changed");
+  if (!motion)
+    throw InputError(folder.string() + ": there is no experiment '" + name +
+                     "'; its result.json or case.prm was changed");
   return *motion;
 }
 
@@ -127,7 +137,8 @@ bool is_case_folder(const fs::path& folder) { return fs::exists(folder / "histor
 
 SolvedCase read_solved_case(const fs::path& folder) {
   if (!is_case_folder(folder))
-    throw InputError(folder.string() + ": there is no history.csv; name a folder that 'asperity solve' wrote");
+    throw InputError(folder.string() +
+                     ": there is no history.csv; name a folder that 'asperity solve' wrote");
   SolvedCase solved;
   solved.folder = folder;
   solved.history = read_history(folder / "history.csv");

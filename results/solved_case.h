@@ -1,4 +1,5 @@
-// A folder that `asperity solve` wrote, as the comparison and the report read it: inputs, result.json, history.csv.
+// A folder that `asperity solve` wrote, as the comparison and the report read it: inputs, result.json,
+// history.csv.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +29,8 @@ class CaseEntries {
   /// SI value; throws InputError naming an entry that is not there.
   double quantity(const std::string& path, Dimension dimension) const;
   double quantity(const std::string& path, Dimension dimension, double otherwise) const;
-  /// Surface of a body, "Particle" or "Substrate"; smooth where nothing is said. Throws InputError naming an entry that is none.
+  /// Surface of a body, "Particle" or "Substrate"; smooth where nothing is said. Throws InputError naming an
+  /// entry that is none.
   TopographySpec topography(const std::string& section) const;
 
  private:
@@ -48,9 +50,12 @@ struct SolvedCase {
   bool lists_physical_entries() const { return finished() && !result->physical_entries.empty(); }
   /// What moved it. Throws InputError for a name that is none.
   Motion motion() const;
-  /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it does not.
+  /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it
+  /// does not.
   double open_energy() const;
-  EffectiveNumber effective(const std::string& name) const { return finished() ? result->effective_number(name) : EffectiveNumber{}; }
+  EffectiveNumber effective(const std::string& name) const {
+    return finished() ? result->effective_number(name) : EffectiveNumber{};
+  }
   ElasticBody particle() const { return body("Particle"); }
   ElasticBody substrate() const { return body("Substrate"); }
   /// Both bodies smooth and elastic.
@@ -70,9 +75,9 @@ struct SolvedCase {
 /// True if the folder holds a history.csv.
 bool is_case_folder(const std::filesystem::path& folder);
 
-/// Inputs come from the entries that result.json lists, else from case.prm and, where it lacks them, from the numbers of `inputs` of
-/// result.json. A case that is not finished has a
-/// history as far as it came. Throws InputError naming the file that is missing or wrong.
+/// Inputs come from the entries that result.json lists, else from case.prm and, where it lacks them, from the
+/// numbers of `inputs` of result.json. A case that is not finished has a history as far as it came. Throws
+/// InputError naming the file that is missing or wrong.
 SolvedCase read_solved_case(const std::filesystem::path& folder);
 
 }  // namespace asperity

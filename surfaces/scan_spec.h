@@ -1,5 +1,5 @@
-// A measured scan as a case file names it: FILE, or scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane,
-// cutoff=20 nm, outside=mirror) where the file alone does not say enough.
+// A measured scan as a case file names it: FILE, or scan(FILE, size=2.5 um, channel=Height, unit=nm,
+// level=plane, cutoff=20 nm, outside=mirror) where the file alone does not say enough.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@ class ScanError : public InputError {
 /// The scan as read, levelled and, with a cut-off, without shorter waves. Throws ScanError.
 Topography prepared_scan(const ScanParameters& scan);
 
-/// Throws ScanError, with the remedy, where a scan does not cover a square of side `size` [m] around its centre and its entry does not
-/// ask for mirror images.
+/// Throws ScanError, with the remedy, where a scan does not cover a square of side `size` [m] around its
+/// centre and its entry does not ask for mirror images.
 void require_cover(const ScanParameters& scan, const Topography& map, double size);
 
 }  // namespace asperity

@@ -37,8 +37,9 @@ GeneratorGrid generator_grid(const GeneratorParameters& parameters) {
   GeneratorGrid grid{parameters.size > 0 ? parameters.size : default_period(parameters.spectrum), 0};
   const double pixels = pixels_per_cutoff * grid.period / parameters.spectrum.cutoff;
   if (pixels > largest)
-    throw InputError("'" + parameters.text() + "' over " + format_quantity(grid.period, Dimension::length) + " needs more than " +
-                     std::to_string(largest) + " pixels a side; take a longer cutoff, a shorter rolloff or a smaller size");
+    throw InputError("'" + parameters.text() + "' over " + format_quantity(grid.period, Dimension::length) +
+                     " needs more than " + std::to_string(largest) +
+                     " pixels a side; take a longer cutoff, a shorter rolloff or a smaller size");
   grid.pixels = fast_fft_length(pixels);
   return grid;
 }
@@ -50,14 +51,17 @@ void find_scan_waves(const Topography& map, TopographyScales& scales) {
   constexpr double resolved_share = 0.99, pixels_per_wave = 4;
   const RadialSpectrum spectrum = radial_spectrum(map);
   double total = 0, above = 0;
-  const auto slope_variance = [&](std::size_t ring) { return std::pow(spectrum.q[ring], 3) * spectrum.C[ring]; };
+  const auto slope_variance = [&](std::size_t ring) {
+    return std::pow(spectrum.q[ring], 3) * spectrum.C[ring];
+  };
   for (std::size_t ring = 0; ring < spectrum.q.size(); ++ring) total += slope_variance(ring);
   if (!(total > 0)) return;
   const double shortest_measured = pixels_per_wave * std::max(map.dx(), map.dy());
   std::size_t last = 0;
   for (; last < spectrum.q.size(); ++last) {
     above += slope_variance(last);
-    const bool next_is_measured = last + 1 < spectrum.q.size() && 2 * M_PI / spectrum.q[last + 1] >= shortest_measured;
+    const bool next_is_measured =
+        last + 1 < spectrum.q.size() && 2 * M_PI / spectrum.q[last + 1] >= shortest_measured;
     if (above >= resolved_share * total || !next_is_measured) break;
   }
   scales.shortest_wave = 2 * M_PI / spectrum.q[std::min(last, spectrum.q.size() - 1)];
@@ -71,8 +75,8 @@ Topography generated(const GeneratorParameters& parameters) {
   options.lx = options.ly = grid.period;
   options.seed = parameters.seed;
   options.amplitudes = parameters.amplitudes;
-  // A calibrated spectrum keeps its own magnitude: scaling this period to its rms would put the waves too long for the
-  // period into the shorter ones.
+  // A calibrated spectrum keeps its own magnitude: scaling this period to its rms would put the waves too
+  // long for the period into the shorter ones.
   options.rms = parameters.window > 0 ? -1 : parameters.spectrum.rms;
   Topography map = generate_periodic(surface_spectrum(parameters), options);
   map.source = parameters.text();
@@ -99,8 +103,10 @@ TopographyScales topography_scales(const TopographySpec& spec) {
   } else if (const auto* scan = spec.scan()) {
     const Topography map = prepared_scan(*scan);
     scales.rms = height_moments(map).Sq;
-    if (scan->cutoff > 0) scales.shortest_wave = scan->cutoff;
-    else find_scan_waves(map, scales);
+    if (scan->cutoff > 0)
+      scales.shortest_wave = scan->cutoff;
+    else
+      find_scan_waves(map, scales);
   }
   return scales;
 }

@@ -1,11 +1,12 @@
-// asperity on the problem of deal.II's tutorial step-42: a rigid sphere of radius 0.6 is pressed 0.01 deep into the unit
-// cube (E 200000, nu 0.3), fixed at its bottom.
+// asperity on the problem of deal.II's tutorial step-42: a rigid sphere of radius 0.6 is pressed 0.01 deep
+// into the unit cube (E 200000, nu 0.3), fixed at its bottom.
 //
-// What is the same: cube, sphere, depth, friction (none), material. The tutorial's law, dev(sigma) = (gamma + (1 - gamma)
-// sigma_0 / |2 mu dev(eps)|) 2 mu dev(eps) once |2 mu dev(eps)| > sigma_0, is what the radial return gives in one step from
-// the virgin state with yield stress sqrt(3/2) sigma_0 and hardening modulus 3 mu gamma / (1 - gamma): a single step is
-// taken. What is not: the sphere is a body 1000 times stiffer; the cube's sides are free, while the tutorial's slide in
-// their planes (its variant step_42_free_sides does not hold them either); elements have mean dilatation.
+// What is the same: cube, sphere, depth, friction (none), material. The tutorial's law, dev(sigma) = (gamma +
+// (1 - gamma) sigma_0 / |2 mu dev(eps)|) 2 mu dev(eps) once |2 mu dev(eps)| > sigma_0, is what the radial
+// return gives in one step from the virgin state with yield stress sqrt(3/2) sigma_0 and hardening modulus 3
+// mu gamma / (1 - gamma): a single step is taken. What is not: the sphere is a body 1000 times stiffer; the
+// cube's sides are free, while the tutorial's slide in their planes (its variant step_42_free_sides does not
+// hold them either); elements have mean dilatation.
 #include <deal.II/base/mpi.h>
 #include <omp.h>
 #include <sys/resource.h>
@@ -46,18 +47,22 @@ ContactSystemOptions options_for(double spacing, double layers) {
   constexpr double sphere_over_cube = 1 / 0.7;
   s.spacing_substrate = spacing;
   s.spacing_particle = sphere_over_cube * spacing;
-  const double largest_contact = std::sqrt(2 * sphere_radius * depth);  // where the undeformed surface cuts the sphere
+  const double largest_contact =
+      std::sqrt(2 * sphere_radius * depth);  // where the undeformed surface cuts the sphere
   s.region_particle = std::max(1.1 * largest_contact, 3.1 * s.spacing_particle);
   s.region_substrate = s.region_particle + 3 * spacing;
   o.mesh.layers = layers;
-  o.materials = {J2Material::elastic(stiffness_of_sphere * youngs_modulus, poisson_ratio), material_of_cube()};
+  o.materials = {J2Material::elastic(stiffness_of_sphere * youngs_modulus, poisson_ratio),
+                 material_of_cube()};
   o.control = Control::displacement;
   return o;
 }
 
 void solve(double spacing, double layers, bool talk) {
   const auto began = std::chrono::steady_clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); };
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
   ContactSystem system(MPI_COMM_WORLD, options_for(spacing, layers));
   const double set_up = seconds();
   ContactSolver solver(system, {});
@@ -92,9 +97,12 @@ int main(int argc, char** argv) {
   double spacing = 1.0 / 32, layers = 2;
   int threads = 1;
   bool talk = false;
-  CLI::App app{"A rigid sphere pressed into the unit cube, the problem of deal.II's step-42; prints one line of JSON"};
-  app.add_option("--spacing", spacing, "Node spacing of the cube's surface at the contact")->capture_default_str();
-  app.add_option("--layers", layers, "Cells of each refinement level below the interface; 200: uniform mesh")->capture_default_str();
+  CLI::App app{
+      "A rigid sphere pressed into the unit cube, the problem of deal.II's step-42; prints one line of JSON"};
+  app.add_option("--spacing", spacing, "Node spacing of the cube's surface at the contact")
+      ->capture_default_str();
+  app.add_option("--layers", layers, "Cells of each refinement level below the interface; 200: uniform mesh")
+      ->capture_default_str();
   app.add_option("--threads", threads, "Threads")->capture_default_str();
   app.add_flag("--talk", talk, "Iterations on the error stream");
   CLI11_PARSE(app, argc, argv);

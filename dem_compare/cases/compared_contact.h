@@ -31,7 +31,6 @@ ComparedContact contact_of(const CaseGroup& group);
 /// Throws InputError for a record without elastic constants or with a sphere as its target.
 ComparedContact contact_of(const ContactParameters& record, const std::optional<ContactParameters>& indenter);
 
-
 /// Same bodies within one percent of each number.
 bool same_bodies(const ComparedContact& one, const ComparedContact& other);
 /// Substrates of the same RMS within a tenth; one that is not known is the same as none.

@@ -55,7 +55,8 @@ std::string seeds_of(const SolvedCase& solved) {
   std::string seeds;
   for (const char* body : {"Particle", "Substrate"}) {
     const TopographySpec surface = solved.entries.topography(body);
-    seeds += (seeds.empty() ? "" : " on ") + (surface.generator() ? std::to_string(surface.generator()->seed) : std::string("-"));
+    seeds += (seeds.empty() ? "" : " on ") +
+             (surface.generator() ? std::to_string(surface.generator()->seed) : std::string("-"));
   }
   return seeds;
 }

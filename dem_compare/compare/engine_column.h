@@ -1,5 +1,6 @@
-// What a discrete element engine does with the numbers of a law: the third column of the comparison. The engine is run live,
-// once for each experiment however many lines ask for it. One that is missing or fails spoils this column only.
+// What a discrete element engine does with the numbers of a law: the third column of the comparison. The
+// engine is run live, once for each experiment however many lines ask for it. One that is missing or fails
+// spoils this column only.
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,6 @@
 namespace asperity {
 namespace {
 
-
 /// Quasi-static: the density sets the time step of the engine and no result.
 ContactParameters with_density(ContactParameters p) {
   constexpr double density_of_silica = 2200;
@@ -43,13 +42,14 @@ ContactParameters of_bodies(const ComparedContact& contact) {
 
 ContactParameters as_given(const ComparedContact& contact) { return with_density(*contact.record); }
 
-EngineExperiment engine_experiment(Motion type, const ContactParameters& substrate, const ContactParameters& indenter, double load,
-                                   double rail_angle) {
+EngineExperiment engine_experiment(Motion type, const ContactParameters& substrate,
+                                   const ContactParameters& indenter, double load, double rail_angle) {
   EngineExperiment experiment;
   experiment.type = type;
   experiment.substrate = substrate;
   experiment.indenter = indenter;
-  if (!std::isfinite(experiment.indenter.particle.density)) experiment.indenter.particle.density = substrate.particle.density;
+  if (!std::isfinite(experiment.indenter.particle.density))
+    experiment.indenter.particle.density = substrate.particle.density;
   experiment.load = load;
   experiment.rail_angle = rail_angle;
   if (type == Motion::torsion) return experiment;  // goes by its limit, not by an amplitude
@@ -74,7 +74,8 @@ EngineExperiment twisting(const ComparedContact& contact, double load, double st
   return engine_experiment(Motion::torsion, p, p, load);
 }
 
-EngineRequest rail_run(const ComparedContact& contact, double load, const RailCase& rail, double torsion, bool with_offsets) {
+EngineRequest rail_run(const ComparedContact& contact, double load, const RailCase& rail, double torsion,
+                       bool with_offsets) {
   ContactParameters p = as_given(contact);
   p.rolling_friction = constant(rail.rolling.value, LengthScale::particle_radius);
   p.torsion_friction = constant(torsion, LengthScale::particle_radius);

@@ -24,7 +24,8 @@ ComparedValue scaled(ComparedValue value, double factor) {
 }
 
 /// Steady resistance over load and `length`; where the history has no steady way, what the solver says.
-ComparedValue steady_over_load(const SolvedCase& solved, const MotionMode& mode, double length, const ComparedValue& otherwise) {
+ComparedValue steady_over_load(const SolvedCase& solved, const MotionMode& mode, double length,
+                               const ComparedValue& otherwise) {
   if (solved.motion() != mode.motion || solved.history.size() == 0) return otherwise;
   const MovingCase moving = moving_case(solved, mode);
   if (!moving.reached()) return moving.has_energies() ? ComparedValue{} : otherwise;
@@ -47,7 +48,8 @@ FiniteElementValue value_of(const std::vector<ComparedValue>& cases) {
   result.value = scatter.mean;
   // Few realisations may agree by chance: not better than each is known by itself.
   if (scatter.count > 1) result.sd = std::fmax(scatter.sd, scatter_of(own).mean);
-  result.source = scatter.count > 1 ? "mean of " + std::to_string(scatter.count) + " realisations" : "one case";
+  result.source =
+      scatter.count > 1 ? "mean of " + std::to_string(scatter.count) + " realisations" : "one case";
   return result;
 }
 
@@ -57,7 +59,8 @@ FiniteElementValue value_of(const Estimate& estimate, double own_sd) {
   value.sd = estimate.count > 1 ? estimate.sd : own_sd;
   value.realisations = estimate.count;
   if (estimate.mesh) value.mesh_error = estimate.mesh->relative_error;
-  value.source = estimate.count > 1 ? "mean of " + std::to_string(estimate.count) + " realisations" : "one case";
+  value.source =
+      estimate.count > 1 ? "mean of " + std::to_string(estimate.count) + " realisations" : "one case";
   return value;
 }
 
@@ -69,15 +72,16 @@ void add_normal(std::vector<FiniteElementPoint>& points, std::size_t g, const Ca
     const LoadComparison& load = compared.loads[i];
     const bool is_largest = i + 1 == compared.loads.size();
     const double sd = is_largest ? effective(group.first(), "normal_stiffness").sd : NAN;
-    for (const auto& [quantity, value] : {std::pair{Quantity::approach, value_of(load.approach, NAN)},
-                                          std::pair{Quantity::normal_stiffness, value_of(load.stiffness, sd)}})
+    for (const auto& [quantity, value] :
+         {std::pair{Quantity::approach, value_of(load.approach, NAN)},
+          std::pair{Quantity::normal_stiffness, value_of(load.stiffness, sd)}})
       if (value.known()) points.push_back({g, quantity, load.force, value});
   }
 }
 
 /// Of each case of a group.
-void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group, Quantity quantity, double load,
-         const std::function<ComparedValue(const SolvedCase&)>& number) {
+void add(std::vector<FiniteElementPoint>& points, std::size_t g, const CaseGroup& group, Quantity quantity,
+         double load, const std::function<ComparedValue(const SolvedCase&)>& number) {
   std::vector<ComparedValue> cases;
   for (const auto& solved : group.cases) cases.push_back(number(solved));
   const FiniteElementValue value = value_of(cases);
@@ -99,8 +103,9 @@ double stiffness_to_sliding(const History& history, double sliding_force) {
   for (std::size_t i = first; i + 1 < size; ++i) {
     const double way = std::abs(history.lateral_displacement[i + 1] - history.lateral_displacement[i]);
     const double from = power(i), to = power(i + 1);
-    const double mean =
-        std::abs(from - to) < 1e-9 * from ? std::pow(from, 1.5) : 0.4 * (std::pow(from, 2.5) - std::pow(to, 2.5)) / (from - to);
+    const double mean = std::abs(from - to) < 1e-9 * from
+                            ? std::pow(from, 1.5)
+                            : 0.4 * (std::pow(from, 2.5) - std::pow(to, 2.5)) / (from - to);
     deficit_work += mean * way;
     if (std::abs(history.lateral_force[i + 1]) >= sliding * sliding_force)
       return sliding_force * sliding_force / (2 * deficit_work);
@@ -108,7 +113,8 @@ double stiffness_to_sliding(const History& history, double sliding_force) {
   return NAN;
 }
 
-std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& collection, const Comparison& comparison) {
+std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& collection,
+                                                      const Comparison& comparison) {
   std::vector<FiniteElementPoint> points;
   for (std::size_t g = 0; g < collection.groups.size(); ++g) {
     const CaseGroup& group = collection.groups[g];
@@ -116,31 +122,38 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
     if (!compared.is_finest) continue;
     add_normal(points, g, group, compared);
     const double load = compared.numbers.force, radius = compared.numbers.hertz.radius;
-    const auto plain = [](const char* name) { return [name](const SolvedCase& solved) { return effective(solved, name); }; };
+    const auto plain = [](const char* name) {
+      return [name](const SolvedCase& solved) { return effective(solved, name); };
+    };
     add(points, g, group, Quantity::lateral_stiffness, load, plain("lateral_stiffness"));
-    add(points, g, group, Quantity::lateral_stiffness_to_sliding, load, [&](const SolvedCase& solved) -> ComparedValue {
-      const ComparedValue friction = effective(solved, "sliding_friction"), tangent = effective(solved, "lateral_stiffness");
-      if (!friction.known()) return {};
-      const double k = stiffness_to_sliding(solved.history, friction.value * load);
-      // The doubt about the contact's radius is the tangent's too.
-      return {k, k * tangent.sd / tangent.value};
-    });
+    add(points, g, group, Quantity::lateral_stiffness_to_sliding, load,
+        [&](const SolvedCase& solved) -> ComparedValue {
+          const ComparedValue friction = effective(solved, "sliding_friction"),
+                              tangent = effective(solved, "lateral_stiffness");
+          if (!friction.known()) return {};
+          const double k = stiffness_to_sliding(solved.history, friction.value * load);
+          // The doubt about the contact's radius is the tangent's too.
+          return {k, k * tangent.sd / tangent.value};
+        });
     add(points, g, group, Quantity::sliding_friction, load, [&](const SolvedCase& solved) {
       return steady_over_load(solved, sliding_mode(), 1, effective(solved, "sliding_friction"));
     });
     add(points, g, group, Quantity::rolling_stiffness, load, [](const SolvedCase& solved) -> ComparedValue {
-      const auto moving = solved.motion() == Motion::rolling ? moving_case(solved, rolling_mode()) : MovingCase{};
+      const auto moving =
+          solved.motion() == Motion::rolling ? moving_case(solved, rolling_mode()) : MovingCase{};
       if (!moving.reached() || !moving.has_energies()) return effective(solved, "rolling_stiffness");
-      const ReversalStiffness back =
-          rolling_stiffness(solved.history.rolling_angle, solved.history.rolling_moment, moving.resistance().value);
+      const ReversalStiffness back = rolling_stiffness(
+          solved.history.rolling_angle, solved.history.rolling_moment, moving.resistance().value);
       return {back.value, back.error};
     });
     add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) {
-      return steady_over_load(solved, rolling_mode(), radius, scaled(effective(solved, "rolling_dissipation"), 1 / (load * radius)));
+      return steady_over_load(solved, rolling_mode(), radius,
+                              scaled(effective(solved, "rolling_dissipation"), 1 / (load * radius)));
     });
     add(points, g, group, Quantity::torsion_stiffness, load, plain("torsion_stiffness"));
     add(points, g, group, Quantity::torsion_friction, load, [&](const SolvedCase& solved) {
-      return steady_over_load(solved, torsion_mode(), radius, scaled(effective(solved, "torsion_moment"), 1 / (load * radius)));
+      return steady_over_load(solved, torsion_mode(), radius,
+                              scaled(effective(solved, "torsion_moment"), 1 / (load * radius)));
     });
   }
   return points;

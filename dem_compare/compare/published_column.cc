@@ -15,7 +15,8 @@ bool within(double load, const LoadRange& range) {
 }
 
 std::string loads_text(const LoadRange& range) {
-  return format_quantity(range.low, Dimension::force) + " to " + format_quantity(range.high, Dimension::force);
+  return format_quantity(range.low, Dimension::force) + " to " +
+         format_quantity(range.high, Dimension::force);
 }
 
 ComparedValue measured(const Uncertain& number, const std::string& source) {
@@ -32,7 +33,8 @@ ComparedContact sphere_on(const Published& published, const char* plane) {
 
 /// mu (1 + h/f)
 Uncertain over_load(const Uncertain& coefficient, const Uncertain& offset, double load) {
-  return propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); }, {coefficient, offset});
+  return propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); },
+                   {coefficient, offset});
 }
 
 }  // namespace
@@ -50,14 +52,17 @@ const PublishedSurface* PublishedColumn::surface_of(const ComparedContact& conta
   return surface;
 }
 
-bool PublishedColumn::is_with_indenter(const ComparedContact& contact) const { return same_bodies(contact, sphere_on(published_, "diamond")); }
+bool PublishedColumn::is_with_indenter(const ComparedContact& contact) const {
+  return same_bodies(contact, sphere_on(published_, "diamond"));
+}
 
 ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& contact, double load) const {
   const std::string plane = plane_of(contact);
   if (plane.empty()) return absent("these bodies were not measured in the paper");
   if (quantity == Quantity::approach || quantity == Quantity::normal_stiffness) {
     if (plane == "silicon") return absent("the paper shows normal loading on silica only");
-    const Hertz fit{published_.hertz(plane).reduced_modulus, published_.quoted("hertz_fit_radius", Dimension::length).value};
+    const Hertz fit{published_.hertz(plane).reduced_modulus,
+                    published_.quoted("hertz_fit_radius", Dimension::length).value};
     return measured({quantity == Quantity::approach ? fit.approach(load) : fit.normal_stiffness(load)},
                     "sec. 4.2: Hertz with the fitted R = 9 um");
   }
@@ -65,42 +70,47 @@ ComparedValue PublishedColumn::value(Quantity quantity, const ComparedContact& c
   if (quantity == Quantity::rolling_stiffness || quantity == Quantity::torsion_stiffness)
     return absent("not measured in the paper");
   if (quantity == Quantity::torsion_friction)
-    return within(load, rolling_loads)
-               ? measured(published_.quoted("torsion_r"), "Table 2, from the rails (RMS 2.5 to 4.8 nm), lambda = r")
-               : absent("measured at loads of " + loads_text(rolling_loads));
+    return within(load, rolling_loads) ? measured(published_.quoted("torsion_r"),
+                                                  "Table 2, from the rails (RMS 2.5 to 4.8 nm), lambda = r")
+                                       : absent("measured at loads of " + loads_text(rolling_loads));
   if (quantity == Quantity::lateral_stiffness_to_sliding)
     return absent("the paper fits one stiffness to its loop: see that from rest");
 
   const PublishedSurface* surface = surface_of(contact);
   if (!surface)
-    return absent(std::isnan(contact.rms) ? "the substrate's RMS is not known"
-                                          : "no surface of " +
-                                                (contact.rms > 0 ? "RMS " + format_quantity(contact.rms, Dimension::length)
-                                                                 : std::string("zero roughness")) +
-                                                " was measured");
+    return absent(std::isnan(contact.rms)
+                      ? "the substrate's RMS is not known"
+                      : "no surface of " +
+                            (contact.rms > 0 ? "RMS " + format_quantity(contact.rms, Dimension::length)
+                                             : std::string("zero roughness")) +
+                            " was measured");
   switch (quantity) {
     case Quantity::lateral_stiffness: {
       const double loop = published_.quoted("loop_load", Dimension::force).value;
       constexpr double same_load = 0.01;
       if (surface != &published_.surfaces.front() || std::abs(load / loop - 1) > same_load)
-        return absent("measured at " + format_quantity(loop, Dimension::force) + " on untreated silicon only");
+        return absent("measured at " + format_quantity(loop, Dimension::force) +
+                      " on untreated silicon only");
       return measured(published_.quoted("fitted_lateral_stiffness", Dimension::stiffness),
                       "sec. 4.4: slope fitted to the loop");
     }
     case Quantity::sliding_friction:
       return within(load, sliding_loads)
-                 ? measured(over_load(surface->sliding, surface->sliding_offset, load), "Table 2, " + surface->name)
+                 ? measured(over_load(surface->sliding, surface->sliding_offset, load),
+                            "Table 2, " + surface->name)
                  : absent("sliding was measured at " + loads_text(sliding_loads));
     case Quantity::rolling_friction:
-      return within(load, rolling_loads) ? measured(over_load(surface->rolling_r, surface->rolling_r_offset, load),
-                                                    "Table 2, " + surface->name + ", lambda = r")
-                                         : absent("rolling was measured at " + loads_text(rolling_loads));
+      return within(load, rolling_loads)
+                 ? measured(over_load(surface->rolling_r, surface->rolling_r_offset, load),
+                            "Table 2, " + surface->name + ", lambda = r")
+                 : absent("rolling was measured at " + loads_text(rolling_loads));
     default:
       return absent("not measured in the paper");
   }
 }
 
-ComparedValue PublishedColumn::rail(Quantity quantity, const ComparedContact& contact, double angle, double load) const {
+ComparedValue PublishedColumn::rail(Quantity quantity, const ComparedContact& contact, double angle,
+                                    double load) const {
   if (plane_of(contact) != "silicon") return absent("these bodies were not measured in the paper");
   for (const auto& rail : published_.rails) {
     if (rail.angle.value != angle) continue;

@@ -1,4 +1,5 @@
-// One line of the comparison: a quantity of one contact at one load, from four sources side by side. SI units.
+// One line of the comparison: a quantity of one contact at one load, from four sources side by side. SI
+// units.
 #pragma once
 
 #include <cmath>
@@ -16,7 +17,8 @@ enum class Quantity {
   approach,
   normal_stiffness,              ///< dF/d(delta) while the load grows
   lateral_stiffness,             ///< tangent from rest, before any slip
-  lateral_stiffness_to_sliding,  ///< of the spring that stores as much as the contact does on its way to sliding
+  lateral_stiffness_to_sliding,  ///< of the spring that stores as much as the contact does on its way to
+                                 ///< sliding
   sliding_friction,              ///< largest lateral force over the load
   rolling_stiffness,
   rolling_friction,  ///< largest moment over load and particle's radius
@@ -42,8 +44,8 @@ const QuantityDisplay& display_of(Quantity quantity);
 struct ComparedValue {
   double value = std::numeric_limits<double>::quiet_NaN();
   double sd = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
-  std::string source{};                                  ///< name of the law, engine and version, place in the paper
-  std::string reason{};                                  ///< where the value is not known
+  std::string source{};  ///< name of the law, engine and version, place in the paper
+  std::string reason{};  ///< where the value is not known
 
   bool known() const { return std::isfinite(value); }
 };
@@ -57,8 +59,8 @@ struct FiniteElementValue : ComparedValue {
 struct ComparisonRow {
   std::string contact;
   Quantity quantity = Quantity::approach;
-  double load = 0;                                               ///< on the substrate, in a rail on each slope [N]
-  double rms = std::numeric_limits<double>::quiet_NaN();         ///< of the substrate [m]; 0: smooth
+  double load = 0;                                        ///< on the substrate, in a rail on each slope [N]
+  double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the substrate [m]; 0: smooth
   double rail_angle = std::numeric_limits<double>::quiet_NaN();  ///< of a rail [rad]
   FiniteElementValue finite_elements;
   ComparedValue reduced_law, engine, published;

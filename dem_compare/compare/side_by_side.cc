@@ -21,8 +21,11 @@ std::vector<double> distinct(std::vector<double> loads) {
   return loads;
 }
 
-/// Both ends of a range, and their geometric mean, so that a border between loads is not drawn over the whole range.
-std::vector<double> with_middle(const LoadRange& range) { return {range.low, std::sqrt(range.low * range.high), range.high}; }
+/// Both ends of a range, and their geometric mean, so that a border between loads is not drawn over the whole
+/// range.
+std::vector<double> with_middle(const LoadRange& range) {
+  return {range.low, std::sqrt(range.low * range.high), range.high};
+}
 
 /// A contact whose numbers were given.
 struct Record {
@@ -30,7 +33,9 @@ struct Record {
   bool roughness_is_open = false;
 
   /// Same bodies and roughness.
-  bool is(const ComparedContact& other) const { return same_bodies(other, contact) && same_roughness(other, contact); }
+  bool is(const ComparedContact& other) const {
+    return same_bodies(other, contact) && same_roughness(other, contact);
+  }
 };
 
 class Assembly {
@@ -64,18 +69,22 @@ class Assembly {
     std::string unsolved;
     for (const Motion mode : {Motion::normal, Motion::sliding, Motion::rolling, Motion::torsion})
       if (!is_solved(mode)) unsolved += (unsolved.empty() ? "" : ", ") + std::string(name_of(mode));
-    if (!unsolved.empty()) remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
+    if (!unsolved.empty())
+      remarks.push_back("Not among the finished cases, so without finite elements: " + unsolved + ".");
     if (records_.empty())
       remarks.push_back(
-          "Rolling and rails need a contact's numbers: add --parameters FILE (as runs/paper/parameters_silicon.json).");
+          "Rolling and rails need a contact's numbers: add --parameters FILE (as "
+          "runs/paper/parameters_silicon.json).");
     if (is_solved(Motion::sliding))
       remarks.push_back(
-          "Friction at the interface is an input of finite elements: their sliding force judges a law only as far as "
+          "Friction at the interface is an input of finite elements: their sliding force judges a law only "
+          "as far as "
           "both start from the same coefficient.");
     for (const auto& record : records_) {
       if (record.roughness_is_open)
-        remarks.push_back(record.contact.record->file +
-                          " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
+        remarks.push_back(
+            record.contact.record->file +
+            " does not say the roughness of its target ('rms'), and the solved cases have several: give it.");
       else if (std::none_of(contacts_.begin(), contacts_.end(), [&](const auto& c) { return record.is(c); }))
         remarks.push_back("None of the solved cases is the contact of " + record.contact.record->file +
                           " (its bodies, and the RMS of its target): its finite-element column is empty.");
@@ -94,8 +103,8 @@ class Assembly {
       for (const auto& record : records_)
         if (solved_point(record, point.quantity, point.load) == &point) return;
       for (const auto& other : points_)
-        if (other.group < point.group && keys_[other.group] == keys_[point.group] && other.quantity == point.quantity &&
-            is_load(other.load, point.load))
+        if (other.group < point.group && keys_[other.group] == keys_[point.group] &&
+            other.quantity == point.quantity && is_load(other.load, point.load))
           return;
       // A loading path has its loads in itself; other numbers have theirs in several cases of one contact.
       contact.label = labels_[point.group];
@@ -103,8 +112,8 @@ class Assembly {
     add_rows(contact, point.quantity, point.load, point.value);
   }
 
-  void add_rows(const ComparedContact& contact, Quantity quantity, double load, const FiniteElementValue& finite_elements,
-                const RailCase* rail = nullptr) {
+  void add_rows(const ComparedContact& contact, Quantity quantity, double load,
+                const FiniteElementValue& finite_elements, const RailCase* rail = nullptr) {
     for (const LawValue& law : law_values(quantity, contact, load, rail)) {
       ComparisonRow row;
       row.contact = contact.label;
@@ -115,7 +124,8 @@ class Assembly {
       row.finite_elements = finite_elements;
       row.reduced_law = law;
       row.engine = engine_.value(law);
-      row.published = rail ? published_.rail(quantity, contact, rail->angle, load) : published_.value(quantity, contact, load);
+      row.published = rail ? published_.rail(quantity, contact, rail->angle, load)
+                           : published_.value(quantity, contact, load);
       rows_.push_back(std::move(row));
     }
   }
@@ -123,7 +133,8 @@ class Assembly {
   /// A record's contact at a load; of several groups the first.
   const FiniteElementPoint* solved_point(const Record& record, Quantity quantity, double load) const {
     for (const auto& point : points_)
-      if (point.quantity == quantity && is_load(point.load, load) && record.is(contacts_[point.group])) return &point;
+      if (point.quantity == quantity && is_load(point.load, load) && record.is(contacts_[point.group]))
+        return &point;
     return nullptr;
   }
 
@@ -131,10 +142,13 @@ class Assembly {
     if (const auto* point = solved_point(record, quantity, load)) return point->value;
     FiniteElementValue none;
     const Motion mode = display_of(quantity).mode;
-    const bool is_told = std::any_of(points_.begin(), points_.end(), [&](const auto& point) { return point.quantity == quantity; });
-    none.reason = !is_solved(mode) ? std::string("not solved by finite elements: no case of ") + name_of(mode) + " is among the folders"
-                  : is_told        ? "no case of this contact at this load is among the folders"
-                                   : "the solved cases of " + std::string(name_of(mode)) + " tell no " + display_of(quantity).words;
+    const bool is_told = std::any_of(points_.begin(), points_.end(),
+                                     [&](const auto& point) { return point.quantity == quantity; });
+    none.reason = !is_solved(mode) ? std::string("not solved by finite elements: no case of ") +
+                                         name_of(mode) + " is among the folders"
+                  : is_told ? "no case of this contact at this load is among the folders"
+                            : "the solved cases of " + std::string(name_of(mode)) + " tell no " +
+                                  display_of(quantity).words;
     return none;
   }
 
@@ -170,8 +184,8 @@ class Assembly {
     if (std::isnan(record.contact.rms))
       for (const auto& contact : contacts_)
         if (same_bodies(contact, record.contact)) {
-          record.roughness_is_open =
-              record.roughness_is_open || (!std::isnan(record.contact.rms) && !same_roughness(contact, record.contact));
+          record.roughness_is_open = record.roughness_is_open || (!std::isnan(record.contact.rms) &&
+                                                                  !same_roughness(contact, record.contact));
           record.contact.rms = contact.rms;
         }
     if (record.roughness_is_open) record.contact.rms = NAN;
@@ -186,9 +200,9 @@ class Assembly {
 
   void add_rows_of(const Record& record) {
     for (const Quantity quantity :
-         {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness, Quantity::lateral_stiffness_to_sliding,
-          Quantity::sliding_friction, Quantity::rolling_stiffness, Quantity::rolling_friction, Quantity::torsion_stiffness,
-          Quantity::torsion_friction})
+         {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness,
+          Quantity::lateral_stiffness_to_sliding, Quantity::sliding_friction, Quantity::rolling_stiffness,
+          Quantity::rolling_friction, Quantity::torsion_stiffness, Quantity::torsion_friction})
       for (const double load : loads_of(record, display_of(quantity).mode))
         add_rows(record.contact, quantity, load, solved_value(record, quantity, load));
   }
@@ -200,7 +214,8 @@ class Assembly {
     none.reason = "a rail is an experiment with three contacts, which finite elements do not solve here";
     for (const RailCase& rail : published_.rails())
       for (const Quantity quantity : {Quantity::rail_friction, Quantity::rail_force})
-        for (const double load : with_middle(rail.loads)) add_rows(records_.front().contact, quantity, load, none, &rail);
+        for (const double load : with_middle(rail.loads))
+          add_rows(records_.front().contact, quantity, load, none, &rail);
   }
 
   const SideBySideInput& input_;
@@ -208,16 +223,16 @@ class Assembly {
   EngineColumn& engine_;
   std::vector<FiniteElementPoint> points_;
   std::vector<ComparedContact> contacts_;  ///< of each group
-  std::vector<ContactInputs> keys_;        ///< of each group's contact: the same where only the experiment differs
-  std::vector<std::string> labels_;        ///< of each group's contact, whatever the load
+  std::vector<ContactInputs> keys_;  ///< of each group's contact: the same where only the experiment differs
+  std::vector<std::string> labels_;  ///< of each group's contact, whatever the load
   std::vector<Record> records_;
   std::vector<ComparisonRow> rows_;
 };
 
 }  // namespace
 
-SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine,
-                                double tolerance) {
+SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published,
+                                EngineColumn& engine, double tolerance) {
   Assembly assembly(input, published, engine);
   SideBySide result;
   result.tolerance = tolerance;

@@ -1,5 +1,5 @@
-// Finite elements, reduced law, live engine and published measurement side by side: per mode, load and roughness, with ratios,
-// verdicts in words, and the loads on which each simplification is good enough.
+// Finite elements, reduced law, live engine and published measurement side by side: per mode, load and
+// roughness, with ratios, verdicts in words, and the loads on which each simplification is good enough.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -32,8 +32,8 @@ struct SideBySideInput {
   std::optional<ContactParameters> indenter{};  ///< contact of particle and moving plate
 };
 
-SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine,
-                                double tolerance);
+SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published,
+                                EngineColumn& engine, double tolerance);
 
 std::string to_csv(const SideBySide& comparison);
 nlohmann::ordered_json to_json(const SideBySide& comparison);

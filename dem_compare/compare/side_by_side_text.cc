@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ratio_json(const Uncertain& ratio) { return {{"value", number_or_null(ratio.value)}, {"sd", number_or_null(ratio.sd)}}; }
+Json ratio_json(const Uncertain& ratio) {
+  return {{"value", number_or_null(ratio.value)}, {"sd", number_or_null(ratio.sd)}};
+}
 
 Json value_json(const ComparedValue& value) {
   if (!value.known()) return {{"value", nullptr}, {"reason", value.reason}};
@@ -35,10 +37,11 @@ Json row_json(const ComparisonRow& row) {
   object["reduced_law"] = value_json(row.reduced_law);
   object["engine"] = value_json(row.engine);
   object["published"] = value_json(row.published);
-  object["ratios"] = {{"law_over_finite_elements", ratio_json(ratio(row.reduced_law, row.finite_elements))},
-                      {"law_over_published", ratio_json(ratio(row.reduced_law, row.published))},
-                      {"finite_elements_over_published", ratio_json(ratio(row.finite_elements, row.published))},
-                      {"engine_over_law", number_or_null(engine_over_law(row))}};
+  object["ratios"] = {
+      {"law_over_finite_elements", ratio_json(ratio(row.reduced_law, row.finite_elements))},
+      {"law_over_published", ratio_json(ratio(row.reduced_law, row.published))},
+      {"finite_elements_over_published", ratio_json(ratio(row.finite_elements, row.published))},
+      {"engine_over_law", number_or_null(engine_over_law(row))}};
   object["verdict"] = row.verdict;
   return object;
 }
@@ -53,7 +56,8 @@ class Notes {
   }
   std::string text() const {
     std::string lines;
-    for (std::size_t i = 0; i < reasons_.size(); ++i) lines += "- [" + std::to_string(i + 1) + "] " + reasons_[i] + "\n";
+    for (std::size_t i = 0; i < reasons_.size(); ++i)
+      lines += "- [" + std::to_string(i + 1) + "] " + reasons_[i] + "\n";
     return lines;
   }
 
@@ -98,30 +102,36 @@ std::string quantity_cell(const ComparisonRow& row) {
 
 std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& notes) {
   std::string text =
-      "| mode | quantity | load | RMS | finite elements | reduced law | | law / FE | engine | engine / law | published | law / "
+      "| mode | quantity | load | RMS | finite elements | reduced law | | law / FE | engine | engine / law | "
+      "published | law / "
       "published |\n"
       "| --- | --- | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const ComparisonRow* row : rows) {
     const QuantityDisplay& display = display_of(row->quantity);
     text += std::string("| ") + name_of(row->mode()) + " | " + quantity_cell(*row) + " | " +
             format_quantity(row->load, Dimension::force) + " | " + roughness(*row) + " | " +
-            cell(row->finite_elements, display, notes) + " | " + (row->reduced_law.known() ? row->reduced_law.source : "") +
-            " | " + cell(row->reduced_law, display, notes) + " | " + cell(ratio(row->reduced_law, row->finite_elements)) +
-            " | " + cell(row->engine, display, notes) + " | " + cell({engine_over_law(*row), NAN}) + " | " +
-            cell(row->published, display, notes) + (row->published.known() ? " " + notes.mark(row->published.source) : "") +
-            " | " + cell(ratio(row->reduced_law, row->published)) + " |\n";
+            cell(row->finite_elements, display, notes) + " | " +
+            (row->reduced_law.known() ? row->reduced_law.source : "") + " | " +
+            cell(row->reduced_law, display, notes) + " | " +
+            cell(ratio(row->reduced_law, row->finite_elements)) + " | " + cell(row->engine, display, notes) +
+            " | " + cell({engine_over_law(*row), NAN}) + " | " + cell(row->published, display, notes) +
+            (row->published.known() ? " " + notes.mark(row->published.source) : "") + " | " +
+            cell(ratio(row->reduced_law, row->published)) + " |\n";
   }
   return text;
 }
 
 std::string good_table(const std::vector<LawVerdict>& verdicts) {
-  std::string text = "| simplification | quantity | contact | judged by | good enough |\n| --- | --- | --- | --- | --- |\n";
+  std::string text =
+      "| simplification | quantity | contact | judged by | good enough |\n| --- | --- | --- | --- | --- |\n";
   std::vector<const LawVerdict*> sorted;
   for (const auto& verdict : verdicts) sorted.push_back(&verdict);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) { return a->quantity < b->quantity; });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto* a, const auto* b) { return a->quantity < b->quantity; });
   for (const auto* verdict : sorted)
-    text += "| " + verdict->law + " | " + display_of(verdict->quantity).words + rail_words(verdict->rail_angle) + " | " +
-            verdict->contact + " | " + verdict->reference + " | " + good_words(*verdict) + " |\n";
+    text += "| " + verdict->law + " | " + display_of(verdict->quantity).words +
+            rail_words(verdict->rail_angle) + " | " + verdict->contact + " | " + verdict->reference + " | " +
+            good_words(*verdict) + " |\n";
   return text;
 }
 
@@ -164,10 +174,11 @@ std::string engine_sentence(const SideBySide& comparison) {
   const std::string name =
       comparison.engine + (comparison.engine_version.empty() ? "" : " (" + comparison.engine_version + ")");
   constexpr double asked = 0.01;  // of an engine against its own law
-  std::snprintf(text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s)%s.\n",
-                name.c_str(), 100 * worst, count, display_of(where->quantity).words,
-                format_quantity(where->load, Dimension::force).c_str(),
-                worst > asked ? ": more than the 1 % asked of an engine; look at its input in the folder engine" : "");
+  std::snprintf(
+      text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s)%s.\n",
+      name.c_str(), 100 * worst, count, display_of(where->quantity).words,
+      format_quantity(where->load, Dimension::force).c_str(),
+      worst > asked ? ": more than the 1 % asked of an engine; look at its input in the folder engine" : "");
   return text;
 }
 
@@ -180,7 +191,8 @@ std::string to_csv(const SideBySide& comparison) {
   std::string text =
       "contact,mode,quantity,unit,load [N],rms [m],rail_angle "
       "[rad],finite_elements,finite_elements_sd,realisations,mesh_error,law,"
-      "reduced_law,reduced_law_sd,engine,published,published_sd,published_source,law_over_finite_elements,law_over_finite_"
+      "reduced_law,reduced_law_sd,engine,published,published_sd,published_source,law_over_finite_elements,"
+      "law_over_finite_"
       "elements_sd,"
       "law_over_published,law_over_published_sd,engine_over_law,verdict\n";
   for (const auto& row : comparison.rows) {
@@ -188,15 +200,17 @@ std::string to_csv(const SideBySide& comparison) {
     const Uncertain of_finite = ratio(row.reduced_law, row.finite_elements),
                     of_published = ratio(row.reduced_law, row.published);
     text += quoted_for_csv(row.contact) + "," + name_of(row.mode()) + "," + display.key + "," + display.si;
-    for (const double value : {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
+    for (const double value :
+         {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
       text += "," + number_cell(value);
-    text += "," + std::to_string(row.finite_elements.realisations) + "," + number_cell(row.finite_elements.mesh_error) + "," +
-            quoted_for_csv(row.reduced_law.source);
+    text += "," + std::to_string(row.finite_elements.realisations) + "," +
+            number_cell(row.finite_elements.mesh_error) + "," + quoted_for_csv(row.reduced_law.source);
     for (const double value :
          {row.reduced_law.value, row.reduced_law.sd, row.engine.value, row.published.value, row.published.sd})
       text += "," + number_cell(value);
     text += "," + quoted_for_csv(row.published.source);
-    for (const double value : {of_finite.value, of_finite.sd, of_published.value, of_published.sd, engine_over_law(row)})
+    for (const double value :
+         {of_finite.value, of_finite.sd, of_published.value, of_published.sd, engine_over_law(row)})
       text += "," + number_cell(value);
     text += "," + quoted_for_csv(row.verdict) + "\n";
   }
@@ -204,10 +218,11 @@ std::string to_csv(const SideBySide& comparison) {
 }
 
 Json to_json(const SideBySide& comparison) {
-  Json object{{"engine", comparison.engine.empty() ? Json(nullptr) : Json(comparison.engine)},
-              {"engine_version", comparison.engine_version},
-              {"engine_failure", comparison.engine_failure.empty() ? Json(nullptr) : Json(comparison.engine_failure)},
-              {"remarks", comparison.remarks}};
+  Json object{
+      {"engine", comparison.engine.empty() ? Json(nullptr) : Json(comparison.engine)},
+      {"engine_version", comparison.engine_version},
+      {"engine_failure", comparison.engine_failure.empty() ? Json(nullptr) : Json(comparison.engine_failure)},
+      {"remarks", comparison.remarks}};
   object["rows"] = Json::array();
   for (const auto& row : comparison.rows) object["rows"].push_back(row_json(row));
   object["verdicts"] = Json::array();
@@ -218,16 +233,18 @@ Json to_json(const SideBySide& comparison) {
 std::string to_markdown(const SideBySide& comparison) {
   std::vector<std::string> contacts;
   for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end()) contacts.push_back(row.contact);
+    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
+      contacts.push_back(row.contact);
   char buffer[600];
-  std::snprintf(
-      buffer, sizeof buffer,
-      "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
-      "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise the solver's own.\n"
-      "RMS is the substrate's; the load is the substrate's, in a rail that of each slope. Each engine run got the law's "
-      "number\n"
-      "beside it. Numbers in [ ] are notes at the end.\n",
-      100 * comparison.tolerance);
+  std::snprintf(buffer, sizeof buffer,
+                "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
+                "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, "
+                "otherwise the solver's own.\n"
+                "RMS is the substrate's; the load is the substrate's, in a rail that of each slope. Each "
+                "engine run got the law's "
+                "number\n"
+                "beside it. Numbers in [ ] are notes at the end.\n",
+                100 * comparison.tolerance);
   std::string text = buffer;
   Notes notes;
   for (const auto& contact : contacts) {
@@ -239,7 +256,8 @@ std::string to_markdown(const SideBySide& comparison) {
       std::string lines;
       for (const auto& verdict : comparison.verdicts)
         if (verdict.contact == contact && verdict.reference == reference) lines += "- " + verdict.text + "\n";
-      if (!lines.empty()) text += std::string("\nAgainst ") + (*reference == 'm' ? "the " : "") + reference + ":\n" + lines;
+      if (!lines.empty())
+        text += std::string("\nAgainst ") + (*reference == 'm' ? "the " : "") + reference + ":\n" + lines;
     }
   }
   text += "\n## Where each simplification is good enough\n\n" + good_table(comparison.verdicts);

@@ -25,7 +25,8 @@ std::string percent_with_sd(double value, double sd, double tolerance) {
   constexpr int most_decimals = 6;
   int decimals = number < whole_percents_from && !(doubt >= whole_percents_from) ? 1 : 0;
   const auto rounded = [&](double percent) { return std::round(percent * std::pow(10, decimals)); };
-  while (decimals < most_decimals && number != 100 * tolerance && rounded(number) == rounded(100 * tolerance)) ++decimals;
+  while (decimals < most_decimals && number != 100 * tolerance && rounded(number) == rounded(100 * tolerance))
+    ++decimals;
   if (std::isfinite(sd))
     std::snprintf(text, sizeof text, "%.*f ± %.*f %%", decimals, number, decimals, doubt);
   else
@@ -40,7 +41,8 @@ std::string amount(const Departure& departure, double tolerance) {
     const double factor = over > 1 ? over : 1 / over, sd = departure.sd * (over > 1 ? 1 : factor * factor);
     char text[64];
     if (std::isfinite(sd))
-      std::snprintf(text, sizeof text, sd < 9.5 ? "a factor of %.3g ± %.1g" : "a factor of %.0f ± %.0f", factor, sd);
+      std::snprintf(text, sizeof text, sd < 9.5 ? "a factor of %.3g ± %.1g" : "a factor of %.0f ± %.0f",
+                    factor, sd);
     else
       std::snprintf(text, sizeof text, "a factor of %.3g", factor);
     return text;
@@ -59,9 +61,12 @@ struct Stretch {
 
 int judgement(const Departure& departure, double tolerance) {
   switch (judged(departure.value, departure.half_width(), tolerance)) {
-    case Judged::within: return 0;
-    case Judged::outside: return departure.value > 0 ? 1 : -1;
-    default: return not_told;
+    case Judged::within:
+      return 0;
+    case Judged::outside:
+      return departure.value > 0 ? 1 : -1;
+    default:
+      return not_told;
   }
 }
 
@@ -83,36 +88,46 @@ double mean(const std::vector<Departure>& departures, const Stretch& stretch, do
   return sum / static_cast<double>(stretch.last - stretch.first + 1);
 }
 
-/// Mean over the stretch, or both ends where it changes by more than its uncertainty and a quarter of itself; and where.
-std::string amount_and_place(const std::vector<Departure>& departures, const Stretch& stretch, const std::string& place, double tolerance) {
-  const auto [low, high] = std::minmax_element(departures.begin() + static_cast<std::ptrdiff_t>(stretch.first),
-                                               departures.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1,
-                                               [](const auto& a, const auto& b) { return a.value < b.value; });
-  const Departure average{0, mean(departures, stretch, &Departure::value), mean(departures, stretch, &Departure::sd)};
+/// Mean over the stretch, or both ends where it changes by more than its uncertainty and a quarter of itself;
+/// and where.
+std::string amount_and_place(const std::vector<Departure>& departures, const Stretch& stretch,
+                             const std::string& place, double tolerance) {
+  const auto [low, high] =
+      std::minmax_element(departures.begin() + static_cast<std::ptrdiff_t>(stretch.first),
+                          departures.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1,
+                          [](const auto& a, const auto& b) { return a.value < b.value; });
+  const Departure average{0, mean(departures, stretch, &Departure::value),
+                          mean(departures, stretch, &Departure::sd)};
   const double spread = high->value - low->value, doubt = std::isfinite(average.sd) ? 2 * average.sd : 0;
   constexpr double even = 0.25;
-  if (spread <= std::max(doubt, even * std::abs(average.value))) return "by " + amount(average, tolerance) + " " + place;
+  if (spread <= std::max(doubt, even * std::abs(average.value)))
+    return "by " + amount(average, tolerance) + " " + place;
   const Departure &first = departures[stretch.first], &last = departures[stretch.last];
   const bool is_everywhere = stretch.first == 0 && stretch.last + 1 == departures.size();
-  return (is_everywhere ? "" : place + ", ") + "by " + amount(first, tolerance) + " at " + force(first.load) + " and " + amount(last, tolerance) +
-         " at " + force(last.load);
+  return (is_everywhere ? "" : place + ", ") + "by " + amount(first, tolerance) + " at " + force(first.load) +
+         " and " + amount(last, tolerance) + " at " + force(last.load);
 }
 
 /// "too much by 2.0 ± 6.0 %", at both ends of a stretch of several loads.
-std::string signed_amounts(const std::vector<Departure>& departures, const Stretch& stretch, double tolerance) {
+std::string signed_amounts(const std::vector<Departure>& departures, const Stretch& stretch,
+                           double tolerance) {
   std::string text;
   for (const std::size_t i : {stretch.first, stretch.last}) {
     if (i == stretch.last && stretch.last == stretch.first && !text.empty()) break;
     const Departure& departure = departures[i];
-    text += (text.empty() ? "" : ", ") + std::string(departure.value < 0 ? "too little by " : "too much by ") + amount(departure, tolerance);
-    if (departure.mesh_error != 0) text += ", and " + percent_with_sd(departure.mesh_error, NAN, tolerance) + " from the mesh";
+    text += (text.empty() ? "" : ", ") +
+            std::string(departure.value < 0 ? "too little by " : "too much by ") +
+            amount(departure, tolerance);
+    if (departure.mesh_error != 0)
+      text += ", and " + percent_with_sd(departure.mesh_error, NAN, tolerance) + " from the mesh";
   }
   return text;
 }
 
 /// The loads of a stretch.
 std::string place(const std::vector<Departure>& departures, const Stretch& stretch) {
-  const std::string first = force(departures[stretch.first].load), last = force(departures[stretch.last].load);
+  const std::string first = force(departures[stretch.first].load),
+                    last = force(departures[stretch.last].load);
   return stretch.first == stretch.last ? "at " + first : "from " + first + " to " + last;
 }
 
@@ -125,25 +140,30 @@ struct Judgement {
 const ComparedValue& finite_elements_of(const ComparisonRow& row) { return row.finite_elements; }
 const ComparedValue& reduced_law_of(const ComparisonRow& row) { return row.reduced_law; }
 const ComparedValue& published_of(const ComparisonRow& row) { return row.published; }
-constexpr Judgement judgements[] = {{"", "finite elements", reduced_law_of, finite_elements_of},
-                                    {"", "measurement", reduced_law_of, published_of},
-                                    {"The finite-element model", "measurement", finite_elements_of, published_of}};
+constexpr Judgement judgements[] = {
+    {"", "finite elements", reduced_law_of, finite_elements_of},
+    {"", "measurement", reduced_law_of, published_of},
+    {"The finite-element model", "measurement", finite_elements_of, published_of}};
 
 /// The mesh's error goes with the finite elements, whichever side they are on.
 template <class Value, class By>
 Departure departure_of(const ComparisonRow& row, const Uncertain& over, const Value& value, const By& by) {
   const bool involves_mesh = &value(row) == &row.finite_elements || &by(row) == &row.finite_elements;
-  const double error = involves_mesh && std::isfinite(row.finite_elements.mesh_error) ? row.finite_elements.mesh_error : 0;
+  const double error =
+      involves_mesh && std::isfinite(row.finite_elements.mesh_error) ? row.finite_elements.mesh_error : 0;
   return {row.load, over.value - 1, over.sd, error * over.value};
 }
 
-std::vector<Departure> departures_of(const std::vector<const ComparisonRow*>& rows, const Judgement& judgement) {
+std::vector<Departure> departures_of(const std::vector<const ComparisonRow*>& rows,
+                                     const Judgement& judgement) {
   std::vector<Departure> departures;
   for (const ComparisonRow* row : rows) {
     const Uncertain over = ratio(judgement.value(*row), judgement.by(*row));
-    if (std::isfinite(over.value)) departures.push_back(departure_of(*row, over, judgement.value, judgement.by));
+    if (std::isfinite(over.value))
+      departures.push_back(departure_of(*row, over, judgement.value, judgement.by));
   }
-  std::sort(departures.begin(), departures.end(), [](const auto& a, const auto& b) { return a.load < b.load; });
+  std::sort(departures.begin(), departures.end(),
+            [](const auto& a, const auto& b) { return a.load < b.load; });
   return departures;
 }
 
@@ -153,12 +173,12 @@ constexpr double rounding_of_records = 1e-4;
 std::string mesh_sentence(const std::vector<const ComparisonRow*>& rows, double tolerance) {
   const ComparisonRow* worst = nullptr;
   for (const ComparisonRow* row : rows)
-    if (std::abs(row->finite_elements.mesh_error) > (worst ? std::abs(worst->finite_elements.mesh_error) : tolerance))
+    if (std::abs(row->finite_elements.mesh_error) >
+        (worst ? std::abs(worst->finite_elements.mesh_error) : tolerance))
       worst = row;
   if (!worst) return "";
-  return " The mesh alone leaves " + percent_with_sd(worst->finite_elements.mesh_error, NAN, tolerance) + " in doubt at " +
-         force(worst->load) +
-         ".";
+  return " The mesh alone leaves " + percent_with_sd(worst->finite_elements.mesh_error, NAN, tolerance) +
+         " in doubt at " + force(worst->load) + ".";
 }
 
 bool is_its_own_fit(const std::vector<Departure>& departures) {
@@ -168,14 +188,17 @@ bool is_its_own_fit(const std::vector<Departure>& departures) {
 
 }  // namespace
 
-double Departure::half_width() const { return std::isfinite(sd) ? 2 * sd + std::abs(mesh_error) : mesh_error != 0 ? std::abs(mesh_error) : NAN; }
+double Departure::half_width() const {
+  return std::isfinite(sd) ? 2 * sd + std::abs(mesh_error) : mesh_error != 0 ? std::abs(mesh_error) : NAN;
+}
 
 std::string rail_words(double angle) {
   if (std::isnan(angle)) return "";
   return " at " + std::to_string(std::lround(angle / unit_factor("deg", Dimension::angle))) + " deg";
 }
 
-std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity, double tolerance) {
+std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity,
+                            double tolerance) {
   std::string text;
   bool is_named = false;
   for (const Stretch& stretch : stretches(departures, tolerance)) {
@@ -188,7 +211,8 @@ std::string departure_words(const std::vector<Departure>& departures, const std:
                        : "may or may not give the " + quantity + " " + within_text(tolerance) + " " + where;
       text += " (" + signed_amounts(departures, stretch, tolerance) + ")";
     } else {
-      text += (stretch.sign > 0 ? "overstates" : "understates") + it + amount_and_place(departures, stretch, where, tolerance);
+      text += (stretch.sign > 0 ? "overstates" : "understates") + it +
+              amount_and_place(departures, stretch, where, tolerance);
     }
     is_named = true;
   }
@@ -231,7 +255,8 @@ std::vector<LawVerdict> verdicts(const std::vector<ComparisonRow>& rows, double 
                         reference = judgement.reference;
       const bool said = std::any_of(found.begin(), found.end(), [&](const LawVerdict& other) {
         return other.contact == first.contact && other.quantity == first.quantity && other.law == judged &&
-               other.reference == reference && (std::isnan(first.rail_angle) || other.rail_angle == first.rail_angle);
+               other.reference == reference &&
+               (std::isnan(first.rail_angle) || other.rail_angle == first.rail_angle);
       });
       if (departures.empty() || said) continue;
       int outside = 0, not_known = 0;
@@ -239,10 +264,12 @@ std::vector<LawVerdict> verdicts(const std::vector<ComparisonRow>& rows, double 
         const int sign = asperity::judgement(departure, tolerance);
         sign == not_told ? ++not_known : outside += sign != 0;
       }
-      const bool has_error = std::any_of(departures.begin(), departures.end(), [](const auto& d) { return std::isfinite(d.half_width()); });
+      const bool has_error = std::any_of(departures.begin(), departures.end(),
+                                         [](const auto& d) { return std::isfinite(d.half_width()); });
       const bool involves_finite_elements = *judgement.judged || reference == "finite elements";
       const bool own_fit = reference == "measurement" && is_its_own_fit(departures);
-      const std::string quantity = display_of(first.quantity).words + rail_words(first.rail_angle) + " of the " + reference;
+      const std::string quantity =
+          display_of(first.quantity).words + rail_words(first.rail_angle) + " of the " + reference;
       found.push_back({first.contact,
                        judged,
                        reference,
@@ -268,9 +295,14 @@ std::string good_words(const LawVerdict& verdict) {
   if (verdict.is_own_fit) return "its numbers were fitted to it";
   const bool is_open = verdict.good.empty() && verdict.not_known > 0;
   if (all.low == all.high)
-    return (is_open ? "not known at " : verdict.good.empty() ? "not at " : "at ") + force(all.low) + ", the only load compared";
+    return (is_open                ? "not known at "
+            : verdict.good.empty() ? "not at "
+                                   : "at ") +
+           force(all.low) + ", the only load compared";
   const std::string compared = force(all.low) + " to " + force(all.high);
-  if (is_open) return (verdict.outside > 0 ? "at no load for which it is known (" : "not known at any load compared (") + compared + ")";
+  if (is_open)
+    return (verdict.outside > 0 ? "at no load for which it is known (" : "not known at any load compared (") +
+           compared + ")";
   if (verdict.good.empty()) return "at no load compared (" + compared + ")";
   std::string words;
   for (const auto& range : verdict.good) {
@@ -293,8 +325,10 @@ std::string row_verdict(const ComparisonRow& row, double tolerance) {
     const Uncertain over = ratio(row.reduced_law, *reference);
     if (!std::isfinite(over.value)) continue;
     const bool by_measurement = reference == &row.published;
-    const Departure departure = departure_of(row, over, reduced_law_of, by_measurement ? published_of : finite_elements_of);
-    const std::string of = reference == &row.published ? " against the measurement" : " against finite elements";
+    const Departure departure =
+        departure_of(row, over, reduced_law_of, by_measurement ? published_of : finite_elements_of);
+    const std::string of =
+        reference == &row.published ? " against the measurement" : " against finite elements";
     const int sign = judgement(departure, tolerance);
     if (sign == 0) return "good " + within_text(tolerance) + of;
     return std::string(sign == not_told ? "not known " + within_text(tolerance) + ": " : "") +

@@ -20,9 +20,11 @@ struct Departure {
   double half_width() const;
 };
 
-/// Neighbouring compared loads at which a simplification is within the tolerance, as far as its errors allow to say so.
+/// Neighbouring compared loads at which a simplification is within the tolerance, as far as its errors allow
+/// to say so.
 struct GoodRange : LoadRange {
-  bool reaches_lowest = false, reaches_highest = false;  ///< of the loads compared: what is beyond was not looked at
+  bool reaches_lowest = false,
+       reaches_highest = false;  ///< of the loads compared: what is beyond was not looked at
 };
 
 struct LawVerdict {
@@ -31,14 +33,16 @@ struct LawVerdict {
   double rail_angle = std::numeric_limits<double>::quiet_NaN();
   LoadRange compared;           ///< lowest and highest load [N]
   std::vector<GoodRange> good;  ///< within them
-  int outside = 0, not_known = 0;  ///< loads at which it is not good enough, and at which its errors do not allow to say
-  bool is_own_fit = false;      ///< the law's numbers were fitted to this very measurement: it judges nothing
+  int outside = 0,
+      not_known = 0;  ///< loads at which it is not good enough, and at which its errors do not allow to say
+  bool is_own_fit = false;  ///< the law's numbers were fitted to this very measurement: it judges nothing
   std::string text;
 };
 
-/// "overstates the lateral stiffness by 12 ± 3 % from 100 uN to 200 uN; whether within 5 % is not known at 400 uN (5.5 ± 1.0 %)".
-/// Departures in order of load; nothing is said of loads between those compared.
-std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity, double tolerance);
+/// "overstates the lateral stiffness by 12 ± 3 % from 100 uN to 200 uN; whether within 5 % is not known at
+/// 400 uN (5.5 ± 1.0 %)". Departures in order of load; nothing is said of loads between those compared.
+std::string departure_words(const std::vector<Departure>& departures, const std::string& quantity,
+                            double tolerance);
 std::vector<GoodRange> good_ranges(const std::vector<Departure>& departures, double tolerance);
 
 /// " at 25 deg"; "" for NaN.
@@ -50,7 +54,8 @@ std::string good_words(const LawVerdict& verdict);
 /// One for each law, quantity and reference of each contact.
 std::vector<LawVerdict> verdicts(const std::vector<ComparisonRow>& rows, double tolerance);
 
-/// The law against finite elements, otherwise against the measurement, at this row's load; "" where neither is known.
+/// The law against finite elements, otherwise against the measurement, at this row's load; "" where neither
+/// is known.
 std::string row_verdict(const ComparisonRow& row, double tolerance);
 
 }  // namespace asperity

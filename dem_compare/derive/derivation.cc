@@ -128,7 +128,8 @@ Derivation derive_parameters(const ParameterSet& set) {
   for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(set);
   for (const auto& solved : set.cases)
-    if (is_energy_flagged(solved)) record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
+    if (is_energy_flagged(solved))
+      record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
   for (const LawReport& report : derivation.laws) {
     Json law = report.details;
     law["findings"] = report.findings;

@@ -16,7 +16,7 @@ struct Derivation {
   ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
   std::vector<LawReport> laws;   ///< of normal, sliding, torsion, rolling
   const LawReport& law_of(Motion motion) const;
-  std::string heading;           ///< bodies and cases in words
+  std::string heading;  ///< bodies and cases in words
 };
 
 Derivation derive_parameters(const ParameterSet& set);

@@ -85,7 +85,9 @@ std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all) {
 
 std::string source_of(const std::vector<CaseNumber>& all) {
   const auto doubt = mesh_doubt(all);
-  return extent_of(counted_of(all)) + (doubt ? "; error of the mesh " + percent(doubt->relative_error) + ", not in the sd" : "; error of the mesh not known");
+  return extent_of(counted_of(all)) +
+         (doubt ? "; error of the mesh " + percent(doubt->relative_error) + ", not in the sd"
+                : "; error of the mesh not known");
 }
 
 void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report) {

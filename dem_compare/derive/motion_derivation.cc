@@ -24,7 +24,9 @@ struct MotionCase {
   double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
 
   Uncertain resistance() const { return moving.resistance(); }
-  double way() const { return moving.first.way + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.way); }
+  double way() const {
+    return moving.first.way + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.way);
+  }
   CaseNumber number(double value, double sd) const {
     return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
   }
@@ -36,15 +38,20 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   const EnergyHistory history = energy_history(solved, mode);
   if (history.size() == 0) return seen;
   seen.moving = moving_case(solved, history, way_of(mode, solved.hertz().radius));
-  seen.load = seen.moving.reached() ? seen.moving.load : *std::max_element(history.normal_force.begin(), history.normal_force.end());
+  seen.load = seen.moving.reached()
+                  ? seen.moving.load
+                  : *std::max_element(history.normal_force.begin(), history.normal_force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
   if (seen.moving.reached()) {
     const double steady = seen.resistance().value;
     const bool by_hills = &mode == &rolling_mode() && seen.moving.has_energies();
-    seen.reversal = by_hills ? rolling_stiffness(history.position, history.resistance, steady)
-                             : reversal_stiffness(history.position, history.resistance, steady, mode.partial_slip);
+    seen.reversal = by_hills
+                        ? rolling_stiffness(history.position, history.resistance, steady)
+                        : reversal_stiffness(history.position, history.resistance, steady, mode.partial_slip);
     if (by_hills && seen.contact_radius > 0)
-      seen.reversal.error = std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() / seen.contact_radius * seen.reversal.value);
+      seen.reversal.error =
+          std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() /
+                                              seen.contact_radius * seen.reversal.value);
   }
   const EffectiveNumber probed = solved.effective(mode.stiffness_key);
   seen.probed_stiffness = probed.value, seen.probed_sd = probed.sd;
@@ -73,7 +80,9 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
     if (item.reversal.value > 0) reversed.push_back(item.number(item.reversal.value, item.reversal.error));
   }
   const auto radius = [&](double load) { return parameters.contact_radius(load); };
-  const auto law_of = [&](const std::vector<CaseNumber>& all) { return fit_power(counted_of(all), radius, mode.stiffness_exponent); };
+  const auto law_of = [&](const std::vector<CaseNumber>& all) {
+    return fit_power(counted_of(all), radius, mode.stiffness_exponent);
+  };
   if (probed.empty() && reversed.empty()) {
     report.not_told.push_back(
         "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
@@ -82,11 +91,15 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   }
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
   const PowerLaw law = law_of(written);
-  const bool rolled = &mode == &rolling_mode() && std::any_of(seen.begin(), seen.end(), [](const auto& item) { return item.moving.has_energies(); });
-  const char* source = !probed.empty() ? "without slip" : rolled ? "of rolling back over the own track, to half the loop's width" : "slope after the reversal";
-  report.findings.push_back(std::string("stiffness ") + source + ": " +
-                            with_error(law.value, law.sd, mode.stiffness_unit) + " at " +
-                            format_quantity(law.at_load, Dimension::force) + "; " + extent_of(counted_of(written)));
+  const bool rolled = &mode == &rolling_mode() && std::any_of(seen.begin(), seen.end(), [](const auto& item) {
+    return item.moving.has_energies();
+  });
+  const char* source = !probed.empty() ? "without slip"
+                       : rolled        ? "of rolling back over the own track, to half the loop's width"
+                                       : "slope after the reversal";
+  report.findings.push_back(
+      std::string("stiffness ") + source + ": " + with_error(law.value, law.sd, mode.stiffness_unit) +
+      " at " + format_quantity(law.at_load, Dimension::force) + "; " + extent_of(counted_of(written)));
   if (!probed.empty() && !reversed.empty()) {
     const PowerLaw reversal = law_of(reversed);
     report.findings.push_back("slope after the reversal, partial slip taken out: " +
@@ -203,10 +216,17 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
-  const bool is_dissipation = std::all_of(used.begin(), used.end(), [](const MotionCase* item) { return item->moving.has_energies(); });
+  const bool is_dissipation = std::all_of(used.begin(), used.end(),
+                                          [](const MotionCase* item) { return item->moving.has_energies(); });
   const char* per = &mode == &sliding_mode() ? "way" : "angle";
-  const std::string provenance = (is_dissipation ? std::string("energy dissipated per ") + per + " by slip, yielding and bonds on the steady first way; " : "steady resistance after full slip; ") + source_of(all);
-  if (is_dissipation) report.findings.push_back(std::string("The resistance is the energy dissipated per ") + per + ": what hills of the surfaces take and give back is not in it.");
+  const std::string provenance =
+      (is_dissipation ? std::string("energy dissipated per ") + per +
+                            " by slip, yielding and bonds on the steady first way; "
+                      : "steady resistance after full slip; ") +
+      source_of(all);
+  if (is_dissipation)
+    report.findings.push_back(std::string("The resistance is the energy dissipated per ") + per +
+                              ": what hills of the surfaces take and give back is not in it.");
   if (mode.has_length) {
     const LengthChoice choice = choose_length(points);
     law = choice.law();
@@ -236,13 +256,15 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
 }
 
 /// Local friction is an input of the cases: of the effective one, only what departs from it is found.
-void tell_local_friction(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters, LawReport& report) {
+void tell_local_friction(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters,
+                         LawReport& report) {
   auto& friction = parameters.*mode.friction;
   if (!friction) return;
   for (const auto& [entry, value] : set.inputs)
     if (entry == "Interface/Friction coefficient") {
       friction->provenance += "; local friction coefficient that went in: " + value;
-      report.findings.push_back("The local friction coefficient of " + value + " went in; what comes out follows from it.");
+      report.findings.push_back("The local friction coefficient of " + value +
+                                " went in; what comes out follows from it.");
     }
 }
 

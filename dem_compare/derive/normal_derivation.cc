@@ -204,9 +204,11 @@ void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawRe
   constexpr double um3 = 1e-18;
   char volume[32];
   std::snprintf(volume, sizeof volume, "%.2g um^3", largest / um3);
-  report.findings.push_back("material yielded in " + std::to_string(yielded) + " of " + std::to_string(set.cases.size()) +
-                            " cases, seen first at " + format_quantity(from, Dimension::force) + " (plastic volume up to " + volume +
-                            "): E* and its exponent are those of the first loading; unloading and reloading are stiffer, and k_n is theirs");
+  report.findings.push_back("material yielded in " + std::to_string(yielded) + " of " +
+                            std::to_string(set.cases.size()) + " cases, seen first at " +
+                            format_quantity(from, Dimension::force) + " (plastic volume up to " + volume +
+                            "): E* and its exponent are those of the first loading; unloading and reloading "
+                            "are stiffer, and k_n is theirs");
   for (auto* quantity : {&parameters.reduced_modulus, &parameters.normal_stiffness})
     if (*quantity) (*quantity)->provenance += "; material yielded";
 }

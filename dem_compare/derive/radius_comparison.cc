@@ -10,7 +10,8 @@ namespace {
 
 bool same_but_for_radius(const ParameterSet& one, const ParameterSet& other) {
   const auto differ = differing_entries(one.inputs, other.inputs);
-  return std::all_of(differ.begin(), differ.end(), [](const std::string& entry) { return entry == "Particle/Radius"; });
+  return std::all_of(differ.begin(), differ.end(),
+                     [](const std::string& entry) { return entry == "Particle/Radius"; });
 }
 
 /// Contacts of several sets.

@@ -12,7 +12,8 @@ namespace {
 /// Moment of the way out as a function of the angle.
 class WayOut {
  public:
-  WayOut(const std::vector<double>& angle, const std::vector<double>& moment, const MotionLeg& leg) : direction_(leg.direction) {
+  WayOut(const std::vector<double>& angle, const std::vector<double>& moment, const MotionLeg& leg)
+      : direction_(leg.direction) {
     std::vector<double> x, y;
     for (std::size_t i = leg.first; i <= leg.last; ++i) {
       if (!x.empty() && direction_ * angle[i] <= x.back()) continue;  // rests on the way
@@ -23,7 +24,9 @@ class WayOut {
     low_ = x.front(), high_ = x.back();
     spline_.emplace(std::move(x), std::move(y));
   }
-  bool covers(double angle) const { return spline_ && direction_ * angle >= low_ && direction_ * angle <= high_; }
+  bool covers(double angle) const {
+    return spline_ && direction_ * angle >= low_ && direction_ * angle <= high_;
+  }
   double operator()(double angle) const { return (*spline_)(direction_ * angle); }
 
  private:
@@ -35,7 +38,8 @@ class WayOut {
 
 }  // namespace
 
-ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std::vector<double>& moment, double resistance) {
+ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std::vector<double>& moment,
+                                    double resistance) {
   constexpr int fewest_rows = 3;
   const auto legs = motion_legs(angle);
   if (legs.size() < 2) return {};

@@ -20,8 +20,9 @@ fs::path program_of(const Engine& engine, const EngineRunOptions& options) {
   const std::string wanted = options.program.empty() ? engine.executable() : options.program;
   const fs::path found = find_program(wanted);
   if (found.empty())
-    throw WorkError(engine.name() + " is missing: there is no program '" + wanted + "'; install it with 'apt-get install " +
-                    engine.package() + "' or './quickstart --engines', or name it with --program");
+    throw WorkError(engine.name() + " is missing: there is no program '" + wanted +
+                    "'; install it with 'apt-get install " + engine.package() +
+                    "' or './quickstart --engines', or name it with --program");
   return found;
 }
 
@@ -44,16 +45,17 @@ EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment, c
   const std::string log_path = (folder / log_name).string();
   if (program_run.status != 0 || !message.empty())
     throw WorkError(engine.name() + " failed" +
-                    (message.empty() ? " with exit status " + std::to_string(program_run.status) : ": \"" + message + "\"") + "; " +
-                    engine.remedy(message) + " (its output: " + log_path + ")");
+                    (message.empty() ? " with exit status " + std::to_string(program_run.status)
+                                     : ": \"" + message + "\"") +
+                    "; " + engine.remedy(message) + " (its output: " + log_path + ")");
   run.version = engine.version(log);
   run.wall_time = program_run.wall_time;
   try {
     run.trace = read_trace(folder / trace_name);
     run.measurements = measure(experiment, run.plan, run.trace);
   } catch (const std::runtime_error& error) {
-    throw WorkError(engine.name() + " ended without an error but did not write what was asked for: " + error.what() + "; " +
-                    engine.remedy("") + " (its output: " + log_path + ")");
+    throw WorkError(engine.name() + " ended without an error but did not write what was asked for: " +
+                    error.what() + "; " + engine.remedy("") + " (its output: " + log_path + ")");
   }
   return run;
 }
@@ -69,7 +71,8 @@ nlohmann::ordered_json to_json(const EngineRun& run, const EngineExperiment& exp
   json["time_step"] = {{"value", run.plan.time_step}, {"unit", "s"}};
   json["measurements"] = nlohmann::ordered_json::array();
   for (const auto& m : run.measurements)
-    json["measurements"].push_back({{"name", m.name}, {"unit", m.unit}, {"measured", m.measured}, {"law", m.law}, {"ratio", m.ratio()}});
+    json["measurements"].push_back(
+        {{"name", m.name}, {"unit", m.unit}, {"measured", m.measured}, {"law", m.law}, {"ratio", m.ratio()}});
   return json;
 }
 
@@ -78,11 +81,12 @@ std::string to_text(const EngineRun& run, const EngineExperiment& experiment) {
   std::string text = run.engine + (run.version.empty() ? "" : " (" + run.version + ")") + ", " +
                      engine_experiment_name(experiment.type) + ", normal load " +
                      format_quantity(experiment.load, Dimension::force, 4);
-  std::snprintf(line, sizeof line, ", %.1f s\n\n%-42s %14s %14s  %-8s %9s\n", run.wall_time, "", "engine", "law", "unit", "departs");
+  std::snprintf(line, sizeof line, ", %.1f s\n\n%-42s %14s %14s  %-8s %9s\n", run.wall_time, "", "engine",
+                "law", "unit", "departs");
   text += line;
   for (const auto& m : run.measurements) {
-    std::snprintf(line, sizeof line, "%-42s %14.6g %14.6g  %-8s %+8.3f %%\n", m.name.c_str(), m.measured, m.law, m.unit.c_str(),
-                  100 * (m.ratio() - 1));
+    std::snprintf(line, sizeof line, "%-42s %14.6g %14.6g  %-8s %+8.3f %%\n", m.name.c_str(), m.measured,
+                  m.law, m.unit.c_str(), 100 * (m.ratio() - 1));
     text += line;
   }
   return text;

@@ -1,4 +1,5 @@
-// A discrete element engine run as its users run it: input written, program started, output read back and measured.
+// A discrete element engine run as its users run it: input written, program started, output read back and
+// measured.
 #pragma once
 
 #include <chrono>
@@ -20,7 +21,8 @@ class Engine : public WrittenEngine {
   virtual std::string executable() const = 0;  ///< "lmp"
   virtual std::string package() const = 0;     ///< of Debian
   virtual std::string input_file() const = 0;
-  /// Input that makes the engine write trace.csv (trace.h) in the folder it runs in. Throws InputError for what it cannot do.
+  /// Input that makes the engine write trace.csv (trace.h) in the folder it runs in. Throws InputError for
+  /// what it cannot do.
   virtual std::string input(const EngineExperiment& experiment, const MotionPlan& plan) const = 0;
   virtual std::vector<std::string> arguments() const = 0;  ///< behind the executable
   /// The engine's own error message in what it printed; "" if there is none.
@@ -51,10 +53,10 @@ struct EngineRunOptions {
   std::chrono::seconds time_limit{600};
 };
 
-/// Writes input, trace.csv and the engine's log into `folder`. Throws WorkError, one sentence, where the engine is missing,
-/// fails or prints something else than was asked for.
-EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment, const std::filesystem::path& folder,
-                     const EngineRunOptions& options = {});
+/// Writes input, trace.csv and the engine's log into `folder`. Throws WorkError, one sentence, where the
+/// engine is missing, fails or prints something else than was asked for.
+EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment,
+                     const std::filesystem::path& folder, const EngineRunOptions& options = {});
 
 nlohmann::ordered_json to_json(const EngineRun& run, const EngineExperiment& experiment);
 std::string to_text(const EngineRun& run, const EngineExperiment& experiment);

@@ -1,5 +1,6 @@
-// What a user pastes into an engine, from parameters.json: each coefficient with the lever arm, effective radius and unit
-// that the engine means, and in the header what it cannot express with the error this makes at both ends of the fitted loads.
+// What a user pastes into an engine, from parameters.json: each coefficient with the lever arm, effective
+// radius and unit that the engine means, and in the header what it cannot express with the error this makes
+// at both ends of the fitted loads.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,8 @@
 namespace asperity {
 
 struct EngineInputOptions {
-  /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as too small at the other.
+  /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as
+  /// too small at the other.
   std::optional<double> load;
 };
 
@@ -32,7 +34,9 @@ class WrittenEngine {
 /// Keys of all engines, in alphabetical order.
 std::vector<std::string> engine_input_names();
 
-/// Throws InputError for an engine that is not known, naming what was meant, and for a record that lacks what is needed.
-std::string engine_input(const std::string& engine, const ContactParameters& parameters, const EngineInputOptions& options = {});
+/// Throws InputError for an engine that is not known, naming what was meant, and for a record that lacks what
+/// is needed.
+std::string engine_input(const std::string& engine, const ContactParameters& parameters,
+                         const EngineInputOptions& options = {});
 
 }  // namespace asperity

@@ -9,7 +9,8 @@ namespace {
 std::string without(const std::string& text, const std::string& characters) {
   std::string kept;
   for (const char c : text)
-    kept += characters.find(c) == std::string::npos ? std::string(1, c) : escape_sequence({static_cast<unsigned char>(c), true});
+    kept += characters.find(c) == std::string::npos ? std::string(1, c)
+                                                    : escape_sequence({static_cast<unsigned char>(c), true});
   return kept;
 }
 
@@ -32,7 +33,8 @@ std::string in_cplusplus(const std::string& text) {
   const auto ends_with = [&](const std::string& end) {
     return line.size() >= end.size() && line.compare(line.size() - end.size(), end.size(), end) == 0;
   };
-  if (ends_with("\\") || ends_with("?\?/")) line = line.substr(0, line.size() - 1) + without(line.substr(line.size() - 1), "\\/");
+  if (ends_with("\\") || ends_with("?\?/"))
+    line = line.substr(0, line.size() - 1) + without(line.substr(line.size() - 1), "\\/");
   return line;
 }
 
@@ -43,7 +45,9 @@ const CommentStyle python_comment{"#", in_python};
 const CommentStyle cplusplus_comment{"//", in_cplusplus};
 const CommentStyle plain_comment{"#", printable};
 
-std::string CommentStyle::line(const std::string& text) const { return text.empty() ? sign : sign + (" " + escaped(text)); }
+std::string CommentStyle::line(const std::string& text) const {
+  return text.empty() ? sign : sign + (" " + escaped(text));
+}
 
 std::string python_literal(const std::string& text) {
   std::string literal = "'";

@@ -1,5 +1,6 @@
-// One particle moved as in the paper's experiments, as an engine is asked to do it, and what the law of parameters.json says
-// about it in closed form. Mindlin springs k_l, springs of rolling and torsion K, yield limits; quasi-static; SI units.
+// One particle moved as in the paper's experiments, as an engine is asked to do it, and what the law of
+// parameters.json says about it in closed form. Mindlin springs k_l, springs of rolling and torsion K, yield
+// limits; quasi-static; SI units.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@
 namespace asperity {
 
 struct EngineExperiment {
-  /// sliding: the sphere is glued to the indenter, load control; rolling: free between substrate and moving plate; rail: free in a V-rail
-  /// under a moving plate; torsion: spun about the normal.
+  /// sliding: the sphere is glued to the indenter, load control; rolling: free between substrate and moving
+  /// plate; rail: free in a V-rail under a moving plate; torsion: spun about the normal.
   Motion type = Motion::sliding;
   ContactParameters substrate;
   ContactParameters indenter;  ///< of rolling and rail
@@ -32,13 +33,14 @@ std::string engine_experiment_name(Motion type);
 
 /// What the law says.
 struct ClosedForm {
-  double slope = 0;        ///< of response over drive, from rest and after each reversal [N/m], twisting: [N m/rad]
+  double slope = 0;  ///< of response over drive, from rest and after each reversal [N/m], twisting: [N m/rad]
   double first_yield = 0;  ///< drive at which the first limit is reached [m], twisting: [rad]
   double full_yield = 0;   ///< drive at which the last limit is reached
   double plateau = 0;      ///< response when all limits are reached [N], twisting: [N m]
   double approach = 0;     ///< at the substrate [m]
   double rotation = 0;     ///< rolling angle per drive beyond yield [rad/m]
-  double rolling_stiffness = 0;  ///< K of substrate and plate together [N m/rad]; of a rail what resists the rotation
+  double rolling_stiffness =
+      0;  ///< K of substrate and plate together [N m/rad]; of a rail what resists the rotation
 };
 ClosedForm closed_form(const EngineExperiment& experiment);
 
@@ -47,7 +49,7 @@ struct Leg {
   enum class Purpose { settle, start, travel, before_reversal, reversal } purpose = Purpose::settle;
   double distance = 0;  ///< of the drive, with its sign [m or rad]
   long steps = 0;
-  long every = 1;       ///< steps between rows of the trace
+  long every = 1;  ///< steps between rows of the trace
 };
 
 struct MotionPlan {
@@ -57,7 +59,8 @@ struct MotionPlan {
 
   double speed(const Leg& leg) const { return leg.distance / (static_cast<double>(leg.steps) * time_step); }
 };
-/// Slow where stiffness is measured, so that inertia stays below half a percent; faster between. All laws are rate-independent.
+/// Slow where stiffness is measured, so that inertia stays below half a percent; faster between. All laws are
+/// rate-independent.
 MotionPlan plan_motion(const EngineExperiment& experiment);
 
 }  // namespace asperity

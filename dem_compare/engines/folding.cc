@@ -10,7 +10,8 @@ bool Folded::is_exact() const {
   return std::max(std::abs(error_low), std::abs(error_high)) < rounding;
 }
 
-Folded fold(const OfLoad& record, const OfLoad& shape, const LoadRange& range, std::optional<double> at_load) {
+Folded fold(const OfLoad& record, const OfLoad& shape, const LoadRange& range,
+            std::optional<double> at_load) {
   const double low = shape(range.low) / record(range.low), high = shape(range.high) / record(range.high);
   Folded folded;
   folded.range = range;

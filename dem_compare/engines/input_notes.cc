@@ -25,9 +25,11 @@ std::string short_number(double value) {
 
 }  // namespace
 
-InputNotes::InputNotes(const ContactParameters& parameters, const EngineInputOptions& options, std::string engine)
+InputNotes::InputNotes(const ContactParameters& parameters, const EngineInputOptions& options,
+                       std::string engine)
     : p_(parameters), options_(options), engine_(std::move(engine)) {
-  if (options.load && !(*options.load > 0)) throw InputError("the load at which the limits are to be right must be above zero");
+  if (options.load && !(*options.load > 0))
+    throw InputError("the load at which the limits are to be right must be above zero");
   std::string needed;
   bool is_refused = false;
   for (const auto& missing : needed_cases(p_)) {
@@ -37,7 +39,8 @@ InputNotes::InputNotes(const ContactParameters& parameters, const EngineInputOpt
   }
   if (is_refused)
     throw InputError(p_.file + ": " + engine_ + " still needs " + needed +
-                     "; solve these for the same contact and run 'asperity derive' over their folders and those solved before");
+                     "; solve these for the same contact and run 'asperity derive' over their folders and "
+                     "those solved before");
 }
 
 LoadRange InputNotes::range(Member friction, Member offset) const {
@@ -46,14 +49,18 @@ LoadRange InputNotes::range(Member friction, Member offset) const {
   const bool depends_on_load = (p_.*offset && (p_.*offset)->value != 0) ||
                                (p_.*friction && (p_.*friction)->length_scale == LengthScale::contact_radius);
   if (depends_on_load)
-    throw InputError(p_.file + ": a limit depends on the load and has no load_range; give the load at which it shall be right with --load");
+    throw InputError(p_.file +
+                     ": a limit depends on the load and has no load_range; give the load at which it shall "
+                     "be right with --load");
   return {1, 1};  // the same at every load
 }
 
 void InputNotes::state(const std::string& what, const Folded& folded) {
   if (folded.is_exact()) return;
-  std::string text = what + ": " + signed_percent(folded.error_low) + " at " + short_number(folded.range.low) + " N";
-  if (folded.range.high > folded.range.low) text += ", " + signed_percent(folded.error_high) + " at " + short_number(folded.range.high) + " N";
+  std::string text =
+      what + ": " + signed_percent(folded.error_low) + " at " + short_number(folded.range.low) + " N";
+  if (folded.range.high > folded.range.low)
+    text += ", " + signed_percent(folded.error_high) + " at " + short_number(folded.range.high) + " N";
   if (options_.load && (*options_.load < folded.range.low || *options_.load > folded.range.high))
     text += "; " + short_number(*options_.load) + " N lies outside of the loads it was fitted on";
   limits_.push_back(text);
@@ -62,11 +69,15 @@ void InputNotes::state(const std::string& what, const Folded& folded) {
 double InputNotes::limit(const std::string& mode, Member friction, Member offset, const OfLoad& record) {
   const EffectiveQuantity& mu = *(p_.*friction);
   const double h = p_.*offset ? (p_.*offset)->value : 0;
-  const Folded folded = fold(record, [](double load) { return load; }, range(friction, offset), options_.load);
+  const Folded folded = fold(
+      record, [](double load) { return load; }, range(friction, offset), options_.load);
   std::string why;
-  if (h != 0) why = "whose offset h = " + short_number(h) + " N has no place of its own and is folded into the coefficient";
+  if (h != 0)
+    why = "whose offset h = " + short_number(h) +
+          " N has no place of its own and is folded into the coefficient";
   if (mu.length_scale == LengthScale::contact_radius)
-    why += std::string(why.empty() ? "" : " and ") + "whose length scale grows with the contact radius and is fixed here";
+    why += std::string(why.empty() ? "" : " and ") +
+           "whose length scale grows with the contact radius and is fixed here";
   const std::string what = mode + " limit" + (why.empty() ? "" : ", " + why);
   state(what, folded);
   return folded.number;
@@ -88,9 +99,10 @@ double InputNotes::torsion() {
 }
 
 double InputNotes::shear_modulus() {
-  const Folded folded = fold([&](double load) { return p_.lateral_stiffness_at(load); },
-                             [&](double load) { return 8 * p_.contact_radius(load); },
-                             range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset), options_.load);
+  const Folded folded =
+      fold([&](double load) { return p_.lateral_stiffness_at(load); },
+           [&](double load) { return 8 * p_.contact_radius(load); },
+           range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset), options_.load);
   state("lateral stiffness, which grows with the contact radius here", folded);
   return folded.number;
 }
@@ -104,8 +116,9 @@ double InputNotes::rolling_stiffness_over(const OfLoad& k, const std::string& fa
     cannot("the record has no rolling_stiffness: rolling resistance is left out or without its spring");
     return 0;
   }
-  const Folded folded = fold([&](double load) { return p_.rolling_stiffness_at(load); }, k,
-                             range(&ContactParameters::rolling_friction, &ContactParameters::rolling_offset), options_.load);
+  const Folded folded =
+      fold([&](double load) { return p_.rolling_stiffness_at(load); }, k,
+           range(&ContactParameters::rolling_friction, &ContactParameters::rolling_offset), options_.load);
   state("rolling stiffness, " + factor, folded);
   return folded.number;
 }
@@ -115,8 +128,9 @@ double InputNotes::constant_torsion_stiffness() {
     cannot("the record has no torsion_stiffness: torsion resistance is left out");
     return 0;
   }
-  const Folded folded = fold([&](double load) { return p_.torsion_stiffness_at(load); }, [](double) { return 1.0; },
-                             range(&ContactParameters::torsion_friction, &ContactParameters::torsion_offset), options_.load);
+  const Folded folded =
+      fold([&](double load) { return p_.torsion_stiffness_at(load); }, [](double) { return 1.0; },
+           range(&ContactParameters::torsion_friction, &ContactParameters::torsion_offset), options_.load);
   state("torsion stiffness, which is constant here", folded);
   return folded.number;
 }
@@ -135,7 +149,8 @@ void InputNotes::torsion_stiffness_is(const OfLoad& engine, const std::string& l
                    range(&ContactParameters::torsion_friction, &ContactParameters::torsion_offset)));
 }
 
-void InputNotes::meaning(const std::string& name, double value, const std::string& unit, const std::string& text) {
+void InputNotes::meaning(const std::string& name, double value, const std::string& unit,
+                         const std::string& text) {
   meanings_.push_back(name + " = " + text_number(value) + (unit.empty() ? "" : " " + unit) + ": " + text);
 }
 
@@ -148,27 +163,34 @@ std::vector<std::string> InputNotes::lines() const {
   all.push_back("Particle: " + particle_name() + "; target: " + target_name() + ".");
   all.push_back("SI units. Contact of a sphere, R = " + text_number(p_.particle.radius) + " m, with " +
                 (p_.target.is_plane() ? "a plane" : "a sphere, R = " + text_number(p_.target.radius) + " m") +
-                "; effective radius R_e = " + text_number(p_.effective_radius()) + " m. F is the normal force.");
-  all.push_back(options_.load ? "Limits that depend on the load are right at " + short_number(*options_.load) + " N."
-                              : "Limits that depend on the load are as much too large at one end of the fitted loads as too small at the other.");
+                "; effective radius R_e = " + text_number(p_.effective_radius()) +
+                " m. F is the normal force.");
+  all.push_back(options_.load
+                    ? "Limits that depend on the load are right at " + short_number(*options_.load) + " N."
+                    : "Limits that depend on the load are as much too large at one end of the fitted loads "
+                      "as too small at the other.");
   all.push_back("");
   for (const auto& line : meanings_) all.push_back("  " + line);
   if (!left_out_.empty()) {
     all.push_back("");
-    all.push_back("What the record does not hold and is left out, and the case that would tell 'asperity derive':");
+    all.push_back(
+        "What the record does not hold and is left out, and the case that would tell 'asperity derive':");
     for (const auto& line : left_out_) all.push_back("  " + line);
   }
   all.push_back("");
   if (limits_.empty()) {
     all.push_back("All quantities of the record are expressed without error.");
   } else {
-    all.push_back("What " + engine_ + " cannot express, with the error of what it does instead, (engine - record)/record:");
+    all.push_back("What " + engine_ +
+                  " cannot express, with the error of what it does instead, (engine - record)/record:");
     for (const auto& line : limits_) all.push_back("  " + line);
   }
   return all;
 }
 
-std::string InputNotes::particle_name() const { return p_.particle.material.empty() ? "particle" : p_.particle.material; }
+std::string InputNotes::particle_name() const {
+  return p_.particle.material.empty() ? "particle" : p_.particle.material;
+}
 
 std::string InputNotes::target_name() const {
   const std::string name = p_.target.material.empty() ? "target" : p_.target.material;
@@ -193,9 +215,11 @@ EngineElasticity engine_elasticity(InputNotes& notes) {
                                          {p.target.youngs_modulus, p.target.poissons_ratio});
     const double own_G = 1 / (shear_compliance(p.particle) + shear_compliance(p.target));
     if (std::abs(own_E / E - 1) < agree && std::abs(own_G / G - 1) < agree)
-      return {{p.particle.youngs_modulus, p.target.youngs_modulus}, {p.particle.poissons_ratio, p.target.poissons_ratio}};
+      return {{p.particle.youngs_modulus, p.target.youngs_modulus},
+              {p.particle.poissons_ratio, p.target.poissons_ratio}};
   }
-  // Two equal bodies: E* = E/(2 (1 - nu^2)), G* = E/(4 (1 + nu)(2 - nu)), so G*/E* = (1 - nu)/(2 (2 - nu)), from 1/4 to 1/6.
+  // Two equal bodies: E* = E/(2 (1 - nu^2)), G* = E/(4 (1 + nu)(2 - nu)), so G*/E* = (1 - nu)/(2 (2 - nu)),
+  // from 1/4 to 1/6.
   const double ratio = G / E, wanted = (1 - 4 * ratio) / (1 - 2 * ratio);
   constexpr double least = 0, most = 0.49;
   const double nu = ratio < 0.5 ? std::clamp(wanted, least, most) : least;
@@ -204,7 +228,9 @@ EngineElasticity engine_elasticity(InputNotes& notes) {
     notes.cannot("lateral stiffness, which follows from E and nu here and cannot be as that of the record: " +
                  signed_percent(engine_G / G - 1) + " at every load");
   else
-    notes.cannot("E and nu are those of two equal bodies that have the record's E* and k_l: not those of the materials");
+    notes.cannot(
+        "E and nu are those of two equal bodies that have the record's E* and k_l: not those of the "
+        "materials");
   return {{Youngs, Youngs}, {nu, nu}};
 }
 

@@ -67,7 +67,8 @@ struct EngineElasticity {
   double youngs_modulus[2] = {0, 0};  ///< particle, target [Pa]
   double poissons_ratio[2] = {0, 0};
 };
-/// The bodies' own where they give E* and k_l; else those of two equal bodies that do; notes what is left over.
+/// The bodies' own where they give E* and k_l; else those of two equal bodies that do; notes what is left
+/// over.
 EngineElasticity engine_elasticity(InputNotes& notes);
 
 }  // namespace asperity

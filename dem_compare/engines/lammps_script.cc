@@ -35,6 +35,9 @@ class Script {
       case Motion::torsion:
         twisting();
         break;
+      case Motion::normal:
+      case Motion::program:
+        break;  // no experiment of one particle
     }
     return out_.str();
   }

@@ -8,7 +8,6 @@
 namespace asperity {
 namespace {
 
-
 /// Rows of one leg.
 struct Rows {
   std::size_t first = 0, last = 0;  ///< inclusive
@@ -21,8 +20,8 @@ std::vector<Rows> rows_of_legs(const MotionPlan& plan, const EngineTrace& trace)
     const std::size_t first = row;
     while (row < trace.size() && trace.leg[row] == static_cast<double>(leg)) ++row;
     if (row < first + 2)
-      throw WorkError("its trace.csv has " + std::to_string(row - first) + " rows of leg " + std::to_string(leg + 1) + " of " +
-                      std::to_string(plan.legs.size()));
+      throw WorkError("its trace.csv has " + std::to_string(row - first) + " rows of leg " +
+                      std::to_string(leg + 1) + " of " + std::to_string(plan.legs.size()));
     legs.push_back({first, row - 1});
   }
   return legs;
@@ -54,7 +53,8 @@ double late_mean(const std::vector<double>& values, Rows rows) {
 /// The first part of a leg, as far as the drive moves by `distance`.
 Rows beginning(const EngineTrace& trace, Rows rows, double distance) {
   Rows part = rows;
-  while (part.last > part.first + 2 && std::abs(trace.drive[part.last] - trace.drive[rows.first]) > distance) --part.last;
+  while (part.last > part.first + 2 && std::abs(trace.drive[part.last] - trace.drive[rows.first]) > distance)
+    --part.last;
   return part;
 }
 
@@ -62,13 +62,15 @@ Rows beginning(const EngineTrace& trace, Rows rows, double distance) {
 std::vector<double> rotation(const EngineTrace& trace) {
   std::vector<double> angle(trace.size(), 0.0);
   for (std::size_t i = 1; i < trace.size(); ++i)
-    angle[i] = angle[i - 1] + (trace.time[i] - trace.time[i - 1]) * (trace.rotation_rate[i] + trace.rotation_rate[i - 1]) / 2;
+    angle[i] = angle[i - 1] + (trace.time[i] - trace.time[i - 1]) *
+                                  (trace.rotation_rate[i] + trace.rotation_rate[i - 1]) / 2;
   return angle;
 }
 
 }  // namespace
 
-std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan, const EngineTrace& trace) {
+std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan,
+                                       const EngineTrace& trace) {
   const std::vector<Rows> legs = rows_of_legs(plan, trace);
   const ClosedForm law = closed_form(experiment);
   const bool is_torque = experiment.type == Motion::torsion;
@@ -86,16 +88,18 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
     const Rows rows = legs[i];
     if (leg.purpose == Leg::Purpose::start) {
       const Rows part = beginning(trace, rows, share_of_yield * law.first_yield);
-      found.push_back({"slope at the start", stiffness_unit, least_squares_slope(trace.drive, trace.response, part), law.slope});
+      found.push_back({"slope at the start", stiffness_unit,
+                       least_squares_slope(trace.drive, trace.response, part), law.slope});
       if (is_free) {
         // Torque balance of the free sphere: R (1 + cos theta) f = K phi.
         const double lever = experiment.substrate.particle.radius * (1 + experiment.rail_cosine());
-        found.push_back({"stiffness against rotation", "N m/rad", lever * least_squares_slope(angle, trace.response, part),
-                         law.rolling_stiffness});
+        found.push_back({"stiffness against rotation", "N m/rad",
+                         lever * least_squares_slope(angle, trace.response, part), law.rolling_stiffness});
       }
     }
     if (leg.purpose == Leg::Purpose::reversal) {
-      reversals += least_squares_slope(trace.drive, trace.response, beginning(trace, rows, 2 * share_of_yield * law.first_yield));
+      reversals += least_squares_slope(trace.drive, trace.response,
+                                       beginning(trace, rows, 2 * share_of_yield * law.first_yield));
       ++reversal_count;
     }
     const bool is_plateau = leg.purpose == Leg::Purpose::before_reversal || (is_torque && i > 0);
@@ -115,7 +119,8 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
     const double reversal = reversals / reversal_count, plateau = plateaus / plateau_count;
     found.push_back({"slope after reversal", stiffness_unit, reversal, law.slope});
     if (!is_free)
-      found.push_back({"travel of reversal", is_torque ? "rad" : "m", 2 * plateau / reversal, 2 * law.plateau / law.slope});
+      found.push_back({"travel of reversal", is_torque ? "rad" : "m", 2 * plateau / reversal,
+                       2 * law.plateau / law.slope});
   }
   if (plateau_count > 0) {
     found.push_back({"plateau", response_unit, plateaus / plateau_count, law.plateau});
@@ -126,8 +131,10 @@ std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const
     found.push_back({"rail coefficient", "", plateaus / 2 / normal_force, law.plateau / 2 / experiment.load});
   if (travel_count > 0) {
     const double c = experiment.rail_cosine();
-    found.push_back({"way of the sphere over that of the plate", "", travel_ratio / travel_count, c / (1 + c)});
-    found.push_back({"rotation over the way of the plate", "rad/m", angle_ratio / travel_count, law.rotation});
+    found.push_back(
+        {"way of the sphere over that of the plate", "", travel_ratio / travel_count, c / (1 + c)});
+    found.push_back(
+        {"rotation over the way of the plate", "rad/m", angle_ratio / travel_count, law.rotation});
   }
   return found;
 }

@@ -10,16 +10,17 @@
 namespace asperity {
 
 struct EngineMeasurement {
-  std::string name;     ///< "slope after reversal"
-  std::string unit;     ///< SI
+  std::string name;  ///< "slope after reversal"
+  std::string unit;  ///< SI
   double measured = 0;
-  double law = 0;       ///< closed form
+  double law = 0;  ///< closed form
 
   double ratio() const { return measured / law; }
 };
 
 /// Throws WorkError if the trace is not that of the plan.
-std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan, const EngineTrace& trace);
+std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan,
+                                       const EngineTrace& trace);
 
 /// The measurement of that name; throws WorkError.
 const EngineMeasurement& named(const std::vector<EngineMeasurement>& measurements, const std::string& name);

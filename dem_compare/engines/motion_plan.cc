@@ -23,14 +23,17 @@ struct Vibrations {
 Vibrations vibrations(const EngineExperiment& e, const ClosedForm& form) {
   const double mass = e.mass(), R = e.substrate.particle.radius, inertia = 0.4 * mass * R * R;
   const int slopes = e.type == Motion::rail ? 2 : 1;
-  double normal = slopes * e.substrate.normal_stiffness_at(e.load), lateral = slopes * e.substrate.lateral_stiffness_at(e.load);
+  double normal = slopes * e.substrate.normal_stiffness_at(e.load),
+         lateral = slopes * e.substrate.lateral_stiffness_at(e.load);
   if (!is_free(e)) return {lateral, std::sqrt(normal / mass), std::sqrt(std::min(normal, lateral) / mass)};
   normal += e.indenter.normal_stiffness_at(e.indenter_load());
   lateral += e.indenter.lateral_stiffness_at(e.indenter_load());
   // The sphere turns on its lateral springs, and rolls without sliding against those of rolling and torsion.
-  const double turning = std::sqrt((lateral * R * R + form.rolling_stiffness) / inertia), lever = R * e.rail_cosine();
+  const double turning = std::sqrt((lateral * R * R + form.rolling_stiffness) / inertia),
+               lever = R * e.rail_cosine();
   const double rolling = std::sqrt(form.rolling_stiffness / (inertia + mass * lever * lever));
-  return {lateral, std::max(std::sqrt(normal / mass), turning), std::min(std::sqrt(std::min(normal, lateral) / mass), rolling)};
+  return {lateral, std::max(std::sqrt(normal / mass), turning),
+          std::min(std::sqrt(std::min(normal, lateral) / mass), rolling)};
 }
 
 /// Speeds of the drive [m/s or rad/s].
@@ -39,20 +42,25 @@ struct Speeds {
   double fast = 0;  ///< between
 };
 
-Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibrations& vibration, double time_step) {
+Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibrations& vibration,
+              double time_step) {
   constexpr double steps_to_slide = 100;   // prescribed: no inertia
   constexpr double steps_to_twist = 1000;  // cheap, and a limit laid on by a hook lags by one step
   constexpr double travel_haste = 10;
   if (!is_free(e)) {
-    const double slow = form.first_yield / ((e.type == Motion::torsion ? steps_to_twist : steps_to_slide) * time_step);
+    const double slow =
+        form.first_yield / ((e.type == Motion::torsion ? steps_to_twist : steps_to_slide) * time_step);
     return {e.haste * slow, e.haste * travel_haste * slow};
   }
   constexpr double periods_to_yield = 40;  // inertia is 1/(2 pi 40) of the limit
-  // A free sphere that is taken along too fast slides: its momentum must stay far below what friction can give.
+  // A free sphere that is taken along too fast slides: its momentum must stay far below what friction can
+  // give.
   constexpr double share_of_friction = 0.01;
-  const double friction = std::min(e.substrate.sliding_limit(e.load), e.indenter.sliding_limit(e.indenter_load()));
+  const double friction =
+      std::min(e.substrate.sliding_limit(e.load), e.indenter.sliding_limit(e.indenter_load()));
   const double slow = form.first_yield * vibration.slowest / (2 * pi * periods_to_yield);
-  return {e.haste * slow, e.haste * std::max(slow, share_of_friction * friction / std::sqrt(vibration.lateral * e.mass()))};
+  return {e.haste * slow,
+          e.haste * std::max(slow, share_of_friction * friction / std::sqrt(vibration.lateral * e.mass()))};
 }
 
 /// Way from rest to each reversal; throws InputError where it does not reach all limits.

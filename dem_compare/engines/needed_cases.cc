@@ -52,8 +52,11 @@ std::string needed_cases_text(const ContactParameters& parameters) {
   std::string text = "What an engine still needs\n";
   for (const auto& missing : needed)
     text += "  " + to_text(missing) +
-            (missing.is_required ? ": no engine's input can be written without it\n" : ": without it engines get no " + missing.experiment + " resistance\n");
-  return text + "  Solve these for the same bodies, surfaces and interface, best at several loads, and name their folders to derive beside those above.\n";
+            (missing.is_required ? ": no engine's input can be written without it\n"
+                                 : ": without it engines get no " + missing.experiment + " resistance\n");
+  return text +
+         "  Solve these for the same bodies, surfaces and interface, best at several loads, and name their "
+         "folders to derive beside those above.\n";
 }
 
 }  // namespace asperity

@@ -21,7 +21,8 @@ std::vector<NeededCase> needed_cases(const ContactParameters& parameters);
 /// "rolling_friction and rolling_stiffness (a case with Experiment/Type = rolling)".
 std::string to_text(const NeededCase& needed);
 
-/// For people, behind what `derive` found: what an engine still needs, case by case, and how to go on; empty where nothing is missing.
+/// For people, behind what `derive` found: what an engine still needs, case by case, and how to go on; empty
+/// where nothing is missing.
 std::string needed_cases_text(const ContactParameters& parameters);
 
 }  // namespace asperity

@@ -16,9 +16,9 @@ struct ProgramRun {
   double wall_time = 0;  ///< [s]
 };
 
-/// Runs `arguments[0]` in `folder` with output and errors in `folder/log`, without input. It is killed, with what it
-/// started, after the time limit (throws WorkError) and does not outlive this program.
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& log,
-                       std::chrono::seconds limit);
+/// Runs `arguments[0]` in `folder` with output and errors in `folder/log`, without input. It is killed, with
+/// what it started, after the time limit (throws WorkError) and does not outlive this program.
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                       const std::string& log, std::chrono::seconds limit);
 
 }  // namespace asperity

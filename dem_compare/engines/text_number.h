@@ -12,7 +12,9 @@ namespace asperity {
 /// To 12 significant digits. Throws InputError for what is no number, which an engine would take for a name.
 inline std::string text_number(double value) {
   if (!std::isfinite(value))
-    throw InputError("a number for the engine is beyond what a computer holds; look for a quantity that is too large or too small in the record");
+    throw InputError(
+        "a number for the engine is beyond what a computer holds; look for a quantity that is too large or "
+        "too small in the record");
   char text[40];
   std::snprintf(text, sizeof text, "%.12g", value);
   return text;

@@ -43,7 +43,8 @@ EngineTrace read_trace(const std::filesystem::path& file) {
     trace.*column.values = table.numbers(column.name);
     for (std::size_t row = 0; row < trace.size(); ++row)
       if (!std::isfinite((trace.*column.values)[row]))
-        throw InputError(file.string() + ": row " + std::to_string(row + 1) + " of '" + column.name + "' is not a finite number");
+        throw InputError(file.string() + ": row " + std::to_string(row + 1) + " of '" + column.name +
+                         "' is not a finite number");
   }
   return trace;
 }

@@ -18,7 +18,8 @@ def asperity_add(i, force, moment):
         O.forces.addT(body, sign*(lever.cross(force) + moment))
 
 def asperity_begin(i, numbers):
-    # the law has acted once with the functor's numbers: that is taken back, and the record's act in the same step
+    # the law has acted once with the functor's numbers: that is taken back, and the record's act in
+    # the same step
     phys, n = i.phys, i.geom.normal
     stiffer = numbers['kno']/phys.kno if phys.kno > 0 else 1
     force, moment = phys.normalForce + phys.shearForce, phys.momentBend + phys.momentTwist
@@ -43,7 +44,8 @@ def asperity_held(moment, most):
 def asperity_limit(i, twist_limit):
     # MindlinPhys has no limit of torsion, and none of rolling where that is zero
     phys, F = i.phys, i.phys.normalForce.norm()
-    bend, twist = asperity_held(phys.momentBend, phys.maxBendPl*F), asperity_held(phys.momentTwist, twist_limit*F)
+    bend, twist = (asperity_held(phys.momentBend, phys.maxBendPl*F),
+                   asperity_held(phys.momentTwist, twist_limit*F))
     change = bend + twist - phys.momentBend - phys.momentTwist
     if change.norm() > 0:
         phys.momentBend, phys.momentTwist = bend, twist
@@ -81,10 +83,12 @@ def asperity_step():
     asperity_known = now
 )";
 
-std::string yade_contact_entry(const std::string& label, const std::string& other_label, double radius, const YadeContact& contact) {
-  return "asperity_contacts[frozenset([" + label + ", " + other_label + "])] = dict(\n    radius=" +
-         text_number(radius) + ", twist_limit=" + text_number(contact.twist) + ",\n    numbers=dict(kno=" + text_number(contact.kno) +
-         ", kso=" + text_number(contact.kso) + ", tangensOfFrictionAngle=" + text_number(contact.friction) +
+std::string yade_contact_entry(const std::string& label, const std::string& other_label, double radius,
+                               const YadeContact& contact) {
+  return "asperity_contacts[frozenset([" + label + ", " + other_label +
+         "])] = dict(\n    radius=" + text_number(radius) + ", twist_limit=" + text_number(contact.twist) +
+         ",\n    numbers=dict(kno=" + text_number(contact.kno) + ", kso=" + text_number(contact.kso) +
+         ", tangensOfFrictionAngle=" + text_number(contact.friction) +
          ",\n                 kr=" + text_number(contact.kr) + ", ktw=" + text_number(contact.ktw) +
          ", maxBendPl=" + text_number(contact.bend) + "))\n";
 }

@@ -22,7 +22,8 @@ class MovingParticle {
     indenter_mass_ = options.indenter_mass > 0 ? options.indenter_mass : mass_;
     if (particle.glued && options.indenter_mass > 0) mass_ += options.indenter_mass;  // they move as one
     double stiffest = 0;
-    for (const ContactModelState& contact : state_.contacts) stiffest = std::max(stiffest, contact.normal.stiffness);
+    for (const ContactModelState& contact : state_.contacts)
+      stiffest = std::max(stiffest, contact.normal.stiffness);
     response_time_ = std::sqrt(std::min(mass_, indenter_mass_) / stiffest);
     time_step_ = options.time_step_ratio * response_time_;
   }
@@ -59,8 +60,9 @@ class MovingParticle {
       const ContactMotion motion = motion_of(particle_, state_, i, next.sphere, next.indenter);
       const Vector3d contact = next.sphere.position - motion.lever * motion.normal;
       const BodyVelocity body{next.sphere.position, velocity_, spin_};
-      const BodyVelocity plane{contact, particle_.contacts[i].on_indenter ? indenter_velocity_ : Vector3d(Vector3d::Zero()),
-                               Vector3d::Zero()};
+      const BodyVelocity plane{
+          contact, particle_.contacts[i].on_indenter ? indenter_velocity_ : Vector3d(Vector3d::Zero()),
+          Vector3d::Zero()};
       next.contacts.push_back(advance(particle_.contacts[i].model, state_.contacts[i], motion,
                                       relative_velocity(body, plane, contact, motion.normal), mass_));
     }
@@ -92,20 +94,22 @@ void check_contacts(const SingleParticle& particle, const ParticleState& state) 
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     if (state.contacts[i].normal.touching && std::isfinite(state.contacts[i].normal.force)) continue;
     std::ostringstream message;
-    message << "the contact '" << particle.contacts[i].name << "' opened with the indenter at " << state.indenter.x() * 1e6
-            << " um; give a lower speed, more damping or a smaller time step";
+    message << "the contact '" << particle.contacts[i].name << "' opened with the indenter at "
+            << state.indenter.x() * 1e6 << " um; give a lower speed, more damping or a smaller time step";
     throw WorkError(message.str());
   }
 }
 
 }  // namespace
 
-FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram& program, const DynamicOptions& options) {
+FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram& program,
+                              const DynamicOptions& options) {
   if (!(options.speed > 0)) throw InputError("the indenter's speed is not positive; give one such as 1 mm/s");
   MovingParticle motion(particle, program.normal_load, options);
   const double increment =
       program.first_increment > 0 ? program.first_increment : resolving_increment(particle, motion.state());
-  // Slow until a fifth beyond the first limit; as far before the end of a leg, to slide and roll steadily again after braking.
+  // Slow until a fifth beyond the first limit; as far before the end of a leg, to slide and roll steadily
+  // again after braking.
   const double way = way_to_first_limit(particle, motion.state()), slow_way = 1.2 * way;
   const double slow = std::min(options.speed, options.reversal_share * way / motion.response_time());
   FrictionLoop loop;
@@ -114,13 +118,16 @@ FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram&
   loop.rows.push_back(row_of(particle, motion.state(), 0));
   for (const LoopStation& station : loop_stations(program, increment)) {
     const double direction = station.leg % 2 == 0 ? 1 : -1;
-    const double start = station.leg == 0 ? 0 : -direction * program.amplitude, end = direction * program.amplitude;
-    for (double x = motion.state().indenter.x(); (station.position - x) * direction > 0; x = motion.state().indenter.x()) {
+    const double start = station.leg == 0 ? 0 : -direction * program.amplitude,
+                 end = direction * program.amplitude;
+    for (double x = motion.state().indenter.x(); (station.position - x) * direction > 0;
+         x = motion.state().indenter.x()) {
       const bool near_reversal =
           std::abs(x - start) < slow_way || std::abs(end - x) < slow_way + options.speed * motion.time_step();
       motion.step(direction * (near_reversal ? slow : options.speed));
     }
-    if (loop.rows.back().leg == station.leg && loop.rows.back().indenter_displacement == motion.state().indenter.x())
+    if (loop.rows.back().leg == station.leg &&
+        loop.rows.back().indenter_displacement == motion.state().indenter.x())
       continue;  // two stations within one time step
     check_contacts(particle, motion.state());
     loop.rows.push_back(row_of(particle, motion.state(), station.leg));

@@ -35,7 +35,8 @@ double work(const FrictionLoop& loop, std::size_t from, std::size_t to) {
 
 LoopNumbers measure(const FrictionLoop& loop) {
   const std::vector<std::size_t> starts = leg_starts(loop);
-  if (starts.size() < 2) throw InputError("a friction loop without a reversal has no plateau to measure; give one cycle or more");
+  if (starts.size() < 2)
+    throw InputError("a friction loop without a reversal has no plateau to measure; give one cycle or more");
   const std::size_t reversal = starts.back(), end = loop.rows.size() - 1;
   const LoopRow &left = loop.rows[reversal - 1], &right = loop.rows[end];
   LoopNumbers numbers;
@@ -73,15 +74,18 @@ std::string to_csv(const FrictionLoop& loop) {
   add("normal_force [N]", [](const LoopRow& row) { return row.normal_force; });
   const char* axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
-    add(std::string("particle_displacement_") + axes[k] + " [m]", [k](const LoopRow& row) { return row.displacement[k]; });
+    add(std::string("particle_displacement_") + axes[k] + " [m]",
+        [k](const LoopRow& row) { return row.displacement[k]; });
   for (int k = 0; k < 3; ++k)
-    add(std::string("particle_rotation_") + axes[k] + " [rad]", [k](const LoopRow& row) { return row.rotation[k]; });
+    add(std::string("particle_rotation_") + axes[k] + " [rad]",
+        [k](const LoopRow& row) { return row.rotation[k]; });
   for (std::size_t c = 0; c < loop.contact_names.size(); ++c) {
     const std::string& name = loop.contact_names[c];
     add(name + "_approach [m]", [c](const LoopRow& row) { return row.contacts[c].approach; });
     add(name + "_normal_force [N]", [c](const LoopRow& row) { return row.contacts[c].normal_force; });
     for (int k = 0; k < 3; ++k)
-      add(name + "_lateral_force_" + axes[k] + " [N]", [c, k](const LoopRow& row) { return row.contacts[c].lateral[k]; });
+      add(name + "_lateral_force_" + axes[k] + " [N]",
+          [c, k](const LoopRow& row) { return row.contacts[c].lateral[k]; });
     for (int k = 0; k < 3; ++k)
       add(name + "_rolling_moment_" + axes[k] + " [N m]",
           [c, k](const LoopRow& row) { return row.contacts[c].rolling_moment[k]; });
@@ -94,8 +98,9 @@ std::string to_csv(const FrictionLoop& loop) {
 }
 
 ContactRecord record_of(const ContactModelState& state) {
-  return {state.normal.approach,     state.normal.force,           state.lateral,        -state.rolling.resistance,
-          -state.torsion.resistance, state.sliding.spring.yields, state.rolling.yields, state.torsion.yields};
+  return {state.normal.approach,     state.normal.force,        state.lateral,
+          -state.rolling.resistance, -state.torsion.resistance, state.sliding.spring.yields,
+          state.rolling.yields,      state.torsion.yields};
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
-// What an experiment with one particle gives: the history of the indenter's and the particle's motion with all contact
-// forces, and the numbers that are read off a friction loop. SI units. Axes: x along the motion of the indenter, z up, y across.
+// What an experiment with one particle gives: the history of the indenter's and the particle's motion with
+// all contact forces, and the numbers that are read off a friction loop. SI units. Axes: x along the motion
+// of the indenter, z up, y across.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,20 +12,20 @@
 namespace asperity {
 
 struct ContactRecord {
-  double approach = 0, normal_force = 0;                    ///< [m], [N]
-  Eigen::Vector3d lateral = Eigen::Vector3d::Zero();        ///< force on the particle in the contact plane [N]
-  Eigen::Vector3d rolling_moment = Eigen::Vector3d::Zero(); ///< on the particle [N m]
-  double torsion_moment = 0;                                ///< on the particle, about the contact's normal [N m]
-  bool slides = false, rolls = false, twists = false;       ///< the mode's limit is reached
+  double approach = 0, normal_force = 0;              ///< [m], [N]
+  Eigen::Vector3d lateral = Eigen::Vector3d::Zero();  ///< force on the particle in the contact plane [N]
+  Eigen::Vector3d rolling_moment = Eigen::Vector3d::Zero();  ///< on the particle [N m]
+  double torsion_moment = 0;                           ///< on the particle, about the contact's normal [N m]
+  bool slides = false, rolls = false, twists = false;  ///< the mode's limit is reached
 };
 
 struct LoopRow {
-  int leg = 0;                                               ///< between two reversals; 0: the first way out
-  double indenter_displacement = 0;                         ///< [m]
-  double lateral_force = 0;                                 ///< of the indenter on the particle along x [N]
-  double normal_force = 0;                                  ///< that the indenter carries [N]
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();   ///< of the particle's centre [m]
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();       ///< of the particle: axis times angle, up to pi [rad]
+  int leg = 0;                                             ///< between two reversals; 0: the first way out
+  double indenter_displacement = 0;                        ///< [m]
+  double lateral_force = 0;                                ///< of the indenter on the particle along x [N]
+  double normal_force = 0;                                 ///< that the indenter carries [N]
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< of the particle's centre [m]
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< of the particle: axis times angle, up to pi [rad]
   std::vector<ContactRecord> contacts;
 };
 
@@ -36,13 +37,14 @@ struct FrictionLoop {
 
 /// Numbers of a loop with at least one reversal. Throws InputError for one without.
 struct LoopNumbers {
-  double initial_slope = 0;    ///< d(lateral force)/dx at the first motion [N/m]
-  double reversal_slope = 0;   ///< the same after the last reversal
-  double plateau = 0;          ///< half the difference of the forces at the ends of the last two legs [N]
-  double offset = 0;           ///< their mean [N]
-  double reversal_travel = 0;  ///< 2 plateau/reversal slope: way of an elastic contact to the next plateau [m]
-  double plateau_travel = 0;   ///< way after the last reversal until 99.9 % of the change of force is done [m]
-  double dissipation = 0;      ///< work of the last full cycle [J]; NaN without a full cycle
+  double initial_slope = 0;   ///< d(lateral force)/dx at the first motion [N/m]
+  double reversal_slope = 0;  ///< the same after the last reversal
+  double plateau = 0;         ///< half the difference of the forces at the ends of the last two legs [N]
+  double offset = 0;          ///< their mean [N]
+  double reversal_travel =
+      0;                      ///< 2 plateau/reversal slope: way of an elastic contact to the next plateau [m]
+  double plateau_travel = 0;  ///< way after the last reversal until 99.9 % of the change of force is done [m]
+  double dissipation = 0;     ///< work of the last full cycle [J]; NaN without a full cycle
 };
 LoopNumbers measure(const FrictionLoop& loop);
 

@@ -6,7 +6,9 @@
 namespace asperity {
 namespace {
 
-bool is_constant(const EffectiveQuantity& stiffness) { return stiffness.length_scale != LengthScale::contact_radius; }
+bool is_constant(const EffectiveQuantity& stiffness) {
+  return stiffness.length_scale != LengthScale::contact_radius;
+}
 
 /// G* that gives the record's k_l = 8 G* a.
 std::optional<double> sliding_modulus_of(const ContactParameters& parameters) {

@@ -1,5 +1,6 @@
-// The reduced laws with the numbers of parameters.json, so that an engine that was given the same file and this program's own
-// law can be set side by side. What the file means by its length scales and stiffnesses: contact_parameters.h.
+// The reduced laws with the numbers of parameters.json, so that an engine that was given the same file and
+// this program's own law can be set side by side. What the file means by its length scales and stiffnesses:
+// contact_parameters.h.
 #pragma once
 
 #include <vector>
@@ -11,8 +12,9 @@
 namespace asperity {
 
 struct ReducedLawOptions {
-  bool partial_slip = false;     ///< Mindlin and Deresiewicz instead of Mindlin
-  bool normal_adhesion = false;  ///< the pull-off force as a constant attraction; without it the load alone presses
+  bool partial_slip = false;  ///< Mindlin and Deresiewicz instead of Mindlin
+  bool normal_adhesion =
+      false;  ///< the pull-off force as a constant attraction; without it the load alone presses
   LeverArm lever = LeverArm::particle_radius;  ///< as the file's lambda = r and most engines' walls
   std::vector<WrittenLaw> laws{};              ///< each in place of that of its mode
 };

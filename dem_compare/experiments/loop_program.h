@@ -1,5 +1,5 @@
-// The friction loop of the paper's experiments: the indenter is pressed with a constant load and moved to +A, -A, +A, ...
-// (Fuchs, Weinhart et al. 2014: A = 1 um, 1 um/s). SI units.
+// The friction loop of the paper's experiments: the indenter is pressed with a constant load and moved to +A,
+// -A, +A, ... (Fuchs, Weinhart et al. 2014: A = 1 um, 1 um/s). SI units.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct LoopProgram {
 
 /// One way of the indenter between two reversals.
 struct LoopStation {
-  int leg = 0;        ///< 0: first loading, then numbered
+  int leg = 0;          ///< 0: first loading, then numbered
   double position = 0;  ///< [m]
 };
 

@@ -15,9 +15,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Finite differences over the approach: a part of the increment, so as not to reach over a slider's limit, but above rounding.
+/// Finite differences over the approach: a part of the increment, so as not to reach over a slider's limit,
+/// but above rounding.
 constexpr double difference_over_increment = 1e-3, smallest_difference = 1e-9, largest_difference = 1e-6;
-/// Motions softer than this, over the normal stiffness, resist nothing (a free spin without torsion law) and stay still.
+/// Motions softer than this, over the normal stiffness, resist nothing (a free spin without torsion law) and
+/// stay still.
 constexpr double softest = 1e-6;
 constexpr int most_iterations = 30, most_backtracks = 12;
 /// An imbalance that stops shrinking below this is rounding.
@@ -26,12 +28,14 @@ constexpr double rounding = 1e-9;
 /// One increment of the indenter from an accepted state.
 class Increment {
  public:
-  Increment(const SingleParticle& particle, const ParticleState& from, double normal_load, double length, double force)
+  Increment(const SingleParticle& particle, const ParticleState& from, double normal_load, double length,
+            double force)
       : particle_(particle), from_(from), load_(normal_load), length_(length), force_(force) {}
 
   int unknowns() const { return particle_.glued ? 1 : 7; }
 
-  /// State after the indenter moved by `way` and the bodies by the unknowns u: shifts over length_, angles over length_/R.
+  /// State after the indenter moved by `way` and the bodies by the unknowns u: shifts over length_, angles
+  /// over length_/R.
   ParticleState moved(double way, const VectorXd& u) const {
     ParticleState state;
     state.planes = from_.planes;
@@ -72,7 +76,8 @@ class Increment {
     MatrixXd j(unknowns(), unknowns());
     for (int k = 0; k < unknowns(); ++k) {
       VectorXd shifted = u;
-      shifted[k] += u[k] < 0 ? -difference : difference;  // onwards, so that a slider that moves is seen moving
+      shifted[k] +=
+          u[k] < 0 ? -difference : difference;  // onwards, so that a slider that moves is seen moving
       j.col(k) = (imbalance(moved(way, shifted)) - r) / (shifted[k] - u[k]);
     }
     return j;
@@ -119,9 +124,11 @@ FrictionLoop simulate_quasi_static(const SingleParticle& particle, const LoopPro
   const NormalState& first = state.contacts.front().normal;
   const double length = first.contact_radius * first.contact_radius / particle.radius;
   double force = first.stiffness * length;
-  for (std::size_t i = 0; i < state.contacts.size(); ++i)  // adhesion can let the lateral forces exceed the load by far
+  for (std::size_t i = 0; i < state.contacts.size();
+       ++i)  // adhesion can let the lateral forces exceed the load by far
     force = std::max(force, particle.contacts[i].model.sliding->limit(state.contacts[i].normal.force));
-  const double increment = program.first_increment > 0 ? program.first_increment : resolving_increment(particle, state);
+  const double increment =
+      program.first_increment > 0 ? program.first_increment : resolving_increment(particle, state);
 
   FrictionLoop loop;
   loop.contact_names = contact_names(particle);
@@ -141,8 +148,8 @@ FrictionLoop simulate_quasi_static(const SingleParticle& particle, const LoopPro
       if (!next) {
         if (++halvings > options.most_halvings) {
           std::ostringstream message;
-          message << "no equilibrium of the particle was found with the indenter at " << state.indenter.x() * 1e6
-                  << " um; give a smaller first increment or growth";
+          message << "no equilibrium of the particle was found with the indenter at "
+                  << state.indenter.x() * 1e6 << " um; give a smaller first increment or growth";
           throw WorkError(message.str());
         }
         way /= 2;

@@ -15,15 +15,17 @@ ParticleState at_rest(const SingleParticle& particle, double normal_load) {
   for (const ParticleContact& contact : particle.contacts) {
     const double force = contact.share * normal_load, approach = contact.model.normal->approach(force);
     if (!std::isfinite(approach))
-      throw InputError("the contact '" + contact.name + "' cannot carry a normal force of " + std::to_string(force * 1e6) +
-                       " uN; give a load above its pull-off");
+      throw InputError("the contact '" + contact.name + "' cannot carry a normal force of " +
+                       std::to_string(force * 1e6) + " uN; give a load above its pull-off");
     state.planes.push_back(-(particle.radius - approach) * contact.normal);
     ContactMotion motion;
     motion.normal = contact.normal;
     ContactModelState contact_state;
-    for (const double reached : {std::max(0.0, approach), approach}) {  // adhesive contacts form at zero approach
+    for (const double reached :
+         {std::max(0.0, approach), approach}) {  // adhesive contacts form at zero approach
       motion.approach = reached;
-      motion.lever = contact.model.lever == LeverArm::particle_radius ? particle.radius : particle.radius - reached;
+      motion.lever =
+          contact.model.lever == LeverArm::particle_radius ? particle.radius : particle.radius - reached;
       contact_state = advance(contact.model, contact_state, motion);
     }
     state.contacts.push_back(contact_state);
@@ -38,7 +40,8 @@ ContactMotion motion_of(const SingleParticle& particle, const ParticleState& fro
   before.normal = after.normal = c.normal;
   before.position = from.planes[contact] + (c.on_indenter ? from.indenter : Vector3d(Vector3d::Zero()));
   after.position = from.planes[contact] + (c.on_indenter ? indenter : Vector3d(Vector3d::Zero()));
-  return sphere_on_plane(from.sphere, sphere, particle.radius, before, after, c.model.lever, c.model.history_spin);
+  return sphere_on_plane(from.sphere, sphere, particle.radius, before, after, c.model.lever,
+                         c.model.history_spin);
 }
 
 Resultants resultants(const SingleParticle& particle, const std::vector<ContactModelState>& contacts) {
@@ -54,8 +57,13 @@ Resultants resultants(const SingleParticle& particle, const std::vector<ContactM
 
 LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg) {
   const Resultants sum = resultants(particle, state.contacts);
-  LoopRow row{leg, state.indenter.x(), sum.from_indenter.x(), -sum.from_indenter.z(), state.sphere.position,
-              rotation_vector(state.sphere.orientation), {}};
+  LoopRow row{leg,
+              state.indenter.x(),
+              sum.from_indenter.x(),
+              -sum.from_indenter.z(),
+              state.sphere.position,
+              rotation_vector(state.sphere.orientation),
+              {}};
   for (const ContactModelState& contact : state.contacts) row.contacts.push_back(record_of(contact));
   return row;
 }
@@ -80,7 +88,9 @@ double way_to_first_limit(const SingleParticle& particle, const ParticleState& r
     consider(model.torsion->limit(state.normal, state.lever), state.torsion.stiffness, state.lever);
   }
   if (!std::isfinite(way))
-    throw InputError("no contact of this experiment resists any motion under this load; give a larger load or a sliding coefficient");
+    throw InputError(
+        "no contact of this experiment resists any motion under this load; give a larger load or a sliding "
+        "coefficient");
   return way;
 }
 

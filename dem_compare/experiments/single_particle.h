@@ -18,8 +18,8 @@ struct ParticleContact {
   std::string name;
   ContactModel model;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< from the plane to the particle
-  bool on_indenter = false;                            ///< the plane moves with the indenter
-  double share = 1;                                    ///< normal force over the load of the indenter, at rest
+  bool on_indenter = false;                           ///< the plane moves with the indenter
+  double share = 1;                                   ///< normal force over the load of the indenter, at rest
 };
 
 struct SingleParticle {
@@ -30,9 +30,9 @@ struct SingleParticle {
 
 /// Where the bodies are, and the contacts' accepted states.
 struct ParticleState {
-  Placement sphere;                                      ///< displaced from the origin
-  Eigen::Vector3d indenter = Eigen::Vector3d::Zero();   ///< displacement of the indenter [m]
-  std::vector<Eigen::Vector3d> planes;                  ///< a point of each plane at rest
+  Placement sphere;                                    ///< displaced from the origin
+  Eigen::Vector3d indenter = Eigen::Vector3d::Zero();  ///< displacement of the indenter [m]
+  std::vector<Eigen::Vector3d> planes;                 ///< a point of each plane at rest
   std::vector<ContactModelState> contacts;
 };
 
@@ -53,7 +53,8 @@ Resultants resultants(const SingleParticle& particle, const std::vector<ContactM
 LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg);
 std::vector<std::string> contact_names(const SingleParticle& particle);
 
-/// Way of the particle's surface to the first limit of any mode [m]. Throws InputError where no contact resists.
+/// Way of the particle's surface to the first limit of any mode [m]. Throws InputError where no contact
+/// resists.
 double way_to_first_limit(const SingleParticle& particle, const ParticleState& rest);
 /// Increment of the indenter that resolves the yielding of every mode: a twentieth of that way [m].
 double resolving_increment(const SingleParticle& particle, const ParticleState& rest);

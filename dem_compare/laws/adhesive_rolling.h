@@ -1,9 +1,11 @@
 // Rolling resistance of a JKR contact whose edge does not follow at once (Dominik & Tielens 1995):
-//   M = 4 F_c (a/a0)^(3/2) xi   at the shift xi of the contact at which the edge gives way; a0: radius at zero load,
+//   M = 4 F_c (a/a0)^(3/2) xi   at the shift xi of the contact at which the edge gives way; a0: radius at
+//   zero load,
 // and from the work of adhesion that opening takes over what closing gave (Kendall 1975; Johnson 1985):
 //   F = 2 a dw.
-// Sources of the rolling adhesion h: neither vanishes with the load. xi is of atomic size (0.2 to 1 nm) and not known better;
-// for the paper's sphere both give some nN, less than a hundredth of the rolling forces it measured. SI units.
+// Sources of the rolling adhesion h: neither vanishes with the load. xi is of atomic size (0.2 to 1 nm) and
+// not known better; for the paper's sphere both give some nN, less than a hundredth of the rolling forces it
+// measured. SI units.
 #pragma once
 
 #include "dem_compare/laws/jkr.h"

@@ -1,8 +1,10 @@
-// Tractive rolling: a rolling contact that transmits a force Q slips a little, xi = (difference of the surfaces' speeds)/speed:
-//   Q/(mu P) = 1 - (1 - y/3)^3,   y = C G a^2 xi/(mu P) <= 3   (Vermeulen & Johnson 1964; Shen, Hedrick & Elkins 1983)
-// with Kalker's coefficient C of the creep (1967), or C = 16/(4 - 3 nu) along, 16/(4 - nu) across the way of rolling (the
-// original, up to 19 % high at small creep). With Kalker's C the law is up to 3 % low. One material, circular contact,
-// steady rolling over more than 2 a. SI units.
+// Tractive rolling: a rolling contact that transmits a force Q slips a little, xi = (difference of the
+// surfaces' speeds)/speed:
+//   Q/(mu P) = 1 - (1 - y/3)^3,   y = C G a^2 xi/(mu P) <= 3   (Vermeulen & Johnson 1964; Shen, Hedrick &
+//   Elkins 1983)
+// with Kalker's coefficient C of the creep (1967), or C = 16/(4 - 3 nu) along, 16/(4 - nu) across the way of
+// rolling (the original, up to 19 % high at small creep). With Kalker's C the law is up to 3 % low. One
+// material, circular contact, steady rolling over more than 2 a. SI units.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +15,9 @@
 namespace asperity {
 
 struct CreepForce {
-  double shear_modulus = 0;     ///< G [Pa]
-  double coefficient = 0;       ///< mu of sliding [-]
-  double creep_coefficient = 0; ///< C [-]
+  double shear_modulus = 0;      ///< G [Pa]
+  double coefficient = 0;        ///< mu of sliding [-]
+  double creep_coefficient = 0;  ///< C [-]
   static constexpr const char* ratio = "creep [1]";
 
   static double vermeulen_johnson_along(double poisson_ratio) { return 16 / (4 - 3 * poisson_ratio); }
@@ -23,7 +25,8 @@ struct CreepForce {
 
   /// Q [N] at a creep xi >= 0.
   double force(double creep, double normal_force, double contact_radius) const {
-    const double y = creep_coefficient * shear_modulus * contact_radius * contact_radius * creep / (coefficient * normal_force);
+    const double y = creep_coefficient * shear_modulus * contact_radius * contact_radius * creep /
+                     (coefficient * normal_force);
     return coefficient * normal_force * (1 - std::pow(std::max(0.0, 1 - y / 3), 3));
   }
   SlipResistance resistance(double normal_force, double contact_radius, double creep) const {

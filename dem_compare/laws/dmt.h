@@ -1,6 +1,8 @@
-// Adhesive contact with attraction outside the contact area only (Derjaguin, Muller & Toporov 1975; Maugis 1992):
+// Adhesive contact with attraction outside the contact area only (Derjaguin, Muller & Toporov 1975; Maugis
+// 1992):
 //   f_n = (4/3) E* a^3/R - 2 pi w R,   delta = a^2/R,   pull-off 2 pi w R at a = 0.
-// Valid for stiff, small spheres and long-range attraction: Tabor's mu = (R w^2/(E*^2 z0^3))^(1/3) < 0.1. SI units.
+// Valid for stiff, small spheres and long-range attraction: Tabor's mu = (R w^2/(E*^2 z0^3))^(1/3) < 0.1. SI
+// units.
 #pragma once
 
 #include "core/hertz.h"
@@ -10,7 +12,8 @@
 namespace asperity {
 
 /// Tabor's parameter for an equilibrium distance z0 of the surfaces [m] (Tabor 1977).
-inline double tabor_parameter(double reduced_modulus, double radius, double work_of_adhesion, double distance) {
+inline double tabor_parameter(double reduced_modulus, double radius, double work_of_adhesion,
+                              double distance) {
   return std::cbrt(radius * work_of_adhesion * work_of_adhesion /
                    (reduced_modulus * reduced_modulus * distance * distance * distance));
 }

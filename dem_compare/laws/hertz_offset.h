@@ -1,7 +1,7 @@
 // Hertz' contact with a constant attraction (the simple law of Fuchs, Weinhart et al. 2014, eq. normal):
 //   f_n = (4/3) E* R^(1/2) delta^(3/2) - h,   a = (R delta)^(1/2),   f_n = 0 for delta <= 0.
-// Not valid where the attraction changes the contact radius by itself (JKR's range, Tabor parameter above 1), nor out of
-// contact: the attraction has no reach. h = 0 is Hertz. SI units.
+// Not valid where the attraction changes the contact radius by itself (JKR's range, Tabor parameter above 1),
+// nor out of contact: the attraction has no reach. h = 0 is Hertz. SI units.
 #pragma once
 
 #include "core/hertz.h"

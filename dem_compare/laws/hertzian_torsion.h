@@ -17,7 +17,8 @@ inline double full_slip_torsion_coefficient(double sliding_coefficient) {
   return 3 * boost::math::double_constants::pi / 16 * sliding_coefficient;
 }
 /// [N m]
-inline double full_slip_torsion_moment(double sliding_coefficient, double normal_force, double contact_radius) {
+inline double full_slip_torsion_moment(double sliding_coefficient, double normal_force,
+                                       double contact_radius) {
   return full_slip_torsion_coefficient(sliding_coefficient) * normal_force * contact_radius;
 }
 

@@ -1,7 +1,8 @@
-// Rolling resistance from the energy that a deforming solid does not give back (Tabor 1955; Johnson 1985, sec. 9.2):
+// Rolling resistance from the energy that a deforming solid does not give back (Tabor 1955; Johnson 1985,
+// sec. 9.2):
 //   M = (3/16) alpha P a,   alpha: loss over the elastic energy that the front half of the contact puts in.
-// A source of the rolling coefficient with lambda = a: mu = 3 alpha/16. Hertzian contact; alpha is measured, not derived, and
-// is near zero for glass and silicon below yield. SI units.
+// A source of the rolling coefficient with lambda = a: mu = 3 alpha/16. Hertzian contact; alpha is measured,
+// not derived, and is near zero for glass and silicon below yield. SI units.
 #pragma once
 
 #include <algorithm>

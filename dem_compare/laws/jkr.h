@@ -1,8 +1,8 @@
-// Adhesive contact with attraction inside the contact area only (Johnson, Kendall & Roberts 1971; Johnson 1985, sec. 5.5;
-// Maugis 1992):  f_n = (4/3) E* a^3/R - (8 pi w E* a^3)^(1/2),   delta = a^2/R - (2 pi w a/E*)^(1/2).
-// Pull-off: (3/2) pi w R under a dead load, (5/6) pi w R under fixed grips. The contact forms at delta = 0 on closing and
-// breaks at the fixed-grips limit on opening: the law has history, and a cycle dissipates.
-// Valid for soft, large spheres and short-range attraction: Tabor's mu > 5. SI units.
+// Adhesive contact with attraction inside the contact area only (Johnson, Kendall & Roberts 1971; Johnson
+// 1985, sec. 5.5; Maugis 1992):  f_n = (4/3) E* a^3/R - (8 pi w E* a^3)^(1/2),   delta = a^2/R - (2 pi w
+// a/E*)^(1/2). Pull-off: (3/2) pi w R under a dead load, (5/6) pi w R under fixed grips. The contact forms at
+// delta = 0 on closing and breaks at the fixed-grips limit on opening: the law has history, and a cycle
+// dissipates. Valid for soft, large spheres and short-range attraction: Tabor's mu > 5. SI units.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,12 @@ struct Jkr {
 
   double pull_off_force() const { return 1.5 * pi_w() * radius; }
   double force_at_radius(double a) const {
-    return 4.0 / 3.0 * reduced_modulus * a * a * a / radius - std::sqrt(8 * pi_w() * reduced_modulus * a * a * a);
+    return 4.0 / 3.0 * reduced_modulus * a * a * a / radius -
+           std::sqrt(8 * pi_w() * reduced_modulus * a * a * a);
   }
-  double approach_at_radius(double a) const { return a * a / radius - std::sqrt(2 * pi_w() * a / reduced_modulus); }
+  double approach_at_radius(double a) const {
+    return a * a / radius - std::sqrt(2 * pi_w() * a / reduced_modulus);
+  }
   /// Smallest radius that is stable under fixed grips, where d(delta)/da = 0.
   double smallest_radius() const { return std::cbrt(pi_w() * radius * radius / (8 * reduced_modulus)); }
   double smallest_approach() const { return approach_at_radius(smallest_radius()); }
@@ -35,14 +38,15 @@ struct Jkr {
   }
   double approach(double force) const { return approach_at_radius(radius_at_force(force)); }
 
-  /// Stable branch under fixed grips; approach >= smallest_approach(). Newton's method from above, where the function is
-  /// convex and increasing: it descends to the root.
+  /// Stable branch under fixed grips; approach >= smallest_approach(). Newton's method from above, where the
+  /// function is convex and increasing: it descends to the root.
   double radius_at_approach(double approach) const {
     const double c = std::sqrt(2 * pi_w() / reduced_modulus), lowest = smallest_radius();
     double a = std::sqrt(radius * std::max(0.0, approach)) + std::cbrt(radius * c * radius * c);
     constexpr int most_iterations = 100;  // near the double root at the limit each one halves the distance
     for (int i = 0; i < most_iterations; ++i) {
-      const double excess = a * a / radius - c * std::sqrt(a) - approach, slope = 2 * a / radius - 0.5 * c / std::sqrt(a);
+      const double excess = a * a / radius - c * std::sqrt(a) - approach,
+                   slope = 2 * a / radius - 0.5 * c / std::sqrt(a);
       if (slope <= 0) return lowest;
       const double next = std::max(lowest, a - excess / slope);
       if (next >= a * (1 - 4e-16)) return next;  // no digit is left to gain
@@ -57,7 +61,8 @@ struct Jkr {
     const double a = radius_at_approach(approach);
     if (a == 0) return {approach, 0, 0, 0, true};  // w = 0, at first touch
     const double slope_of_approach = 2 * a / radius - 0.5 * std::sqrt(2 * pi_w() / (reduced_modulus * a));
-    const double slope_of_force = 4 * reduced_modulus * a * a / radius - 1.5 * std::sqrt(8 * pi_w() * reduced_modulus * a);
+    const double slope_of_force =
+        4 * reduced_modulus * a * a / radius - 1.5 * std::sqrt(8 * pi_w() * reduced_modulus * a);
     return {approach, force_at_radius(a), a, slope_of_force / slope_of_approach, true};
   }
 

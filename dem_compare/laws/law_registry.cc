@@ -22,7 +22,8 @@ std::vector<Registered>& registered() {
 }
 
 template <class Named>
-[[noreturn]] void refuse_unknown(const std::string& what, const std::string& written, const std::vector<Named>& known) {
+[[noreturn]] void refuse_unknown(const std::string& what, const std::string& written,
+                                 const std::vector<Named>& known) {
   std::vector<std::string> names;
   for (const auto& entry : known) names.push_back(entry.name);
   const std::string nearest = nearest_name(written, names);
@@ -111,8 +112,8 @@ std::string reduced_laws_manual() {
           "particle by it, `asperity law-curve` writes its curve. What the contact's record holds need not "
           "be given.\n";
   for (const auto& law : reduced_laws()) {
-    page << "\n## " << law.mode << ": `" << law.name << "`\n\n" << law.equation << "\n\nSource: " << law.source
-         << "\n\nValid: " << law.validity << "\n";
+    page << "\n## " << law.mode << ": `" << law.name << "`\n\n"
+         << law.equation << "\n\nSource: " << law.source << "\n\nValid: " << law.validity << "\n";
     if (law.parameters.empty()) continue;
     page << "\n| parameter | unit | meaning | admissible | default |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : law.parameters)

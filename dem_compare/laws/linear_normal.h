@@ -1,5 +1,5 @@
-// Linear spring with a constant attraction (Cundall & Strack 1979): f_n = k delta - h, a = (R delta)^(1/2). SI units.
-// An engine's convenience, no contact mechanics: right at the one load where k was taken from.
+// Linear spring with a constant attraction (Cundall & Strack 1979): f_n = k delta - h, a = (R delta)^(1/2).
+// SI units. An engine's convenience, no contact mechanics: right at the one load where k was taken from.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,8 @@ struct LinearNormal {
 
   NormalState advance(const NormalState&, double approach) const {
     if (approach <= 0) return {approach, 0, 0, 0, false};
-    return {approach, spring_stiffness * approach - adhesion_force, std::sqrt(radius * approach), spring_stiffness, true};
+    return {approach, spring_stiffness * approach - adhesion_force, std::sqrt(radius * approach),
+            spring_stiffness, true};
   }
   double approach(double force) const { return (force + adhesion_force) / spring_stiffness; }
 };

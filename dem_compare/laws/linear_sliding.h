@@ -1,5 +1,5 @@
-// Linear tangential spring with Coulomb's slider (Cundall & Strack 1979): f_l = k xi, |f_l| <= mu (f_n + h). SI units.
-// An engine's convenience: the stiffness of a real contact follows its radius (mindlin.h).
+// Linear tangential spring with Coulomb's slider (Cundall & Strack 1979): f_l = k xi, |f_l| <= mu (f_n + h).
+// SI units. An engine's convenience: the stiffness of a real contact follows its radius (mindlin.h).
 #pragma once
 
 #include "dem_compare/laws/coulomb.h"
@@ -12,10 +12,12 @@ struct LinearSliding {
   double spring_stiffness = 0;  ///< k [N/m]
   CoulombLimit friction;
 
-  SlidingHistory advance(const SlidingHistory& before, const NormalState& normal, const Eigen::Vector3d& increment) const {
+  SlidingHistory advance(const SlidingHistory& before, const NormalState& normal,
+                         const Eigen::Vector3d& increment) const {
     if (!normal.touching) return {};
     return {SpringSlider<Eigen::Vector3d>::advance(before.spring, spring_stiffness, increment,
-                                                   friction.limit(normal.force), ChangingLoad::plain), {}};
+                                                   friction.limit(normal.force), ChangingLoad::plain),
+            {}};
   }
 };
 

@@ -30,7 +30,8 @@ double stick_integral(double x) {
 
 /// (4/pi) [x^3 I(x) + 3 int_x^1 y^2 I(y) dy]
 double moment_shape(double x) {
-  static boost::math::quadrature::tanh_sinh<double> integrator;  // its tables are costly; safe to share between threads
+  static boost::math::quadrature::tanh_sinh<double>
+      integrator;  // its tables are costly; safe to share between threads
   const auto integrand = [](double y) { return y * y * stick_integral(y); };
   const double rest = x < 1 ? integrator.integrate(integrand, x, 1.0) : 0.0;
   return 4 / pi * (x * x * x * stick_integral(x) + 3 * rest);
@@ -42,9 +43,9 @@ double stick_ratio_where(const Shape& shape, double value) {
   constexpr double smallest = std::numeric_limits<double>::min();
   std::uintmax_t iterations = 300;
   // The search runs over log x: the stick zone shrinks exponentially with the angle.
-  const auto bracket = boost::math::tools::toms748_solve([&](double log_x) { return shape(std::exp(log_x)) - value; },
-                                                         std::log(smallest), 0.0, boost::math::tools::eps_tolerance<double>(),
-                                                         iterations);
+  const auto bracket = boost::math::tools::toms748_solve(
+      [&](double log_x) { return shape(std::exp(log_x)) - value; }, std::log(smallest), 0.0,
+      boost::math::tools::eps_tolerance<double>(), iterations);
   return std::exp((bracket.first + bracket.second) / 2);
 }
 
@@ -63,7 +64,9 @@ double LubkinTorsion::angle(double moment) const {
   if (moment == 0) return 0;
   const double shape = std::abs(moment) / (coefficient * normal_force * contact_radius);
   if (!(std::abs(moment) < full_slip_moment()))
-    throw InputError("a torsion moment at or beyond full slip (3 pi/16 mu P a) has no angle in Lubkin's law; give a smaller moment");
+    throw InputError(
+        "a torsion moment at or beyond full slip (3 pi/16 mu P a) has no angle in Lubkin's law; give a "
+        "smaller moment");
   return std::copysign(angle_at(stick_ratio_where(moment_shape, shape)), moment);
 }
 
@@ -71,7 +74,8 @@ double LubkinTorsion::moment(double angle) const {
   if (angle == 0) return 0;
   const double shape = std::abs(angle) * 4 * pi * torsion_modulus * contact_radius * contact_radius /
                        (3 * coefficient * normal_force);
-  if (shape >= stick_integral(std::numeric_limits<double>::min())) return std::copysign(full_slip_moment(), angle);
+  if (shape >= stick_integral(std::numeric_limits<double>::min()))
+    return std::copysign(full_slip_moment(), angle);
   return std::copysign(moment_at(stick_ratio_where(stick_integral, shape)), angle);
 }
 

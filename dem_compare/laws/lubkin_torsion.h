@@ -1,8 +1,11 @@
-// Torsion of a Hertzian contact with partial slip at constant load: an annulus c < r < a slips, the rest sticks
-// (Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3). With k'^2 = 1 - x^2 and I(x) = K(k') - E(k'), x = c/a:
-//   theta = 3 mu P/(4 pi Gt a^2) I(x),   M = (4 mu P a/pi) [x^3 I(x) + 3 int_x^1 y^2 I(y) dy],   full slip 3 pi mu P a/16.
-// Full slip takes an infinite angle. Unloading and reloading after Masing's rule (Deresiewicz 1954): each branch is the virgin
-// curve at twice the size, from the point of reversal. Constant normal load and no sliding beside it. SI units.
+// Torsion of a Hertzian contact with partial slip at constant load: an annulus c < r < a slips, the rest
+// sticks (Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3). With k'^2 = 1 - x^2 and I(x) = K(k') -
+// E(k'), x = c/a:
+//   theta = 3 mu P/(4 pi Gt a^2) I(x),   M = (4 mu P a/pi) [x^3 I(x) + 3 int_x^1 y^2 I(y) dy],   full slip 3
+//   pi mu P a/16.
+// Full slip takes an infinite angle. Unloading and reloading after Masing's rule (Deresiewicz 1954): each
+// branch is the virgin curve at twice the size, from the point of reversal. Constant normal load and no
+// sliding beside it. SI units.
 #pragma once
 
 #include "dem_compare/laws/hertzian_torsion.h"
@@ -19,7 +22,9 @@ struct LubkinTorsion {
   /// Twist and moment of the virgin curve where the part c/a of the contact sticks, 0 < c/a <= 1.
   double angle_at(double stick_ratio) const;
   double moment_at(double stick_ratio) const;
-  double full_slip_moment() const { return full_slip_torsion_moment(coefficient, normal_force, contact_radius); }
+  double full_slip_moment() const {
+    return full_slip_torsion_moment(coefficient, normal_force, contact_radius);
+  }
   /// Virgin curve; odd in its argument. Throws InputError for a moment at or beyond full slip.
   double angle(double moment) const;
   double moment(double angle) const;

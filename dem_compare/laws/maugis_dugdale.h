@@ -1,10 +1,12 @@
-// Adhesive contact between JKR's and DMT's limits: a constant stress s0 attracts across the gap around the contact out to the
-// radius m a (Maugis 1992, J. Colloid Interface Sci. 150:243). With K = 4 E*/3, lengths over (pi w R^2/K)^(1/3), forces over
-// pi w R, approaches over (pi^2 w^2 R/K^2)^(1/3), lambda = 2 s0 (R/(pi w K^2))^(1/3), u = (m^2 - 1)^(1/2), t = arctan u:
+// Adhesive contact between JKR's and DMT's limits: a constant stress s0 attracts across the gap around the
+// contact out to the radius m a (Maugis 1992, J. Colloid Interface Sci. 150:243). With K = 4 E*/3, lengths
+// over (pi w R^2/K)^(1/3), forces over pi w R, approaches over (pi^2 w^2 R/K^2)^(1/3), lambda = 2 s0 (R/(pi w
+// K^2))^(1/3), u = (m^2 - 1)^(1/2), t = arctan u:
 //   1 = (lambda a^2/2) [u + (m^2 - 2) t] + (4 lambda^2 a/3) [u t - m + 1]
 //   f_n = a^3 - lambda a^2 (u + m^2 t),   delta = a^2 - (4/3) lambda a u.
-// lambda > 5 is JKR's range, lambda < 0.1 DMT's. The paper's spheres have lambda of 1 to 2. The contact forms at delta = 0 and
-// breaks where d(delta)/da = 0, or at a = 0; attraction before first touch is left out. SI units.
+// lambda > 5 is JKR's range, lambda < 0.1 DMT's. The paper's spheres have lambda of 1 to 2. The contact forms
+// at delta = 0 and breaks where d(delta)/da = 0, or at a = 0; attraction before first touch is left out. SI
+// units.
 #pragma once
 
 #include "dem_compare/laws/law_registry.h"

@@ -1,8 +1,10 @@
-// Tangential stiffness of a contact without slip, added up in increments, with Coulomb's limit (Mindlin 1949):
+// Tangential stiffness of a contact without slip, added up in increments, with Coulomb's limit (Mindlin
+// 1949):
 //   d f_l = 8 G* a d xi,   |f_l| <= mu (f_n + h),   1/G* = (2 - nu1)/G1 + (2 - nu2)/G2.
 // While the load changes: see ChangingLoad in spring_slider.h; rescaling on unloading creates no energy.
-// Not valid near sliding: slip starts at the edge of the contact at any lateral force, which softens the spring (its
-// tangent by a third at 0.7 mu f_n, its secant by a third at gross slip) and dissipates: mindlin_deresiewicz.h. SI units.
+// Not valid near sliding: slip starts at the edge of the contact at any lateral force, which softens the
+// spring (its tangent by a third at 0.7 mu f_n, its secant by a third at gross slip) and dissipates:
+// mindlin_deresiewicz.h. SI units.
 #pragma once
 
 #include "dem_compare/laws/coulomb.h"
@@ -18,10 +20,12 @@ struct Mindlin {
 
   double stiffness(double contact_radius) const { return 8 * sliding_modulus * contact_radius; }
 
-  SlidingHistory advance(const SlidingHistory& before, const NormalState& normal, const Eigen::Vector3d& increment) const {
+  SlidingHistory advance(const SlidingHistory& before, const NormalState& normal,
+                         const Eigen::Vector3d& increment) const {
     if (!normal.touching) return {};
     return {SpringSlider<Eigen::Vector3d>::advance(before.spring, stiffness(normal.contact_radius), increment,
-                                                   friction.limit(normal.force), changing_load), {}};
+                                                   friction.limit(normal.force), changing_load),
+            {}};
   }
 };
 

@@ -9,10 +9,11 @@ namespace {
 using Eigen::Vector3d;
 using Profile = std::vector<StripNode>;
 
-/// Distance from a straight line below which a node is dropped, over the shift at gross slip: rounding, not physics.
+/// Distance from a straight line below which a node is dropped, over the shift at gross slip: rounding, not
+/// physics.
 constexpr double straightness = 1e-13;
-/// Largest angle [rad] between the slip of neighbouring nodes: between them the limit is followed along the chord, which
-/// lies below the arc by the angle squared over eight.
+/// Largest angle [rad] between the slip of neighbouring nodes: between them the limit is followed along the
+/// chord, which lies below the arc by the angle squared over eight.
 constexpr double largest_turn = 0.02;
 /// Shear that keeps turning adds a node in each step; above this many the straightest ones are dropped.
 constexpr std::size_t most_nodes = 200;
@@ -21,7 +22,8 @@ Vector3d between(const StripNode& one, const StripNode& other, double depth) {
   return one.shift + (other.shift - one.shift) * ((depth - one.depth) / (other.depth - one.depth));
 }
 
-/// The old strips move by the increment; those that come into contact at s on the way have moved for the rest of it.
+/// The old strips move by the increment; those that come into contact at s on the way have moved for the rest
+/// of it.
 Profile moved(const Profile& before, double approach, const Vector3d& increment) {
   Profile now;
   now.reserve(before.size() + 4);
@@ -47,8 +49,10 @@ std::vector<double> crossings(const StripNode& one, const StripNode& other, doub
   const Vector3d change = other.shift - one.shift;
   const double limit = kappa * (approach - one.depth), limit_change = -kappa * (other.depth - one.depth);
   const double a = change.squaredNorm() - limit_change * limit_change,
-               b = 2 * (one.shift.dot(change) - limit * limit_change), c = one.shift.squaredNorm() - limit * limit;
-  // The squares lose half the digits of a thin slip zone; Newton's method on |u| - limit itself brings them back.
+               b = 2 * (one.shift.dot(change) - limit * limit_change),
+               c = one.shift.squaredNorm() - limit * limit;
+  // The squares lose half the digits of a thin slip zone; Newton's method on |u| - limit itself brings them
+  // back.
   const auto polished = [&](double place) {
     for (int i = 0; i < 2; ++i) {
       const Vector3d shift = one.shift + place * change;
@@ -82,8 +86,10 @@ Profile refined(const Profile& profile, double kappa, double approach) {
       const double across = last.shift.cross(next.shift).norm(), along = last.shift.dot(next.shift);
       const double angle = std::atan2(across, along), from = last.shift.norm(), to = next.shift.norm();
       const int pieces = static_cast<int>(std::ceil(angle / largest_turn));
-      for (int i = 1; i < pieces; ++i) {  // of equal angle: the law of sines on the straight line from u to u'
-        const double turned = angle * i / pieces, one = from * std::sin(turned), other = to * std::sin(angle - turned);
+      for (int i = 1; i < pieces;
+           ++i) {  // of equal angle: the law of sines on the straight line from u to u'
+        const double turned = angle * i / pieces, one = from * std::sin(turned),
+                     other = to * std::sin(angle - turned);
         const double depth = last.depth + (next.depth - last.depth) * one / (one + other);
         now.push_back({depth, between(last, next, depth)});
       }

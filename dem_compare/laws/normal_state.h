@@ -1,4 +1,5 @@
-// What a normal law says of a contact at one instant; the other laws of the contact take it from here. SI units.
+// What a normal law says of a contact at one instant; the other laws of the contact take it from here. SI
+// units.
 #pragma once
 
 namespace asperity {

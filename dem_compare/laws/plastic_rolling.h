@@ -1,7 +1,7 @@
-// First pass of a hard sphere over a soft plane that it ploughs: the front half of the contact carries the load at the
-// hardness H (Eldredge & Tabor 1955):   P = H pi a^2/2,   F = (2/3) H a^3/R.
-// An upper bound where the whole contact yields; nothing of it is left in later passes over the same track, nor below yield
-// (the paper's loads). SI units.
+// First pass of a hard sphere over a soft plane that it ploughs: the front half of the contact carries the
+// load at the hardness H (Eldredge & Tabor 1955):   P = H pi a^2/2,   F = (2/3) H a^3/R. An upper bound where
+// the whole contact yields; nothing of it is left in later passes over the same track, nor below yield (the
+// paper's loads). SI units.
 #pragma once
 
 #include <boost/math/constants/constants.hpp>

@@ -1,4 +1,5 @@
-// Length scale and stiffness that rolling and torsion resistance can have (Fuchs, Weinhart et al. 2014, sec. 3.2). SI units.
+// Length scale and stiffness that rolling and torsion resistance can have (Fuchs, Weinhart et al. 2014,
+// sec. 3.2). SI units.
 #pragma once
 
 #include "core/length_scale.h"
@@ -8,14 +9,16 @@
 namespace asperity {
 
 inline double length_of(LengthScale scale, const NormalState& normal, double lever) {
-  return scale == LengthScale::none ? 1 : scale == LengthScale::particle_radius ? lever : normal.contact_radius;
+  return scale == LengthScale::none              ? 1
+         : scale == LengthScale::particle_radius ? lever
+                                                 : normal.contact_radius;
 }
 
 /// Moment per angle [N m/rad] before the slider moves.
 struct RotationalStiffness {
   enum class Kind {
-    constant,           ///< value = K [N m/rad]
-    with_radius,        ///< value = K/a [N/rad]: K grows with the contact radius, from a load where it is known
+    constant,     ///< value = K [N m/rad]
+    with_radius,  ///< value = K/a [N/rad]: K grows with the contact radius, from a load where it is known
     tangential_spring,  ///< value = G* [Pa]: K = 8 G* a lambda r, the paper's assumption k_ro = k_to = k_l
     no_slip_torsion,    ///< value = Gt [Pa]: K = (16/3) Gt a^3, exact for torsion (Reissner & Sagoci 1944)
   };
@@ -26,10 +29,14 @@ struct RotationalStiffness {
   double at(const NormalState& normal, double length, double lever) const {
     const double a = normal.contact_radius;
     switch (kind) {
-      case Kind::tangential_spring: return 8 * value * a * length * lever;
-      case Kind::no_slip_torsion: return 16.0 / 3.0 * value * a * a * a;
-      case Kind::with_radius: return value * a;
-      case Kind::constant: break;
+      case Kind::tangential_spring:
+        return 8 * value * a * length * lever;
+      case Kind::no_slip_torsion:
+        return 16.0 / 3.0 * value * a * a * a;
+      case Kind::with_radius:
+        return value * a;
+      case Kind::constant:
+        break;
     }
     return value;
   }

@@ -1,4 +1,5 @@
-// What a sliding law remembers of its contact. Values: copy to try a step, keep the copy to accept it. SI units.
+// What a sliding law remembers of its contact. Values: copy to try a step, keep the copy to accept it. SI
+// units.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +12,7 @@ namespace asperity {
 /// Elastic shear displacement of the contact strip that the contact reached at the approach `depth`, see
 /// mindlin_deresiewicz.h.
 struct StripNode {
-  double depth = 0;                                  ///< s = x^2/R [m]
+  double depth = 0;                                 ///< s = x^2/R [m]
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< u(s) [m]
 };
 

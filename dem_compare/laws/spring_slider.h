@@ -1,8 +1,10 @@
-// One spring in series with one slider, the kernel of the sliding, rolling and torsion laws (Cundall & Strack 1979):
+// One spring in series with one slider, the kernel of the sliding, rolling and torsion laws (Cundall & Strack
+// 1979):
 //   q <- q + k dx, cut to |q| <= limit. Rates do not enter; every mode has a limit of its own.
-// While the load changes, k does too. Adding k dx alone gives a spring that holds more energy after unloading, q^2/(2k) with
-// a smaller k, than was put in: a closed cycle of load and shear can then do work (Elata & Berryman 1996). Rescaling q by
-// k/k_before where k decreases (Walton & Braun 1986; Thornton, Cummins & Cleary 2013) keeps q^2/k from growing: none can.
+// While the load changes, k does too. Adding k dx alone gives a spring that holds more energy after
+// unloading, q^2/(2k) with a smaller k, than was put in: a closed cycle of load and shear can then do work
+// (Elata & Berryman 1996). Rescaling q by k/k_before where k decreases (Walton & Braun 1986; Thornton,
+// Cummins & Cleary 2013) keeps q^2/k from growing: none can.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,14 +15,16 @@ namespace asperity {
 
 enum class ChangingLoad {
   rescale_on_unloading,  ///< q <- q k/k_before where k decreases: creates no energy
-  plain,                 ///< the increments alone: creates energy in some cycles; for comparison with codes that do so
+  plain,  ///< the increments alone: creates energy in some cycles; for comparison with codes that do so
 };
 
 namespace spring_slider_detail {
 template <class Value>
 Value zero() {
-  if constexpr (std::is_same_v<Value, double>) return 0;
-  else return Value::Zero();
+  if constexpr (std::is_same_v<Value, double>)
+    return 0;
+  else
+    return Value::Zero();
 }
 inline double magnitude(double q) { return std::abs(q); }
 inline double magnitude(const Eigen::Vector3d& q) { return q.norm(); }
@@ -30,12 +34,12 @@ inline double magnitude(const Eigen::Vector3d& q) { return q.norm(); }
 template <class Value>
 struct SpringSlider {
   Value resistance = spring_slider_detail::zero<Value>();  ///< what the displaced body is held back with
-  double stiffness = 0;  ///< of the spring at that load
+  double stiffness = 0;                                    ///< of the spring at that load
   bool yields = false;
 
   /// The next value of a history that ended in `before`; `limit` <= 0 is no resistance at all.
-  static SpringSlider advance(const SpringSlider& before, double stiffness, const Value& increment, double limit,
-                              ChangingLoad rule) {
+  static SpringSlider advance(const SpringSlider& before, double stiffness, const Value& increment,
+                              double limit, ChangingLoad rule) {
     SpringSlider now = before;
     now.stiffness = stiffness;
     now.yields = false;

@@ -16,7 +16,8 @@ struct Resistances {
 void exert(ContactModelState& state, const Resistances& q) {
   state.lateral = -q.sliding;
   state.force = q.normal * state.direction + state.lateral;
-  state.moment = -state.lever * state.direction.cross(state.lateral) - q.rolling - q.torsion * state.direction;
+  state.moment =
+      -state.lever * state.direction.cross(state.lateral) - q.rolling - q.torsion * state.direction;
 }
 
 /// Cut to a length.
@@ -27,7 +28,8 @@ Vector3d cut_to(const Vector3d& value, double limit) {
 
 }  // namespace
 
-ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion) {
+ContactModelState advance(const ContactModel& model, const ContactModelState& before,
+                          const ContactMotion& motion) {
   ContactModelState now;
   now.direction = motion.normal;
   now.lever = motion.lever;
@@ -42,12 +44,13 @@ ContactModelState advance(const ContactModel& model, const ContactModelState& be
   now.rolling = model.rolling->advance(rolling, now.normal, now.lever, motion.rolling);
   now.torsion = model.torsion->advance(before.torsion, now.normal, now.lever, motion.torsion);
 
-  exert(now, {now.normal.force, now.sliding.spring.resistance, now.rolling.resistance, now.torsion.resistance});
+  exert(now,
+        {now.normal.force, now.sliding.spring.resistance, now.rolling.resistance, now.torsion.resistance});
   return now;
 }
 
-ContactModelState advance(const ContactModel& model, const ContactModelState& before, const ContactMotion& motion,
-                     const RelativeVelocity& rate, double mass) {
+ContactModelState advance(const ContactModel& model, const ContactModelState& before,
+                          const ContactMotion& motion, const RelativeVelocity& rate, double mass) {
   ContactModelState now = advance(model, before, motion);
   if (!now.normal.touching) return now;
   const double gamma = model.damping->factor(mass, now.normal.stiffness);

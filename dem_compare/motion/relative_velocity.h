@@ -1,11 +1,13 @@
-// Relative motion of two bodies at their contact, split into four parts (Luding 2008, Granular Matter 10:235; Kuhn & Bagi
-// 2004). n points from the contact to the particle, r and r' are the lever arms from the centres to the contact:
+// Relative motion of two bodies at their contact, split into four parts (Luding 2008, Granular Matter 10:235;
+// Kuhn & Bagi 2004). n points from the contact to the particle, r and r' are the lever arms from the centres
+// to the contact:
 //   v = v_p - v_o + r n x w_p + r' n x w_o     velocity of the particle's surface against the other one
 //   approach  d(delta)/dt = -v.n               (positive while the bodies close; the sign of n makes it so)
 //   sliding   v - (v.n) n
 //   rolling   w - (w.n) n,   w = w_p - w_o;    as a velocity r (w x n)
 //   torsion   w.n
-// All four are objective: observers who translate and turn in any way see the same motion, in their own axes. SI units.
+// All four are objective: observers who translate and turn in any way see the same motion, in their own axes.
+// SI units.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,16 +15,17 @@
 namespace asperity {
 
 struct BodyVelocity {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the centre [m]
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< of the centre [m/s]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< of the centre [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of the centre [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
 struct RelativeVelocity {
-  double approach = 0;                                  ///< d(delta)/dt [m/s]
-  Eigen::Vector3d sliding = Eigen::Vector3d::Zero();   ///< in the contact plane [m/s]
-  Eigen::Vector3d rolling = Eigen::Vector3d::Zero();   ///< relative rotation about axes in the contact plane [rad/s]
-  double torsion = 0;                                   ///< relative rotation about n [rad/s]
+  double approach = 0;                                ///< d(delta)/dt [m/s]
+  Eigen::Vector3d sliding = Eigen::Vector3d::Zero();  ///< in the contact plane [m/s]
+  Eigen::Vector3d rolling =
+      Eigen::Vector3d::Zero();  ///< relative rotation about axes in the contact plane [rad/s]
+  double torsion = 0;           ///< relative rotation about n [rad/s]
 };
 
 /// `contact`: the point where both surfaces meet; `normal`: from it to the particle's centre, of unit length.
@@ -37,7 +40,8 @@ inline RelativeVelocity relative_velocity(const BodyVelocity& particle, const Bo
 }
 
 /// Rolling as the velocity at which the contact travels over the particle's surface [m/s].
-inline Eigen::Vector3d rolling_velocity(const RelativeVelocity& motion, double lever, const Eigen::Vector3d& normal) {
+inline Eigen::Vector3d rolling_velocity(const RelativeVelocity& motion, double lever,
+                                        const Eigen::Vector3d& normal) {
   return lever * motion.rolling.cross(normal);
 }
 

@@ -16,8 +16,9 @@ const PaperNumber& PaperAnalysis::number(const std::string& section, const std::
 }
 
 PaperAnalysis analyse_paper(const Published& published) {
-  return {{table_1(published), table_2(published), elasticity_section(published), sliding_section(published), rolling_section(published),
-           rail_section(published), torsion_section(published), magnitudes_section(published), equations_section()},
+  return {{table_1(published), table_2(published), elasticity_section(published), sliding_section(published),
+           rolling_section(published), rail_section(published), torsion_section(published),
+           magnitudes_section(published), equations_section()},
           paper_curves(published)};
 }
 
@@ -29,12 +30,16 @@ RoughnessLaws roughness_laws(const Published& p) {
     offset.push_back(surface.rolling_r_offset);
   }
   const auto value = [&](const char* name, Dimension dimension) { return p.quoted(name, dimension).value; };
-  return {{value("murofit_b", Dimension::none), value("murofit_c", Dimension::none), value("murofit_d", Dimension::length)},
-          {value("frofit_b", Dimension::force), -value("frofit_c", Dimension::force), value("frofit_d", Dimension::length)},
+  return {{value("murofit_b", Dimension::none), value("murofit_c", Dimension::none),
+           value("murofit_d", Dimension::length)},
+          {value("frofit_b", Dimension::force), -value("frofit_c", Dimension::force),
+           value("frofit_d", Dimension::length)},
           fit_exponential(rms, rolling),
           fit_exponential(rms, offset)};
 }
 
-std::string whole_degrees(double angle) { return std::to_string(std::lround(angle / display::degree.factor)) + " deg"; }
+std::string whole_degrees(double angle) {
+  return std::to_string(std::lround(angle / display::degree.factor)) + " deg";
+}
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
-// The paper's own analysis from its published numbers: each number it prints beside what its inputs give, with the deviation
-// in sigma, and a remark where the two differ. Fuchs, Weinhart et al. (2014), arXiv:1401.2600.
+// The paper's own analysis from its published numbers: each number it prints beside what its inputs give,
+// with the deviation in sigma, and a remark where the two differ. Fuchs, Weinhart et al. (2014),
+// arXiv:1401.2600.
 #pragma once
 
 #include <optional>
@@ -35,7 +36,7 @@ struct PaperSection {
 
 /// One figure as columns of equal length [SI].
 struct PaperCurve {
-  std::string name;   ///< of its file: "fig_rolling_2_friction"
+  std::string name;  ///< of its file: "fig_rolling_2_friction"
   std::string title;
   std::vector<std::string> columns;  ///< with units
   std::vector<std::vector<double>> values;
@@ -51,8 +52,8 @@ struct PaperAnalysis {
 
 PaperAnalysis analyse_paper(const Published& published);
 
-/// A series of rolling measured as in the paper: mean coefficient and offset over the contacts with silicon and diamond, for
-/// both length scales.
+/// A series of rolling measured as in the paper: mean coefficient and offset over the contacts with silicon
+/// and diamond, for both length scales.
 PaperSection series_section(const Published& published, const std::vector<FrictionPoint>& series);
 
 /// The laws in roughness: as printed, and refitted to Table 2.
@@ -76,9 +77,9 @@ PaperSection equations_section();
 std::vector<PaperCurve> paper_curves(const Published& published);
 
 namespace display {
-inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6}, nm{"nm", "m", 1e-9}, uN{"uN", "N", 1e-6},
-    mN{"mN", "N", 1e-3}, N_per_m{"N/m", "N/m", 1}, kN_per_m{"kN/m", "N/m", 1e3}, Nm_per_rad{"N m/rad", "N m/rad", 1},
-    percent{"%", "", 0.01}, degree{"deg", "rad", 0.017453292519943295};
+inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6}, nm{"nm", "m", 1e-9},
+    uN{"uN", "N", 1e-6}, mN{"mN", "N", 1e-3}, N_per_m{"N/m", "N/m", 1}, kN_per_m{"kN/m", "N/m", 1e3},
+    Nm_per_rad{"N m/rad", "N m/rad", 1}, percent{"%", "", 0.01}, degree{"deg", "rad", 0.017453292519943295};
 }
 
 /// "45 deg" of an angle in rad.

@@ -12,7 +12,8 @@ namespace {
 using Values = std::vector<double>;
 
 [[noreturn]] void no_decay() {
-  throw WorkError("no decaying exponential goes through these points: their change does not slow down with roughness");
+  throw WorkError(
+      "no decaying exponential goes through these points: their change does not slow down with roughness");
 }
 
 /// Exactly through three points with x rising: (y0 - y1)/(y1 - y2) fixes d.
@@ -28,7 +29,8 @@ ExponentialLaw through(const Values& x, const Values& y) {
   double low = std::log(narrow * (x[2] - x[0])), high = std::log(wide * (x[2] - x[0]));
   if (excess(low) * excess(high) > 0) no_decay();
   boost::uintmax_t iterations = 200;
-  const auto root = boost::math::tools::toms748_solve(excess, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
+  const auto root = boost::math::tools::toms748_solve(
+      excess, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
   ExponentialLaw law;
   law.d = std::exp((root.first + root.second) / 2);
   law.c = (y[0] - y[2]) / (std::exp(-x[0] / law.d) - std::exp(-x[2] / law.d));
@@ -62,13 +64,15 @@ Uncertain ExponentialFit::at(const Uncertain& x) const {
 
 ExponentialFit fit_exponential(const std::vector<Uncertain>& x, const std::vector<Uncertain>& y) {
   const std::size_t n = x.size();
-  if (n < 3 || y.size() != n) throw InputError("a decaying exponential needs three points or more, not " + std::to_string(n));
+  if (n < 3 || y.size() != n)
+    throw InputError("a decaying exponential needs three points or more, not " + std::to_string(n));
   Values xs, ys, sds;
   for (std::size_t i = 0; i < n; ++i) {
     xs.push_back(x[i].value);
     ys.push_back(y[i].value);
     sds.push_back(y[i].has_sd() ? y[i].sd : 1);
-    if (i > 0 && !(xs[i] > xs[i - 1])) throw InputError("the places of the points of a decaying exponential must rise");
+    if (i > 0 && !(xs[i] > xs[i - 1]))
+      throw InputError("the places of the points of a decaying exponential must rise");
   }
   ExponentialFit fit;
   fit.law = best(xs, ys, sds);
@@ -84,7 +88,8 @@ ExponentialFit fit_exponential(const std::vector<Uncertain>& x, const std::vecto
     values[i] = value - share_of_sd * sd;
     const ExponentialLaw down = best(xs, ys, sds);
     values[i] = value;
-    const Eigen::Vector3d change = Eigen::Vector3d(up.b - down.b, up.c - down.c, up.d - down.d) / (2 * share_of_sd);
+    const Eigen::Vector3d change =
+        Eigen::Vector3d(up.b - down.b, up.c - down.c, up.d - down.d) / (2 * share_of_sd);
     fit.covariance += change * change.transpose();
   };
   for (std::size_t i = 0; i < n; ++i) {

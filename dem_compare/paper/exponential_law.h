@@ -1,5 +1,6 @@
-// Exponential decay with roughness, y = b + c exp(-Delta/d) (Fuchs, Weinhart et al. 2014, eq:murofit; eq:frofit with c < 0).
-// Units: those of y for b and c, of Delta for d. Through three points it is exact; beyond them it only extrapolates.
+// Exponential decay with roughness, y = b + c exp(-Delta/d) (Fuchs, Weinhart et al. 2014, eq:murofit;
+// eq:frofit with c < 0). Units: those of y for b and c, of Delta for d. Through three points it is exact;
+// beyond them it only extrapolates.
 #pragma once
 
 #include <Eigen/Dense>
@@ -25,8 +26,8 @@ struct ExponentialFit {
   Uncertain at(const Uncertain& x) const;
 };
 
-/// Least squares weighted by the sd of y. Throws InputError for fewer than three points, and WorkError where no decaying
-/// exponential goes through them.
+/// Least squares weighted by the sd of y. Throws InputError for fewer than three points, and WorkError where
+/// no decaying exponential goes through them.
 ExponentialFit fit_exponential(const std::vector<Uncertain>& x, const std::vector<Uncertain>& y);
 
 }  // namespace asperity

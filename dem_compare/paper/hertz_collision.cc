@@ -10,7 +10,8 @@ namespace asperity {
 
 double hertz_restitution(double c) {
   const double no_return = 2 * std::sqrt(5.0 / 6);
-  if (!(c >= 0 && c < no_return)) throw InputError("a Hertz collision comes back for damping factors from 0 to 1.83 only");
+  if (!(c >= 0 && c < no_return))
+    throw InputError("a Hertz collision comes back for damping factors from 0 to 1.83 only");
   // Mass, E* R^(1/2) and impact speed are one: x'' = -(4/3) x^(3/2) - c (2 x^(1/2))^(1/2) x'.
   const auto acceleration = [c](double x, double v) {
     const double approach = std::max(x, 0.0);
@@ -31,10 +32,12 @@ double hertz_restitution(double c) {
 }
 
 double hertz_damping_factor(double restitution) {
-  constexpr double strongest = 1.1;  // a restitution just below 0.1; from 2 (5/6)^(1/2) on bodies do not part at all
+  constexpr double strongest =
+      1.1;  // a restitution just below 0.1; from 2 (5/6)^(1/2) on bodies do not part at all
   boost::uintmax_t iterations = 100;
-  const auto root = boost::math::tools::toms748_solve([&](double c) { return hertz_restitution(c) - restitution; }, 0.0, strongest,
-                                                      boost::math::tools::eps_tolerance<double>(30), iterations);
+  const auto root =
+      boost::math::tools::toms748_solve([&](double c) { return hertz_restitution(c) - restitution; }, 0.0,
+                                        strongest, boost::math::tools::eps_tolerance<double>(30), iterations);
   return (root.first + root.second) / 2;
 }
 

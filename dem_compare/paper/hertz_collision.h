@@ -1,5 +1,6 @@
-// Coefficient of restitution of a Hertz contact with the dashpot gamma = c (m k_n)^(1/2), k_n = 2 E* a: it does not depend on the
-// speed (Tsuji et al. 1992; Antypov and Elliott 2011). Ends when the approach has come back to zero.
+// Coefficient of restitution of a Hertz contact with the dashpot gamma = c (m k_n)^(1/2), k_n = 2 E* a: it
+// does not depend on the speed (Tsuji et al. 1992; Antypov and Elliott 2011). Ends when the approach has come
+// back to zero.
 #pragma once
 
 namespace asperity {

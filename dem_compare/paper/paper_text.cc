@@ -37,7 +37,8 @@ std::string curve_text(const PaperCurve& curve) {
   std::string text = "\n" + curve.title + " (" + curve.name + ".csv)\n";
   for (std::size_t column = 0; column < curve.columns.size(); ++column)
     text += "  column " + std::to_string(column + 1) + ": " + curve.columns[column] + "\n";
-  const std::size_t rows = curve.values.front().size(), step = std::max<std::size_t>(1, (rows - 1) / (rows_shown - 1));
+  const std::size_t rows = curve.values.front().size(),
+                    step = std::max<std::size_t>(1, (rows - 1) / (rows_shown - 1));
   for (std::size_t row = 0; row < rows; row += step) {
     for (const auto& column : curve.values) {
       char cell[24];
@@ -53,17 +54,20 @@ std::string curve_text(const PaperCurve& curve) {
 
 std::string paper_text(const PaperAnalysis& analysis) {
   std::string text =
-      "Rolling, sliding and torsion of micron-sized silica particles (Fuchs, Weinhart et al. 2014): published numbers beside what "
+      "Rolling, sliding and torsion of micron-sized silica particles (Fuchs, Weinhart et al. 2014): "
+      "published numbers beside what "
       "its inputs give.\nsigma: (computed - published) over the published sd; both: over that of both.\n";
   char line[400];
   for (const auto& section : analysis.sections) {
     text += "\n" + section.title + "\n";
-    std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", "", "published", "computed", "", "sigma", "both");
+    std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", "", "published", "computed", "",
+                  "sigma", "both");
     text += line;
     for (const auto& n : section.numbers) {
       const auto [own, both] = deviations(n);
-      std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", n.what.c_str(), with_sd(n.published, n.unit).c_str(),
-                    with_sd(n.computed, n.unit).c_str(), n.unit.name, sigma(own).c_str(), sigma(both).c_str());
+      std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", n.what.c_str(),
+                    with_sd(n.published, n.unit).c_str(), with_sd(n.computed, n.unit).c_str(), n.unit.name,
+                    sigma(own).c_str(), sigma(both).c_str());
       text += line;
       if (!n.remark.empty()) text += "      ^ " + n.remark + "\n";
     }
@@ -100,14 +104,17 @@ std::string paper_json(const PaperAnalysis& analysis) {
   json["curves"] = Json::array();
   for (const auto& curve : analysis.curves) {
     Json columns = Json::array();
-    for (std::size_t i = 0; i < curve.columns.size(); ++i) columns.push_back({{"name", curve.columns[i]}, {"values", curve.values[i]}});
+    for (std::size_t i = 0; i < curve.columns.size(); ++i)
+      columns.push_back({{"name", curve.columns[i]}, {"values", curve.values[i]}});
     json["curves"].push_back({{"name", curve.name}, {"title", curve.title}, {"columns", columns}});
   }
   return json.dump(1) + "\n";
 }
 
 std::string paper_csv(const PaperSection& section) {
-  std::string text = "what,unit,published,published_sd,computed,computed_sd,deviation_in_sigma,deviation_in_both_sigmas,remark\n";
+  std::string text =
+      "what,unit,published,published_sd,computed,computed_sd,deviation_in_sigma,deviation_in_both_sigmas,"
+      "remark\n";
   const auto cell = [](double value) {
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, "%.9g", value);
@@ -116,9 +123,10 @@ std::string paper_csv(const PaperSection& section) {
   for (const auto& n : section.numbers) {
     const double none = std::nan("");
     const auto [own, both] = deviations(n);
-    text += quoted_for_csv(n.what) + "," + n.unit.si + "," + cell(n.published ? n.published->value : none) + "," +
-            cell(n.published ? n.published->sd : none) + "," + cell(n.computed ? n.computed->value : none) + "," +
-            cell(n.computed ? n.computed->sd : none) + "," + cell(own) + "," + cell(both) + "," + quoted_for_csv(n.remark) + "\n";
+    text += quoted_for_csv(n.what) + "," + n.unit.si + "," + cell(n.published ? n.published->value : none) +
+            "," + cell(n.published ? n.published->sd : none) + "," +
+            cell(n.computed ? n.computed->value : none) + "," + cell(n.computed ? n.computed->sd : none) +
+            "," + cell(own) + "," + cell(both) + "," + quoted_for_csv(n.remark) + "\n";
   }
   return text;
 }

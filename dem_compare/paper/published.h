@@ -1,5 +1,5 @@
-// What the paper prints: Fuchs, Weinhart et al. (2014), arXiv:1401.2600, Tables 1 and 2 and quoted numbers, read from the small
-// files of runs/paper/published. SI units.
+// What the paper prints: Fuchs, Weinhart et al. (2014), arXiv:1401.2600, Tables 1 and 2 and quoted numbers,
+// read from the small files of runs/paper/published. SI units.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,8 @@ struct PublishedBody {
 /// Table 2, upper part: one silicon surface.
 struct PublishedSurface {
   std::string name;
-  Uncertain rms, peak_to_valley;  ///< [m]
-  Uncertain pull_off;             ///< h_n [N]
+  Uncertain rms, peak_to_valley;          ///< [m]
+  Uncertain pull_off;                     ///< h_n [N]
   Uncertain sliding, sliding_offset;      ///< mu_l; h_l [N]
   Uncertain rolling_r, rolling_r_offset;  ///< mean over both contacts, lambda = r; [N]
   Uncertain rolling_a, rolling_a_offset;  ///< lambda = a

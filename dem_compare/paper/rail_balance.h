@@ -1,6 +1,7 @@
-// Force and torque balance of a sphere in a V-rail of inclination theta under a plate, both slopes alike and r_i = r_s
-// (Fuchs, Weinhart et al. 2014, eq:forces4, eq:forces6, eq:murail, h_rail, eq:muto2). Friction factors mu lambda [m] with offsets
-// h [N]; forces f, f_l at one slope. All limits are reached: no sliding, quasi-static.
+// Force and torque balance of a sphere in a V-rail of inclination theta under a plate, both slopes alike and
+// r_i = r_s (Fuchs, Weinhart et al. 2014, eq:forces4, eq:forces6, eq:murail, h_rail, eq:muto2). Friction
+// factors mu lambda [m] with offsets h [N]; forces f, f_l at one slope. All limits are reached: no sliding,
+// quasi-static.
 #pragma once
 
 namespace asperity {
@@ -20,8 +21,10 @@ double rail_offset(double angle, const RailFriction& friction);
 /// eq:murail solved for mu_to.
 double torsion_from_rail(double angle, double rail_friction, double rolling);
 /// h_rail solved for h_to [N], from a measured mu_rail and h_rail.
-double torsion_offset_from_rail(double angle, double rail_friction, double rail_offset, const RailFriction& friction);
+double torsion_offset_from_rail(double angle, double rail_friction, double rail_offset,
+                                const RailFriction& friction);
 /// eq:muto2: what torsion adds to the lateral force [N].
-double torsion_force(double angle, double lateral_force, double normal_force, double rolling, double rolling_offset);
+double torsion_force(double angle, double lateral_force, double normal_force, double rolling,
+                     double rolling_offset);
 
 }  // namespace asperity

@@ -22,7 +22,9 @@ class UnitTable {
     return false;
   }
   std::size_t rows() const { return table_.rows.size(); }
-  std::string text(const std::string& name, std::size_t row) const { return table_.rows[row][table_.column(name)]; }
+  std::string text(const std::string& name, std::size_t row) const {
+    return table_.rows[row][table_.column(name)];
+  }
 
   /// The column `name` or `name [unit]` [SI].
   double number(const std::string& name, Dimension dimension, std::size_t row) const {

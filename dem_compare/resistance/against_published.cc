@@ -9,7 +9,6 @@
 namespace asperity {
 namespace {
 
-
 Quantity quantity_of(const MotionMode& mode) {
   if (&mode == &sliding_mode()) return Quantity::sliding_friction;
   return &mode == &rolling_mode() ? Quantity::rolling_friction : Quantity::torsion_friction;
@@ -49,7 +48,8 @@ void add_laws(const PublishedColumn& column, AgainstPublished& result) {
     const PublishedSurface* surface = column.surface_of(lead.contact->bodies);
     if (loads.size() < 2 || !surface || lead.mode == &torsion_mode()) continue;
     const auto [low, high] = std::minmax_element(loads.begin(), loads.end());
-    result.laws.push_back({lead.contact, lead.indenter, lead.mode, *low, *high, coefficient_over_loads(lead.contact->bodies.rms, loads, resistances),
+    result.laws.push_back({lead.contact, lead.indenter, lead.mode, *low, *high,
+                           coefficient_over_loads(lead.contact->bodies.rms, loads, resistances),
                            coefficient(*surface, *lead.mode), offset(*surface, *lead.mode)});
   }
 }
@@ -60,16 +60,18 @@ Trend published_trend(const Published& published, const MotionMode& mode, double
   std::vector<Uncertain> values;
   for (const auto& surface : published.surfaces) {
     rms.push_back(surface.rms.value);
-    values.push_back(std::isnan(load)
-                         ? coefficient(surface, mode)
-                         : propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); },
-                                     {coefficient(surface, mode), offset(surface, mode)}));
+    values.push_back(
+        std::isnan(load)
+            ? coefficient(surface, mode)
+            : propagate([load](const std::vector<double>& x) { return x[0] * (1 + x[1] / load); },
+                        {coefficient(surface, mode), offset(surface, mode)}));
   }
   return fit_trend(rms, values);
 }
 
 /// Loads at which the paper measured: PublishedColumn knows them.
-bool was_measured(const PublishedColumn& column, const MovingContact& contact, const MotionMode& mode, double load) {
+bool was_measured(const PublishedColumn& column, const MovingContact& contact, const MotionMode& mode,
+                  double load) {
   return column.value(quantity_of(mode), contact.bodies, load).known();
 }
 
@@ -87,8 +89,8 @@ void add_trends(const RoughnessTrend& trend, const PublishedColumn& column, cons
     for (const auto* contact : trend.contacts)
       if (!state) state = contact->find(*trend.mode, at.load);
     const double to_paper = state->scale() / (at.load * length);
-    result.trends.push_back(
-        {&trend, at.load, at.total.slope * to_paper, published_trend(published, *trend.mode, at.load).slope * both});
+    result.trends.push_back({&trend, at.load, at.total.slope * to_paper,
+                             published_trend(published, *trend.mode, at.load).slope * both});
   }
   if (std::isfinite(trend.coefficient.slope.value))
     result.trends.push_back(
@@ -119,16 +121,19 @@ AgainstPublished against_published(const MovingStudy& study, const std::vector<R
   std::set<std::string> reasons;
   for (const auto& contact : study.contacts)
     for (const auto& state : contact.states) {
-      if (column.is_with_indenter(contact.bodies)) continue;  // half of the measured means, not a contact of Table 2
+      if (column.is_with_indenter(contact.bodies))
+        continue;  // half of the measured means, not a contact of Table 2
       const ComparedValue value = column.value(quantity_of(*state.mode), contact.bodies, state.load);
       if (!value.known()) {
         reasons.insert(name_of(state.mode->motion) + ": " + value.reason);
         continue;
       }
       const double length = state.mode == &sliding_mode() ? 1 : contact.bodies.radius;
-      const MovingContact* indenter = state.mode == &rolling_mode() ? indenter_of(study, column, state.load) : nullptr;
+      const MovingContact* indenter =
+          state.mode == &rolling_mode() ? indenter_of(study, column, state.load) : nullptr;
       const Uncertain resistance =
-          indenter ? (state.resistance + indenter->find(rolling_mode(), state.load)->resistance) * 0.5 : state.resistance;
+          indenter ? (state.resistance + indenter->find(rolling_mode(), state.load)->resistance) * 0.5
+                   : state.resistance;
       result.magnitudes.push_back({&contact,
                                    indenter,
                                    state.mode,

@@ -1,6 +1,7 @@
-// Simulated resistances and their trend with roughness beside the paper's Table 2, where contact and load are the
-// paper's. The paper's rolling numbers are means over two contacts of the sphere, with silicon below and a diamond
-// indenter above: what roughness of the silicon changes at its own contact is twice what it changes in the mean.
+// Simulated resistances and their trend with roughness beside the paper's Table 2, where contact and load are
+// the paper's. The paper's rolling numbers are means over two contacts of the sphere, with silicon below and
+// a diamond indenter above: what roughness of the silicon changes at its own contact is twice what it changes
+// in the mean.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace asperity {
 
-/// One contact and load: F/P of sliding, M/(P r) of rolling and torsion. Of rolling the mean with the indenter's contact, where that is
-/// in the study under the same load.
+/// One contact and load: F/P of sliding, M/(P r) of rolling and torsion. Of rolling the mean with the
+/// indenter's contact, where that is in the study under the same load.
 struct MeasuredMagnitude {
   const MovingContact* contact = nullptr;
   const MovingContact* indenter = nullptr;

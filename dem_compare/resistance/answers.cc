@@ -33,8 +33,9 @@ struct Part {
   Trend TrendAtLoad::*member;
 };
 const std::vector<Part>& parts() {
-  static const std::vector<Part> list{
-      {"slip", &TrendAtLoad::friction}, {"yielding", &TrendAtLoad::plastic}, {"bonds", &TrendAtLoad::adhesion}};
+  static const std::vector<Part> list{{"slip", &TrendAtLoad::friction},
+                                      {"yielding", &TrendAtLoad::plastic},
+                                      {"bonds", &TrendAtLoad::adhesion}};
   return list;
 }
 
@@ -52,8 +53,7 @@ std::string at_loads(const RoughnessTrend& trend) {
   std::string text;
   for (const auto& at : trend.loads) {
     const Uncertain change = at.total.relative();
-    text +=
-        (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent(per_nanometre(change));
+    text += (text.empty() ? "" : ", ") + force_text(at.load) + ": " + change_percent(per_nanometre(change));
   }
   return trend.loads.size() > 1 ? " (" + text + ")" : "";
 }
@@ -62,7 +62,8 @@ std::string at_loads(const RoughnessTrend& trend) {
 std::string causes(const RoughnessTrend& trend, Sign sign) {
   std::string names;
   for (const auto& part : parts())
-    if (sign_of(part_of(trend, part.member)) == sign) names += (names.empty() ? "" : " and ") + std::string(part.name);
+    if (sign_of(part_of(trend, part.member)) == sign)
+      names += (names.empty() ? "" : " and ") + std::string(part.name);
   return names;
 }
 
@@ -71,9 +72,11 @@ std::string cause_words(const RoughnessTrend& trend) {
   if (!rolls && !slides) return "";
   const Sign asked = rolls ? Sign::falls : Sign::rises;
   const std::string names = causes(trend, asked);
-  const std::string verb = rolls ? "rolling friction fall" : "sliding friction rise", own = rolls ? "falls" : "rises";
+  const std::string verb = rolls ? "rolling friction fall" : "sliding friction rise",
+                    own = rolls ? "falls" : "rises";
   if (names.empty())
-    return " No mechanism of the simulation makes " + verb + " with roughness, as far as two standard deviations tell.";
+    return " No mechanism of the simulation makes " + verb +
+           " with roughness, as far as two standard deviations tell.";
   if (trend.sign() == asked) return " What makes " + verb + " with roughness is " + names + ".";
   return " What goes into " + names + " " + own + " with roughness; the resistance as a whole does not.";
 }
@@ -89,8 +92,9 @@ Sentences roughness_sentences(const ResistanceFindings& findings) {
   for (const auto& trend : findings.trends) {
     std::string over;
     for (const auto* contact : trend.contacts) over += (over.empty() ? "" : "; ") + contact->label;
-    list.push_back(motion_name(*trend.mode, true) + " resistance (" + over + ") " + trend_words(trend.relative) +
-                   at_loads(trend) + "." + parts_words(trend) + cause_words(trend) + coefficient_words(trend));
+    list.push_back(motion_name(*trend.mode, true) + " resistance (" + over + ") " +
+                   trend_words(trend.relative) + at_loads(trend) + "." + parts_words(trend) +
+                   cause_words(trend) + coefficient_words(trend));
   }
   return list;
 }
@@ -106,22 +110,23 @@ Sentences mechanism_sentences(const ResistanceFindings& findings) {
     const Contribution &low = *trend.smoothest, &high = *trend.roughest;
     const Uncertain change = per_nanometre(trend.relative());
     const Sign sign = sign_of(trend.difference.slope);
-    list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " + motion_name(*low.mode) +
-                   " at " + force_text(low.load) +
+    list.push_back("What " + std::string(name_of(low.mechanism)) + " contributes to " +
+                   motion_name(*low.mode) + " at " + force_text(low.load) +
                    (sign == Sign::rises   ? " rises with roughness"
                     : sign == Sign::falls ? " falls with roughness"
                     : sign == Sign::none  ? " shows no trend with roughness"
                                           : " changes with roughness in a way that cannot be told") +
                    ": " + change_percent(change) + " of the resistance per nm of RMS, from " +
-                   change_percent(low.share()) + " (" + low.with->label + ") to " + change_percent(high.share()) +
-                   " (" + high.with->label + ").");
+                   change_percent(low.share()) + " (" + low.with->label + ") to " +
+                   change_percent(high.share()) + " (" + high.with->label + ").");
   }
   for (const auto& one : findings.contributions) {
-    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " + force_text(one.load) + ": " +
-                       name_of(one.mechanism);
+    std::string text = motion_name(*one.mode, true) + " of " + one.with->label + " at " +
+                       force_text(one.load) + ": " + name_of(one.mechanism);
     const Uncertain share = one.share();
     if (!one.difference.has_sd())
-      text += " changes the resistance by " + change_percent(share) + "; whether that means anything cannot be told";
+      text += " changes the resistance by " + change_percent(share) +
+              "; whether that means anything cannot be told";
     else if (!one.is_told())
       text += " contributes nothing that shows (" + change_percent(share) + " of the resistance)";
     else
@@ -134,8 +139,9 @@ Sentences mechanism_sentences(const ResistanceFindings& findings) {
 Sentences input_sentences(const ResistanceFindings& findings) {
   Sentences list;
   for (const auto& one : findings.inputs) {
-    std::string text = motion_name(*one.mode, true) + " of " + one.smaller->label + " and " + one.larger->label + " at " + force_text(one.load) +
-                       " goes with the " + one.input + " to the power " + number_text(one.exponent);
+    std::string text = motion_name(*one.mode, true) + " of " + one.smaller->label + " and " +
+                       one.larger->label + " at " + force_text(one.load) + " goes with the " + one.input +
+                       " to the power " + number_text(one.exponent);
     const Sign sign = sign_of(one.exponent);
     if (sign == Sign::none) text += ": no dependence that shows";
     if (sign == Sign::unknown) text += "; whether that means anything cannot be told";
@@ -149,12 +155,16 @@ Sentences mesh_sentences(const ResistanceFindings& findings) {
   for (const auto& one : findings.meshes) {
     const auto length = [](double metres) { return format_quantity(metres, Dimension::length); };
     const bool shows = std::abs(one.ratio.value - 1) > 2 * one.ratio.sd;
-    std::string text = motion_name(*one.state->mode, true) + " of " + one.contact->label + " at " + force_text(one.state->load) + ": on " +
-                       length(one.fine) + " instead of " + length(one.coarse) + " the resistance is " + number_text(one.ratio) + " of it";
-    if (!one.ratio.has_sd()) text += "; whether that means anything cannot be told";
-    else if (!shows) text += ": no difference that shows";
-    list.push_back(text + ". Were its error of first order in the spacing, the one that counts here (" + length(one.state->spacing) +
-                   ") would differ from an ever finer mesh's by " + change_percent(one.excess()) + ".");
+    std::string text = motion_name(*one.state->mode, true) + " of " + one.contact->label + " at " +
+                       force_text(one.state->load) + ": on " + length(one.fine) + " instead of " +
+                       length(one.coarse) + " the resistance is " + number_text(one.ratio) + " of it";
+    if (!one.ratio.has_sd())
+      text += "; whether that means anything cannot be told";
+    else if (!shows)
+      text += ": no difference that shows";
+    list.push_back(text + ". Were its error of first order in the spacing, the one that counts here (" +
+                   length(one.state->spacing) + ") would differ from an ever finer mesh's by " +
+                   change_percent(one.excess()) + ".");
   }
   return list;
 }
@@ -163,18 +173,23 @@ Sentences rail_sentences(const MovingStudy& study) {
   Sentences list;
   for (const auto& contact : study.contacts)
     for (const auto& rail : contact.rails) {
-      std::string text = "On a rail of " + number_text({std::round(rail.inclination * 180 / M_PI)}) + " degrees, " + contact.label + ", " +
-                         force_text(rail.load) + " across the flank: " + moment_text(rail.resistance) + " per angle";
+      std::string text = "On a rail of " + number_text({std::round(rail.inclination * 180 / M_PI)}) +
+                         " degrees, " + contact.label + ", " + force_text(rail.load) +
+                         " across the flank: " + moment_text(rail.resistance) + " per angle";
       if (std::isfinite(rail.sum.value))
-        text += "; rolling and torsion on their own, M_ro cos + M_to sin, make " + moment_text(rail.sum) + ": ratio " + number_text(rail.over_sum());
+        text += "; rolling and torsion on their own, M_ro cos + M_to sin, make " + moment_text(rail.sum) +
+                ": ratio " + number_text(rail.over_sum());
       if (std::isfinite(rail.spin_over_torsion.value))
-        text += ". While it rolls, it resists its spin with " + number_text(rail.spin_over_torsion) + " of what torsion alone takes";
+        text += ". While it rolls, it resists its spin with " + number_text(rail.spin_over_torsion) +
+                " of what torsion alone takes";
       list.push_back(text + ".");
     }
   return list;
 }
 
-std::string sigma_words(double sigmas) { return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma"; }
+std::string sigma_words(double sigmas) {
+  return number_text({std::round(10 * std::abs(sigmas)) / 10}) + " sigma";
+}
 
 std::string trend_against_paper(const MeasuredTrend& one) {
   const bool coefficient = std::isnan(one.load), rolls = one.trend->mode == &rolling_mode();
@@ -188,10 +203,11 @@ std::string trend_against_paper(const MeasuredTrend& one) {
   if (!std::isfinite(one.sigmas())) return text + "; cannot tell whether they agree.";
   constexpr double two_sigma = 2;
   if (one.is_opposite())
-    return text + ". The simulations contradict the measurement: opposite signs, " + sigma_words(one.sigmas()) +
-           " apart.";
+    return text + ". The simulations contradict the measurement: opposite signs, " +
+           sigma_words(one.sigmas()) + " apart.";
   if (std::abs(one.sigmas()) <= two_sigma && std::abs(one.measured.value) < two_sigma * one.measured.sd)
-    return text + "; cannot tell whether they agree, for the measured one is not told from none (" + sigma_words(one.sigmas()) + " apart).";
+    return text + "; cannot tell whether they agree, for the measured one is not told from none (" +
+           sigma_words(one.sigmas()) + " apart).";
   return text +
          (std::abs(one.sigmas()) > two_sigma ? ". The simulations contradict the measurement: ratio "
                                              : ": they agree, ratio ") +
@@ -199,18 +215,22 @@ std::string trend_against_paper(const MeasuredTrend& one) {
 }
 
 std::string magnitude_against_paper(const MeasuredMagnitude& one) {
-  const std::string text = motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) +
-                           (one.indenter ? ", mean with the indenter's contact (" + one.indenter->label + ")" : "") + ": " + (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " +
-                           number_text(one.simulated) + ", measured " + number_text(one.measured);
+  const std::string text =
+      motion_name(*one.mode, true) + " of " + one.contact->label + " at " + force_text(one.load) +
+      (one.indenter ? ", mean with the indenter's contact (" + one.indenter->label + ")" : "") + ": " +
+      (one.mode == &sliding_mode() ? "F/P" : "M/(P r)") + " simulated " + number_text(one.simulated) +
+      ", measured " + number_text(one.measured);
   if (!std::isfinite(one.sigmas()))
     return text + ", ratio " + number_text(one.over()) + " (its uncertainty cannot be told).";
   // Local friction went in: its size says nothing of the simulation.
   if (one.mode != &rolling_mode())
     return text + ", ratio " + number_text(one.over()) + ", " + sigma_words(one.sigmas()) +
-           " apart; the size follows from the local friction of " + number_text({one.contact->bodies.friction}) +
-           " that went in.";
+           " apart; the size follows from the local friction of " +
+           number_text({one.contact->bodies.friction}) + " that went in.";
   constexpr double two_sigma = 2;
-  return text + (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio " : "; they agree: ratio ") +
+  return text +
+         (std::abs(one.sigmas()) > two_sigma ? "; they contradict each other: ratio "
+                                             : "; they agree: ratio ") +
          number_text(one.over()) + ", " + sigma_words(one.sigmas()) + " apart.";
 }
 
@@ -221,12 +241,13 @@ std::string law_against_paper(const MeasuredLaw& one) {
            sigma_words((simulated.value - measured.value) / std::hypot(simulated.sd, measured.sd)) + " apart";
   };
   return motion_name(*one.mode, true) + " of " + one.contact->label +
-         (one.indenter                     ? ", mean with the indenter's contact (" + one.indenter->label + ")"
+         (one.indenter                  ? ", mean with the indenter's contact (" + one.indenter->label + ")"
           : one.mode == &rolling_mode() ? ", the silicon's contact alone beside a mean over two"
                                         : "") +
-         ", over " + force_text(one.lowest_load) + " to " +
-         force_text(one.highest_load) + (one.mode == &sliding_mode() ? "" : ", lambda = r") + ": mu " +
-         beside(one.simulated.coefficient, one.coefficient) + "; h [uN] " + beside(one.simulated.offset * (1 / micro), one.offset * (1 / micro)) + ".";
+         ", over " + force_text(one.lowest_load) + " to " + force_text(one.highest_load) +
+         (one.mode == &sliding_mode() ? "" : ", lambda = r") + ": mu " +
+         beside(one.simulated.coefficient, one.coefficient) + "; h [uN] " +
+         beside(one.simulated.offset * (1 / micro), one.offset * (1 / micro)) + ".";
 }
 
 /// True for a contact that stands for another one with a mechanism switched off: it was not measured.
@@ -239,11 +260,16 @@ bool is_reduced(const ResistanceFindings& findings, const MovingContact& contact
 Sentences coefficients_that_lack(const ResistanceFindings& findings) {
   const auto& trends = findings.published.trends;
   const auto rolls = [](const MeasuredTrend& one) { return one.trend->mode == &rolling_mode(); };
-  const auto has_coefficient = [&](const MeasuredTrend& one) { return rolls(one) && one.trend->coefficient.slope.has_sd(); };
-  if (std::any_of(trends.begin(), trends.end(), rolls) && std::none_of(trends.begin(), trends.end(), has_coefficient))
+  const auto has_coefficient = [&](const MeasuredTrend& one) {
+    return rolls(one) && one.trend->coefficient.slope.has_sd();
+  };
+  if (std::any_of(trends.begin(), trends.end(), rolls) &&
+      std::none_of(trends.begin(), trends.end(), has_coefficient))
     return {
-        "What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over loads of 0.1 to 3 mN; at a "
-        "load below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the simulations, at least two "
+        "What falls with roughness in the paper is the coefficient mu, the slope of rolling resistance over "
+        "loads of 0.1 to 3 mN; at a "
+        "load below about 0.6 mN its resistance rises, with the offset h. To set that fall beside the "
+        "simulations, at least two "
         "surfaces need two loads each: without them it cannot be told."};
   return {};
 }
@@ -257,7 +283,8 @@ std::string length_headline(const ResistanceFindings& findings, const MotionMode
   for (const auto& answer : findings.lengths) {
     if (answer.mode != &mode) continue;
     const std::string words = verdict_words(answer);
-    if (answer.verdict != LengthAnswer::Verdict::cannot_tell && !std::count(verdicts.begin(), verdicts.end(), words))
+    if (answer.verdict != LengthAnswer::Verdict::cannot_tell &&
+        !std::count(verdicts.begin(), verdicts.end(), words))
       verdicts.push_back(words);
   }
   std::string text;
@@ -283,20 +310,24 @@ std::string trend_headline(const ResistanceFindings& findings, const MotionMode&
 
 ResistanceAnswers answers(const ResistanceFindings& findings) {
   ResistanceAnswers result;
-  for (const auto* mode : {&rolling_mode(), &torsion_mode()}) result.headline += length_headline(findings, *mode);
-  for (const auto* mode : {&rolling_mode(), &sliding_mode()}) result.headline += trend_headline(findings, *mode);
+  for (const auto* mode : {&rolling_mode(), &torsion_mode()})
+    result.headline += length_headline(findings, *mode);
+  for (const auto* mode : {&rolling_mode(), &sliding_mode()})
+    result.headline += trend_headline(findings, *mode);
   if (result.headline.empty())
     result.headline = "Resistances are below; one load and one roughness answer neither question. ";
   result.headline.pop_back();
   result.length = length_sentences(findings);
   if (result.length.empty())
     result.length.push_back(
-        "Which length rolling and torsion follow cannot be told: no contact was rolled or spun under two loads, or "
+        "Which length rolling and torsion follow cannot be told: no contact was rolled or spun under two "
+        "loads, or "
         "with two radii.");
   result.roughness = roughness_sentences(findings);
   if (result.roughness.empty())
     result.roughness.push_back(
-        "How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS alone.");
+        "How resistance changes with roughness cannot be told: no two contacts differ by the substrate's RMS "
+        "alone.");
   result.mechanisms = mechanism_sentences(findings);
   result.inputs = input_sentences(findings);
   result.mesh = mesh_sentences(findings);

@@ -2,7 +2,8 @@
 
 namespace asperity {
 
-ResistanceFindings find_resistances(const CaseCollection& collection, const std::optional<Published>& published) {
+ResistanceFindings find_resistances(const CaseCollection& collection,
+                                    const std::optional<Published>& published) {
   ResistanceFindings findings;
   findings.study = collect_moving(collection);
   if (findings.empty()) return findings;

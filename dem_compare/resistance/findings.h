@@ -1,6 +1,6 @@
-// What a study of moving contacts says on the paper's two open questions: which length rolling and torsion resistance
-// follow, and why rolling friction falls and sliding friction rises with roughness. Numbers, and the answers in
-// sentences. SI units.
+// What a study of moving contacts says on the paper's two open questions: which length rolling and torsion
+// resistance follow, and why rolling friction falls and sliding friction rises with roughness. Numbers, and
+// the answers in sentences. SI units.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,8 @@ struct ResistanceFindings {
 };
 
 /// `published`: the paper's numbers; without them nothing is set beside them.
-ResistanceFindings find_resistances(const CaseCollection& collection, const std::optional<Published>& published);
+ResistanceFindings find_resistances(const CaseCollection& collection,
+                                    const std::optional<Published>& published);
 
 /// Plain text; "+-" before an uncertainty.
 struct ResistanceAnswers {

@@ -21,13 +21,16 @@ struct VariedInput {
 const std::vector<VariedInput>& varied_inputs() {
   static const std::vector<VariedInput> list{
       {"local friction", Dimension::none, {"Interface/Friction coefficient"}},
-      {"works of adhesion", Dimension::surface_energy, {"Interface/Work of adhesion", "Interface/Opening work"}},
+      {"works of adhesion",
+       Dimension::surface_energy,
+       {"Interface/Work of adhesion", "Interface/Opening work"}},
       {"yield stresses", Dimension::pressure, {"Particle/Yield stress", "Substrate/Yield stress"}}};
   return list;
 }
 
 /// One over the other; none where an entry is missing, zero or without bound.
-std::optional<double> factor_of(const MovingContact& one, const MovingContact& other, const std::string& entry, Dimension dimension) {
+std::optional<double> factor_of(const MovingContact& one, const MovingContact& other,
+                                const std::string& entry, Dimension dimension) {
   const auto a = one.inputs.find(entry), b = other.inputs.find(entry);
   if (a == one.inputs.end() || b == other.inputs.end()) return std::nullopt;
   const double x = parse_quantity(a->second, dimension), y = parse_quantity(b->second, dimension);
@@ -36,11 +39,13 @@ std::optional<double> factor_of(const MovingContact& one, const MovingContact& o
 }
 
 /// Factor by which `input`, and nothing else, is larger in one contact than in the other.
-std::optional<double> larger_by(const VariedInput& input, const MovingContact& one, const MovingContact& other) {
+std::optional<double> larger_by(const VariedInput& input, const MovingContact& one,
+                                const MovingContact& other) {
   const auto differ = differing_inputs(one, other);
   std::optional<double> factor;
   for (const auto& entry : differ) {
-    if (std::find(input.entries.begin(), input.entries.end(), entry) == input.entries.end()) return std::nullopt;
+    if (std::find(input.entries.begin(), input.entries.end(), entry) == input.entries.end())
+      return std::nullopt;
     const auto own = factor_of(one, other, entry, input.dimension);
     constexpr double rounding = 1e-3;
     if (!own || (factor && std::abs(*own / *factor - 1) > rounding)) return std::nullopt;
@@ -49,13 +54,16 @@ std::optional<double> larger_by(const VariedInput& input, const MovingContact& o
   return factor && *factor > 1 ? factor : std::nullopt;
 }
 
-Uncertain exponent_of(const MovingState& larger, const MovingState& smaller, double factor, int& realisations) {
+Uncertain exponent_of(const MovingState& larger, const MovingState& smaller, double factor,
+                      int& realisations) {
   std::vector<Uncertain> exponents;
   for (const auto& one : larger.cases)
     for (const auto& other : smaller.cases) {
       if (!same_realisation(one.seeds, other.seeds)) continue;
       const Uncertain over = paired_ratio(one.first, other.first);
-      if (over.value > 0) exponents.push_back({std::log(over.value) / std::log(factor), over.sd / over.value / std::log(factor)});
+      if (over.value > 0)
+        exponents.push_back(
+            {std::log(over.value) / std::log(factor), over.sd / over.value / std::log(factor)});
       break;
     }
   realisations = static_cast<int>(exponents.size());

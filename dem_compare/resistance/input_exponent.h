@@ -1,5 +1,5 @@
-// How a resistance goes with an input that is a choice: contacts that differ in local friction, works of adhesion or yield stresses alone,
-// by a common factor, on the same surfaces. SI units.
+// How a resistance goes with an input that is a choice: contacts that differ in local friction, works of
+// adhesion or yield stresses alone, by a common factor, on the same surfaces. SI units.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// M ~ x^exponent between two values of an input x: 1 where the resistance is proportional to it, 0 where it does not matter.
+/// M ~ x^exponent between two values of an input x: 1 where the resistance is proportional to it, 0 where it
+/// does not matter.
 struct InputExponent {
   std::string input;  ///< "local friction", "works of adhesion", "yield stresses"
   const MovingContact *larger = nullptr, *smaller = nullptr;

@@ -18,7 +18,8 @@ bool differ_by_radius(const MovingContact& one, const MovingContact& other) {
 ScalingExponent over_loads(const MovingContact& contact, const MotionMode& mode) {
   std::vector<double> loads;
   std::vector<Uncertain> moments;
-  for (const auto* state : contact.of(mode)) loads.push_back(state->load), moments.push_back(state->resistance);
+  for (const auto* state : contact.of(mode))
+    loads.push_back(state->load), moments.push_back(state->resistance);
   constexpr double four_thirds = 4.0 / 3.0;
   return {"load", contact.label, fit_exponent_of(loads, moments),
           1,      four_thirds,   &mode == &rolling_mode() ? 1.0 / 3.0 : NAN};
@@ -35,8 +36,9 @@ std::vector<ScalingExponent> over_radii(const Contacts& contacts, const MotionMo
         radii.push_back(contact->bodies.radius), moments.push_back(state->resistance);
     if (radii.size() < 2) continue;
     constexpr double third = 1.0 / 3.0;
-    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force), fit_exponent_of(radii, moments), 1,
-                         third, &mode == &rolling_mode() ? 1 + third : NAN});
+    exponents.push_back({"radius", format_quantity(lead->load, Dimension::force),
+                         fit_exponent_of(radii, moments), 1, third,
+                         &mode == &rolling_mode() ? 1 + third : NAN});
   }
   return exponents;
 }
@@ -62,12 +64,14 @@ constexpr double contradicts = 3;  // standard deviations
 /// Root mean square of the relative sds: what a law that holds may miss the points by.
 double doubt_of(const std::vector<ResistancePoint>& points) {
   double squares = 0;
-  for (const auto& point : points) squares += std::pow(point.sd / point.value, 2) / static_cast<double>(points.size());
+  for (const auto& point : points)
+    squares += std::pow(point.sd / point.value, 2) / static_cast<double>(points.size());
   return std::sqrt(squares);
 }
 
 /// A law with whatever offset cannot be: an exponent in the radius, or its misfit, is too far off.
-bool is_contradicted(const LengthAnswer& answer, bool by_contact, const std::vector<ResistancePoint>& points) {
+bool is_contradicted(const LengthAnswer& answer, bool by_contact,
+                     const std::vector<ResistancePoint>& points) {
   for (const auto& exponent : answer.exponents)
     if (exponent.over == "radius" &&
         std::abs(by_contact ? exponent.from_contact() : exponent.from_radius()) > contradicts)
@@ -80,7 +84,8 @@ LengthAnswer::Verdict judge(const LengthAnswer& answer, const std::vector<Resist
   using Verdict = LengthAnswer::Verdict;
   if (!answer.choice) return Verdict::cannot_tell;
   const bool is_contact = answer.choice->log_odds > 0, against = is_contradicted(answer, is_contact, points);
-  if (against && (answer.choice->is_told() || is_contradicted(answer, !is_contact, points))) return Verdict::neither;
+  if (against && (answer.choice->is_told() || is_contradicted(answer, !is_contact, points)))
+    return Verdict::neither;
   if (!answer.choice->is_told()) return Verdict::cannot_tell;
   return is_contact ? Verdict::contact_radius : Verdict::particle_radius;
 }

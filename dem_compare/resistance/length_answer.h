@@ -1,7 +1,8 @@
-// Does the moment of a rolling or spinning contact, M = mu lambda (f + h), follow the particle's radius or that of the
-// contact? Two looks at the same moments: exponents in load and radius, and odds between both laws with h left free
-// (derive/length_choice.h). An offset h bends the first (M grows less than with the power of the load), so only the
-// odds decide; exponents in the radius, which h leaves alone, and a misfit of the law can contradict them. SI units.
+// Does the moment of a rolling or spinning contact, M = mu lambda (f + h), follow the particle's radius or
+// that of the contact? Two looks at the same moments: exponents in load and radius, and odds between both
+// laws with h left free (derive/length_choice.h). An offset h bends the first (M grows less than with the
+// power of the load), so only the odds decide; exponents in the radius, which h leaves alone, and a misfit of
+// the law can contradict them. SI units.
 #pragma once
 
 #include <optional>
@@ -20,8 +21,8 @@ struct ScalingExponent {
   std::string what;  ///< which cases
   Trend exponent;    ///< its slope
   double with_radius = 0, with_contact = 0;
-  /// Of bonds that cost dw more to open than they give, along the rim of a smooth contact: 2 a r dw per angle.
-  /// No law of the paper's form; NaN for torsion.
+  /// Of bonds that cost dw more to open than they give, along the rim of a smooth contact: 2 a r dw per
+  /// angle. No law of the paper's form; NaN for torsion.
   double with_bonds = 0;
   /// Distances in standard deviations; NaN where unknown.
   double from_radius() const { return (exponent.slope.value - with_radius) / exponent.slope.sd; }
@@ -42,8 +43,8 @@ struct LengthAnswer {
   Verdict without_offset() const;
 };
 
-/// Of rolling and torsion, each contact with two loads or more, with those that differ from it by the particle's radius
-/// alone.
+/// Of rolling and torsion, each contact with two loads or more, with those that differ from it by the
+/// particle's radius alone.
 std::vector<LengthAnswer> length_answers(const MovingStudy& study);
 
 }  // namespace asperity

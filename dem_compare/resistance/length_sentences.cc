@@ -10,8 +10,9 @@ namespace asperity {
 namespace {
 
 /// "1.31 +- 0.01", or "1.31 to 1.34" of several; "" where none is known.
-std::string exponents_words(const LengthAnswer& answer, const std::string& over, const std::string& with_radius,
-                            const std::string& with_contact, const std::string& with_bonds) {
+std::string exponents_words(const LengthAnswer& answer, const std::string& over,
+                            const std::string& with_radius, const std::string& with_contact,
+                            const std::string& with_bonds) {
   double low = INFINITY, high = -INFINITY;
   std::string single;
   for (const auto& exponent : answer.exponents) {
@@ -65,7 +66,8 @@ const char* verdict_words(LengthAnswer::Verdict verdict) {
 
 std::string verdict_words(const LengthAnswer& answer) {
   const std::string words = verdict_words(answer.verdict);
-  if (answer.verdict != LengthAnswer::Verdict::neither || !answer.choice || !answer.choice->is_told()) return words;
+  if (answer.verdict != LengthAnswer::Verdict::neither || !answer.choice || !answer.choice->is_told())
+    return words;
   return words + ", of the two rather lambda = " + (answer.choice->log_odds > 0 ? "a" : "r");
 }
 

@@ -14,7 +14,8 @@ std::vector<double> other_spacings(const MovingState& state) {
   std::vector<double> finer, coarser;
   for (const auto& item : state.on_other_meshes) {
     auto& side = item.spacing < state.spacing ? finer : coarser;
-    const bool known = std::any_of(side.begin(), side.end(), [&](double h) { return same_spacing(h, item.spacing); });
+    const bool known =
+        std::any_of(side.begin(), side.end(), [&](double h) { return same_spacing(h, item.spacing); });
     if (!known) side.push_back(item.spacing);
   }
   std::sort(finer.rbegin(), finer.rend());
@@ -31,7 +32,8 @@ MeshEffect effect_of(const MovingContact& contact, const MovingState& state, dou
   for (const auto& counted : state.cases)
     for (const auto& item : state.on_other_meshes) {
       if (!same_spacing(item.spacing, other) || !same_realisation(counted.seeds, item.seeds)) continue;
-      ratios.push_back(effect.counts_fine ? paired_ratio(counted.first, item.first) : paired_ratio(item.first, counted.first));
+      ratios.push_back(effect.counts_fine ? paired_ratio(counted.first, item.first)
+                                          : paired_ratio(item.first, counted.first));
       break;
     }
   effect.realisations = static_cast<int>(ratios.size());

@@ -22,7 +22,8 @@ class Sorter {
         if (const MotionMode* mode = mode_of(solved))
           add(group, solved, *mode);
         else if (const auto inclination = rail_inclination(solved)) {
-          if (!add_rail(contact_of_group(group), solved, *inclination)) leave_out(solved.folder.string(), "the way of Experiment/Program");
+          if (!add_rail(contact_of_group(group), solved, *inclination))
+            leave_out(solved.folder.string(), "the way of Experiment/Program");
         }
     name_contacts();
     choose_meshes();
@@ -30,7 +31,8 @@ class Sorter {
     auto& contacts = study_.contacts;
     remark_on_realisations();
     for (auto& contact : contacts) finish_rails(contact);
-    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.states.empty() && c.rails.empty(); }),
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                  [](const auto& c) { return c.states.empty() && c.rails.empty(); }),
                    contacts.end());
   }
 
@@ -43,11 +45,14 @@ class Sorter {
   }
 
   void leave_out(const std::string& folder, const std::string& entry) {
-    study_.remarks.push_back(folder + ": its way ends before the motion is steady for three steps; left out (" + entry + " must be more)");
+    study_.remarks.push_back(folder +
+                             ": its way ends before the motion is steady for three steps; left out (" +
+                             entry + " must be more)");
   }
 
   MovingContact& contact_of_group(const CaseGroup& group) {
-    const ContactInputs inputs = contact_inputs(group.first());  // realisations of one cell of a study are one contact
+    const ContactInputs inputs =
+        contact_inputs(group.first());  // realisations of one cell of a study are one contact
     std::size_t at = 0;
     while (at < study_.contacts.size() && study_.contacts[at].inputs != inputs) ++at;
     if (at == study_.contacts.size()) {
@@ -64,7 +69,8 @@ class Sorter {
   }
 
   static bool has(const MovingState& state, double spacing) {
-    return std::any_of(state.cases.begin(), state.cases.end(), [&](const auto& item) { return same_spacing(item.spacing, spacing); });
+    return std::any_of(state.cases.begin(), state.cases.end(),
+                       [&](const auto& item) { return same_spacing(item.spacing, spacing); });
   }
 
   /// Contacts are compared on one mesh as far as the study has one.
@@ -75,14 +81,17 @@ class Sorter {
     double common = INFINITY;
     if (!states.empty())
       for (const auto& item : states.front()->cases)
-        if (std::all_of(states.begin(), states.end(), [&](const auto* state) { return has(*state, item.spacing); }))
+        if (std::all_of(states.begin(), states.end(),
+                        [&](const auto* state) { return has(*state, item.spacing); }))
           common = std::min(common, item.spacing);
     for (auto* state : states) {
       double finest = INFINITY;
       for (const auto& item : state->cases) finest = std::min(finest, item.spacing);
       state->spacing = std::isfinite(common) ? common : finest;
       auto& cases = state->cases;
-      const auto others = std::stable_partition(cases.begin(), cases.end(), [&](const auto& item) { return same_spacing(item.spacing, state->spacing); });
+      const auto others = std::stable_partition(cases.begin(), cases.end(), [&](const auto& item) {
+        return same_spacing(item.spacing, state->spacing);
+      });
       state->on_other_meshes.assign(std::make_move_iterator(others), std::make_move_iterator(cases.end()));
       cases.erase(others, cases.end());
     }
@@ -97,14 +106,15 @@ class Sorter {
     return contact.states.back();
   }
 
-  /// From the values of the study's axes: those that no contact has several of, then whatever else it takes to tell
-  /// contacts apart. Of an axis with several values, what they have in common names the contact, else the first one.
+  /// From the values of the study's axes: those that no contact has several of, then whatever else it takes
+  /// to tell contacts apart. Of an axis with several values, what they have in common names the contact, else
+  /// the first one.
   void name_contacts() {
     const std::size_t count = collection_.axes.size();
     std::vector<bool> named(count, false);
     for (std::size_t axis = 0; axis < count; ++axis)
-      named[axis] =
-          collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis) && !is_of_experiment(axis);
+      named[axis] = collection_.axes[axis].labels.size() > 1 && !varies_within_a_contact(axis) &&
+                    !is_of_experiment(axis);
     for (std::size_t axis = 0; axis < count; ++axis) {
       if (named[axis] || is_of_experiment(axis)) continue;
       std::vector<bool> more = named;
@@ -150,7 +160,8 @@ class Sorter {
       for (const CaseGroup* group : groups) {
         const auto& entries = group->first().entries.all();
         const bool found =
-            axis < group->values.size() && std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+            axis < group->values.size() &&
+            std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
               return entry.first.rfind("Experiment/", 0) == 0 && entry.second == group->values[axis];
             });
         if (!found) return false;
@@ -168,12 +179,13 @@ class Sorter {
       average(state);
       remark(contact, state);
     }
-    std::stable_sort(contact.states.begin(), contact.states.end(), [](const MovingState& a, const MovingState& b) {
-      const auto place = [](const MotionMode* mode) {
-        return std::find(all_motions().begin(), all_motions().end(), mode);
-      };
-      return place(a.mode) != place(b.mode) ? place(a.mode) < place(b.mode) : a.load < b.load;
-    });
+    std::stable_sort(
+        contact.states.begin(), contact.states.end(), [](const MovingState& a, const MovingState& b) {
+          const auto place = [](const MotionMode* mode) {
+            return std::find(all_motions().begin(), all_motions().end(), mode);
+          };
+          return place(a.mode) != place(b.mode) ? place(a.mode) < place(b.mode) : a.load < b.load;
+        });
   }
 
   void remark_on_realisations() {
@@ -182,7 +194,8 @@ class Sorter {
       for (const auto& state : contact.states) most = std::max(most, state.cases.size());
     if (most == 1)
       study_.remarks.emplace_back(
-          "one realisation of each surface: how stretches of its way differ stands in for how realisations would; "
+          "one realisation of each surface: how stretches of its way differ stands in for how realisations "
+          "would; "
           "features "
           "longer than the way are not in the uncertainty");
   }
@@ -207,7 +220,8 @@ class Sorter {
     state.fluctuation = std::sqrt(squares / static_cast<double>(state.cases.size()));
     for (const auto& item : state.cases) {
       state.contact_area += item.contact_area / static_cast<double>(state.cases.size());
-      if (std::abs(item.first.unbalanced) > std::abs(state.unbalanced)) state.unbalanced = item.first.unbalanced;
+      if (std::abs(item.first.unbalanced) > std::abs(state.unbalanced))
+        state.unbalanced = item.first.unbalanced;
     }
   }
 
@@ -265,7 +279,9 @@ bool same_realisation(const std::string& seeds, const std::string& others) {
   const auto split = [](const std::string& text) {
     return std::pair{text.substr(0, text.find(" on ")), text.substr(text.find(" on ") + 4)};
   };
-  const auto alike = [](const std::string& a, const std::string& b) { return a == b || a == "-" || b == "-"; };
+  const auto alike = [](const std::string& a, const std::string& b) {
+    return a == b || a == "-" || b == "-";
+  };
   const auto [particle, plane] = split(seeds);
   const auto [other_particle, other_plane] = split(others);
   return alike(particle, other_particle) && alike(plane, other_plane);

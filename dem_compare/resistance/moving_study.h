@@ -1,5 +1,5 @@
-// The moving cases of a study, sorted: contacts (same bodies, surfaces but for their seeds, and laws of the interface),
-// and of each contact its motions and loads with the realisations of the surfaces. SI units.
+// The moving cases of a study, sorted: contacts (same bodies, surfaces but for their seeds, and laws of the
+// interface), and of each contact its motions and loads with the realisations of the surfaces. SI units.
 #pragma once
 
 #include <string>
@@ -15,21 +15,24 @@ namespace asperity {
 /// One contact in one motion under one load, over the realisations of its surfaces.
 struct MovingState {
   const MotionMode* mode = nullptr;
-  double load = 0;                ///< [N]
-  double spacing = 0;             ///< the finest that all states of the study have; if there is none, the finest of its own [m]
-  std::vector<MovingCase> cases;  ///< those on that spacing that reached a steady way
+  double load = 0;  ///< [N]
+  double spacing =
+      0;  ///< the finest that all states of the study have; if there is none, the finest of its own [m]
+  std::vector<MovingCase> cases;            ///< those on that spacing that reached a steady way
   std::vector<MovingCase> on_other_meshes;  ///< they judge the mesh, and do not count as realisations
-  ResistanceParts parts;          ///< means over realisations [N] or [N m]
-  Uncertain resistance;           ///< mean; its sd holds the open balance too
-  Uncertain force;                ///< mean force or moment
-  double fluctuation = 0;         ///< of force or moment along the way, standard deviation, root mean square over realisations
-  Uncertain back_over_first;      ///< resistance on the way back, over the own track, over that of the first way
-  double unbalanced = 0;          ///< energy per way that the balances leave open, largest of the cases
-  double hertz_radius = 0;        ///< of the smooth elastic bodies [m]
-  double contact_area = 0;        ///< real, mean [m^2]
+  ResistanceParts parts;                    ///< means over realisations [N] or [N m]
+  Uncertain resistance;                     ///< mean; its sd holds the open balance too
+  Uncertain force;                          ///< mean force or moment
+  double fluctuation =
+      0;  ///< of force or moment along the way, standard deviation, root mean square over realisations
+  Uncertain back_over_first;  ///< resistance on the way back, over the own track, over that of the first way
+  double unbalanced = 0;      ///< energy per way that the balances leave open, largest of the cases
+  double hertz_radius = 0;    ///< of the smooth elastic bodies [m]
+  double contact_area = 0;    ///< real, mean [m^2]
   /// What makes a resistance of this motion dimensionless: P (sliding), P a (rolling, torsion), a of Hertz.
   double scale() const;
-  /// What smooth Coulomb bodies resist with: mu P, 3 pi/16 mu P a; NaN for rolling and without Coulomb friction.
+  /// What smooth Coulomb bodies resist with: mu P, 3 pi/16 mu P a; NaN for rolling and without Coulomb
+  /// friction.
   double coulomb = 0;
 };
 

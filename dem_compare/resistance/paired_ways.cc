@@ -46,14 +46,17 @@ std::vector<Values> rates_in_common(const std::vector<const SteadyWay*>& ways, W
   std::size_t fewest_steps = SIZE_MAX;
   for (const auto* way : ways) {
     const WaySums& sums = way->sums;
-    if (sums.position.size() < 2 || sums.energy[which].empty() || goes_up(sums) != goes_up(ways.front()->sums)) return {};
+    if (sums.position.size() < 2 || sums.energy[which].empty() ||
+        goes_up(sums) != goes_up(ways.front()->sums))
+      return {};
     const auto [low, high] = std::minmax(sums.position.front(), sums.position.back());
     begin = std::max(begin, low), end = std::min(end, high);
     stretch = std::max(stretch, sums.stretch), longest = std::max(longest, high - low);
     fewest_steps = std::min(fewest_steps, sums.position.size() - 1);
   }
   if (!(end - begin >= least_in_common * longest)) return {};
-  const auto count = std::max(static_cast<std::size_t>(std::lround((end - begin) / stretch)), fewest_in_common);
+  const auto count =
+      std::max(static_cast<std::size_t>(std::lround((end - begin) / stretch)), fewest_in_common);
   if (count > fewest_steps) return {};
   std::vector<Values> rates;
   for (const auto* way : ways) {
@@ -61,7 +64,8 @@ std::vector<Values> rates_in_common(const std::vector<const SteadyWay*>& ways, W
     const double length = (end - begin) / static_cast<double>(count), direction = goes_up(way->sums) ? 1 : -1;
     for (std::size_t k = 0; k < count; ++k) {
       const auto sum_at = [&](std::size_t boundary) {
-        return at(way->sums.position, way->sums.energy[which], begin + length * static_cast<double>(boundary));
+        return at(way->sums.position, way->sums.energy[which],
+                  begin + length * static_cast<double>(boundary));
       };
       own.push_back(direction * (sum_at(k + 1) - sum_at(k)) / length);
     }
@@ -84,7 +88,8 @@ Uncertain paired_ratio(const SteadyWay& one, const SteadyWay& other) {
   const double below = mean_of(rates[1]), value = mean_of(rates[0]) / below;
   Values deviations;
   for (std::size_t k = 0; k < rates[0].size(); ++k) deviations.push_back(rates[0][k] - value * rates[1][k]);
-  return {value, error_of(deviations, WayPart::total, open_balance(one), value * open_balance(other)) / std::abs(below)};
+  return {value, error_of(deviations, WayPart::total, open_balance(one), value * open_balance(other)) /
+                     std::abs(below)};
 }
 
 }  // namespace asperity

@@ -14,13 +14,14 @@ namespace {
 
 constexpr double same_angle = 1e-3;
 
-/// Of the moment against the spin, counted along the rolling angle: both angles have the signs that the program gives them.
+/// Of the moment against the spin, counted along the rolling angle: both angles have the signs that the
+/// program gives them.
 double against_the_spin(const EnergyHistory& rolling, const EnergyHistory& spin, std::size_t row) {
   return spin.position[row] * rolling.position[row] < 0 ? -spin.resistance[row] : spin.resistance[row];
 }
 
-/// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its moment. Empty where the file
-/// does not know both moments in the same rows.
+/// Rolling and spinning as one motion about the rail's axis: position is the angle about it, resistance its
+/// moment. Empty where the file does not know both moments in the same rows.
 EnergyHistory about_the_axis(const SolvedCase& solved, double inclination) {
   EnergyHistory history = energy_history(solved, rolling_mode());
   const EnergyHistory spin = energy_history(solved, torsion_mode());
@@ -59,7 +60,9 @@ Uncertain RailState::over_sum() const { return ratio(resistance, sum); }
 std::optional<double> rail_inclination(const SolvedCase& solved) {
   if (solved.motion() != Motion::program) return std::nullopt;
   const auto parts = parse_motion_program(solved.entries.text("Experiment/Program"));
-  if (parts.size() != 1 || !parts[0].rolls_freely() || parts[0].spin == 0 || parts[0].load || parts[0].approach) return std::nullopt;
+  if (parts.size() != 1 || !parts[0].rolls_freely() || parts[0].spin == 0 || parts[0].load ||
+      parts[0].approach)
+    return std::nullopt;
   return std::atan(std::abs(parts[0].spin / (parts[0].roll + parts[0].rolled_arc / solved.hertz().radius)));
 }
 
@@ -68,7 +71,9 @@ bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclinati
   EnergyHistory history = about_the_axis(solved, inclination);
   MovingCase moving = moving_case(solved, history, way);
   if (!moving.first.reached()) return false;
-  const auto same = [&](const RailState& rail) { return std::abs(rail.inclination - inclination) < same_angle && same_load(rail.load, moving.load); };
+  const auto same = [&](const RailState& rail) {
+    return std::abs(rail.inclination - inclination) < same_angle && same_load(rail.load, moving.load);
+  };
   auto rail = std::find_if(contact.rails.begin(), contact.rails.end(), same);
   if (rail == contact.rails.end()) {
     contact.rails.push_back({});
@@ -91,12 +96,16 @@ void finish_rails(MovingContact& contact) {
     rail.parts.total = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.total; });
     rail.resistance = mean_over(rail.cases, [](const SteadyWay& way) { return way.resistance(); });
     rail.spin_moment = mean(rail.spin_moments);
-    const MovingState *rolling = contact.find(rolling_mode(), rail.load), *torsion = contact.find(torsion_mode(), rail.load);
+    const MovingState *rolling = contact.find(rolling_mode(), rail.load),
+                      *torsion = contact.find(torsion_mode(), rail.load);
     if (torsion) rail.spin_over_torsion = ratio(rail.spin_moment, torsion->resistance);
-    if (rolling && torsion) rail.sum = rolling->resistance * std::cos(rail.inclination) + torsion->resistance * std::sin(rail.inclination);
+    if (rolling && torsion)
+      rail.sum =
+          rolling->resistance * std::cos(rail.inclination) + torsion->resistance * std::sin(rail.inclination);
   }
   std::stable_sort(contact.rails.begin(), contact.rails.end(), [](const RailState& a, const RailState& b) {
-    return std::abs(a.inclination - b.inclination) > same_angle ? a.inclination < b.inclination : a.load < b.load;
+    return std::abs(a.inclination - b.inclination) > same_angle ? a.inclination < b.inclination
+                                                                : a.load < b.load;
   });
 }
 

@@ -17,7 +17,9 @@ std::string csv_cell(double value) {
   return buffer;
 }
 
-std::string csv_cells(const Uncertain& number) { return "," + csv_cell(number.value) + "," + csv_cell(number.sd); }
+std::string csv_cells(const Uncertain& number) {
+  return "," + csv_cell(number.value) + "," + csv_cell(number.sd);
+}
 
 /// Quotation marks within become apostrophes.
 std::string quoted_label(const std::string& text) {
@@ -26,7 +28,9 @@ std::string quoted_label(const std::string& text) {
   return safe + "\"";
 }
 
-Json json_of(const Uncertain& value) { return {{"value", number_or_null(value.value)}, {"sd", number_or_null(value.sd)}}; }
+Json json_of(const Uncertain& value) {
+  return {{"value", number_or_null(value.value)}, {"sd", number_or_null(value.sd)}};
+}
 Json json_of(const ResistanceParts& parts) {
   return {{"friction", json_of(parts.friction)},
           {"plastic", json_of(parts.plastic)},
@@ -145,12 +149,13 @@ Json json_of(const Contribution& one) {
 }
 
 Json json_of(const ContributionTrend& one) {
-  return {{"mechanism", one.smoothest->mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
-          {"experiment", name_of(one.smoothest->mode->motion)},
-          {"load", one.smoothest->load},
-          {"from", one.smoothest->with->label},
-          {"to", one.roughest->with->label},
-          {"relative_per_metre", json_of(one.relative())}};
+  return {
+      {"mechanism", one.smoothest->mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion"},
+      {"experiment", name_of(one.smoothest->mode->motion)},
+      {"load", one.smoothest->load},
+      {"from", one.smoothest->with->label},
+      {"to", one.roughest->with->label},
+      {"relative_per_metre", json_of(one.relative())}};
 }
 
 Json json_of(const InputExponent& one) {
@@ -179,12 +184,14 @@ Json json_of(const MeshEffect& one) {
 Json json_of(const AgainstPublished& published) {
   Json magnitudes = Json::array(), trends = Json::array(), laws = Json::array();
   for (const auto& one : published.laws)
-    laws.push_back({{"contact", one.contact->label},
-                    {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
-                    {"experiment", name_of(one.mode->motion)},
-                    {"loads", {one.lowest_load, one.highest_load}},
-                    {"coefficient", {{"simulated", json_of(one.simulated.coefficient)}, {"measured", json_of(one.coefficient)}}},
-                    {"offset", {{"simulated", json_of(one.simulated.offset)}, {"measured", json_of(one.offset)}}}});
+    laws.push_back(
+        {{"contact", one.contact->label},
+         {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
+         {"experiment", name_of(one.mode->motion)},
+         {"loads", {one.lowest_load, one.highest_load}},
+         {"coefficient",
+          {{"simulated", json_of(one.simulated.coefficient)}, {"measured", json_of(one.coefficient)}}},
+         {"offset", {{"simulated", json_of(one.simulated.offset)}, {"measured", json_of(one.offset)}}}});
   for (const auto& one : published.magnitudes)
     magnitudes.push_back({{"contact", one.contact->label},
                           {"indenter", one.indenter ? Json(one.indenter->label) : Json(nullptr)},
@@ -219,7 +226,8 @@ std::string resistance_csv(const MovingStudy& study) {
   std::string text =
       "contact,experiment,load [N],radius [m],rms [m],realisations,spacing "
       "[m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
-      "adhesion,adhesion_sd,mean_force,mean_force_sd,force_fluctuation,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,"
+      "adhesion,adhesion_sd,mean_force,mean_force_sd,force_fluctuation,unbalanced,over_scale,over_scale_sd,"
+      "over_coulomb,over_coulomb_sd,"
       "way_back_over_first,"
       "way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
   for (const auto& contact : study.contacts)
@@ -227,13 +235,14 @@ std::string resistance_csv(const MovingStudy& study) {
       const auto over = [&](double unit) {
         return Uncertain{state.resistance.value / unit, state.resistance.sd / unit};
       };
-      text += quoted_label(contact.label) + "," + name_of(state.mode->motion) + "," + csv_cell(state.load) + "," +
-              csv_cell(contact.bodies.radius) + "," + csv_cell(contact.bodies.rms) + "," +
-              std::to_string(state.cases.size()) + "," + csv_cell(state.spacing) + csv_cells(state.resistance) +
-              csv_cells(state.parts.friction) + csv_cells(state.parts.plastic) + csv_cells(state.parts.adhesion) +
-              csv_cells(state.force) + "," + csv_cell(state.fluctuation) + "," + csv_cell(state.unbalanced) + csv_cells(over(state.scale())) +
-              csv_cells(over(state.coulomb)) + csv_cells(state.back_over_first) + "," + csv_cell(state.hertz_radius) + "," +
-              csv_cell(state.contact_area) + "\n";
+      text += quoted_label(contact.label) + "," + name_of(state.mode->motion) + "," + csv_cell(state.load) +
+              "," + csv_cell(contact.bodies.radius) + "," + csv_cell(contact.bodies.rms) + "," +
+              std::to_string(state.cases.size()) + "," + csv_cell(state.spacing) +
+              csv_cells(state.resistance) + csv_cells(state.parts.friction) + csv_cells(state.parts.plastic) +
+              csv_cells(state.parts.adhesion) + csv_cells(state.force) + "," + csv_cell(state.fluctuation) +
+              "," + csv_cell(state.unbalanced) + csv_cells(over(state.scale())) +
+              csv_cells(over(state.coulomb)) + csv_cells(state.back_over_first) + "," +
+              csv_cell(state.hertz_radius) + "," + csv_cell(state.contact_area) + "\n";
     }
   return text;
 }

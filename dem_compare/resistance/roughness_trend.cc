@@ -17,15 +17,16 @@ using States = std::vector<const MovingState*>;
 /// The substrate's surface, whatever its RMS.
 std::string spectrum_of(const MovingContact& contact) {
   const auto found = contact.inputs.find("Substrate/Topography");
-  const TopographySpec surface = found == contact.inputs.end() ? TopographySpec() : TopographySpec(found->second);
+  const TopographySpec surface =
+      found == contact.inputs.end() ? TopographySpec() : TopographySpec(found->second);
   if (!surface.generator()) return surface.canonical();
   GeneratorParameters generator = *surface.generator();
   generator.spectrum.rms = 0;
   return generator.text_without_seed();
 }
 
-/// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones belong to
-/// all.
+/// Families of two contacts or more; the rough contact that comes first in the study leads each. Smooth ones
+/// belong to all.
 std::vector<Contacts> families_of_contacts(const MovingStudy& study) {
   std::vector<Contacts> found;
   std::vector<const MovingContact*> seen;
@@ -43,9 +44,10 @@ std::vector<Contacts> families_of_contacts(const MovingStudy& study) {
   return found;
 }
 
-/// Slope over RMS of ways on the same surfaces: stretch by stretch, so that hills which all of them meet drop out of its error; that of
-/// the misfit from a straight line stays.
-Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay*>& ways, const States& states, WayPart part) {
+/// Slope over RMS of ways on the same surfaces: stretch by stretch, so that hills which all of them meet drop
+/// out of its error; that of the misfit from a straight line stays.
+Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay*>& ways,
+               const States& states, WayPart part) {
   std::vector<Uncertain> means;
   for (std::size_t i = 0; i < ways.size(); ++i) means.push_back(ways[i]->of(part) * (1 / states[i]->scale()));
   Trend trend = fit_trend(rms, means);
@@ -62,9 +64,11 @@ Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay
     slopes.push_back(fit_trend(rms, y).slope.value);
   }
   for (std::size_t i = 0; i < ways.size(); ++i)
-    if (part == WayPart::total && std::isfinite(ways[i]->unbalanced)) open_balances[i].sd = ways[i]->unbalanced / states[i]->scale();
+    if (part == WayPart::total && std::isfinite(ways[i]->unbalanced))
+      open_balances[i].sd = ways[i]->unbalanced / states[i]->scale();
   const Uncertain paired = mean_of_stretches(slopes);
-  const double of_misfit = fit_trend(rms, means_in_common).slope.sd, of_balances = fit_trend(rms, open_balances).slope.sd;
+  const double of_misfit = fit_trend(rms, means_in_common).slope.sd,
+               of_balances = fit_trend(rms, open_balances).slope.sd;
   trend.slope = {paired.value, std::max(std::hypot(paired.sd, of_balances), of_misfit)};
   return trend;
 }
@@ -118,7 +122,8 @@ void add_loads(RoughnessTrend& trend) {
       if (const MovingState* state = contact->find(*trend.mode, load))
         rms.push_back(contact->bodies.rms), states.push_back(state);
     if (states.size() < 2) continue;
-    trend.loads.push_back({load, trend_of(rms, states, WayPart::total), trend_of(rms, states, WayPart::friction), trend_of(rms, states, WayPart::plastic),
+    trend.loads.push_back({load, trend_of(rms, states, WayPart::total),
+                           trend_of(rms, states, WayPart::friction), trend_of(rms, states, WayPart::plastic),
                            trend_of(rms, states, WayPart::adhesion), trend_of(rms, states, WayPart::force)});
   }
   std::vector<Uncertain> relative;
@@ -147,7 +152,8 @@ void add_coefficients(RoughnessTrend& trend) {
 
 }  // namespace
 
-CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads, const std::vector<Uncertain>& resistances) {
+CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads,
+                                            const std::vector<Uncertain>& resistances) {
   // mu is the slope; mu h the value at no load.
   const Trend line = fit_trend(loads, resistances);
   double mean_load = 0;
@@ -165,7 +171,8 @@ Trend::Sign RoughnessTrend::sign() const {
 bool differ_by_roughness(const MovingContact& one, const MovingContact& other) {
   const auto differ = differing_inputs(one, other);
   if (differ.size() != 1 || differ.front() != "Substrate/Topography") return false;
-  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) || one.bodies.rms == other.bodies.rms)
+  if (!std::isfinite(one.bodies.rms) || !std::isfinite(other.bodies.rms) ||
+      one.bodies.rms == other.bodies.rms)
     return false;
   return spectrum_of(one) == spectrum_of(other) || one.bodies.rms == 0 || other.bodies.rms == 0;
 }

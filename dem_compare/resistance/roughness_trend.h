@@ -1,5 +1,5 @@
-// How resistances change with the RMS roughness of the substrate, its spectrum kept: at each load, part by part, and
-// over the loads.
+// How resistances change with the RMS roughness of the substrate, its spectrum kept: at each load, part by
+// part, and over the loads.
 #pragma once
 
 #include <string>
@@ -24,7 +24,8 @@ struct CoefficientOverLoads {
 };
 
 /// Straight line through resistances over lambda [N], with equal weights; needs two loads.
-CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads, const std::vector<Uncertain>& resistances);
+CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double>& loads,
+                                            const std::vector<Uncertain>& resistances);
 
 struct RoughnessTrend {
   const MotionMode* mode = nullptr;
@@ -37,12 +38,13 @@ struct RoughnessTrend {
   Trend::Sign sign() const;
 };
 
-/// True for contacts that differ by the RMS of the substrate alone; a smooth substrate goes with every spectrum.
+/// True for contacts that differ by the RMS of the substrate alone; a smooth substrate goes with every
+/// spectrum.
 bool differ_by_roughness(const MovingContact& one, const MovingContact& other);
 
-/// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at the same
-/// load. Where the same realisations were solved on all surfaces, slopes are taken realisation by realisation and stretch by stretch: what
-/// scatters on all of them alike drops out.
+/// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at
+/// the same load. Where the same realisations were solved on all surfaces, slopes are taken realisation by
+/// realisation and stretch by stretch: what scatters on all of them alike drops out.
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study);
 
 }  // namespace asperity

@@ -73,7 +73,8 @@ std::string trend_words(const Uncertain& relative) {
     case Trend::Sign::falls:
       return "falls by " + number_text({-per_nm.value, per_nm.sd}) + " % per nm of RMS";
     case Trend::Sign::none:
-      return "has no trend within " + number_text({2 * per_nm.sd}) + " % per nm of RMS (" + number_text(per_nm) + ")";
+      return "has no trend within " + number_text({2 * per_nm.sd}) + " % per nm of RMS (" +
+             number_text(per_nm) + ")";
     default:
       return "changes with RMS in a way that cannot be told: its uncertainty is not known";
   }

@@ -19,8 +19,8 @@ std::string change_percent(const Uncertain& share);
 std::string moment_text(const Uncertain& moment);
 /// "100 uN"
 std::string force_text(double force);
-/// "rises by 3.1 +- 0.5 % per nm of RMS", "has no trend within 0.8 % per nm of RMS", "... cannot be told"; `relative`
-/// is per metre.
+/// "rises by 3.1 +- 0.5 % per nm of RMS", "has no trend within 0.8 % per nm of RMS", "... cannot be told";
+/// `relative` is per metre.
 std::string trend_words(const Uncertain& relative);
 Trend::Sign sign_of(const Uncertain& number);
 

@@ -28,8 +28,8 @@ bool is_of(Mechanism mechanism, const std::string& entry) {
 std::optional<Mechanism> mechanism_between(const MovingContact& with, const MovingContact& without) {
   const auto differ = differing_inputs(with, without);
   for (const Mechanism mechanism : {Mechanism::yielding, Mechanism::adhesion}) {
-    const bool switched =
-        mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield : with.adheres && !without.adheres;
+    const bool switched = mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield
+                                                           : with.adheres && !without.adheres;
     if (switched &&
         std::all_of(differ.begin(), differ.end(), [&](const auto& entry) { return is_of(mechanism, entry); }))
       return mechanism;
@@ -51,8 +51,8 @@ void compare(const MovingState& with, const MovingState& without, Contribution& 
   result.realisations = static_cast<int>(total.size());
   result.whole = with.resistance;
   result.difference = mean_of_realisations(total);
-  result.parts = {mean_of_realisations(friction), mean_of_realisations(plastic), mean_of_realisations(adhesion),
-                  result.difference};
+  result.parts = {mean_of_realisations(friction), mean_of_realisations(plastic),
+                  mean_of_realisations(adhesion), result.difference};
 }
 
 }  // namespace
@@ -88,7 +88,8 @@ std::vector<ContributionTrend> contribution_trends(const std::vector<Contributio
     std::vector<const Contribution*> family;
     for (std::size_t k = i; k < contributions.size(); ++k) {
       const Contribution& other = contributions[k];
-      if (other.mechanism != lead.mechanism || other.mode != lead.mode || !same_load(other.load, lead.load)) continue;
+      if (other.mechanism != lead.mechanism || other.mode != lead.mode || !same_load(other.load, lead.load))
+        continue;
       if (&other != &lead && !differ_by_roughness(*lead.with, *other.with)) continue;
       used[k] = true;
       family.push_back(&other);

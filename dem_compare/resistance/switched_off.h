@@ -33,8 +33,8 @@ struct ContributionTrend {
   Uncertain relative() const { return {difference.slope.value / whole, difference.slope.sd / whole}; }
 };
 
-/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all else the
-/// same.
+/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all
+/// else the same.
 std::vector<Contribution> contributions(const MovingStudy& study);
 /// Point into `contributions`.
 std::vector<ContributionTrend> contribution_trends(const std::vector<Contribution>& contributions);

@@ -25,7 +25,8 @@ Trend fit_trend(const std::vector<double>& all_x, const std::vector<Uncertain>& 
   std::vector<double> x;
   std::vector<Uncertain> y;
   for (std::size_t i = 0; i < all_x.size(); ++i)
-    if (std::isfinite(all_x[i]) && std::isfinite(all_y[i].value)) x.push_back(all_x[i]), y.push_back(all_y[i]);
+    if (std::isfinite(all_x[i]) && std::isfinite(all_y[i].value))
+      x.push_back(all_x[i]), y.push_back(all_y[i]);
   Trend trend;
   trend.points = static_cast<int>(x.size());
   if (x.empty()) return trend;

@@ -1,5 +1,6 @@
-// One effect that a simulation may have left out: what it is called, what it says, and how it changes the mechanics.
-// Each is a class in a file of effects/ with the effect's name, registered at that file's end; nothing else knows of it.
+// One effect that a simulation may have left out: what it is called, what it says, and how it changes the
+// mechanics. Each is a class in a file of effects/ with the effect's name, registered at that file's end;
+// nothing else knows of it.
 #pragma once
 
 #include <memory>
@@ -13,9 +14,9 @@ namespace asperity {
 
 struct EffectParameter {
   std::string name, unit, meaning;
-  double low = 0, high = 0;     ///< physical bounds
-  bool logarithmic = false;     ///< positive over decades: searched for in its logarithm
-  std::vector<double> starts;   ///< values from which a search begins
+  double low = 0, high = 0;    ///< physical bounds
+  bool logarithmic = false;    ///< positive over decades: searched for in its logarithm
+  std::vector<double> starts;  ///< values from which a search begins
 };
 
 struct EffectDescription {
@@ -29,15 +30,18 @@ struct EffectDescription {
   std::vector<std::string> slots;
   /// Effects are put together in this order: geometry, laws, what stands around them.
   int order = 2;
-  /// False where the response jumps as a parameter moves (a snap of the contact, an event of slip, comes a sample earlier).
+  /// False where the response jumps as a parameter moves (a snap of the contact, an event of slip, comes a
+  /// sample earlier).
   bool is_smooth = true;
-  /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by as much.
+  /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by
+  /// as much.
   double accuracy = 0.05;
   /// The same as a part of the whole response, for laws that part where what they change is still small.
   double accuracy_of_response = 0;  ///< at most accuracy times the largest change of the run
 };
 
-/// With fewer different values of a variable, an effect's parameters pass through whatever was recorded, and nothing tests its law.
+/// With fewer different values of a variable, an effect's parameters pass through whatever was recorded, and
+/// nothing tests its law.
 struct NeededValues {
   std::string channel;
   int count = 0;
@@ -87,7 +91,7 @@ std::string effects_manual();
 }  // namespace asperity
 
 /// Registers a class as the effect of the file `id`.cc; the build finds the file.
-#define ASPERITY_EFFECT(id, Class)                                        \
-  namespace asperity::effects {                                           \
+#define ASPERITY_EFFECT(id, Class)                                          \
+  namespace asperity::effects {                                             \
   std::unique_ptr<Effect> make_##id() { return std::make_unique<Class>(); } \
   }

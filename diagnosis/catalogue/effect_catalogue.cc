@@ -25,7 +25,8 @@ const Effect& effect_of(const std::string& id) {
     names.push_back(effect->id());
   }
   const std::string meant = nearest_name(id, names);
-  throw InputError("there is no effect '" + id + "'" + (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+  throw InputError("there is no effect '" + id + "'" +
+                   (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
 }
 
 }  // namespace asperity

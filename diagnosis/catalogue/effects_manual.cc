@@ -41,17 +41,22 @@ std::string plain(double value) {
 std::string effects_manual() {
   std::string text =
       "# Effects that a diagnosis can name\n\n"
-      "Written by `asperity diagnose --catalogue` from the effects themselves (`diagnosis/effects/`, one file each). An effect\n"
-      "changes the mechanics of the simulation; its parameters are shared by all segments and runs and stay within the bounds.\n"
+      "Written by `asperity diagnose --catalogue` from the effects themselves (`diagnosis/effects/`, one "
+      "file each). An effect\n"
+      "changes the mechanics of the simulation; its parameters are shared by all segments and runs and stay "
+      "within the bounds.\n"
       "Bounds are SI, for a sphere of 8.5 um under up to 3 mN.\n";
   for (const auto& effect : effect_catalogue()) {
     const EffectDescription& d = effect->description();
     std::string modes;
     for (const Motion mode : d.modes) modes += (modes.empty() ? "" : ", ") + name_of(mode);
-    text += "\n## " + d.id + "\n\n" + d.title + " (" + (d.kind == EffectKind::contact ? "contact" : "instrument") + "; modes: " + modes + ").\n\n";
+    text += "\n## " + d.id + "\n\n" + d.title + " (" +
+            (d.kind == EffectKind::contact ? "contact" : "instrument") + "; modes: " + modes + ").\n\n";
     text += "    " + d.equation + "\n\n" + d.meaning + "\n\nSource: " + d.source + "\n";
     const NeededValues needed = effect->needs();
-    if (needed.count > 0) text += "\nNot named from fewer than " + std::to_string(needed.count) + " different values of `" + needed.channel + "`.\n";
+    if (needed.count > 0)
+      text += "\nNot named from fewer than " + std::to_string(needed.count) + " different values of `" +
+              needed.channel + "`.\n";
     const auto parameters = effect->parameters(example(d.modes.front()));
     if (parameters.empty()) {
       text += "\nNo parameters.\n";
@@ -59,7 +64,8 @@ std::string effects_manual() {
     }
     text += "\n| parameter | unit | meaning | from | to |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : parameters)
-      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning + " | " + plain(p.low) + " | " + plain(p.high) + " |\n";
+      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning + " | " +
+              plain(p.low) + " | " + plain(p.high) + " |\n";
   }
   return text;
 }

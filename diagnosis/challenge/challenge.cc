@@ -48,7 +48,8 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
     score.seconds = seconds;
     score.baselines = user_baselines(recording);
   } catch (const std::exception& error) {
-    score.name = item.name, score.family = item.family, score.mode = name_of(item.options.mode), score.noise = item.options.noise;
+    score.name = item.name, score.family = item.family, score.mode = name_of(item.options.mode),
+    score.noise = item.options.noise;
     score.truth = item.options.effects;
     score.verdict = "failed";
     score.failure = error.what();
@@ -60,7 +61,10 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
 
 std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
   std::vector<ChallengeItem> items = challenge_matrix(options.quick, options.seed);
-  items.erase(std::remove_if(items.begin(), items.end(), [&](const auto& item) { return item.name.find(options.only) == std::string::npos; }), items.end());
+  items.erase(
+      std::remove_if(items.begin(), items.end(),
+                     [&](const auto& item) { return item.name.find(options.only) == std::string::npos; }),
+      items.end());
   if (items.empty()) throw InputError("no recording of the challenge has '" + options.only + "' in its name");
   std::vector<ChallengeScore> scores(items.size());
   std::atomic<std::size_t> next{0}, done{0};
@@ -70,13 +74,18 @@ std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
       const fs::path folder = options.output / items[i].name;
       const auto earlier = earlier_score(folder, options.program);
       scores[i] = earlier ? *earlier : new_score(items[i], folder);
-      if (!earlier) write_file_atomically(folder / score_file, Json{{"program", options.program}, {"score", score_json(scores[i])}}.dump(1) + "\n");
+      if (!earlier)
+        write_file_atomically(
+            folder / score_file,
+            Json{{"program", options.program}, {"score", score_json(scores[i])}}.dump(1) + "\n");
       char head[64];
       std::snprintf(head, sizeof head, "%3zu/%zu %5.1f s  ", ++done, items.size(), scores[i].seconds);
       const std::lock_guard<std::mutex> lock(talking);
       if (options.progress)
-        options.progress(head + items[i].name + ": " + scores[i].verdict + ", " + joined(scores[i].named, " + ", "nothing") +
-                         (scores[i].is_right() ? "" : "  <- wrong") + (scores[i].failure.empty() ? "" : " (" + scores[i].failure + ")"));
+        options.progress(head + items[i].name + ": " + scores[i].verdict + ", " +
+                         joined(scores[i].named, " + ", "nothing") +
+                         (scores[i].is_right() ? "" : "  <- wrong") +
+                         (scores[i].failure.empty() ? "" : " (" + scores[i].failure + ")"));
     }
   };
   std::vector<std::thread> workers;

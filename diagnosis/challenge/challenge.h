@@ -1,4 +1,5 @@
-// asperity challenge: conceals, diagnoses and scores a whole matrix of recordings; resumable, one folder for each.
+// asperity challenge: conceals, diagnoses and scores a whole matrix of recordings; resumable, one folder for
+// each.
 #pragma once
 
 #include <filesystem>
@@ -20,10 +21,12 @@ struct ChallengeOptions {
   std::function<void(const std::string&)> progress;
 };
 
-/// Folders output/NAME with recording, truth.json, diagnosis.json and score.json; a diagnosis that throws is scored as a failure.
+/// Folders output/NAME with recording, truth.json, diagnosis.json and score.json; a diagnosis that throws is
+/// scored as a failure.
 std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options);
 
-/// Confusion matrix, rates against their targets, parameters, location, held-out data, the user's own baselines; Markdown.
+/// Confusion matrix, rates against their targets, parameters, location, held-out data, the user's own
+/// baselines; Markdown.
 std::string challenge_text(const std::vector<ChallengeScore>& scores);
 std::string challenge_json(const std::vector<ChallengeScore>& scores);
 

@@ -52,8 +52,11 @@ const std::vector<SolvedTruth>& solved_truths() {
       {"0.2-and-0.8-J", Motion::normal, {"adhesion_hysteresis"}, {"adhesion_hysteresis"}},
       {"1-GPa", Motion::normal, {"bulk_plasticity"}, {"plastic_1GPa"}},
       {"shift", Motion::sliding, {"partial_slip"}, {"partial_slip"}},
-      {"spin", Motion::torsion, {"contact_radius_scaling"},
-       {"torsion_25uN", "torsion_50uN", "torsion_100uN", "torsion_200uN", "torsion_400uN", "torsion_800uN", "torsion_1600uN"}},
+      {"spin",
+       Motion::torsion,
+       {"contact_radius_scaling"},
+       {"torsion_25uN", "torsion_50uN", "torsion_100uN", "torsion_200uN", "torsion_400uN", "torsion_800uN",
+        "torsion_1600uN"}},
   };
   return list;
 }
@@ -67,25 +70,30 @@ class Matrix {
     for (const auto& [mode, effects] : pairs())
       for (const double noise : levels({0.005, middle_noise})) add("pair", mode, effects, noise);
     for (const Motion mode : all_modes())
-      for (int i = 0; i < (quick_ ? 1 : 6); ++i) add("null", mode, {}, i % 3 == 0 ? 0.003 : i % 3 == 1 ? middle_noise : 0.03);
+      for (int i = 0; i < (quick_ ? 1 : 6); ++i)
+        add("null", mode, {}, i % 3 == 0 ? 0.003 : i % 3 == 1 ? middle_noise : 0.03);
     for (const Motion mode : all_modes())
       for (const auto& effect : outsiders(mode))
         for (const double noise : levels({0.003, middle_noise, 0.02})) add("outsider", mode, {effect}, noise);
     for (int i = 0; i < (quick_ ? 1 : 2); ++i) {
-      add("decoy", Motion::normal, {"thermal_drift"}, middle_noise, "long_hold");        // looks like creep
-      add("decoy", Motion::normal, {"baseline_tilt"}, middle_noise);                     // looks like attraction
-      add("decoy", Motion::normal, {"contact_point_offset"}, middle_noise);              // looks like roughness
-      add("decoy", Motion::sliding, {"lateral_compliance"}, middle_noise, "small_loops");  // looks like partial slip
+      add("decoy", Motion::normal, {"thermal_drift"}, middle_noise, "long_hold");  // looks like creep
+      add("decoy", Motion::normal, {"baseline_tilt"}, middle_noise);               // looks like attraction
+      add("decoy", Motion::normal, {"contact_point_offset"}, middle_noise);        // looks like roughness
+      add("decoy", Motion::sliding, {"lateral_compliance"}, middle_noise,
+          "small_loops");  // looks like partial slip
     }
     for (int i = 0; i < (quick_ ? 1 : 2); ++i) {
-      for (const char* effect : {"surface_tilt", "lateral_zero_offset"}) add("indistinguishable", Motion::sliding, {effect}, middle_noise, "one_load");
-      for (const char* effect : {"thermal_drift", "instrument_compliance"}) add("indistinguishable", Motion::normal, {effect}, middle_noise, "ramp_only");
+      for (const char* effect : {"surface_tilt", "lateral_zero_offset"})
+        add("indistinguishable", Motion::sliding, {effect}, middle_noise, "one_load");
+      for (const char* effect : {"thermal_drift", "instrument_compliance"})
+        add("indistinguishable", Motion::normal, {effect}, middle_noise, "ramp_only");
     }
     for (const auto& solved : solved_truths())
       for (const double noise : levels({0.005, middle_noise, 0.02})) {
         add("finite_elements", solved.mode, solved.effects, noise);
         items_.back().name += "-" + std::string(solved.name);
-        for (const char* name : solved.cases) items_.back().cases.push_back(std::filesystem::path(ASPERITY_CHALLENGE_DATA) / name);
+        for (const char* name : solved.cases)
+          items_.back().cases.push_back(std::filesystem::path(ASPERITY_CHALLENGE_DATA) / name);
       }
     return std::move(items_);
   }
@@ -95,12 +103,16 @@ class Matrix {
     for (const Motion mode : all_modes()) {
       const bool is_trace = mode == Motion::normal || mode == Motion::sliding;
       for (const auto& effect : concealable_effects(mode))
-        for (const double noise : levels({is_trace ? 0.003 : 0.005, middle_noise, is_trace ? 0.03 : 0.02})) add("single", mode, {effect}, noise);
+        for (const double noise : levels({is_trace ? 0.003 : 0.005, middle_noise, is_trace ? 0.03 : 0.02}))
+          add("single", mode, {effect}, noise);
     }
   }
-  std::vector<double> levels(const std::vector<double>& all) const { return quick_ ? std::vector<double>{middle_noise} : all; }
+  std::vector<double> levels(const std::vector<double>& all) const {
+    return quick_ ? std::vector<double>{middle_noise} : all;
+  }
 
-  void add(const std::string& family, Motion mode, const std::vector<std::string>& effects, double noise, const std::string& setting = "") {
+  void add(const std::string& family, Motion mode, const std::vector<std::string>& effects, double noise,
+           const std::string& setting = "") {
     ChallengeItem item;
     item.family = family;
     // Seeds follow each other, so that parameters, kinds of noise and experiments differ from item to item.
@@ -121,6 +133,8 @@ class Matrix {
 
 std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed) { return Matrix(quick, seed).items(); }
 
-ConcealedRecording conceal(const ChallengeItem& item) { return item.cases.empty() ? conceal(item.options) : conceal_cases(item.cases, item.options); }
+ConcealedRecording conceal(const ChallengeItem& item) {
+  return item.cases.empty() ? conceal(item.options) : conceal_cases(item.cases, item.options);
+}
 
 }  // namespace asperity

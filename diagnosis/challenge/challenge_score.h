@@ -19,27 +19,30 @@ struct ScoredParameter {
 
 struct ChallengeScore {
   std::string name, family, mode;
-  std::vector<std::string> truth, named;            ///< effects, in order of their names
+  std::vector<std::string> truth, named;  ///< effects, in order of their names
   std::vector<std::vector<std::string>> alternatives;
   std::string verdict;
   double noise = 0, seconds = 0;
-  std::vector<ScoredParameter> parameters;  ///< of effects named rightly, where truth and catalogue mean the same
-  double overlap = -1;                      ///< of located and true region; -1: there is nothing to locate
+  std::vector<ScoredParameter>
+      parameters;       ///< of effects named rightly, where truth and catalogue mean the same
+  double overlap = -1;  ///< of located and true region; -1: there is nothing to locate
   double held_out_before = 0, held_out_after = 0;
   UserBaselines baselines;
-  std::string failure;                      ///< what went wrong with the diagnosis itself
+  std::string failure;  ///< what went wrong with the diagnosis itself
 
   bool names_the_truth() const { return named == truth; }
   /// The truth is the answer or stands among the alternatives.
   bool holds_the_truth() const;
-  /// Right as the family asks: named exactly; kept clean; admitted; said to be ambiguous with the truth among the candidates.
+  /// Right as the family asks: named exactly; kept clean; admitted; said to be ambiguous with the truth among
+  /// the candidates.
   bool is_right() const;
 };
 
-ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& concealed, const Diagnosis& diagnosis);
+ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& concealed,
+                        const Diagnosis& diagnosis);
 
-/// Share of agreement (Dice 1945) of the samples that the diagnosis' regions hold with those where the effect is larger than half
-/// the noise.
+/// Share of agreement (Dice 1945) of the samples that the diagnosis' regions hold with those where the effect
+/// is larger than half the noise.
 double location_overlap(const Recording& recording, const Truth& truth, const Diagnosis& diagnosis);
 
 nlohmann::ordered_json score_json(const ChallengeScore& score);

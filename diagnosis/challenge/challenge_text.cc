@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "diagnosis/challenge/challenge.h"
@@ -50,19 +51,24 @@ double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
   const auto i = static_cast<std::size_t>(place);
-  return i + 1 < values.size() ? values[i] + (values[i + 1] - values[i]) * (place - static_cast<double>(i)) : values[i];
+  return i + 1 < values.size() ? values[i] + (values[i + 1] - values[i]) * (place - static_cast<double>(i))
+                               : values[i];
 }
 
 std::vector<double> overlaps(const Scores& scores) {
   std::vector<double> values;
   for (const auto& score : scores)
-    if (score.overlap >= 0 && score.family != "null" && score.failure.empty()) values.push_back(score.overlap);
+    if (score.overlap >= 0 && score.family != "null" && score.failure.empty())
+      values.push_back(score.overlap);
   return values;
 }
 
-/// Effects whose truth follows another law than the catalogue's, so that even without noise their parameters would not agree.
+/// Effects whose truth follows another law than the catalogue's, so that even without noise their parameters
+/// would not agree.
 bool has_another_law(const ScoredParameter& parameter) {
-  static const std::set<std::string> effects{"adhesion", "adhesion_hysteresis", "bulk_plasticity", "creep", "rate_and_state", "run_in", "stick_slip"};
+  static const std::set<std::string> effects{"adhesion",  "adhesion_hysteresis", "bulk_plasticity",
+                                             "creep",     "rate_and_state",      "run_in",
+                                             "stick_slip"};
   return effects.count(parameter.name.substr(0, parameter.name.find('/'))) > 0;
 }
 
@@ -81,20 +87,27 @@ std::string rates_table(const Scores& scores) {
   const auto overlap = overlaps(scores);
   std::string text = "| | reached | target |\n| --- | --- | --- |\n";
   text += row("single effects named exactly", percent(rate(scores, family("single"), is_right)), "95 %");
-  text += row("effects in histories of finite elements named exactly, or kept clean", percent(rate(scores, family("finite_elements"), is_right)), "95 %");
+  text += row("effects in histories of finite elements named exactly, or kept clean",
+              percent(rate(scores, family("finite_elements"), is_right)), "95 %");
   text += row("pairs named exactly", percent(rate(scores, family("pair"), is_right)), "85 %");
   text += row("nulls kept clean", percent(rate(scores, family("null"), is_right)), "97 %");
-  text += row("outsiders admitted (unexplained, or partly explained with what remains located)", percent(rate(scores, family("outsider"), is_right)), "90 %");
-  text += row("of these without naming anything", percent(rate(scores, family("outsider"), [](const auto& s) { return s.verdict == "unexplained"; })), "–");
+  text += row("outsiders admitted (unexplained, or partly explained with what remains located)",
+              percent(rate(scores, family("outsider"), is_right)), "90 %");
+  text +=
+      row("of these without naming anything",
+          percent(rate(scores, family("outsider"), [](const auto& s) { return s.verdict == "unexplained"; })),
+          "–");
   text += row("decoys named as what they are", percent(rate(scores, family("decoy"), is_right)), "–");
-  text += row("indistinguishable settings called ambiguous, with the truth among the candidates", percent(rate(scores, family("indistinguishable"), is_right)), "–");
-  text += row("coverage of the 95 % intervals", percent(coverage(scores, [](const auto&) { return true; })), "90 to 98 %");
-  text += row("of these where truth and catalogue follow one law", percent(coverage(scores, [](const auto& p) { return !has_another_law(p); })), "–");
-  text += row("overlap of located and true region, mean (median)", number(overlap.empty() ? std::nan("") : [&] {
-                double sum = 0;
-                for (const double value : overlap) sum += value;
-                return sum / static_cast<double>(overlap.size());
-              }()) + " (" + number(quantile(overlap, 0.5)) + ")", "0.7");
+  text += row("indistinguishable settings called ambiguous, with the truth among the candidates",
+              percent(rate(scores, family("indistinguishable"), is_right)), "–");
+  text += row("coverage of the 95 % intervals", percent(coverage(scores, [](const auto&) { return true; })),
+              "90 to 98 %");
+  text += row("of these where truth and catalogue follow one law",
+              percent(coverage(scores, [](const auto& p) { return !has_another_law(p); })), "–");
+  const double mean_overlap = std::accumulate(overlap.begin(), overlap.end(), 0.0) /
+                              static_cast<double>(overlap.size());  // NaN where there is none
+  text += row("overlap of located and true region, mean (median)",
+              number(mean_overlap) + " (" + number(quantile(overlap, 0.5)) + ")", "0.7");
   return text;
 }
 
@@ -102,17 +115,21 @@ std::string rates_table(const Scores& scores) {
 std::string answer_of(const ChallengeScore& score) {
   if (!score.failure.empty()) return "failed";
   if (score.verdict == "no_mismatch" || score.verdict == "unexplained") return score.verdict;
-  if (score.verdict == "ambiguous") return score.holds_the_truth() ? "ambiguous with it" : "ambiguous without it";
+  if (score.verdict == "ambiguous")
+    return score.holds_the_truth() ? "ambiguous with it" : "ambiguous without it";
   if (score.names_the_truth()) return score.verdict == "explained" ? "itself, explained" : "itself, partly";
   const std::set<std::string> named(score.named.begin(), score.named.end());
-  const bool holds = !score.truth.empty() && std::all_of(score.truth.begin(), score.truth.end(), [&](const auto& id) { return named.count(id) > 0; });
-  const bool some = std::any_of(score.truth.begin(), score.truth.end(), [&](const auto& id) { return named.count(id) > 0; });
+  const bool holds = !score.truth.empty() && std::all_of(score.truth.begin(), score.truth.end(),
+                                                         [&](const auto& id) { return named.count(id) > 0; });
+  const bool some = std::any_of(score.truth.begin(), score.truth.end(),
+                                [&](const auto& id) { return named.count(id) > 0; });
   return holds ? "more than it" : some ? "a part of it" : "something else";
 }
 
 std::string confusion_table(const Scores& scores) {
-  const std::vector<std::string> columns{"itself, explained", "itself, partly", "ambiguous with it", "ambiguous without it", "more than it",
-                                         "a part of it", "something else", "unexplained", "no_mismatch", "failed"};
+  const std::vector<std::string> columns{
+      "itself, explained", "itself, partly", "ambiguous with it", "ambiguous without it", "more than it",
+      "a part of it",      "something else", "unexplained",       "no_mismatch",          "failed"};
   std::vector<std::pair<std::string, std::map<std::string, int>>> rows;
   for (const auto& score : scores) {
     const std::string truth = score.family + ": " + joined(score.truth, " + ", "noise alone");
@@ -125,7 +142,8 @@ std::string confusion_table(const Scores& scores) {
   text += " |\n" + line + " |\n";
   for (const auto& [truth, counts] : rows) {
     text += "| " + truth;
-    for (const auto& column : columns) text += " | " + (counts.count(column) ? std::to_string(counts.at(column)) : std::string());
+    for (const auto& column : columns)
+      text += " | " + (counts.count(column) ? std::to_string(counts.at(column)) : std::string());
     text += " |\n";
   }
   return text;
@@ -135,7 +153,8 @@ std::string wrong_answers(const Scores& scores) {
   std::string text;
   for (const auto& score : scores) {
     if (score.is_right()) continue;
-    text += "- " + score.name + ", noise " + number(score.noise) + ": " + score.verdict + ", " + joined(score.named, " + ", "nothing");
+    text += "- " + score.name + ", noise " + number(score.noise) + ": " + score.verdict + ", " +
+            joined(score.named, " + ", "nothing");
     if (!score.alternatives.empty()) {
       text += "; alternatives";
       for (const auto& alternative : score.alternatives) text += ", " + joined(alternative, " + ", "nothing");
@@ -150,7 +169,9 @@ std::string parameter_table(const Scores& scores) {
   std::map<std::string, std::vector<const ScoredParameter*>> by_name;
   for (const auto& score : scores)
     for (const auto& parameter : score.parameters) by_name[parameter.name].push_back(&parameter);
-  std::string text = "| parameter | recordings | error, median | error, worst | covered |\n| --- | --- | --- | --- | --- |\n";
+  std::string text =
+      "| parameter | recordings | error, median | error, worst | covered |\n| --- | --- | --- | --- | --- "
+      "|\n";
   for (const auto& [name, list] : by_name) {
     std::vector<double> errors;
     Rate covered;
@@ -158,26 +179,32 @@ std::string parameter_table(const Scores& scores) {
       errors.push_back(std::abs(parameter->estimate / parameter->truth - 1) * 100);
       ++covered.all, covered.hits += parameter->covered();
     }
-    text += "| " + name + " | " + std::to_string(list.size()) + " | " + number(quantile(errors, 0.5)) + " % | " + number(quantile(errors, 1)) + " % | " +
-            std::to_string(covered.hits) + " of " + std::to_string(covered.all) + " |\n";
+    text += "| " + name + " | " + std::to_string(list.size()) + " | " + number(quantile(errors, 0.5)) +
+            " % | " + number(quantile(errors, 1)) + " % | " + std::to_string(covered.hits) + " of " +
+            std::to_string(covered.all) + " |\n";
   }
   return text;
 }
 
 std::string baseline_table(const Scores& scores) {
   std::string text =
-      "| held-out reduced chi², median | simulation alone | with the named effects | simulation alone (baselines' blocks) | sparse regression | Gaussian process |\n"
+      "| held-out reduced chi², median | simulation alone | with the named effects | simulation alone "
+      "(baselines' blocks) | sparse regression | Gaussian process |\n"
       "| --- | --- | --- | --- | --- | --- |\n";
-  for (const char* name : {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"}) {
+  for (const char* name :
+       {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"}) {
     std::vector<double> before, after, alone, sparse, process;
     for (const auto& score : scores) {
       if (score.family != name || !score.failure.empty()) continue;
-      before.push_back(score.held_out_before), after.push_back(score.held_out_after), alone.push_back(score.baselines.simulation);
-      sparse.push_back(score.baselines.sparse_regression), process.push_back(score.baselines.gaussian_process);
+      before.push_back(score.held_out_before), after.push_back(score.held_out_after),
+          alone.push_back(score.baselines.simulation);
+      sparse.push_back(score.baselines.sparse_regression),
+          process.push_back(score.baselines.gaussian_process);
     }
     if (before.empty()) continue;
     text += std::string("| ") + name;
-    for (const auto* values : {&before, &after, &alone, &sparse, &process}) text += " | " + number(quantile(*values, 0.5));
+    for (const auto* values : {&before, &after, &alone, &sparse, &process})
+      text += " | " + number(quantile(*values, 0.5));
     text += " |\n";
   }
   return text;
@@ -188,14 +215,18 @@ std::string baseline_table(const Scores& scores) {
 std::string challenge_text(const std::vector<ChallengeScore>& scores) {
   double seconds = 0, slowest = 0;
   for (const auto& score : scores) seconds += score.seconds, slowest = std::max(slowest, score.seconds);
-  return std::to_string(scores.size()) + " recordings, " + number(seconds / 60) + " minutes of diagnosis in all, the slowest " + number(slowest) + " s.\n\n" +
-         rates_table(scores) + "\nTruth against answer:\n\n" + confusion_table(scores) + "\nParameters of effects named rightly:\n\n" + parameter_table(scores) +
-         "\nBlocks that were not seen, predicted by the simulation, by the named effects, and by what a user would try first:\n\n" + baseline_table(scores) +
-         "\nAnswers that are not right:\n\n" + wrong_answers(scores);
+  return std::to_string(scores.size()) + " recordings, " + number(seconds / 60) +
+         " minutes of diagnosis in all, the slowest " + number(slowest) + " s.\n\n" + rates_table(scores) +
+         "\nTruth against answer:\n\n" + confusion_table(scores) +
+         "\nParameters of effects named rightly:\n\n" + parameter_table(scores) +
+         "\nBlocks that were not seen, predicted by the simulation, by the named effects, and by what a user "
+         "would try first:\n\n" +
+         baseline_table(scores) + "\nAnswers that are not right:\n\n" + wrong_answers(scores);
 }
 
 std::string challenge_json(const std::vector<ChallengeScore>& scores) {
-  nlohmann::ordered_json json{{"format", "asperity-challenge/1"}, {"scores", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"format", "asperity-challenge/1"},
+                              {"scores", nlohmann::ordered_json::array()}};
   for (const auto& score : scores) json["scores"].push_back(score_json(score));
   return json.dump(1) + "\n";
 }

@@ -32,14 +32,17 @@ Features features_of(const std::vector<Sample>& samples) {
   std::vector<Eigen::VectorXd> columns;
   for (const auto& [name, channel] : channels) {
     Eigen::VectorXd column(static_cast<Eigen::Index>(samples.size()));
-    for (std::size_t i = 0; i < samples.size(); ++i) column(static_cast<Eigen::Index>(i)) = channel(samples[i]);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      column(static_cast<Eigen::Index>(i)) = channel(samples[i]);
     const double mean = column.mean(), sd = std::sqrt((column.array() - mean).square().mean());
     if (!(sd > 1e-9 * std::abs(mean)) || sd == 0) continue;
     columns.push_back((column.array() - mean) / sd);
     features.names.push_back(name);
   }
-  features.values.resize(static_cast<Eigen::Index>(samples.size()), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t c = 0; c < columns.size(); ++c) features.values.col(static_cast<Eigen::Index>(c)) = columns[c];
+  features.values.resize(static_cast<Eigen::Index>(samples.size()),
+                         static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    features.values.col(static_cast<Eigen::Index>(c)) = columns[c];
   return features;
 }
 
@@ -60,7 +63,8 @@ Terms terms_of(const Features& features) {
         if (left == 0) return;
         for (Eigen::Index c = from; c < features.values.cols(); ++c) {
           const Eigen::VectorXd next = product.array() * features.values.col(c).array();
-          const std::string longer = name + (name.empty() ? "" : " ") + features.names[static_cast<std::size_t>(c)];
+          const std::string longer =
+              name + (name.empty() ? "" : " ") + features.names[static_cast<std::size_t>(c)];
           columns.push_back(next);
           terms.names.push_back(longer);
           extend(c, left - 1, next, longer);
@@ -68,7 +72,8 @@ Terms terms_of(const Features& features) {
       };
   extend(0, degree, ones, "");
   terms.values.resize(features.values.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t c = 0; c < columns.size(); ++c) terms.values.col(static_cast<Eigen::Index>(c)) = columns[c];
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    terms.values.col(static_cast<Eigen::Index>(c)) = columns[c];
   return terms;
 }
 
@@ -87,14 +92,16 @@ Eigen::VectorXd sparse_fit(const Eigen::MatrixXd& terms, const Eigen::VectorXd& 
     correlation.maxCoeff(&next);
     chosen.push_back(next);
     Eigen::MatrixXd part(terms.rows(), static_cast<Eigen::Index>(chosen.size()));
-    for (std::size_t c = 0; c < chosen.size(); ++c) part.col(static_cast<Eigen::Index>(c)) = terms.col(chosen[c]);
+    for (std::size_t c = 0; c < chosen.size(); ++c)
+      part.col(static_cast<Eigen::Index>(c)) = terms.col(chosen[c]);
     const Eigen::VectorXd coefficients = part.colPivHouseholderQr().solve(residual);
     left = residual - part * coefficients;
     const double now = left.squaredNorm() + static_cast<double>(chosen.size()) * log_n;
     if (now >= criterion) break;
     criterion = now;
     best.setZero();
-    for (std::size_t c = 0; c < chosen.size(); ++c) best(chosen[c]) = coefficients(static_cast<Eigen::Index>(c));
+    for (std::size_t c = 0; c < chosen.size(); ++c)
+      best(chosen[c]) = coefficients(static_cast<Eigen::Index>(c));
   }
   return best;
 }
@@ -193,7 +200,8 @@ UserBaselines user_baselines(const Recording& recording) {
   double count = 0;
   for (int block = 0; block < blocks.count; ++block) {
     std::vector<Eigen::Index> seen, unseen;
-    for (const auto i : usable) (blocks.of_sample[static_cast<std::size_t>(i)] == block ? unseen : seen).push_back(i);
+    for (const auto i : usable)
+      (blocks.of_sample[static_cast<std::size_t>(i)] == block ? unseen : seen).push_back(i);
     if (seen.size() < 3 || unseen.empty()) continue;
     const Eigen::VectorXd target = part(unseen);
     const Eigen::VectorXd coefficients = sparse_fit(rows_of(terms.values, seen), part(seen));
@@ -205,7 +213,8 @@ UserBaselines user_baselines(const Recording& recording) {
     result.gaussian_process += (target - process.predict(rows_of(features.values, unseen))).squaredNorm();
     count += static_cast<double>(unseen.size());
   }
-  for (double* sum : {&result.simulation, &result.sparse_regression, &result.gaussian_process}) *sum /= std::max(1.0, count);
+  for (double* sum : {&result.simulation, &result.sparse_regression, &result.gaussian_process})
+    *sum /= std::max(1.0, count);
   const Eigen::VectorXd whole = sparse_fit(rows_of(terms.values, usable), part(usable));
   for (Eigen::Index c = 0; c < whole.size(); ++c)
     if (whole(c) != 0) result.terms.push_back(terms.names[static_cast<std::size_t>(c)]);

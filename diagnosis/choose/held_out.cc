@@ -16,7 +16,8 @@ void group(std::vector<int>& keys, int distinct, Blocks& blocks) {
   blocks.of_sample = std::move(keys);
 }
 
-/// What a left-out block changes, in coordinates of the search, may not exceed this part of a parameter, if it is clear of noise.
+/// What a left-out block changes, in coordinates of the search, may not exceed this part of a parameter, if
+/// it is clear of noise.
 constexpr double largest_change = 0.6, clear_of_noise = 6;
 
 bool moves_too_far(const FreeParameter& p, double with_all, double without, double sd) {
@@ -30,7 +31,8 @@ bool moves_too_far(const FreeParameter& p, double with_all, double without, doub
 
 Blocks blocks_of(const Samples& samples) {
   Blocks blocks;
-  const bool series = std::any_of(samples.runs.begin(), samples.runs.end(), [](const SampleRun& r) { return r.independent_rows; });
+  const bool series = std::any_of(samples.runs.begin(), samples.runs.end(),
+                                  [](const SampleRun& r) { return r.independent_rows; });
   std::vector<int> keys(samples.list.size(), 0);
   if (series) {
     blocks.name = "rows";
@@ -82,7 +84,8 @@ HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const B
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
       const double sd = fit.covariance.size() > 0 ? std::sqrt(std::max(0.0, fit.covariance(i, i))) : 0;
-      if (fit.covariance.size() > 0 && moves_too_far(parameters[k], fit.values[k], without.values[k], sd)) result.consistent = false;
+      if (fit.covariance.size() > 0 && moves_too_far(parameters[k], fit.values[k], without.values[k], sd))
+        result.consistent = false;
     }
     const auto simulated = without.simulate(problem.samples);
     for (std::size_t i = 0; i < simulated.size(); ++i) {

@@ -12,8 +12,8 @@ using Effects = std::vector<const Effect*>;
 
 /// Log evidence by which an effect must be better than none, and a set than one with a member less.
 constexpr double clear_evidence = 8, evidence_for_another = 4;
-/// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does not: less is what
-/// laws of this kind are off by.
+/// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does
+/// not: less is what laws of this kind are off by.
 constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
 constexpr std::size_t most_judged = 6;
 
@@ -28,10 +28,13 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
   return nullptr;
 }
 
-/// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes back that is either
-/// large or more than the laws of the others may be off by.
-bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Candidate& candidate) {
-  const auto leaves_noise = [&](const ModelFit& fit) { return remaining(problem, search.alone.fit, scanner, fit).p_value > significance; };
+/// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes
+/// back that is either large or more than the laws of the others may be off by.
+bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
+                         const Candidate& candidate) {
+  const auto leaves_noise = [&](const ModelFit& fit) {
+    return remaining(problem, search.alone.fit, scanner, fit).p_value > significance;
+  };
   const auto& effects = candidate.fit.explanation->effects();
   const bool complete = effects.size() > 1 && leaves_noise(candidate.fit);
   for (std::size_t k = 0; k < effects.size(); ++k) {
@@ -39,7 +42,8 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     without.erase(without.begin() + static_cast<long>(k));
     const Candidate* smaller = without.empty() ? &search.alone : find(search, without);
     if (!smaller) continue;
-    if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another)) return false;
+    if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another))
+      return false;
     const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
     if (without.empty()) continue;
     const double whole = excess(search.alone.fit) / search.overdispersion;
@@ -51,18 +55,21 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
 
 }  // namespace
 
-ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner, const ModelFit& fit) {
+ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
+                     const ModelFit& fit) {
   return scanner.scan(fit.residual(problem.samples), law_error(problem, fit, baseline));
 }
 
 bool JudgedSet::is_part_of(const JudgedSet& other) const {
   const auto& have = other.candidate->fit.explanation->effects();
   const auto& own = candidate->fit.explanation->effects();
-  return std::all_of(own.begin(), own.end(), [&](const Effect* effect) { return std::find(have.begin(), have.end(), effect) != have.end(); });
+  return std::all_of(own.begin(), own.end(), [&](const Effect* effect) {
+    return std::find(have.begin(), have.end(), effect) != have.end();
+  });
 }
 
-JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Blocks& blocks,
-                       const HeldOut& baseline_held_out) {
+JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
+                       const Blocks& blocks, const HeldOut& baseline_held_out) {
   JudgedSets judged;
   for (const auto& candidate : search.candidates) {
     if (judged.list.size() == most_judged) break;
@@ -71,8 +78,10 @@ JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, co
     if (!candidate.fit.is_itself() || !every_member_counts(problem, search, scanner, candidate)) continue;
     JudgedSet set{&candidate, finished(problem, candidate.fit), {}};
     set.held_out = predict_held_out(problem, set.fit, blocks);
-    if (!set.held_out.consistent) judged.inconsistent.push_back(candidate.fit.explanation->name());
-    else if (set.held_out.cost < baseline_held_out.cost) judged.list.push_back(std::move(set));
+    if (!set.held_out.consistent)
+      judged.inconsistent.push_back(candidate.fit.explanation->name());
+    else if (set.held_out.cost < baseline_held_out.cost)
+      judged.list.push_back(std::move(set));
   }
   return judged;
 }

@@ -1,5 +1,5 @@
-// Which of the sets that were fitted may be named at all: each member earns its place, the parameters hold everywhere, and data
-// kept out of the fit are predicted better than by the simulation alone.
+// Which of the sets that were fitted may be named at all: each member earns its place, the parameters hold
+// everywhere, and data kept out of the fit are predicted better than by the simulation alone.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ constexpr double significance = 0.005;
 constexpr double as_good = 2.3;
 
 /// What an explanation leaves, beyond what its laws may be off by.
-ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner, const ModelFit& fit);
+ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
+                     const ModelFit& fit);
 
 struct JudgedSet {
   const Candidate* candidate;
@@ -29,11 +30,12 @@ struct JudgedSet {
 };
 
 struct JudgedSets {
-  std::vector<JudgedSet> list;             ///< the best first
-  std::vector<std::string> inconsistent;   ///< would fit only with other parameters in different parts of the data
+  std::vector<JudgedSet> list;  ///< the best first
+  std::vector<std::string>
+      inconsistent;  ///< would fit only with other parameters in different parts of the data
 };
 
-JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner, const Blocks& blocks,
-                       const HeldOut& baseline_held_out);
+JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
+                       const Blocks& blocks, const HeldOut& baseline_held_out);
 
 }  // namespace asperity

@@ -14,7 +14,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Cosines along one coordinate, and the one whose weight is half of the first's: errors of laws vary over a quarter of the way.
+/// Cosines along one coordinate, and the one whose weight is half of the first's: errors of laws vary over a
+/// quarter of the way.
 constexpr int most_cosines = 12;
 constexpr double half_weight = 4;
 
@@ -30,7 +31,8 @@ std::vector<double> relative(const std::vector<double>& values) {
 
 /// sqrt(w_k) phi_k: the constant, then cosines along each coordinate; a row for each sample.
 MatrixXd shapes_along(const std::vector<std::vector<double>>& coordinates, std::size_t count) {
-  MatrixXd shapes = MatrixXd::Ones(static_cast<Eigen::Index>(count), 1 + most_cosines * static_cast<Eigen::Index>(coordinates.size()));
+  MatrixXd shapes = MatrixXd::Ones(static_cast<Eigen::Index>(count),
+                                   1 + most_cosines * static_cast<Eigen::Index>(coordinates.size()));
   double weights = 1;
   for (std::size_t c = 0; c < coordinates.size(); ++c)
     for (int k = 1; k <= most_cosines; ++k) {
@@ -43,7 +45,8 @@ MatrixXd shapes_along(const std::vector<std::vector<double>>& coordinates, std::
   return shapes / std::sqrt(weights);
 }
 
-/// Largest within a twentieth of each part to either side: errors of a law do not vanish where its contribution changes sign.
+/// Largest within a twentieth of each part to either side: errors of a law do not vanish where its
+/// contribution changes sign.
 LawError largest_nearby(const Samples& samples, const LawError& error) {
   constexpr double reach_of_part = 0.05;
   LawError largest = error;
@@ -67,7 +70,9 @@ LawErrors::LawErrors(const Samples& samples) {
   for (std::size_t r = 0; r < samples.runs.size(); ++r)
     for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
       if (samples.list[i].counts)
-        members[samples.runs[r].independent_rows ? std::pair<std::size_t, int>{samples.runs[r].table, -1} : std::pair{r, samples.list[i].segment}].push_back(i);
+        members[samples.runs[r].independent_rows ? std::pair<std::size_t, int>{samples.runs[r].table, -1}
+                                                 : std::pair{r, samples.list[i].segment}]
+            .push_back(i);
   for (auto& [key, list] : members) {
     std::vector<std::vector<double>> coordinates;
     const auto add = [&](const std::function<double(const Sample&)>& value) {
@@ -77,7 +82,8 @@ LawErrors::LawErrors(const Samples& samples) {
       if (!values.empty()) coordinates.push_back(std::move(values));
     };
     if (key.second < 0) {
-      for (const auto& value : {&Sample::normal_force, &Sample::normal_displacement, &Sample::speed, &Sample::rms_roughness, &Sample::rail_angle, &Sample::radius})
+      for (const auto& value : {&Sample::normal_force, &Sample::normal_displacement, &Sample::speed,
+                                &Sample::rms_roughness, &Sample::rail_angle, &Sample::radius})
         add([value](const Sample& s) { return s.*value; });
     } else {
       // Along the segment, and along one cycle of it where there are several.
@@ -98,7 +104,8 @@ LawErrors::LawErrors(const Samples& samples) {
   }
 }
 
-double LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual, const std::vector<LawError>& errors) const {
+double LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
+                       const std::vector<LawError>& errors) const {
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
@@ -110,10 +117,13 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
     MatrixXd B(rows, columns * count);
     for (Eigen::Index e = 0; e < count; ++e)
       for (Eigen::Index row = 0; row < rows; ++row)
-        B.row(row).segment(e * columns, columns) = errors[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] * group.shapes.row(row);
+        B.row(row).segment(e * columns, columns) =
+            errors[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] *
+            group.shapes.row(row);
     filter.whiten(group.samples, B);
     VectorXd part(rows);
-    for (Eigen::Index row = 0; row < rows; ++row) part[row] = r[filter.place(group.samples[static_cast<std::size_t>(row)])];
+    for (Eigen::Index row = 0; row < rows; ++row)
+      part[row] = r[filter.place(group.samples[static_cast<std::size_t>(row)])];
     // Coefficients of least cost, by reweighting.
     VectorXd m = VectorXd::Zero(B.cols()), left = part;
     MatrixXd H;
@@ -130,7 +140,8 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
     }
     const MatrixXd L = H.llt().matrixL();
     own += 2 * L.diagonal().array().log().sum() + m.squaredNorm();
-    for (Eigen::Index row = 0; row < rows; ++row) r[filter.place(group.samples[static_cast<std::size_t>(row)])] = left[row];
+    for (Eigen::Index row = 0; row < rows; ++row)
+      r[filter.place(group.samples[static_cast<std::size_t>(row)])] = left[row];
   }
   double sum = own;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
@@ -144,7 +155,10 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
   const auto with = fit.simulate(samples);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
-  for (std::size_t i = 0; i < with.size(); ++i) changed[i] = samples.list[i].counts ? std::abs(samples.list[i].response - problem.baseline_residual[i] - with[i]) : 0.0;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    changed[i] = samples.list[i].counts
+                     ? std::abs(samples.list[i].response - problem.baseline_residual[i] - with[i])
+                     : 0.0;
   changed = largest_nearby(samples, changed);
   const double largest = *std::max_element(changed.begin(), changed.end());
   for (const Effect* left_out : effects) {
@@ -164,7 +178,8 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
     error = largest_nearby(samples, error);
     const EffectDescription& law = left_out->description();
     for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]), std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
+      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
+                            std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
     errors.push_back(std::move(error));
   }
   return errors;
@@ -179,7 +194,8 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
 
 double accuracy_of(const ModelFit& fit) {
   double accuracy = 0;
-  for (const Effect* effect : fit.explanation->effects()) accuracy = std::max(accuracy, effect->description().accuracy);
+  for (const Effect* effect : fit.explanation->effects())
+    accuracy = std::max(accuracy, effect->description().accuracy);
   return accuracy;
 }
 

@@ -1,8 +1,10 @@
-// What the laws of an explanation may be off by, as a part of its evidence: recorded = simulated + discrepancy + noise (Kennedy &
-// O'Hagan 2001). The discrepancy of an effect is its own contribution C, the largest nearby, times a factor that varies along the data,
+// What the laws of an explanation may be off by, as a part of its evidence: recorded = simulated +
+// discrepancy + noise (Kennedy & O'Hagan 2001). The discrepancy of an effect is its own contribution C, the
+// largest nearby, times a factor that varies along the data,
 //   C_i sum_k m_k phi_k(i),   m_k ~ N(0, accuracy^2 w_k),  sum w_k = 1,
-// phi_k: cosines along each run's segments (over all cycles, and within one), or along what varies in a series. With its coefficients
-// integrated out, a further effect that only mends what the first law may be off by anyway gains nothing.
+// phi_k: cosines along each run's segments (over all cycles, and within one), or along what varies in a
+// series. With its coefficients integrated out, a further effect that only mends what the first law may be
+// off by anyway gains nothing.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,7 +17,8 @@ namespace asperity {
 /// Standard deviation of one effect's law, of each sample.
 using LawError = std::vector<double>;
 
-/// One for each effect of a fit: its accuracy times the largest of what it changes nearby, with the other parameters as they are.
+/// One for each effect of a fit: its accuracy times the largest of what it changes nearby, with the other
+/// parameters as they are.
 std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 /// Of all effects together.
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
@@ -25,9 +28,10 @@ class LawErrors {
  public:
   explicit LawErrors(const Samples& samples);
 
-  /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's own, and the log
-  /// determinant of its covariance over that of the noise.
-  double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual, const std::vector<LawError>& errors) const;
+  /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's
+  /// own, and the log determinant of its covariance over that of the noise.
+  double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
+              const std::vector<LawError>& errors) const;
 
  private:
   /// Samples whose errors share coefficients, with the cosines there.

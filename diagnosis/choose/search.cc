@@ -24,13 +24,16 @@ void score(Candidate& candidate, std::size_t admissible, double overdispersion) 
 void score_all(SearchResult& result) {
   double least = result.alone.cost;
   for (const auto& candidate : result.candidates) least = std::min(least, candidate.cost);
-  result.overdispersion = std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
+  result.overdispersion =
+      std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
   score(result.alone, result.admissible, result.overdispersion);
   for (auto& candidate : result.candidates) score(candidate, result.admissible, result.overdispersion);
-  std::stable_sort(result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::stable_sort(result.candidates.begin(), result.candidates.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
 }
 
-double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit, const ModelFit& baseline) {
+double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit,
+                           const ModelFit& baseline) {
   const auto residual = FitProblem::residual(problem.samples, fit.simulate(problem.samples));
   return laws.cost(problem.samples, problem.noise, residual, law_errors(problem, fit, baseline));
 }
@@ -63,7 +66,8 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
       std::sort(set.begin(), set.end());
       if (Explanation::compatible(set) && tried.insert(set).second) sets.push_back({set, near});
     };
-    const auto grown_from = best_of_size(result, size - 1, size == 2 ? widest_beam_of_singles : widest_beam_of_pairs);
+    const auto grown_from =
+        best_of_size(result, size - 1, size == 2 ? widest_beam_of_singles : widest_beam_of_pairs);
     std::vector<ModelFit> grown_fits;
     for (const auto* candidate : grown_from) grown_fits.push_back(candidate->fit);
     if (size == 1)
@@ -76,7 +80,10 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
         add(set, &fit);
       }
     if (progress && !sets.empty())
-      progress("fitting " + std::to_string(sets.size()) + (size == 1 ? " effects" : size == 2 ? " pairs of effects" : " sets of three"));
+      progress("fitting " + std::to_string(sets.size()) +
+               (size == 1   ? " effects"
+                : size == 2 ? " pairs of effects"
+                            : " sets of three"));
     std::vector<Candidate> fitted(sets.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -88,7 +95,8 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
     if (result.candidates.empty()) break;
     // Noise of which no effect takes anything away holds no pairs either.
     constexpr double something = 2;
-    if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something) break;
+    if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something)
+      break;
     // Three effects are looked for only where two leave structure.
     if (size >= 2 && is_noise(result.candidates.front().fit)) break;
   }

@@ -1,5 +1,5 @@
-// Which effects: sets of up to three, by evidence, from the best of each size (a beam, so that a pair may win whose members do
-// little alone), each set with what leaving one of its members out again would cost.
+// Which effects: sets of up to three, by evidence, from the best of each size (a beam, so that a pair may win
+// whose members do little alone), each set with what leaving one of its members out again would cost.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,16 @@ namespace asperity {
 
 struct Candidate {
   ModelFit fit;
-  double cost = 0;   ///< -2 log likelihood, with what the laws may be off by (law_error.h)
-  double score = 0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
+  double cost = 0;  ///< -2 log likelihood, with what the laws may be off by (law_error.h)
+  double score =
+      0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 };
 
 struct SearchResult {
   Candidate alone;                    ///< the simulation without any effect
   std::vector<Candidate> candidates;  ///< all sets that were fitted, the best first
   std::size_t admissible = 0;         ///< effects that these data could show
-  double overdispersion = 1;          ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered
+  double overdispersion = 1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered
 };
 
 /// Tells whether what an explanation leaves is noise.

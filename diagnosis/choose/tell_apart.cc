@@ -35,12 +35,15 @@ Sample typical(const Experiment& e) {
 }
 
 std::string load_words(double factor, const Experiment& e, double load) {
-  return (factor > 1 ? "a higher load of " : "a lower load of ") + format_quantity(load, Dimension::force, 2) + " (" +
-         (factor > 1 ? "largest" : "smallest") + " so far " + format_quantity(factor > 1 ? e.largest_force : e.smallest_force, Dimension::force, 2) + ")";
+  return (factor > 1 ? "a higher load of " : "a lower load of ") +
+         format_quantity(load, Dimension::force, 2) + " (" + (factor > 1 ? "largest" : "smallest") +
+         " so far " + format_quantity(factor > 1 ? e.largest_force : e.smallest_force, Dimension::force, 2) +
+         ")";
 }
 
 /// Load, hold and unload to a largest displacement (or force).
-Samples indentation(const Experiment& e, double reach, double hold_time, double off_contact, double duration, bool force_drives) {
+Samples indentation(const Experiment& e, double reach, double hold_time, double off_contact, double duration,
+                    bool force_drives) {
   Samples samples;
   samples.segment_names = {"load", "hold", "unload"};
   double time = 0;
@@ -55,13 +58,15 @@ Samples indentation(const Experiment& e, double reach, double hold_time, double 
     samples.list.push_back(s);
   };
   const double step = duration / (2 * steps_of_branch);
-  for (int i = 0; i <= steps_of_branch; ++i, time += step) push(-off_contact + (reach + off_contact) * i / steps_of_branch, 0, 1, 0, 0);
+  for (int i = 0; i <= steps_of_branch; ++i, time += step)
+    push(-off_contact + (reach + off_contact) * i / steps_of_branch, 0, 1, 0, 0);
   if (hold_time > 0)
     for (int i = 1; i <= steps_of_branch; ++i) {
       time += hold_time / steps_of_branch;
       push(reach, 1, 1, hold_time * i / steps_of_branch, 1);
     }
-  for (int i = 0; i <= steps_of_branch; ++i, time += step) push(reach - (reach + off_contact) * i / steps_of_branch, 2, -1, 0, hold_time > 0 ? 1 : 0);
+  for (int i = 0; i <= steps_of_branch; ++i, time += step)
+    push(reach - (reach + off_contact) * i / steps_of_branch, 2, -1, 0, hold_time > 0 ? 1 : 0);
   end_run(samples, 0, false, force_drives);
   return samples;
 }
@@ -106,18 +111,23 @@ std::vector<Proposal> for_normal(const Experiment& e, const Samples& recorded) {
   const double reach = force_drives ? e.largest_force : e.largest_displacement;
   const double duration = e.duration > 0 ? e.duration : 1;
   const auto words = [&](double factor) {
-    return force_drives ? format_quantity(factor * reach, Dimension::force, 2) : format_quantity(factor * reach, Dimension::length, 2);
+    return force_drives ? format_quantity(factor * reach, Dimension::force, 2)
+                        : format_quantity(factor * reach, Dimension::length, 2);
   };
   std::vector<Proposal> list;
   for (const double factor : {0.1, 0.3, 3.0})
-    list.push_back({std::string("load and unload to ") + words(factor) + (factor < 1 ? " only, where low loads are resolved" : ", beyond what was recorded"),
+    list.push_back({std::string("load and unload to ") + words(factor) +
+                        (factor < 1 ? " only, where low loads are resolved" : ", beyond what was recorded"),
                     indentation(e, factor * reach, 0, 0, duration, force_drives)});
   const double hold = std::max(60.0, 10 * e.hold_duration);
-  list.push_back({"hold the largest load for " + format_quantity(hold, Dimension::time, 2), indentation(e, reach, hold, 0, duration, force_drives)});
+  list.push_back({"hold the largest load for " + format_quantity(hold, Dimension::time, 2),
+                  indentation(e, reach, hold, 0, duration, force_drives)});
   if (!force_drives)
-    list.push_back({"record approach and retraction out of contact too, to " + format_quantity(reach, Dimension::length, 2) + " above the surface",
+    list.push_back({"record approach and retraction out of contact too, to " +
+                        format_quantity(reach, Dimension::length, 2) + " above the surface",
                     indentation(e, reach, 0, reach, duration, false)});
-  list.push_back({"load and unload ten times more slowly", indentation(e, reach, 0, 0, 10 * duration, force_drives)});
+  list.push_back(
+      {"load and unload ten times more slowly", indentation(e, reach, 0, 0, 10 * duration, force_drives)});
   return list;
 }
 
@@ -129,12 +139,17 @@ std::vector<Proposal> for_traces(const Experiment& e) {
     list.push_back({"record loops at " + load_words(factor, e, load), loops(e, load, e.stroke, speed, 2)});
   }
   for (const double factor : {0.05, 0.2, 3.0})
-    list.push_back({"record loops of " + format_quantity(factor * e.stroke, Dimension::length, 2) + (factor < 1 ? ", short enough that the contact hardly slides" : ", longer than those so far"),
-                    loops(e, e.typical_force, factor * e.stroke, speed, 2)});
+    list.push_back(
+        {"record loops of " + format_quantity(factor * e.stroke, Dimension::length, 2) +
+             (factor < 1 ? ", short enough that the contact hardly slides" : ", longer than those so far"),
+         loops(e, e.typical_force, factor * e.stroke, speed, 2)});
   if (speed > 0)
     for (const double factor : {0.01, 100.0})
-      list.push_back({"record loops at " + format_quantity(factor * speed, Dimension::speed, 2), loops(e, e.typical_force, e.stroke, factor * speed, 2)});
-  list.push_back({"record three times as many cycles", loops(e, e.typical_force, e.stroke, speed, std::min(60, 3 * static_cast<int>(std::max(1.0, e.cycles))))});
+      list.push_back({"record loops at " + format_quantity(factor * speed, Dimension::speed, 2),
+                      loops(e, e.typical_force, e.stroke, factor * speed, 2)});
+  list.push_back({"record three times as many cycles",
+                  loops(e, e.typical_force, e.stroke, speed,
+                        std::min(60, 3 * static_cast<int>(std::max(1.0, e.cycles))))});
   return list;
 }
 
@@ -151,20 +166,25 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
   for (const double factor : {0.3, 3.0}) {
     Sample s = row;
     s.radius *= factor;
-    list.push_back({"measure with a particle of radius " + format_quantity(s.radius, Dimension::length, 2), one_row(s)});
+    list.push_back(
+        {"measure with a particle of radius " + format_quantity(s.radius, Dimension::length, 2), one_row(s)});
   }
   if (e.mode == Motion::rolling || e.mode == Motion::rail)
     for (const double rms : {0.2e-9, 10e-9}) {
       Sample s = row;
       s.rms_roughness = rms;
-      list.push_back({"measure on a substrate of " + format_quantity(rms, Dimension::length, 2) + " RMS roughness", one_row(s)});
+      list.push_back(
+          {"measure on a substrate of " + format_quantity(rms, Dimension::length, 2) + " RMS roughness",
+           one_row(s)});
     }
   if (e.mode == Motion::rail)
     for (const double degrees : {0.0, 70.0}) {
       Sample s = row;
       s.rail_angle = degrees * boost::math::double_constants::degree;
       char words[80];
-      std::snprintf(words, sizeof words, degrees == 0 ? "measure on a plane substrate" : "measure in a rail of %.0f degrees", degrees);
+      std::snprintf(words, sizeof words,
+                    degrees == 0 ? "measure on a plane substrate" : "measure in a rail of %.0f degrees",
+                    degrees);
       list.push_back({words, one_row(s)});
     }
   if (e.mode == Motion::sliding || e.mode == Motion::rolling) {
@@ -192,11 +212,12 @@ double difference(const ModelFit& one, const ModelFit& other, const Samples& sam
 
 }  // namespace
 
-std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFit& one, const ModelFit& other) {
+std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFit& one,
+                                        const ModelFit& other) {
   const Experiment& e = problem.experiment;
   std::vector<Proposal> proposals = e.mode == Motion::normal ? for_normal(e, problem.samples)
-                                    : e.has_trace          ? for_traces(e)
-                                                           : for_series(e, problem.samples);
+                                    : e.has_trace            ? for_traces(e)
+                                                             : for_series(e, problem.samples);
   std::vector<double> sd = problem.noise.sd;
   std::nth_element(sd.begin(), sd.begin() + static_cast<long>(sd.size() / 2), sd.end());
   const double noise = sd[sd.size() / 2];
@@ -210,11 +231,15 @@ std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFi
   char text[256];
   if (!best || largest < std::max(1.0, 1.5 * here)) {
     std::snprintf(text, sizeof text,
-                  "no change of load, path, speed, radius or roughness within reach separates the two by more than %.1f times the noise; repeat the "
-                  "measurement without the sample, or with another instrument", std::max(largest, here));
+                  "no change of load, path, speed, radius or roughness within reach separates the two by "
+                  "more than %.1f times the noise; repeat the "
+                  "measurement without the sample, or with another instrument",
+                  std::max(largest, here));
     return text;
   }
-  std::snprintf(text, sizeof text, ": there the two differ by up to %.0f times the noise of a sample, in these data by %.1f", largest, here);
+  std::snprintf(text, sizeof text,
+                ": there the two differ by up to %.0f times the noise of a sample, in these data by %.1f",
+                largest, here);
   return best->words + text;
 }
 

@@ -1,5 +1,5 @@
-// The experiment that would separate two explanations: both are simulated under settings an instrument could take, and the setting
-// is named in which they differ most in units of noise.
+// The experiment that would separate two explanations: both are simulated under settings an instrument could
+// take, and the setting is named in which they differ most in units of noise.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 namespace asperity {
 
 /// A sentence.
-std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFit& one, const ModelFit& other);
+std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFit& one,
+                                        const ModelFit& other);
 
 }  // namespace asperity

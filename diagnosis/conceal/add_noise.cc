@@ -20,7 +20,8 @@ InstrumentNoise noise_of(const ConcealOptions& options, TableKind kind, double l
 
 }  // namespace
 
-void add_noise(ConcealedRecording& concealed, const std::vector<std::vector<double>>& without_effects, const ConcealOptions& options) {
+void add_noise(ConcealedRecording& concealed, const std::vector<std::vector<double>>& without_effects,
+               const ConcealOptions& options) {
   Random random(options.seed * 7919u + 13u);
   Truth& truth = concealed.truth;
   truth.noise = options.noise;
@@ -35,11 +36,13 @@ void add_noise(ConcealedRecording& concealed, const std::vector<std::vector<doub
       double scale = 1;
       if (concealed.recording.mode != Motion::normal) {
         double both = 0, own = 0;
-        for (std::size_t i = 0; i < response.size(); ++i) both += response[i] * without_effects[t][i], own += without_effects[t][i] * without_effects[t][i];
+        for (std::size_t i = 0; i < response.size(); ++i)
+          both += response[i] * without_effects[t][i], own += without_effects[t][i] * without_effects[t][i];
         scale = both / own;
       }
       TrueContribution contribution{table.file, {}};
-      for (std::size_t i = 0; i < response.size(); ++i) contribution.in_noise.push_back((response[i] - scale * without_effects[t][i]) / noise.sd);
+      for (std::size_t i = 0; i < response.size(); ++i)
+        contribution.in_noise.push_back((response[i] - scale * without_effects[t][i]) / noise.sd);
       truth.contributions.push_back(contribution);
     }
     noise.add_to(response, random);

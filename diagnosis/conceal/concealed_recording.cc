@@ -40,12 +40,18 @@ void check(const ConcealOptions& options) {
     std::vector<std::string> both;
     for (const auto& effect : options.effects)
       if (std::find(set.begin(), set.end(), effect) != set.end()) both.push_back(effect);
-    if (both.size() > 1) throw InputError("'" + both[0] + "' and '" + both[1] + "' are two laws for one place of the contact; conceal one of them");
+    if (both.size() > 1)
+      throw InputError("'" + both[0] + "' and '" + both[1] +
+                       "' are two laws for one place of the contact; conceal one of them");
   }
-  if (!(options.noise >= 0 && options.noise < 1)) throw InputError("the noise must be at least 0 and below 1, relative to the largest response; write --noise 0.01 for 1 %");
+  if (!(options.noise >= 0 && options.noise < 1))
+    throw InputError(
+        "the noise must be at least 0 and below 1, relative to the largest response; write --noise 0.01 for "
+        "1 %");
   const std::vector<std::string> settings{"", "one_load", "ramp_only", "long_hold", "small_loops"};
   if (std::find(settings.begin(), settings.end(), options.setting) == settings.end())
-    throw InputError("there is no setting '" + options.setting + "'; there are one_load, ramp_only, long_hold and small_loops");
+    throw InputError("there is no setting '" + options.setting +
+                     "'; there are one_load, ramp_only, long_hold and small_loops");
 }
 
 /// Effects that these data cannot tell from those concealed.
@@ -79,8 +85,8 @@ ConcealedRecording conceal(const ConcealOptions& options) {
   check(options);
   const WorldRequest request{options.mode, options.effects, options.setting, options.seed};
   hidden::World world = options.mode == Motion::normal    ? hidden::normal_world(request)
-                         : options.mode == Motion::sliding ? hidden::sliding_world(request)
-                                                         : hidden::series_world(request);
+                        : options.mode == Motion::sliding ? hidden::sliding_world(request)
+                                                          : hidden::series_world(request);
   ConcealedRecording concealed{std::move(world.recording), {}};
   concealed.truth.effects = world.effects;
   concealed.truth.coefficients = world.coefficients;

@@ -15,8 +15,8 @@ struct ConcealOptions {
   std::vector<std::string> effects;  ///< of the catalogue or outsiders; none: a null
   double noise = 0.01;               ///< standard deviation of a sample over the largest response
   unsigned seed = 1;
-  /// "one_load", "ramp_only": experiments that cannot tell some effects apart; "long_hold", "small_loops": those in which one looks
-  /// like another.
+  /// "one_load", "ramp_only": experiments that cannot tell some effects apart; "long_hold", "small_loops":
+  /// those in which one looks like another.
   std::string setting;
 };
 
@@ -35,9 +35,11 @@ void write_concealed(const ConcealedRecording& concealed, const std::filesystem:
 std::vector<std::string> concealable_effects(Motion mode);
 std::vector<std::string> outsiders(Motion mode);
 
-/// A solved case's history as a recording of its mode with noise: the finite-element solver as truth. `folder` holds history.csv and
-/// result.json or case.prm; `effects` say what the case shows. Several cases: a run each, in torsion a load each. Throws InputError.
-ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folders, const ConcealOptions& options);
+/// A solved case's history as a recording of its mode with noise: the finite-element solver as truth.
+/// `folder` holds history.csv and result.json or case.prm; `effects` say what the case shows. Several cases:
+/// a run each, in torsion a load each. Throws InputError.
+ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folders,
+                                 const ConcealOptions& options);
 ConcealedRecording conceal_case(const std::filesystem::path& folder, const ConcealOptions& options);
 
 }  // namespace asperity

@@ -1,6 +1,8 @@
-// Partial slip under constant load in closed form: the virgin curve of Cattaneo and Mindlin, and Masing's rule for what follows
-// each reversal, with memory of the turning points (Mindlin & Deresiewicz 1953; Johnson 1985, sec. 7.4):
-//   Q(x) = L [1 - (1 - |x|/s)^(3/2)],  s = (3/2) L/k;   after a reversal at (x_r, Q_r):  Q = Q_r -+ 2 Q(|x - x_r|/2).
+// Partial slip under constant load in closed form: the virgin curve of Cattaneo and Mindlin, and Masing's
+// rule for what follows each reversal, with memory of the turning points (Mindlin & Deresiewicz 1953; Johnson
+// 1985, sec. 7.4):
+//   Q(x) = L [1 - (1 - |x|/s)^(3/2)],  s = (3/2) L/k;   after a reversal at (x_r, Q_r):  Q = Q_r -+ 2 Q(|x -
+//   x_r|/2).
 // k = 8 G* a, L = mu f_n. SI units.
 #pragma once
 
@@ -22,9 +24,12 @@ class MasingContact {
     if (direction_ != 0 && direction != direction_) turns_.push_back({position_, force_});
     direction_ = direction;
     // A branch that has come as far as the turning point before the last closes its loop: both are forgotten.
-    while (turns_.size() >= 2 && direction * (x - turns_[turns_.size() - 2].first) >= 0) turns_.resize(turns_.size() - 2);
-    // The first branch goes over into the virgin curve of the other direction where it has passed the mirror of its turning point.
-    if (turns_.size() == 1 && std::abs(x - turns_[0].first) >= 2 * std::abs(turns_[0].first - origin_)) turns_.clear();
+    while (turns_.size() >= 2 && direction * (x - turns_[turns_.size() - 2].first) >= 0)
+      turns_.resize(turns_.size() - 2);
+    // The first branch goes over into the virgin curve of the other direction where it has passed the mirror
+    // of its turning point.
+    if (turns_.size() == 1 && std::abs(x - turns_[0].first) >= 2 * std::abs(turns_[0].first - origin_))
+      turns_.clear();
     position_ = x;
     if (turns_.empty())
       force_ = virgin(x - origin_);

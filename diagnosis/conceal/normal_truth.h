@@ -39,8 +39,9 @@ class AdhesiveTruth : public NormalTruth {
   NormalState state_;
 };
 
-/// Closing along Maugis' curve of one work of adhesion, opening along that of a larger one; from the turning point to it the edge
-/// is pinned and the contact is a flat punch of stiffness 2 E* a. One loading and unloading.
+/// Closing along Maugis' curve of one work of adhesion, opening along that of a larger one; from the turning
+/// point to it the edge is pinned and the contact is a flat punch of stiffness 2 E* a. One loading and
+/// unloading.
 class HystereticTruth : public NormalTruth {
  public:
   HystereticTruth(MaugisDugdale closing, MaugisDugdale opening) : closing_(closing), opening_(opening) {}
@@ -54,9 +55,9 @@ class HystereticTruth : public NormalTruth {
 };
 
 /// Elastic-plastic sphere after Kogut & Etsion (2002, J. Appl. Mech. 69:657): with w = delta/delta_c,
-///   F/F_c = w^(3/2), then 1.03 w^1.425 to w = 6, then 1.40 w^1.263 to w = 110;  delta_c = (pi K H/(2 E*))^2 R,
-///   K = 0.454 + 0.41 nu, H = 2.8 Y.  Unloading with residual approach and exponent of Etsion, Kligerman & Kadin (2005,
-///   Int. J. Solids Struct. 42:3716).
+///   F/F_c = w^(3/2), then 1.03 w^1.425 to w = 6, then 1.40 w^1.263 to w = 110;  delta_c = (pi K H/(2 E*))^2
+///   R, K = 0.454 + 0.41 nu, H = 2.8 Y.  Unloading with residual approach and exponent of Etsion, Kligerman &
+///   Kadin (2005, Int. J. Solids Struct. 42:3716).
 class PlasticTruth : public NormalTruth {
  public:
   PlasticTruth(double reduced_modulus, double radius, double poissons_ratio, double yield_stress);
@@ -70,11 +71,12 @@ class PlasticTruth : public NormalTruth {
   double critical_, critical_force_, largest_ = 0;
 };
 
-/// Kelvin element in series with the elastic contact, pushed as far as a share of its approach: delta = delta_e(F) + q,
-/// tau dq/dt = phi delta_e - q, whether the load is held or not.
+/// Kelvin element in series with the elastic contact, pushed as far as a share of its approach: delta =
+/// delta_e(F) + q, tau dq/dt = phi delta_e - q, whether the load is held or not.
 class CreepingTruth : public NormalTruth {
  public:
-  CreepingTruth(Sphere sphere, double share, double time_constant) : sphere_(sphere), share_(share), time_(time_constant) {}
+  CreepingTruth(Sphere sphere, double share, double time_constant)
+      : sphere_(sphere), share_(share), time_(time_constant) {}
   double force(double approach, double time) const override { return sphere_.force(elastic(approach, time)); }
   void take(double approach, double time) override { delayed_ = approach - elastic(approach, time); }
 
@@ -85,6 +87,7 @@ class CreepingTruth : public NormalTruth {
 };
 
 /// Sphere on a layer of asperities whose pressure decays with the gap over this length (rough_layer.h).
-std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double roughness_length, double largest_approach);
+std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double roughness_length,
+                                         double largest_approach);
 
 }  // namespace asperity::hidden

@@ -30,20 +30,27 @@ double ring_integral(double r, double inner, double outer) {
 
 }  // namespace
 
-RoughLayer::RoughLayer(const Sphere& sphere, double decay_length, double pressure_at_zero_gap, double reach, int rings)
-    : length_(decay_length), pressure_(pressure_at_zero_gap), profile_(rings), area_(rings), influence_(rings, rings) {
+RoughLayer::RoughLayer(const Sphere& sphere, double decay_length, double pressure_at_zero_gap, double reach,
+                       int rings)
+    : length_(decay_length),
+      pressure_(pressure_at_zero_gap),
+      profile_(rings),
+      area_(rings),
+      influence_(rings, rings) {
   const double width = reach / rings;
   for (int i = 0; i < rings; ++i) {
     const double r = (i + 0.5) * width;
     profile_(i) = sphere.radius - std::sqrt(sphere.radius * sphere.radius - r * r);
     area_(i) = pi * width * width * (2 * i + 1);
-    for (int j = 0; j < rings; ++j) influence_(i, j) = 4 / (pi * sphere.reduced_modulus) * ring_integral(r, j * width, (j + 1) * width);
+    for (int j = 0; j < rings; ++j)
+      influence_(i, j) = 4 / (pi * sphere.reduced_modulus) * ring_integral(r, j * width, (j + 1) * width);
   }
   log_pressure_ = Eigen::VectorXd::Constant(rings, -40.0);
 }
 
 double RoughLayer::force(double approach) {
-  // Newton's method in q = ln(p/P0), from the last state; steps of q are kept within what the exponential bears.
+  // Newton's method in q = ln(p/P0), from the last state; steps of q are kept within what the exponential
+  // bears.
   constexpr int most_iterations = 3000;
   constexpr double longest_step = 2, tolerance = 1e-10;
   const Eigen::Index n = profile_.size();
@@ -64,7 +71,8 @@ double RoughLayer::force(double approach) {
 
 namespace {
 
-/// Force against approach tabulated once; the zero of the approach is first touch, a thousandth of the largest force.
+/// Force against approach tabulated once; the zero of the approach is first touch, a thousandth of the
+/// largest force.
 class RoughTruth : public NormalTruth {
  public:
   RoughTruth(const Sphere& sphere, double length, double largest_approach) {
@@ -87,10 +95,12 @@ class RoughTruth : public NormalTruth {
   double force(double approach, double) const override {
     const auto next = std::upper_bound(approach_.begin(), approach_.end(), approach);
     if (next == approach_.begin()) return 0;
-    const std::size_t i = std::min<std::size_t>(static_cast<std::size_t>(next - approach_.begin()), approach_.size() - 1);
+    const std::size_t i =
+        std::min<std::size_t>(static_cast<std::size_t>(next - approach_.begin()), approach_.size() - 1);
     const double t = (approach - approach_[i - 1]) / (approach_[i] - approach_[i - 1]);
     // F^(2/3) is nearly straight.
-    return std::pow(std::max(0.0, std::pow(force_[i - 1], 2.0 / 3) * (1 - t) + std::pow(force_[i], 2.0 / 3) * t), 1.5);
+    return std::pow(
+        std::max(0.0, std::pow(force_[i - 1], 2.0 / 3) * (1 - t) + std::pow(force_[i], 2.0 / 3) * t), 1.5);
   }
   void take(double, double) override {}
 
@@ -100,7 +110,8 @@ class RoughTruth : public NormalTruth {
 
 }  // namespace
 
-std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double roughness_length, double largest_approach) {
+std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double roughness_length,
+                                         double largest_approach) {
   return std::make_unique<RoughTruth>(sphere, roughness_length, largest_approach);
 }
 

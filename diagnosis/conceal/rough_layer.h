@@ -1,7 +1,10 @@
-// A sphere on an elastic half-space that carries a layer of asperities, solved on rings (in the spirit of Greenwood & Tripp 1967,
-// J. Appl. Mech. 34:153; pressure against gap after Persson 2007, Phys. Rev. Lett. 99:125502):
-//   p(r) = P0 exp(-g(r)/l),   g(r) = s(r) + u(r) - delta,   u(r) = 4/(pi E*) int p(s) s/(r + s) K(k) ds,  k^2 = 4 r s/(r + s)^2.
-// s(r): profile of the sphere; l: decay length of the layer; P0: pressure at which the mean planes meet. SI units.
+// A sphere on an elastic half-space that carries a layer of asperities, solved on rings (in the spirit of
+// Greenwood & Tripp 1967, J. Appl. Mech. 34:153; pressure against gap after Persson 2007, Phys. Rev. Lett.
+// 99:125502):
+//   p(r) = P0 exp(-g(r)/l),   g(r) = s(r) + u(r) - delta,   u(r) = 4/(pi E*) int p(s) s/(r + s) K(k) ds,  k^2
+//   = 4 r s/(r + s)^2.
+// s(r): profile of the sphere; l: decay length of the layer; P0: pressure at which the mean planes meet. SI
+// units.
 #pragma once
 
 #include <Eigen/Dense>

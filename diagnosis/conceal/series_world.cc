@@ -1,6 +1,7 @@
-// Series of steady lateral forces: rolling between substrate and indenter, rolling in a V-groove, spinning about the normal.
-#include <algorithm>
+// Series of steady lateral forces: rolling between substrate and indenter, rolling in a V-groove, spinning
+// about the normal.
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "core/hertz.h"
@@ -21,14 +22,17 @@ struct Row {
 std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   const double largest = between(random, 2e-3, 4e-3);
   std::vector<double> loads, speeds{1e-6}, roughness{0.3e-9}, angles{0};
-  const bool few_loads = request.asks_for("roughness_dependent_rolling") || request.asks_for("viscous_rolling") || request.mode == Motion::rail;
+  const bool few_loads = request.asks_for("roughness_dependent_rolling") ||
+                         request.asks_for("viscous_rolling") || request.mode == Motion::rail;
   const int count = few_loads ? 7 : 24;
   for (int i = 0; i < count; ++i) loads.push_back(largest * (i + 1) / count);
   if (request.asks_for("viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
-  if (request.asks_for("roughness_dependent_rolling")) roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
+  if (request.asks_for("roughness_dependent_rolling"))
+    roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
   if (request.mode == Motion::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
   // Both ways of rolling, as loops give them: what keeps its sign belongs to the instrument.
-  const std::vector<int> directions = request.mode == Motion::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
+  const std::vector<int> directions =
+      request.mode == Motion::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
   std::vector<Row> rows;
   for (const double angle : angles)
     for (const double rms : roughness)
@@ -38,27 +42,35 @@ std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   return rows;
 }
 
-void choose_series_parameters(World& world, const WorldRequest& request, const std::vector<Row>& rows, double friction, Random& random) {
+void choose_series_parameters(World& world, const WorldRequest& request, const std::vector<Row>& rows,
+                              double friction, Random& random) {
   double largest = 0, fastest = 0;
   for (const auto& row : rows) largest = std::max(largest, row.load), fastest = std::max(fastest, row.speed);
   for (const auto& id : request.effects) {
     if (id == "rolling_adhesion_offset")
-      world.hide(id, "constant attraction at every contact", "adhesion_force", between(random, 0.15, 0.5) * largest);
+      world.hide(id, "constant attraction at every contact", "adhesion_force",
+                 between(random, 0.15, 0.5) * largest);
     else if (id == "contact_radius_scaling") {
-      const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(largest / 2);
+      const double a =
+          Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(largest / 2);
       if (request.mode == Motion::torsion)
-        world.hide(id, "moment of the pressure of a Hertzian contact that slips everywhere, summed over rings", "rolling_friction", friction * radius / a);
+        world.hide(id,
+                   "moment of the pressure of a Hertzian contact that slips everywhere, summed over rings",
+                   "rolling_friction", friction * radius / a);
       else
-        world.hide(id, "radii of contact of a true sphere (Sneddon 1965)", "rolling_friction", friction * radius / a);
+        world.hide(id, "radii of contact of a true sphere (Sneddon 1965)", "rolling_friction",
+                   friction * radius / a);
     } else if (id == "roughness_dependent_rolling") {
       const char* model = "exponential in the roughness of each substrate";
       world.hide(id, model, "b", friction * between(random, 0.3, 0.5));
       world.hide(id, model, "c", friction * between(random, 0.6, 1.2));
       world.hide(id, model, "decay_length", between(random, 0.8e-9, 2e-9));
     } else if (id == "viscous_rolling")
-      world.hide(id, "delayed part of a Maxwell-Kelvin contact at small Deborah number", "coefficient", between(random, 0.3, 1) * friction / fastest);
+      world.hide(id, "delayed part of a Maxwell-Kelvin contact at small Deborah number", "coefficient",
+                 between(random, 0.3, 1) * friction / fastest);
     else if (id == "torsion_resistance")
-      world.hide(id, "power of the moments as vectors at three contacts", "torsion_friction", between(random, 2, 8) * friction);
+      world.hide(id, "power of the moments as vectors at three contacts", "torsion_friction",
+                 between(random, 2, 8) * friction);
     else if (id == "resistance_peak") {
       world.hide(id, "resistance is larger near one load", "share", between(random, 0.3, 0.6), false);
       world.hide(id, "", "place", between(random, 0.3, 0.6) * largest, false);
@@ -66,8 +78,9 @@ void choose_series_parameters(World& world, const WorldRequest& request, const s
   }
 }
 
-/// Lateral force at the plate of a sphere that rolls in a groove, by its power: the sphere turns about y; the plate resists with its
-/// moment, each slope with a rolling moment across its normal and a torsion moment along it.
+/// Lateral force at the plate of a sphere that rolls in a groove, by its power: the sphere turns about y; the
+/// plate resists with its moment, each slope with a rolling moment across its normal and a torsion moment
+/// along it.
 double groove_force(double angle, double plate_moment, double slope_rolling, double slope_torsion) {
   using Vector = Eigen::Vector3d;
   const Vector rotation = Vector::UnitY();
@@ -85,18 +98,22 @@ double groove_force(double angle, double plate_moment, double slope_rolling, dou
 
 class SeriesLaw {
  public:
-  SeriesLaw(const World& world, double friction, bool with_effects) : world_(world), friction_(friction), with_effects_(with_effects) {}
+  SeriesLaw(const World& world, double friction, bool with_effects)
+      : world_(world), friction_(friction), with_effects_(with_effects) {}
 
   double rolling(const Row& row) const {
-    const double below = length(reduced_modulus(borosilicate, silicon), row.load), above = length(reduced_modulus(borosilicate, diamond), row.load);
+    const double below = length(reduced_modulus(borosilicate, silicon), row.load),
+                 above = length(reduced_modulus(borosilicate, diamond), row.load);
     const double mu = coefficient(row), borne = row.load + of("rolling_adhesion_offset", "adhesion_force");
     return mu * (below + above) * borne / (2 * radius);
   }
 
   double rail(const Row& row) const {
-    const double slope = row.load / (2 * std::cos(row.angle)), h = of("rolling_adhesion_offset", "adhesion_force");
+    const double slope = row.load / (2 * std::cos(row.angle)),
+                 h = of("rolling_adhesion_offset", "adhesion_force");
     const double mu = coefficient(row), torsion = of("torsion_resistance", "torsion_friction");
-    return groove_force(row.angle, mu * radius * (row.load + h), mu * radius * (slope + h), torsion * radius * (slope + h));
+    return groove_force(row.angle, mu * radius * (row.load + h), mu * radius * (slope + h),
+                        torsion * radius * (slope + h));
   }
 
   /// Moment over the particle's radius.
@@ -104,7 +121,8 @@ class SeriesLaw {
     if (!has("contact_radius_scaling")) return friction_ * row.load;
     // mu_local p(r) r summed over rings; (3 pi/16) of mu_local makes the catalogue's coefficient.
     const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(row.load);
-    const double local = of("contact_radius_scaling", "rolling_friction") / (3 * pi / 16), peak = 1.5 * row.load / (pi * a * a);
+    const double local = of("contact_radius_scaling", "rolling_friction") / (3 * pi / 16),
+                 peak = 1.5 * row.load / (pi * a * a);
     constexpr int rings = 400;
     double moment = 0;
     for (int i = 0; i < rings; ++i) {
@@ -116,7 +134,9 @@ class SeriesLaw {
 
  private:
   bool has(const char* id) const { return with_effects_ && world_.hides(id); }
-  double of(const char* id, const char* parameter) const { return with_effects_ ? world_.value(id, parameter) : 0; }
+  double of(const char* id, const char* parameter) const {
+    return with_effects_ ? world_.value(id, parameter) : 0;
+  }
   double length(double modulus, double load) const {
     return has("contact_radius_scaling") ? Sphere{modulus, radius}.contact_radius_at_force(load) : radius;
   }
@@ -125,7 +145,8 @@ class SeriesLaw {
     if (has("contact_radius_scaling")) mu = of("contact_radius_scaling", "rolling_friction");
     if (has("roughness_dependent_rolling"))
       mu = of("roughness_dependent_rolling", "b") +
-           of("roughness_dependent_rolling", "c") * std::exp(-row.rms / of("roughness_dependent_rolling", "decay_length"));
+           of("roughness_dependent_rolling", "c") *
+               std::exp(-row.rms / of("roughness_dependent_rolling", "decay_length"));
     mu += of("viscous_rolling", "coefficient") * row.speed;
     if (has("resistance_peak")) {
       constexpr double width = 0.25;  // of the logarithm of load
@@ -160,7 +181,8 @@ World series_world(const WorldRequest& request) {
   table.kind = TableKind::series;
   table.control = {"normal_force"};
   table.response = "lateral_force";
-  const bool several_speeds = rows.front().speed != rows.back().speed, several_rms = rows.front().rms != rows.back().rms;
+  const bool several_speeds = rows.front().speed != rows.back().speed,
+             several_rms = rows.front().rms != rows.back().rms;
   const SeriesLaw with(world, friction, true), plain(world, friction, false);
   std::vector<double> without;
   for (const auto& row : rows) {
@@ -169,7 +191,9 @@ World series_world(const WorldRequest& request) {
     if (several_rms) table.columns["rms_roughness"].push_back(row.rms);
     if (request.mode == Motion::rail) table.columns["rail_angle"].push_back(row.angle);
     const auto force = [&](const SeriesLaw& law) {
-      return row.direction * (request.mode == Motion::rolling ? law.rolling(row) : request.mode == Motion::rail ? law.rail(row) : law.torsion(row));
+      return row.direction * (request.mode == Motion::rolling ? law.rolling(row)
+                              : request.mode == Motion::rail  ? law.rail(row)
+                                                              : law.torsion(row));
     };
     if (request.mode == Motion::rolling) table.segment.push_back(row.direction > 0 ? "forward" : "backward");
     table.columns["lateral_force"].push_back(force(with));

@@ -11,11 +11,11 @@ namespace asperity::hidden {
 namespace {
 
 struct SlidingProgram {
-  std::vector<double> loads;   ///< [N]
-  std::vector<double> speeds;  ///< of each load's runs [m/s]
-  double amplitude = 250e-9;   ///< [m]
+  std::vector<double> loads;     ///< [N]
+  std::vector<double> speeds;    ///< of each load's runs [m/s]
+  double amplitude = 250e-9;     ///< [m]
   int cycles = 2, samples = 60;  ///< of one way
-  bool steps_speed = false;    ///< one long way with steps of speed
+  bool steps_speed = false;      ///< one long way with steps of speed
 };
 
 SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
@@ -23,11 +23,14 @@ SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
   const double largest = between(random, 150e-6, 300e-6);
   program.loads = {largest / 8, largest / 4, largest / 2, largest};
   program.speeds = {1e-6};
-  if (request.asks_for("velocity_dependence")) program.speeds = {0.1e-6, 1e-6, 10e-6}, program.loads = {largest / 4, largest}, program.cycles = 1;
-  if (request.asks_for("run_in")) program.cycles = 12, program.loads = {largest / 4, largest}, program.samples = 40;
+  if (request.asks_for("velocity_dependence"))
+    program.speeds = {0.1e-6, 1e-6, 10e-6}, program.loads = {largest / 4, largest}, program.cycles = 1;
+  if (request.asks_for("run_in"))
+    program.cycles = 12, program.loads = {largest / 4, largest}, program.samples = 40;
   if (request.asks_for("stick_slip")) {
     // At one load it is no question whether friction is the top of the teeth or their mean.
-    program.loads = request.effects.size() > 1 ? std::vector<double>{largest / 2, largest} : std::vector<double>{largest, largest};
+    program.loads = request.effects.size() > 1 ? std::vector<double>{largest / 2, largest}
+                                               : std::vector<double>{largest, largest};
     program.samples = 240;
     program.cycles = 1;
   }
@@ -50,28 +53,35 @@ SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
   return program;
 }
 
-void choose_sliding_parameters(World& world, const WorldRequest& request, const SlidingProgram& program, double friction, Random& random) {
+void choose_sliding_parameters(World& world, const WorldRequest& request, const SlidingProgram& program,
+                               double friction, Random& random) {
   const double low = program.loads.front(), high = program.loads.back(), middle = std::sqrt(low * high);
   for (const auto& id : request.effects) {
     if (id == "lateral_compliance")
-      world.hide(id, "springs in series, stick and slip told by events", "compliance", between(random, 0.06, 0.2) * program.amplitude / (friction * high));
+      world.hide(id, "springs in series, stick and slip told by events", "compliance",
+                 between(random, 0.06, 0.2) * program.amplitude / (friction * high));
     else if (id == "adhesion_offset")
       // Beside stick-slip an offset also holds the difference between the top of the teeth and their mean.
-      world.hide(id, "constant attraction under Coulomb's law", "adhesion_force", between(random, 0.3, 1.2) * low, !request.asks_for("stick_slip"));
+      world.hide(id, "constant attraction under Coulomb's law", "adhesion_force",
+                 between(random, 0.3, 1.2) * low, !request.asks_for("stick_slip"));
     else if (id == "static_friction_peak") {
       const char* model = "state that is renewed with slip, integrated in small steps";
       world.hide(id, model, "peak_ratio", between(random, 1.2, 1.6));
       world.hide(id, model, "slip_length", between(random, 0.08, 0.25) * program.amplitude);
     } else if (id == "velocity_dependence")
-      world.hide(id, "Eyring: sinh^-1(v/2 v*), v* far below all speeds", "coefficient", sign(random) * between(random, 0.03, 0.08) * friction);
+      world.hide(id, "Eyring: sinh^-1(v/2 v*), v* far below all speeds", "coefficient",
+                 sign(random) * between(random, 0.03, 0.08) * friction);
     else if (id == "partial_slip")
       world.hide(id, "Mindlin & Deresiewicz in closed form with Masing's rule", "", 0);
     else if (id == "surface_tilt")
-      world.hide(id, "forces turned into the instrument's frame", "angle", sign(random) * between(random, 0.02, 0.06));
+      world.hide(id, "forces turned into the instrument's frame", "angle",
+                 sign(random) * between(random, 0.02, 0.06));
     else if (id == "lateral_zero_offset")
-      world.hide(id, "zero of the force", "offset", sign(random) * between(random, 0.1, 0.3) * friction * middle);
+      world.hide(id, "zero of the force", "offset",
+                 sign(random) * between(random, 0.1, 0.3) * friction * middle);
     else if (id == "area_proportional_friction")
-      world.hide(id, "shear stress on the area of a true sphere (Sneddon 1965)", "shear_strength", 0);  // follows below, with the area
+      world.hide(id, "shear stress on the area of a true sphere (Sneddon 1965)", "shear_strength",
+                 0);  // follows below, with the area
     else if (id == "run_in") {
       const char* model = "friction that fades with the path, not by whole cycles";
       world.hide(id, model, "change", between(random, 0.25, 0.7), false);
@@ -90,8 +100,10 @@ void choose_sliding_parameters(World& world, const WorldRequest& request, const 
       world.hide(id, "", "place", sign(random) * between(random, 0.2, 0.6) * program.amplitude, false);
       world.hide(id, "", "width", between(random, 0.08, 0.2) * program.amplitude, false);
     } else if (id == "lateral_oscillation") {
-      world.hide(id, "the force oscillates in time", "amplitude", between(random, 0.08, 0.2) * friction * middle, false);
-      world.hide(id, "", "period", between(random, 0.25, 0.6) * 2 * program.amplitude / program.speeds.front(), false);
+      world.hide(id, "the force oscillates in time", "amplitude",
+                 between(random, 0.08, 0.2) * friction * middle, false);
+      world.hide(id, "", "period",
+                 between(random, 0.25, 0.6) * 2 * program.amplitude / program.speeds.front(), false);
     }
   }
 }
@@ -99,8 +111,14 @@ void choose_sliding_parameters(World& world, const WorldRequest& request, const 
 /// One run at one load; driven in small steps between samples.
 class SlidingRun {
  public:
-  SlidingRun(const World& world, const SlidingProgram& program, double friction, double load, bool with_effects, unsigned seed)
-      : world_(world), program_(program), with_effects_(with_effects), friction_(friction), load_(load), events_(seed) {
+  SlidingRun(const World& world, const SlidingProgram& program, double friction, double load,
+             bool with_effects, unsigned seed)
+      : world_(world),
+        program_(program),
+        with_effects_(with_effects),
+        friction_(friction),
+        load_(load),
+        events_(seed) {
     const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
     radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(load);
     stiffness_ = 8 * sliding_modulus(sphere, plane) * radius_;
@@ -143,7 +161,9 @@ class SlidingRun {
 
  private:
   bool has(const char* id) const { return with_effects_ && world_.hides(id); }
-  double of(const char* id, const char* parameter) const { return with_effects_ ? world_.value(id, parameter) : 0; }
+  double of(const char* id, const char* parameter) const {
+    return with_effects_ ? world_.value(id, parameter) : 0;
+  }
 
   void next_event() {
     std::normal_distribution<double> normal;
@@ -169,19 +189,22 @@ class SlidingRun {
       mu += b * (std::asinh(speed / (2 * far_below)) - std::asinh(reference / (2 * far_below)));
     }
     if (has("rate_and_state")) {
-      const double a = of("rate_and_state", "a"), b = of("rate_and_state", "b"), length = of("rate_and_state", "slip_distance");
+      const double a = of("rate_and_state", "a"), b = of("rate_and_state", "b"),
+                   length = of("rate_and_state", "slip_distance");
       const double reference = 1e-6;
       mu += a * std::log(speed / reference) + b * std::log(reference * theta_ / length);
     }
     if (has("static_friction_peak"))
-      mu *= 1 + (of("static_friction_peak", "peak_ratio") - 1) * std::exp(-(slip_ + slipped) / of("static_friction_peak", "slip_length"));
+      mu *= 1 + (of("static_friction_peak", "peak_ratio") - 1) *
+                    std::exp(-(slip_ + slipped) / of("static_friction_peak", "slip_length"));
     if (has("run_in")) mu *= 1 + of("run_in", "change") * std::exp(-cycle / of("run_in", "cycles"));
     if (has("position_weakening")) {
       const double x = (position - of("position_weakening", "place")) / of("position_weakening", "width");
       mu *= 1 - of("position_weakening", "share") * std::exp(-x * x / 2);
     }
     double most = mu * (load_ + of("adhesion_offset", "adhesion_force"));
-    if (has("area_proportional_friction")) most = of("area_proportional_friction", "shear_strength") * pi * radius_ * radius_;
+    if (has("area_proportional_friction"))
+      most = of("area_proportional_friction", "shear_strength") * pi * radius_ * radius_;
     if (has("stick_slip")) most -= drop_ * (1 - std::min(1.0, (sawtooth_ + slipped) / period_));
     return most;
   }
@@ -194,7 +217,8 @@ class SlidingRun {
       force = (force + std::sin(angle) * load_) / std::cos(angle);
     }
     if (has("lateral_oscillation"))
-      force += of("lateral_oscillation", "amplitude") * std::sin(2 * pi * time / of("lateral_oscillation", "period"));
+      force += of("lateral_oscillation", "amplitude") *
+               std::sin(2 * pi * time / of("lateral_oscillation", "period"));
     return force;
   }
 
@@ -221,7 +245,8 @@ World sliding_world(const WorldRequest& request) {
   if (world.hides("area_proportional_friction")) {
     const SlidingRun middle(world, program, friction, program.loads[program.loads.size() / 2], false, 1);
     const double a = middle.contact_radius();
-    world.hide("area_proportional_friction", "", "shear_strength", friction * program.loads[program.loads.size() / 2] / (pi * a * a));
+    world.hide("area_proportional_friction", "", "shear_strength",
+               friction * program.loads[program.loads.size() / 2] / (pi * a * a));
   }
   world.coefficients["sliding_friction"] = friction;
   world.recording.simulation_is_given = true;
@@ -231,15 +256,18 @@ World sliding_world(const WorldRequest& request) {
   table.file = "loops.csv";
   table.control = {"lateral_displacement", "normal_force"};
   table.response = "lateral_force";
-  auto &run = table.columns["run"], &cycle = table.columns["cycle"], &time = table.columns["time"], &speed = table.columns["speed"];
-  auto &x = table.columns["lateral_displacement"], &load = table.columns["normal_force"], &response = table.columns["lateral_force"];
+  auto &run = table.columns["run"], &cycle = table.columns["cycle"], &time = table.columns["time"],
+       &speed = table.columns["speed"];
+  auto &x = table.columns["lateral_displacement"], &load = table.columns["normal_force"],
+       &response = table.columns["lateral_force"];
   std::vector<double> without;
   int number = 0;
   for (const double f : program.loads) {
     const std::size_t runs = program.steps_speed ? 1 : program.speeds.size();
     for (std::size_t r = 0; r < runs; ++r) {
       ++number;
-      SlidingRun with(world, program, friction, f, true, request.seed + 1000u * static_cast<unsigned>(number));
+      SlidingRun with(world, program, friction, f, true,
+                      request.seed + 1000u * static_cast<unsigned>(number));
       SlidingRun plain(world, program, friction, f, false, 1);
       double t = 0, before = 0;
       const auto sample = [&](double position, double v, double loop, const char* segment) {
@@ -256,7 +284,8 @@ World sliding_world(const WorldRequest& request) {
         const auto stretches = static_cast<double>(program.speeds.size());
         for (std::size_t s = 0; s < program.speeds.size(); ++s)
           for (int i = 0; i < n; ++i)
-            sample(program.amplitude / stretches * (static_cast<double>(s) + (i + 1.0) / n), program.speeds[s], 0, "forward");
+            sample(program.amplitude / stretches * (static_cast<double>(s) + (i + 1.0) / n),
+                   program.speeds[s], 0, "forward");
         continue;
       }
       const double v = program.speeds[r], A = program.amplitude;
@@ -264,7 +293,8 @@ World sliding_world(const WorldRequest& request) {
       for (int i = 0; i < n / 2; ++i) sample(2 * A * (i + 1) / n, v, 0, "forward");
       for (int c = 0; c < program.cycles; ++c) {
         for (int i = 0; i < n; ++i) sample(A - 2 * A * (i + 1) / n, v, c + 0.5 * (i + 1.0) / n, "backward");
-        for (int i = 0; i < n; ++i) sample(-A + 2 * A * (i + 1) / n, v, c + 0.5 + 0.4999 * (i + 1.0) / n, "forward");
+        for (int i = 0; i < n; ++i)
+          sample(-A + 2 * A * (i + 1) / n, v, c + 0.5 + 0.4999 * (i + 1.0) / n, "forward");
       }
     }
   }

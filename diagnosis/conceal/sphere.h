@@ -17,7 +17,8 @@ struct Sphere {
 
   double approach_of(double a) const { return 0.5 * a * std::log((radius + a) / (radius - a)); }
   double force_of(double a) const {
-    return reduced_modulus * (0.5 * (a * a + radius * radius) * std::log((radius + a) / (radius - a)) - a * radius);
+    return reduced_modulus *
+           (0.5 * (a * a + radius * radius) * std::log((radius + a) / (radius - a)) - a * radius);
   }
   /// a at an approach, by Newton's method from Hertz' a = (R delta)^(1/2), which is above.
   double contact_radius(double approach) const {
@@ -25,7 +26,8 @@ struct Sphere {
     double a = std::min(std::sqrt(radius * approach), 0.9 * radius);
     constexpr int iterations = 30;
     for (int i = 0; i < iterations; ++i) {
-      const double slope = 0.5 * std::log((radius + a) / (radius - a)) + a * radius / (radius * radius - a * a);
+      const double slope =
+          0.5 * std::log((radius + a) / (radius - a)) + a * radius / (radius * radius - a * a);
       const double step = (approach_of(a) - approach) / slope;
       a -= step;
       if (std::abs(step) < 1e-15 * radius) break;

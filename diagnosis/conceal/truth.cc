@@ -22,7 +22,10 @@ void write_truth(const Truth& truth, const std::filesystem::path& folder) {
     Json parameters = Json::object();
     for (const auto& [name, parameter] : effect.parameters)
       parameters[name] = {{"value", parameter.value}, {"is_the_catalogues", parameter.is_the_catalogues}};
-    json["effects"].push_back({{"id", effect.id}, {"in_catalogue", effect.in_catalogue}, {"model", effect.model}, {"parameters", parameters}});
+    json["effects"].push_back({{"id", effect.id},
+                               {"in_catalogue", effect.in_catalogue},
+                               {"model", effect.model},
+                               {"parameters", parameters}});
   }
   json["cannot_be_told_from"] = truth.cannot_be_told_from;
   json["noise"] = truth.noise;
@@ -41,7 +44,8 @@ Truth read_truth(const std::filesystem::path& folder) {
   Truth truth;
   try {
     const Json json = parse_json(read_file(file), file.string());
-    if (json.at("format") != truth_format) throw InputError(file.string() + ": 'format' is not '" + truth_format + "'");
+    if (json.at("format") != truth_format)
+      throw InputError(file.string() + ": 'format' is not '" + truth_format + "'");
     truth.family = json.at("family");
     for (const auto& entry : json.at("effects")) {
       TrueEffect effect;

@@ -1,4 +1,5 @@
-// What a concealed recording really is: sealed beside it in truth.json ("asperity-truth/1"), which the diagnosis never reads. SI units.
+// What a concealed recording really is: sealed beside it in truth.json ("asperity-truth/1"), which the
+// diagnosis never reads. SI units.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +11,8 @@ namespace asperity {
 
 struct TrueParameter {
   double value = 0;
-  /// Means what the catalogue means by it: an estimate can be held against it. Another law of the same physics may have
-  /// parameters of its own.
+  /// Means what the catalogue means by it: an estimate can be held against it. Another law of the same
+  /// physics may have parameters of its own.
   bool is_the_catalogues = true;
 };
 
@@ -29,10 +30,11 @@ struct TrueContribution {
 };
 
 struct Truth {
-  std::string family;                ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
-  std::vector<TrueEffect> effects;   ///< none: a null
-  std::vector<std::string> cannot_be_told_from;  ///< effects that do as well on these data: the verdict ought to be ambiguous
-  double noise = 0;                  ///< relative to the largest response
+  std::string family;               ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::vector<TrueEffect> effects;  ///< none: a null
+  std::vector<std::string>
+      cannot_be_told_from;  ///< effects that do as well on these data: the verdict ought to be ambiguous
+  double noise = 0;         ///< relative to the largest response
   unsigned seed = 0;
   std::string noise_model;
   std::map<std::string, double> coefficients;  ///< of the simulation's laws

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-
 namespace asperity::hidden {
 
 double between(Random& random, double low, double high) {
@@ -11,7 +10,8 @@ double between(Random& random, double low, double high) {
 
 double sign(Random& random) { return std::uniform_real_distribution<double>()(random) < 0.5 ? -1 : 1; }
 
-double World::hide(const std::string& effect, const std::string& model, const std::string& parameter, double value, bool is_the_catalogues) {
+double World::hide(const std::string& effect, const std::string& model, const std::string& parameter,
+                   double value, bool is_the_catalogues) {
   for (auto& known : effects)
     if (known.id == effect) {
       known.parameters[parameter] = {value, is_the_catalogues};
@@ -43,24 +43,44 @@ double World::value(const std::string& effect, const std::string& parameter) con
 std::vector<std::string> concealable(Motion mode) {
   switch (mode) {
     case Motion::normal:
-      return {"instrument_compliance", "contact_point_offset", "thermal_drift", "adhesion", "effective_radius",
-              "bulk_plasticity", "roughness_compliance", "creep", "baseline_tilt", "adhesion_hysteresis"};
+      return {"instrument_compliance", "contact_point_offset", "thermal_drift",        "adhesion",
+              "effective_radius",      "bulk_plasticity",      "roughness_compliance", "creep",
+              "baseline_tilt",         "adhesion_hysteresis"};
     case Motion::sliding:
-      return {"lateral_compliance", "adhesion_offset", "static_friction_peak", "velocity_dependence", "partial_slip", "surface_tilt",
-              "lateral_zero_offset", "area_proportional_friction", "run_in", "stick_slip", "rate_and_state"};
-    case Motion::rolling: return {"rolling_adhesion_offset", "contact_radius_scaling", "roughness_dependent_rolling", "viscous_rolling"};
-    case Motion::rail: return {"torsion_resistance", "rolling_adhesion_offset", "viscous_rolling"};
-    case Motion::torsion: return {"contact_radius_scaling"};
+      return {"lateral_compliance",
+              "adhesion_offset",
+              "static_friction_peak",
+              "velocity_dependence",
+              "partial_slip",
+              "surface_tilt",
+              "lateral_zero_offset",
+              "area_proportional_friction",
+              "run_in",
+              "stick_slip",
+              "rate_and_state"};
+    case Motion::rolling:
+      return {"rolling_adhesion_offset", "contact_radius_scaling", "roughness_dependent_rolling",
+              "viscous_rolling"};
+    case Motion::rail:
+      return {"torsion_resistance", "rolling_adhesion_offset", "viscous_rolling"};
+    case Motion::torsion:
+      return {"contact_radius_scaling"};
+    case Motion::program:
+      break;
   }
   return {};
 }
 
 std::vector<std::string> concealable_outsiders(Motion mode) {
   switch (mode) {
-    case Motion::normal: return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};
-    case Motion::sliding: return {"position_weakening", "lateral_oscillation"};
-    case Motion::rolling: return {"resistance_peak"};
-    default: return {};
+    case Motion::normal:
+      return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};
+    case Motion::sliding:
+      return {"position_weakening", "lateral_oscillation"};
+    case Motion::rolling:
+      return {"resistance_peak"};
+    default:
+      return {};
   }
 }
 
@@ -71,7 +91,8 @@ Recording paper_bodies(Motion mode, const std::string& title) {
   recording.particle = {"borosilicate", 71e9, 0.17, 8.5e-6, 0.7e-9, RecordedBody::unknown};
   recording.substrate = {"Si(100)", 179e9, 0.25, RecordedBody::unknown, 0.3e-9, RecordedBody::unknown};
   if (mode == Motion::rolling || mode == Motion::rail)
-    recording.indenter = RecordedBody{"diamond", 1140e9, 0.07, RecordedBody::unknown, 4e-9, RecordedBody::unknown};
+    recording.indenter =
+        RecordedBody{"diamond", 1140e9, 0.07, RecordedBody::unknown, 4e-9, RecordedBody::unknown};
   return recording;
 }
 

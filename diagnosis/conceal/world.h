@@ -1,5 +1,5 @@
-// A concealed experiment before its noise: recorded channels, and the same without the effects. Each mode of motion has its own
-// file; none of them uses anything of what diagnoses. SI units.
+// A concealed experiment before its noise: recorded channels, and the same without the effects. Each mode of
+// motion has its own file; none of them uses anything of what diagnoses. SI units.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,14 @@ struct World {
   std::vector<std::vector<double>> without_effects;  ///< response of each table
 
   /// Records an effect with a parameter that means what the catalogue's does, and returns its value.
-  double hide(const std::string& effect, const std::string& model, const std::string& parameter, double value, bool is_the_catalogues = true);
+  double hide(const std::string& effect, const std::string& model, const std::string& parameter, double value,
+              bool is_the_catalogues = true);
   bool hides(const std::string& effect) const;
   double value(const std::string& effect, const std::string& parameter) const;
 };
 
-/// What to conceal. `setting` "" is the ordinary experiment; others make effects indistinguishable ("one_load", "ramp_only").
+/// What to conceal. `setting` "" is the ordinary experiment; others make effects indistinguishable
+/// ("one_load", "ramp_only").
 struct WorldRequest {
   Motion mode = Motion::normal;
   std::vector<std::string> effects;

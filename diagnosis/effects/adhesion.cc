@@ -1,11 +1,12 @@
-// Attraction between the surfaces, from DMT (alpha = 0) to JKR (alpha = 1), as fitted to Maugis' solution by Carpick, Ogletree &
-// Salmeron 1999 and Pietrement & Troyon 2000, with s = (alpha + (1 + f/h)^(1/2))/(1 + alpha):
+// Attraction between the surfaces, from DMT (alpha = 0) to JKR (alpha = 1), as fitted to Maugis' solution by
+// Carpick, Ogletree & Salmeron 1999 and Pietrement & Troyon 2000, with s = (alpha + (1 + f/h)^(1/2))/(1 +
+// alpha):
 //   a = a0 s^(2/3),   d = a0^2/R [s^(4/3) - S s^(2 beta/3)],   f = h [((1 + alpha) s - alpha)^2 - 1],
 //   a0 = A (pi w R^2/K)^(1/3),  K = 4/3 E*,  h = F pi w R;  A, F, S, beta polynomials of alpha.
-// Their polynomials leave a contact under large loads up to 3 % off Hertz, and DMT 1 %, more than a weak attraction adds; so depth
-// goes over, by the share s^2/(s^2 + 64 alpha), to a0^3 = (1 + alpha)^2 h R/K: Hertz under large loads, DMT and JKR in the limits.
-// The contact forms at d = 0 and breaks where d(s) has its minimum (fixed grips).
-// Displacements are within 2 % of Maugis 1992 at the same force (1.8 % measured).
+// Their polynomials leave a contact under large loads up to 3 % off Hertz, and DMT 1 %, more than a weak
+// attraction adds; so depth goes over, by the share s^2/(s^2 + 64 alpha), to a0^3 = (1 + alpha)^2 h R/K:
+// Hertz under large loads, DMT and JKR in the limits. The contact forms at d = 0 and breaks where d(s) has
+// its minimum (fixed grips). Displacements are within 2 % of Maugis 1992 at the same force (1.8 % measured).
 // On a law other than Hertz' the attraction is a constant force while the surfaces touch (DMT).
 #include <cmath>
 
@@ -18,13 +19,17 @@ class TransitionContact : public NormalContact {
  public:
   TransitionContact(const Hertz& law, double pull_off, double alpha) : pull_off_(pull_off), alpha_(alpha) {
     const double al = alpha;
-    const double A = -0.451 * std::pow(al, 4) + 1.417 * std::pow(al, 3) - 1.365 * al * al + 0.950 * al + 1.264;
+    const double A =
+        -0.451 * std::pow(al, 4) + 1.417 * std::pow(al, 3) - 1.365 * al * al + 0.950 * al + 1.264;
     const double F = 0.267 * al * al - 0.767 * al + 2.000;
-    S_ = al > 0 ? std::max(0.0, -2.160 * std::pow(al, 0.019) + 2.7531 * std::pow(al, 0.064) + 0.073 * std::pow(al, 1.919)) : 0;
+    S_ = al > 0 ? std::max(0.0, -2.160 * std::pow(al, 0.019) + 2.7531 * std::pow(al, 0.064) +
+                                    0.073 * std::pow(al, 1.919))
+                : 0;
     beta_ = 0.516 * std::pow(al, 4) - 0.683 * std::pow(al, 3) + 0.235 * al * al + 0.429 * al;
     const double a0 = A * std::cbrt(pull_off / F * law.radius / (4.0 / 3.0 * law.reduced_modulus));
     depth_ = a0 * a0 / law.radius;
-    const double of_hertz = std::cbrt((1 + al) * (1 + al) * pull_off * law.radius / (4.0 / 3.0 * law.reduced_modulus));
+    const double of_hertz =
+        std::cbrt((1 + al) * (1 + al) * pull_off * law.radius / (4.0 / 3.0 * law.reduced_modulus));
     changeover_ = 64 * al;
     towards_hertz_ = of_hertz * of_hertz / (a0 * a0) - 1;
     smallest_ = S_ > 0 ? std::pow(S_ * beta_ / 2, 1 / (4.0 / 3 - 2 * beta_ / 3)) : 0;
@@ -46,14 +51,17 @@ class TransitionContact : public NormalContact {
  private:
   double share_of_hertz(double s) const { return changeover_ > 0 ? s * s / (s * s + changeover_) : 1; }
   double depth_of(double s) const {
-    return (1 + towards_hertz_ * share_of_hertz(s)) * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
+    return (1 + towards_hertz_ * share_of_hertz(s)) *
+           (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
   }
   double slope_of(double s) const {
     const double share = share_of_hertz(s), share_slope = s > 0 ? 2 * share * (1 - share) / s : 0;
-    return (1 + towards_hertz_ * share) * (4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1)) +
+    return (1 + towards_hertz_ * share) *
+               (4.0 / 3 * std::cbrt(s) - S_ * 2 * beta_ / 3 * std::pow(s, 2 * beta_ / 3 - 1)) +
            towards_hertz_ * share_slope * (std::pow(s, 4.0 / 3) - S_ * std::pow(s, 2 * beta_ / 3));
   }
-  /// Newton from above, where the function is convex and grows; from the last root, the first step leads above.
+  /// Newton from above, where the function is convex and grows; from the last root, the first step leads
+  /// above.
   double root(double d) const {
     double s = last_ > 2 * smallest_ ? last_ : std::pow(std::max(0.0, d) + 1 + S_, 0.75);
     bool above = last_ <= 2 * smallest_;
@@ -67,7 +75,8 @@ class TransitionContact : public NormalContact {
     }
     return s;
   }
-  double pull_off_, alpha_, towards_hertz_ = 0, changeover_ = 0, S_ = 0, beta_ = 0, depth_ = 0, smallest_ = 0, release_ = 0;
+  double pull_off_, alpha_, towards_hertz_ = 0, changeover_ = 0, S_ = 0, beta_ = 0, depth_ = 0, smallest_ = 0,
+                            release_ = 0;
   bool touching_ = false;
   mutable double last_ = 0;  ///< where the next search begins
 };
@@ -93,22 +102,45 @@ class AttractedContact : public NormalContact {
 class Adhesion : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "adhesion", "Adhesion", "f = h [((1 + alpha) s - alpha)^2 - 1], d = a0^2/R [s^(4/3) - S s^(2 beta/3)]; DMT: alpha = 0, JKR: alpha = 1",
-        "Derjaguin, Muller & Toporov 1975; Johnson, Kendall & Roberts 1971; Maugis 1992; Carpick, Ogletree & Salmeron 1999, eq. (8); "
-        "Pietrement & Troyon 2000, eq. (6)",
-        "The surfaces attract each other: the contact is larger than its load alone makes it, and it takes a pull to open it.",
-        EffectKind::contact, {Motion::normal}, {}, {"attraction"}, 2, false};
+    static const EffectDescription d{"adhesion",
+                                     "Adhesion",
+                                     "f = h [((1 + alpha) s - alpha)^2 - 1], d = a0^2/R [s^(4/3) - S s^(2 "
+                                     "beta/3)]; DMT: alpha = 0, JKR: alpha = 1",
+                                     "Derjaguin, Muller & Toporov 1975; Johnson, Kendall & Roberts 1971; "
+                                     "Maugis 1992; Carpick, Ogletree & Salmeron 1999, eq. (8); "
+                                     "Pietrement & Troyon 2000, eq. (6)",
+                                     "The surfaces attract each other: the contact is larger than its load "
+                                     "alone makes it, and it takes a pull to open it.",
+                                     EffectKind::contact,
+                                     {Motion::normal},
+                                     {},
+                                     {"attraction"},
+                                     2,
+                                     false};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_force;
-    return {{"pull_off_force", "N", "h", 1e-5 * f, 10 * f, true, {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
-            {"transition", "", "alpha, from DMT (0) to JKR (1)", 0, 1, false, {0, 0.05, 0.3, 0.6, 0.95}}};  // 0 itself: S rises as alpha^0.019
+    return {{"pull_off_force",
+             "N",
+             "h",
+             1e-5 * f,
+             10 * f,
+             true,
+             {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
+            {"transition",
+             "",
+             "alpha, from DMT (0) to JKR (1)",
+             0,
+             1,
+             false,
+             {0, 0.05, 0.3, 0.6, 0.95}}};  // 0 itself: S rises as alpha^0.019
   }
   void assemble(Mechanics& m, const double* p) const override {
-    if (const Hertz* law = m.normal.contact->hertz()) m.normal.contact = std::make_shared<TransitionContact>(*law, p[0], p[1]);
-    else m.normal.contact = std::make_shared<AttractedContact>(*m.normal.contact, p[0]);
+    if (const Hertz* law = m.normal.contact->hertz())
+      m.normal.contact = std::make_shared<TransitionContact>(*law, p[0], p[1]);
+    else
+      m.normal.contact = std::make_shared<AttractedContact>(*m.normal.contact, p[0]);
   }
 };
 

@@ -1,6 +1,7 @@
-// More work to open the contact than it gave on closing. For a contact of radius a at displacement d (Maugis 1992; JKR's general
-// state)  f = 2 E* (a d - a^3/(3 R)),  the edge advances where the closing work w_c allows and retreats where the opening work w_o
-// does; between it stays pinned:  a <- a cut to [a_JKR(d; w_c), a_JKR(d; w_o)].
+// More work to open the contact than it gave on closing. For a contact of radius a at displacement d (Maugis
+// 1992; JKR's general state)  f = 2 E* (a d - a^3/(3 R)),  the edge advances where the closing work w_c
+// allows and retreats where the opening work w_o does; between it stays pinned:  a <- a cut to [a_JKR(d;
+// w_c), a_JKR(d; w_o)].
 #include <algorithm>
 
 #include "dem_compare/laws/jkr.h"
@@ -12,7 +13,8 @@ namespace {
 class PinnedContact : public NormalContact {
  public:
   PinnedContact(const Hertz& law, double closing, double opening)
-      : closing_{law.reduced_modulus, law.radius, closing}, opening_{law.reduced_modulus, law.radius, opening} {}
+      : closing_{law.reduced_modulus, law.radius, closing},
+        opening_{law.reduced_modulus, law.radius, opening} {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<PinnedContact>(*this); }
   double release() const override { return opening_.smallest_approach(); }
   double force(double d) const override {
@@ -36,11 +38,19 @@ class AdhesionHysteresis : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "adhesion_hysteresis", "Hysteresis of adhesion", "f = 2 E* (a d - a^3/(3 R)), a_JKR(d; w_closing) <= a <= a_JKR(d; w_opening)",
+        "adhesion_hysteresis",
+        "Hysteresis of adhesion",
+        "f = 2 E* (a d - a^3/(3 R)), a_JKR(d; w_closing) <= a <= a_JKR(d; w_opening)",
         "Johnson, Kendall & Roberts 1971; Maugis & Barquins 1978; Chen, Helm & Israelachvili 1991",
-        "Opening the contact takes more work than closing it gave: on unloading the edge of the contact stays pinned at first, and the "
+        "Opening the contact takes more work than closing it gave: on unloading the edge of the contact "
+        "stays pinned at first, and the "
         "curve returns on another branch than it came.",
-        EffectKind::contact, {Motion::normal}, {}, {"attraction", "normal_law"}, 2, false};
+        EffectKind::contact,
+        {Motion::normal},
+        {},
+        {"attraction", "normal_law"},
+        2,
+        false};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_unloading && e.has_trace; }
@@ -51,11 +61,24 @@ class AdhesionHysteresis : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double work = e.largest_force / (1.5 * boost::math::double_constants::pi * e.radius);
-    return {{"work_closing", "J/m^2", "w gained on closing", 1e-7 * work, 10 * work, true, {1e-4 * work, 0.01 * work, 0.1 * work}},
-            {"work_opening", "J/m^2", "w spent on opening", 1e-6 * work, 30 * work, true, {0.01 * work, 0.1 * work, 0.5 * work}}};
+    return {{"work_closing",
+             "J/m^2",
+             "w gained on closing",
+             1e-7 * work,
+             10 * work,
+             true,
+             {1e-4 * work, 0.01 * work, 0.1 * work}},
+            {"work_opening",
+             "J/m^2",
+             "w spent on opening",
+             1e-6 * work,
+             30 * work,
+             true,
+             {0.01 * work, 0.1 * work, 0.5 * work}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact = std::make_shared<PinnedContact>(m.geometry, std::min(p[0], p[1]), std::max(p[0], p[1]));
+    m.normal.contact =
+        std::make_shared<PinnedContact>(m.geometry, std::min(p[0], p[1]), std::max(p[0], p[1]));
   }
 };
 

@@ -7,11 +7,18 @@ namespace {
 class BaselineTilt : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "baseline_tilt", "Tilted baseline", "f = f_contact + b d", "Butt, Cappella & Kappl 2005, sec. 3.2 (baseline of force curves)",
-        "A spring of the instrument (support of the indenter, optical interference) adds a force in proportion to displacement; it is "
-        "there without the sample too, and must not be taken for attraction.",
-        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
+    static const EffectDescription d{"baseline_tilt",
+                                     "Tilted baseline",
+                                     "f = f_contact + b d",
+                                     "Butt, Cappella & Kappl 2005, sec. 3.2 (baseline of force curves)",
+                                     "A spring of the instrument (support of the indenter, optical "
+                                     "interference) adds a force in proportion to displacement; it is "
+                                     "there without the sample too, and must not be taken for attraction.",
+                                     EffectKind::instrument,
+                                     {Motion::normal},
+                                     {},
+                                     {},
+                                     2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
@@ -20,7 +27,8 @@ class BaselineTilt : public Effect {
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double slope = p[0];
-    m.normal.additions.push_back([slope](const Sample&, double displacement) { return slope * displacement; });
+    m.normal.additions.push_back(
+        [slope](const Sample&, double displacement) { return slope * displacement; });
   }
 };
 

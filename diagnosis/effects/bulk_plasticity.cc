@@ -1,11 +1,14 @@
 // A sphere that yields under the contact. Loading (Jackson & Green 2005), w = d/d_c:
-//   d_c = (pi C Y/(2 E*))^2 R,  f_c = 4/3 (R/E*)^2 (pi C Y/2)^3,  C = 1.295 exp(0.736 nu);  Hertz up to w = 1.9, then
-//   f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w,
-//   H/Y = h - 0.92 [1 - cos(pi a/R)], h = 2.84 (free: published laws of this regime differ by a tenth of the force, and hardening
+//   d_c = (pi C Y/(2 E*))^2 R,  f_c = 4/3 (R/E*)^2 (pi C Y/2)^3,  C = 1.295 exp(0.736 nu);  Hertz up to w
+//   = 1.9, then f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, H/Y = h - 0.92 [1 -
+//   cos(pi a/R)], h = 2.84 (free: published laws of this regime differ by a tenth of the force, and hardening
 //   raises it),  a^2 = R d (w/1.9)^B,  B = 0.14 exp(23 Y/E*).
-// Unloading from w_m (Etsion, Kligerman & Kadin 2005):  f = f_m [(d - d_r)/(d_m - d_r)]^n,  n = 1.5 w_m^(-0.0331),
-//   d_r/d_m = (1 - w_m^(-0.28)) (1 - w_m^(-0.69)).  Reloading follows it back to f_m. For w < 110, a/R < 0.4; no hardening.
-// Against Kogut & Etsion (2002) with the same Y its force is 4 % higher at w = 3, 2 % at 6, 10 % at 30: 3 % of it about a common H/Y.
+// Unloading from w_m (Etsion, Kligerman & Kadin 2005):  f = f_m [(d - d_r)/(d_m - d_r)]^n,  n = 1.5
+// w_m^(-0.0331),
+//   d_r/d_m = (1 - w_m^(-0.28)) (1 - w_m^(-0.69)).  Reloading follows it back to f_m. For w < 110, a/R < 0.4;
+//   no hardening.
+// Against Kogut & Etsion (2002) with the same Y its force is 4 % higher at w = 3, 2 % at 6, 10 % at 30: 3 %
+// of it about a common H/Y.
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
@@ -17,7 +20,8 @@ constexpr double pi = boost::math::double_constants::pi;
 
 class YieldingContact : public NormalContact {
  public:
-  YieldingContact(const Hertz& law, double yield, double hardness, double poisson) : law_(law), yield_(yield), hardness_(hardness) {
+  YieldingContact(const Hertz& law, double yield, double hardness, double poisson)
+      : law_(law), yield_(yield), hardness_(hardness) {
     C_ = 1.295 * std::exp(0.736 * poisson);
     const double pressure = pi * C_ * yield / 2;
     critical_depth_ = std::pow(pressure / law.reduced_modulus, 2) * law.radius;
@@ -66,23 +70,43 @@ class BulkPlasticity : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "bulk_plasticity", "Plasticity under the contact",
-        "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
+        "bulk_plasticity",
+        "Plasticity under the contact",
+        "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d "
+        "- d_r)/(d_m - d_r)]^n",
         "Jackson & Green 2005, eqs. (14), (25); Etsion, Kligerman & Kadin 2005, eqs. (12)-(15)",
-        "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and an imprint stays.",
-        EffectKind::contact, {Motion::normal}, {}, {"normal_law"}, 1, true, 0.1, 0.03};
+        "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and "
+        "an imprint stays.",
+        EffectKind::contact,
+        {Motion::normal},
+        {},
+        {"normal_law"},
+        1,
+        true,
+        0.1,
+        0.03};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    // The yield stress at which yielding would just begin under the largest load (1.6 Y = peak pressure), and well below it.
+    // The yield stress at which yielding would just begin under the largest load (1.6 Y = peak pressure), and
+    // well below it.
     const double onset = e.hertz().peak_pressure(e.largest_force) / 1.6;
-    EffectParameter yield{"yield_stress", "Pa", "Y of the softer body", 0.01 * onset, 1.5 * onset, true, {0.08 * onset, 0.25 * onset, 0.6 * onset}};
+    EffectParameter yield{"yield_stress",
+                          "Pa",
+                          "Y of the softer body",
+                          0.01 * onset,
+                          1.5 * onset,
+                          true,
+                          {0.08 * onset, 0.25 * onset, 0.6 * onset}};
     if (e.yield_hint > yield.low && e.yield_hint < yield.high) yield.starts.push_back(e.yield_hint);
-    return {yield, {"hardness_ratio", "", "H/Y of a small contact; 2.84 without hardening", 1.8, 4, false, {2.84}}};
+    return {yield,
+            {"hardness_ratio", "", "H/Y of a small contact; 2.84 without hardening", 1.8, 4, false, {2.84}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const Experiment& e = m.experiment;
-    const double poisson = e.particle.youngs_modulus <= e.substrate.youngs_modulus ? e.particle.poisson_ratio : e.substrate.poisson_ratio;
+    const double poisson = e.particle.youngs_modulus <= e.substrate.youngs_modulus
+                               ? e.particle.poisson_ratio
+                               : e.substrate.poisson_ratio;
     m.normal.contact = std::make_shared<YieldingContact>(m.geometry, p[0], p[1], poisson);
   }
 };

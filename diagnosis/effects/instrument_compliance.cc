@@ -7,16 +7,29 @@ namespace {
 class InstrumentCompliance : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "instrument_compliance", "Compliance of the instrument", "d = d_contact + C f_n", "Oliver & Pharr 1992, eq. (7)",
-        "Something between the displacement sensor and the contact gives way in proportion to the load, so that part of the "
-        "recorded displacement never reaches the contact.",
-        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
+    static const EffectDescription d{"instrument_compliance",
+                                     "Compliance of the instrument",
+                                     "d = d_contact + C f_n",
+                                     "Oliver & Pharr 1992, eq. (7)",
+                                     "Something between the displacement sensor and the contact gives way in "
+                                     "proportion to the load, so that part of the "
+                                     "recorded displacement never reaches the contact.",
+                                     EffectKind::instrument,
+                                     {Motion::normal},
+                                     {},
+                                     {},
+                                     2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double contact = e.largest_displacement / e.largest_force;
-    return {{"compliance", "m/N", "C of what lies in series with the contact", 0, 100 * contact, false, {0.1 * contact, contact}}};
+    return {{"compliance",
+             "m/N",
+             "C of what lies in series with the contact",
+             0,
+             100 * contact,
+             false,
+             {0.1 * contact, contact}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double compliance = p[0];

@@ -8,9 +8,16 @@ class LateralZeroOffset : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "lateral_zero_offset", "Zero of the lateral sensor", "f_l = f + f0", "Ogletree, Carpick & Salmeron 1996, sec. II",
+        "lateral_zero_offset",
+        "Zero of the lateral sensor",
+        "f_l = f + f0",
+        "Ogletree, Carpick & Salmeron 1996, sec. II",
         "The sensor's zero is off by a constant, whatever the load or the direction of motion.",
-        EffectKind::instrument, {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion}, {}, {}, 2};
+        EffectKind::instrument,
+        {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion},
+        {},
+        {},
+        2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

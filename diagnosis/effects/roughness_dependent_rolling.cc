@@ -10,10 +10,16 @@ class RoughnessDependentRolling : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "roughness_dependent_rolling", "Rolling friction depends on roughness", "mu_ro = b + c exp(-rms/d)",
+        "roughness_dependent_rolling",
+        "Rolling friction depends on roughness",
+        "mu_ro = b + c exp(-rms/d)",
         "Fuchs, Weinhart et al. 2014, eq. (murofit)",
         "Asperities keep the surfaces apart: rougher substrates resist rolling less.",
-        EffectKind::contact, {Motion::rolling, Motion::rail}, {"rolling_friction"}, {"rolling_coefficient"}, 1};
+        EffectKind::contact,
+        {Motion::rolling, Motion::rail},
+        {"rolling_friction"},
+        {"rolling_coefficient"},
+        1};
     return d;
   }
   NeededValues needs() const override { return {"rms_roughness", one_more_than_its_constants}; }
@@ -25,9 +31,9 @@ class RoughnessDependentRolling : public Effect {
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double b = p[0], c = p[1], d = p[2];
-    m.lateral.coefficient_changes.insert(m.lateral.coefficient_changes.begin(), [b, c, d](double, const SlipState& s) {
-      return b + c * std::exp(-s.sample->rms_roughness / d);
-    });
+    m.lateral.coefficient_changes.insert(
+        m.lateral.coefficient_changes.begin(),
+        [b, c, d](double, const SlipState& s) { return b + c * std::exp(-s.sample->rms_roughness / d); });
   }
 
  private:

@@ -10,21 +10,43 @@ namespace {
 class RunIn : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "run_in", "Running-in", "mu_n = mu [1 + change exp(-n/cycles)]", "Blau 2005, sec. 2; Colaco & Serro 2020",
-        "The surfaces change while they slide (films, asperities, debris): friction goes to a steady value over some cycles.",
-        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail}, {}, {}, 3, true, 0.1};
+    static const EffectDescription d{"run_in",
+                                     "Running-in",
+                                     "mu_n = mu [1 + change exp(-n/cycles)]",
+                                     "Blau 2005, sec. 2; Colaco & Serro 2020",
+                                     "The surfaces change while they slide (films, asperities, debris): "
+                                     "friction goes to a steady value over some cycles.",
+                                     EffectKind::contact,
+                                     {Motion::sliding, Motion::rolling, Motion::rail},
+                                     {},
+                                     {},
+                                     3,
+                                     true,
+                                     0.1};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.cycles >= fewest_cycles; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    return {{"change", "", "relative change of mu at the beginning against the steady value", -0.95, 10, false, {-0.2, 0.2}},
-            {"cycles", "", "over which the change fades", 0.1, 10 * e.cycles, true, {0.1 * e.cycles, 0.4 * e.cycles}}};
+    return {{"change",
+             "",
+             "relative change of mu at the beginning against the steady value",
+             -0.95,
+             10,
+             false,
+             {-0.2, 0.2}},
+            {"cycles",
+             "",
+             "over which the change fades",
+             0.1,
+             10 * e.cycles,
+             true,
+             {0.1 * e.cycles, 0.4 * e.cycles}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double change = p[0], cycles = p[1];
-    m.lateral.coefficient_changes.push_back(
-        [change, cycles](double mu, const SlipState& s) { return mu * (1 + change * std::exp(-(s.sample->cycle + s.sample->cycle_part) / cycles)); });
+    m.lateral.coefficient_changes.push_back([change, cycles](double mu, const SlipState& s) {
+      return mu * (1 + change * std::exp(-(s.sample->cycle + s.sample->cycle_part) / cycles));
+    });
   }
 
  private:

@@ -10,23 +10,36 @@ namespace {
 class StaticFrictionPeak : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "static_friction_peak", "Static friction above dynamic friction", "mu = mu_d [1 + (ratio - 1) exp(-s/L)]",
-        "Rabinowicz 1951; Baumberger & Caroli 2006, sec. 3",
-        "To set the contact in motion takes more than to keep it moving; the excess fades over a slip length.",
-        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail}, {}, {}, 2};
+    static const EffectDescription d{"static_friction_peak",
+                                     "Static friction above dynamic friction",
+                                     "mu = mu_d [1 + (ratio - 1) exp(-s/L)]",
+                                     "Rabinowicz 1951; Baumberger & Caroli 2006, sec. 3",
+                                     "To set the contact in motion takes more than to keep it moving; the "
+                                     "excess fades over a slip length.",
+                                     EffectKind::contact,
+                                     {Motion::sliding, Motion::rolling, Motion::rail},
+                                     {},
+                                     {},
+                                     2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double way = e.stroke;
     return {{"peak_ratio", "", "static over dynamic friction", 1, 10, false, {1.1, 1.5}},
-            {"slip_length", "m", "L, over which the excess fades", 1e-4 * way, way, true, {0.01 * way, 0.05 * way, 0.2 * way}}};
+            {"slip_length",
+             "m",
+             "L, over which the excess fades",
+             1e-4 * way,
+             way,
+             true,
+             {0.01 * way, 0.05 * way, 0.2 * way}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double excess = p[0] - 1, length = p[1];
-    m.lateral.coefficient_changes.push_back(
-        [excess, length](double mu, const SlipState& s) { return mu * (1 + excess * std::exp(-s.slip / length)); });
+    m.lateral.coefficient_changes.push_back([excess, length](double mu, const SlipState& s) {
+      return mu * (1 + excess * std::exp(-s.slip / length));
+    });
   }
 };
 

@@ -1,5 +1,7 @@
-// Saw-tooth of slip events during sliding: after each event the force is lower by A and is built up again over the period p:
-//   |f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2],  s: path since sliding began after the reversal, s_m: half the stroke.
+// Saw-tooth of slip events during sliding: after each event the force is lower by A and is built up again
+// over the period p:
+//   |f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2],  s: path since sliding began after the reversal,
+//   s_m: half the stroke.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,8 +11,10 @@
 namespace asperity {
 namespace {
 
-/// Periods that stand out in the residuals along the path since the reversal, the strongest first, with their amplitudes.
-std::vector<std::pair<double, double>> strongest_periods(const Samples& samples, const std::vector<double>& residual) {
+/// Periods that stand out in the residuals along the path since the reversal, the strongest first, with their
+/// amplitudes.
+std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
+                                                         const std::vector<double>& residual) {
   struct Point {
     double s, r;
     int direction, part;
@@ -18,7 +22,9 @@ std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
   constexpr std::size_t most_points = 6000;
   constexpr double settled = 0.3;  // of a segment's path, after which the contact slides everywhere
   std::vector<double> longest(static_cast<std::size_t>(samples.parts), 0.0);
-  for (const auto& s : samples.list) longest[static_cast<std::size_t>(s.part)] = std::max(longest[static_cast<std::size_t>(s.part)], s.since_reversal);
+  for (const auto& s : samples.list)
+    longest[static_cast<std::size_t>(s.part)] =
+        std::max(longest[static_cast<std::size_t>(s.part)], s.since_reversal);
   std::vector<Point> points;
   double stroke = 0;
   for (std::size_t i = 0; i < samples.list.size() && points.size() < most_points; ++i) {
@@ -40,8 +46,9 @@ std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
     most_in_part = std::max(most_in_part, in_part);
   }
   const double path = (1 - settled) * stroke, step = 1 / (4 * stroke);
-  const double highest = 0.4 * static_cast<double>(most_in_part) / path;  // cycles per metre the sampling can hold
-  std::vector<std::pair<double, double>> found;  // amplitude, frequency
+  const double highest =
+      0.4 * static_cast<double>(most_in_part) / path;  // cycles per metre the sampling can hold
+  std::vector<std::pair<double, double>> found;        // amplitude, frequency
   double before = 0, at = 0;
   for (double f = 2 / path; f < highest; f += step) {
     std::complex<double> sum = 0;
@@ -75,9 +82,18 @@ class StickSlip : public Effect {
  public:
   const EffectDescription& description() const override {
     static const EffectDescription d{
-        "stick_slip", "Stick-slip", "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]", "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
+        "stick_slip",
+        "Stick-slip",
+        "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]",
+        "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
         "Sliding goes in jumps: force builds up while the contact sticks and drops when it lets go.",
-        EffectKind::contact, {Motion::sliding}, {}, {}, 3, false, 0.3};
+        EffectKind::contact,
+        {Motion::sliding},
+        {},
+        {},
+        3,
+        false,
+        0.3};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }
@@ -85,13 +101,21 @@ class StickSlip : public Effect {
     const double f = e.largest_response, way = e.stroke;
     return {{"amplitude", "N", "A, drop of the force in an event", 1e-4 * f, 2 * f, true, {0.1 * f}},
             {"period", "m", "p, path between events", 1e-4 * way, 0.5 * way, true, {0.1 * way}},
-            {"phase", "", "part of a period that has passed in the middle of a stroke", -0.5, 1, false, {0, 0.5}}};
+            {"phase",
+             "",
+             "part of a period that has passed in the middle of a stroke",
+             -0.5,
+             1,
+             false,
+             {0, 0.5}}};
   }
-  std::vector<EffectStart> starts(const Samples& samples, const std::vector<double>& residual) const override {
+  std::vector<EffectStart> starts(const Samples& samples,
+                                  const std::vector<double>& residual) const override {
     std::vector<EffectStart> list;
     for (const auto& [period, amplitude] : strongest_periods(samples, residual))
       for (const double phase : {0.0, 0.17, 0.33, 0.5, 0.67, 0.83})
-        list.push_back({boost::math::double_constants::pi * amplitude, period, phase});  // a saw-tooth's first harmonic is A/pi
+        list.push_back({boost::math::double_constants::pi * amplitude, period,
+                        phase});  // a saw-tooth's first harmonic is A/pi
     return list;
   }
   void assemble(Mechanics& m, const double* p) const override {

@@ -1,4 +1,5 @@
-// The instrument moves against the sample at a constant rate: d = d_contact + rate t, t since the beginning of the run.
+// The instrument moves against the sample at a constant rate: d = d_contact + rate t, t since the beginning
+// of the run.
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -7,16 +8,29 @@ namespace {
 class ThermalDrift : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "thermal_drift", "Thermal drift", "d = d_contact + rate t", "Oliver & Pharr 1992, sec. III; ISO 14577-1, sec. 8",
-        "Instrument or sample expand at a steady rate, so that displacement grows with time whether or not the load changes.",
-        EffectKind::instrument, {Motion::normal}, {}, {}, 2};
+    static const EffectDescription d{"thermal_drift",
+                                     "Thermal drift",
+                                     "d = d_contact + rate t",
+                                     "Oliver & Pharr 1992, sec. III; ISO 14577-1, sec. 8",
+                                     "Instrument or sample expand at a steady rate, so that displacement "
+                                     "grows with time whether or not the load changes.",
+                                     EffectKind::instrument,
+                                     {Motion::normal},
+                                     {},
+                                     {},
+                                     2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_time && e.has_trace; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double rate = e.largest_displacement / e.duration;
-    return {{"rate", "m/s", "drift of the displacement", -3 * rate, 3 * rate, false, {-0.05 * rate, 0.05 * rate}}};
+    return {{"rate",
+             "m/s",
+             "drift of the displacement",
+             -3 * rate,
+             3 * rate,
+             false,
+             {-0.05 * rate, 0.05 * rate}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double rate = p[0];

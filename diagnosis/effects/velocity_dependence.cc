@@ -1,4 +1,5 @@
-// Friction that follows the logarithm of speed: mu = mu0 + b ln(v/v0), v0 the geometric mean of the speeds recorded.
+// Friction that follows the logarithm of speed: mu = mu0 + b ln(v/v0), v0 the geometric mean of the speeds
+// recorded.
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
@@ -9,19 +10,35 @@ namespace {
 class VelocityDependence : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "velocity_dependence", "Friction depends on speed", "mu = mu0 + b ln(v/v0)", "Gnecco et al. 2000, eq. (3); Dieterich 1979 (steady state)",
-        "Bonds of the contact break with the help of heat and time: friction changes by the same amount for every factor of speed.",
-        EffectKind::contact, {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion}, {}, {"rate"}, 3};
+    static const EffectDescription d{"velocity_dependence",
+                                     "Friction depends on speed",
+                                     "mu = mu0 + b ln(v/v0)",
+                                     "Gnecco et al. 2000, eq. (3); Dieterich 1979 (steady state)",
+                                     "Bonds of the contact break with the help of heat and time: friction "
+                                     "changes by the same amount for every factor of speed.",
+                                     EffectKind::contact,
+                                     {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion},
+                                     {},
+                                     {"rate"},
+                                     3};
     return d;
   }
-  bool can_show(const Experiment& e) const override { return e.slowest > 0 && e.fastest > least_ratio * e.slowest; }
+  bool can_show(const Experiment& e) const override {
+    return e.slowest > 0 && e.fastest > least_ratio * e.slowest;
+  }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double mu = e.largest_response / e.largest_force;
-    return {{"coefficient", "", "b, change of mu for a factor e of speed", -mu, mu, false, {-0.05 * mu, 0.05 * mu}}};
+    return {{"coefficient",
+             "",
+             "b, change of mu for a factor e of speed",
+             -mu,
+             mu,
+             false,
+             {-0.05 * mu, 0.05 * mu}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
-    const double b = p[0], slowest = 0.1 * m.experiment.slowest, reference = std::sqrt(m.experiment.slowest * m.experiment.fastest);
+    const double b = p[0], slowest = 0.1 * m.experiment.slowest,
+                 reference = std::sqrt(m.experiment.slowest * m.experiment.fastest);
     m.lateral.coefficient_changes.push_back([b, slowest, reference](double mu, const SlipState& s) {
       return mu + b * std::log(std::max(s.speed, slowest) / reference);
     });

@@ -17,11 +17,12 @@ double cost_of(const VectorXd& r) {
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-/// Of simulations with corners (begin of slip, of contact): a step that is too small sees rounding and single samples.
+/// Of simulations with corners (begin of slip, of contact): a step that is too small sees rounding and single
+/// samples.
 constexpr double smallest_step = 1e-4, largest_step = 0.05;
 
-MatrixXd jacobian(const Residuals& residuals, const VectorXd& x, const VectorXd& r, const VectorXd& low, const VectorXd& high,
-                  const VectorXd& steps) {
+MatrixXd jacobian(const Residuals& residuals, const VectorXd& x, const VectorXd& r, const VectorXd& low,
+                  const VectorXd& high, const VectorXd& steps) {
   MatrixXd J(r.size(), x.size());
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     VectorXd other = x;
@@ -39,8 +40,8 @@ double huber_cost(double r) {
   return size <= huber_bend ? r * r : 2 * huber_bend * size - huber_bend * huber_bend;
 }
 
-BoundedFit fit_within_bounds(const Residuals& residuals, VectorXd x, const VectorXd& low, const VectorXd& high,
-                             const BoundedFitOptions& options) {
+BoundedFit fit_within_bounds(const Residuals& residuals, VectorXd x, const VectorXd& low,
+                             const VectorXd& high, const BoundedFitOptions& options) {
   constexpr double enough = 1e-5, first_damping = 1e-3, stiffer = 8, softer = 0.2, largest_damping = 1e8;
   x = x.cwiseMax(low).cwiseMin(high);
   VectorXd r = residuals(x);
@@ -90,7 +91,8 @@ BoundedFit fit_within_bounds(const Residuals& residuals, VectorXd x, const Vecto
     }
   BoundedFit fit{x, cost, {}};
   if (options.covariance && x.size() > 0) {
-    // Once with small steps, then with steps of the size of the standard deviations: the curvature that matters for intervals.
+    // Once with small steps, then with steps of the size of the standard deviations: the curvature that
+    // matters for intervals.
     VectorXd steps = small_steps;
     for (int round = 0; round < 2; ++round) {
       const MatrixXd J = jacobian(residuals, x, r, low, high, steps);
@@ -98,21 +100,25 @@ BoundedFit fit_within_bounds(const Residuals& residuals, VectorXd x, const Vecto
       H.diagonal().array() += 1e-12;
       fit.covariance = H.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
       for (Eigen::Index k = 0; k < x.size(); ++k)
-        steps[k] = std::clamp(std::sqrt(std::max(0.0, fit.covariance(k, k))) / std::max(1.0, std::abs(x[k])), smallest_step, largest_step);
+        steps[k] = std::clamp(std::sqrt(std::max(0.0, fit.covariance(k, k))) / std::max(1.0, std::abs(x[k])),
+                              smallest_step, largest_step);
     }
   }
   return fit;
 }
 
-BoundedFit search_at_random(const Residuals& residuals, const BoundedFit& start, const VectorXd& low, const VectorXd& high) {
+BoundedFit search_at_random(const Residuals& residuals, const BoundedFit& start, const VectorXd& low,
+                            const VectorXd& high) {
   constexpr int random_steps = 250;
   constexpr double widest = 30, narrowest = 0.3;  // standard deviations
   BoundedFit best = start;
   if (best.x.size() == 0) return best;
   const VectorXd r = residuals(best.x);
   best.cost = cost_of(r);
-  // Between jumps each residual changes smoothly: the middle of what the columns say is not moved by the few that jump.
-  const MatrixXd J = jacobian(residuals, best.x, r, low, high, VectorXd::Constant(best.x.size(), smallest_step));
+  // Between jumps each residual changes smoothly: the middle of what the columns say is not moved by the few
+  // that jump.
+  const MatrixXd J =
+      jacobian(residuals, best.x, r, low, high, VectorXd::Constant(best.x.size(), smallest_step));
   MatrixXd smooth = J;
   for (Eigen::Index k = 0; k < J.cols(); ++k) {
     std::vector<double> sizes(static_cast<std::size_t>(J.rows()));

@@ -1,4 +1,5 @@
-// Nonlinear least squares within bounds, robust against single bad residuals (Levenberg 1944; Marquardt 1963; Huber 1964).
+// Nonlinear least squares within bounds, robust against single bad residuals (Levenberg 1944; Marquardt 1963;
+// Huber 1964).
 #pragma once
 
 #include <Eigen/Dense>
@@ -23,13 +24,16 @@ struct BoundedFitOptions {
   bool covariance = false;
 };
 
-/// Minimises the sum of Huber's costs of residuals(x) from `start` with low <= x <= high; x should be of order one.
-BoundedFit fit_within_bounds(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, Eigen::VectorXd start,
-                             const Eigen::VectorXd& low, const Eigen::VectorXd& high, const BoundedFitOptions& options = {});
+/// Minimises the sum of Huber's costs of residuals(x) from `start` with low <= x <= high; x should be of
+/// order one.
+BoundedFit fit_within_bounds(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
+                             Eigen::VectorXd start, const Eigen::VectorXd& low, const Eigen::VectorXd& high,
+                             const BoundedFitOptions& options = {});
 
-/// Search without derivatives, for residuals that jump as x moves: random steps (Rastrigin 1963) spread as the parabola between the
-/// jumps is, from thirty of its standard deviations down to a third. The steps are the same in every call.
-BoundedFit search_at_random(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const BoundedFit& start,
-                            const Eigen::VectorXd& low, const Eigen::VectorXd& high);
+/// Search without derivatives, for residuals that jump as x moves: random steps (Rastrigin 1963) spread as
+/// the parabola between the jumps is, from thirty of its standard deviations down to a third. The steps are
+/// the same in every call.
+BoundedFit search_at_random(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
+                            const BoundedFit& start, const Eigen::VectorXd& low, const Eigen::VectorXd& high);
 
 }  // namespace asperity

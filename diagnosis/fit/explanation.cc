@@ -11,13 +11,19 @@ constexpr double smallest_friction = 1e-7, largest_friction = 20;
 /// Parameters of the simulation that the mode of motion makes use of.
 std::vector<std::string> used_in(Motion mode, const SimulationChoice& choice) {
   switch (mode) {
-    case Motion::normal: return {};
-    case Motion::sliding: return {"sliding_friction"};
-    case Motion::rolling: return {"rolling_friction"};
+    case Motion::normal:
+      return {};
+    case Motion::sliding:
+      return {"sliding_friction"};
+    case Motion::rolling:
+      return {"rolling_friction"};
     case Motion::rail:
       if (choice.torsion == "constant") return {"rolling_friction", "torsion_friction"};
       return {"rolling_friction"};
-    case Motion::torsion: return {"torsion_friction"};
+    case Motion::torsion:
+      return {"torsion_friction"};
+    case Motion::program:
+      break;
   }
   return {};
 }
@@ -27,20 +33,25 @@ std::vector<std::string> used_in(Motion mode, const SimulationChoice& choice) {
 double FreeParameter::coordinate(double value) const {
   return logarithmic ? std::log(std::max(value, 1e-300)) : value / scale;
 }
-double FreeParameter::value(double coordinate) const { return logarithmic ? std::exp(coordinate) : coordinate * scale; }
+double FreeParameter::value(double coordinate) const {
+  return logarithmic ? std::exp(coordinate) : coordinate * scale;
+}
 
 SimulationChoice completed(const SimulationChoice& given, const Experiment& experiment) {
   SimulationChoice choice = given;
-  const double guess = experiment.largest_force > 0 ? experiment.largest_response / experiment.largest_force : 0.1;
+  const double guess =
+      experiment.largest_force > 0 ? experiment.largest_response / experiment.largest_force : 0.1;
   for (const auto& name : used_in(experiment.mode, choice))
     if (!choice.parameters.count(name)) choice.parameters[name] = {guess, true};
   return choice;
 }
 
-Explanation::Explanation(const Experiment& experiment, const SimulationChoice& choice, std::vector<const Effect*> effects)
+Explanation::Explanation(const Experiment& experiment, const SimulationChoice& choice,
+                         std::vector<const Effect*> effects)
     : experiment_(experiment), choice_(choice), effects_(std::move(effects)) {
   std::stable_sort(effects_.begin(), effects_.end(), [](const Effect* a, const Effect* b) {
-    return a->description().order != b->description().order ? a->description().order < b->description().order : a->id() < b->id();
+    return a->description().order != b->description().order ? a->description().order < b->description().order
+                                                            : a->id() < b->id();
   });
   std::vector<std::string> replaced;
   for (const Effect* effect : effects_)
@@ -67,7 +78,8 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
 Mechanics Explanation::mechanics(const std::vector<double>& values) const {
   SimulationChoice choice = choice_;
   std::size_t next = 0;
-  for (; next < parameters_.size() && parameters_[next].effect < 0; ++next) choice.parameters[parameters_[next].name].value = values[next];
+  for (; next < parameters_.size() && parameters_[next].effect < 0; ++next)
+    choice.parameters[parameters_[next].name].value = values[next];
   Mechanics m = baseline_mechanics(experiment_, choice);
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     effects_[e]->assemble(m, values.data() + next);
@@ -77,7 +89,8 @@ Mechanics Explanation::mechanics(const std::vector<double>& values) const {
 }
 
 bool Explanation::is_smooth() const {
-  return std::all_of(effects_.begin(), effects_.end(), [](const Effect* effect) { return effect->description().is_smooth; });
+  return std::all_of(effects_.begin(), effects_.end(),
+                     [](const Effect* effect) { return effect->description().is_smooth; });
 }
 
 std::string Explanation::name() const {

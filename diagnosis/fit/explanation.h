@@ -10,10 +10,10 @@ namespace asperity {
 
 struct FreeParameter {
   std::string name, unit;
-  int effect = -1;           ///< index into the explanation's effects; -1: of the simulation itself
+  int effect = -1;  ///< index into the explanation's effects; -1: of the simulation itself
   double low = 0, high = 0;
   bool logarithmic = false;
-  double scale = 1;          ///< of a linear parameter
+  double scale = 1;  ///< of a linear parameter
   std::vector<double> starts;
 
   /// Between the value and the coordinate of the search, of order one.
@@ -23,7 +23,8 @@ struct FreeParameter {
 
 class Explanation {
  public:
-  Explanation(const Experiment& experiment, const SimulationChoice& choice, std::vector<const Effect*> effects);
+  Explanation(const Experiment& experiment, const SimulationChoice& choice,
+              std::vector<const Effect*> effects);
 
   const std::vector<const Effect*>& effects() const { return effects_; }
   const std::vector<FreeParameter>& parameters() const { return parameters_; }
@@ -37,7 +38,7 @@ class Explanation {
  private:
   Experiment experiment_;
   SimulationChoice choice_;
-  std::vector<const Effect*> effects_;   ///< in the order of assembly
+  std::vector<const Effect*> effects_;  ///< in the order of assembly
   std::vector<FreeParameter> parameters_;
 };
 

@@ -13,11 +13,14 @@ VectorXd to_vector(const std::vector<double>& values) {
 }
 
 /// Residuals of an explanation in the coordinates of its search.
-std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem, const Explanation& explanation, const Samples& samples) {
+std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem,
+                                                      const Explanation& explanation,
+                                                      const Samples& samples) {
   const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
   return [&samples, &explanation, filter](const VectorXd& x) {
     std::vector<double> values(static_cast<std::size_t>(x.size()));
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]);
     const auto simulated = simulate(explanation.mechanics(values), samples);
     VectorXd white = to_vector(filter->whitened(FitProblem::residual(samples, simulated)));
     constexpr double absurd = 1e6;
@@ -33,7 +36,8 @@ struct Coordinates {
 
 Coordinates bounds_of(const Explanation& explanation) {
   const auto& parameters = explanation.parameters();
-  Coordinates b{VectorXd(static_cast<Eigen::Index>(parameters.size())), VectorXd(static_cast<Eigen::Index>(parameters.size()))};
+  Coordinates b{VectorXd(static_cast<Eigen::Index>(parameters.size())),
+                VectorXd(static_cast<Eigen::Index>(parameters.size()))};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     b.low[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].low);
     b.high[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].high);
@@ -48,7 +52,8 @@ double huber_sum(const VectorXd& r) {
 }
 
 /// Starting points: for each effect its own list (or what `near` found), in all combinations.
-std::vector<std::vector<double>> starting_points(const FitProblem& problem, const Explanation& explanation, const ModelFit* near) {
+std::vector<std::vector<double>> starting_points(const FitProblem& problem, const Explanation& explanation,
+                                                 const ModelFit* near) {
   const auto& parameters = explanation.parameters();
   std::vector<std::vector<double>> points{{}};
   const auto extend = [&](const std::vector<std::vector<double>>& options) {
@@ -71,7 +76,9 @@ std::vector<std::vector<double>> starting_points(const FitProblem& problem, cons
     if (near) {
       std::vector<double> known;
       for (std::size_t i = from; i < k; ++i)
-        if (const double* value = near->value_of(parameters[i].name, e < 0 ? nullptr : explanation.effects()[static_cast<std::size_t>(e)])) known.push_back(*value);
+        if (const double* value = near->value_of(
+                parameters[i].name, e < 0 ? nullptr : explanation.effects()[static_cast<std::size_t>(e)]))
+          known.push_back(*value);
       if (known.size() == k - from) options.push_back(known);
     }
     if (options.empty() || jumps) {  // where responses jump, what was found may be a poor place to go on from
@@ -87,7 +94,8 @@ std::vector<std::vector<double>> starting_points(const FitProblem& problem, cons
       }
       options.insert(options.end(), own.begin(), own.end());
       if (e >= 0 && !problem.baseline_residual.empty())
-        for (auto& start : explanation.effects()[static_cast<std::size_t>(e)]->starts(problem.samples, problem.baseline_residual))
+        for (auto& start : explanation.effects()[static_cast<std::size_t>(e)]->starts(
+                 problem.samples, problem.baseline_residual))
           options.push_back(std::move(start));
     }
     extend(options);
@@ -99,7 +107,8 @@ std::vector<std::vector<double>> starting_points(const FitProblem& problem, cons
 
 std::vector<double> FitProblem::residual(const Samples& samples, const std::vector<double>& simulated) {
   std::vector<double> r(simulated.size());
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] = samples.list[i].counts ? samples.list[i].response - simulated[i] : 0.0;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] = samples.list[i].counts ? samples.list[i].response - simulated[i] : 0.0;
   return r;
 }
 
@@ -107,11 +116,13 @@ std::vector<double> ModelFit::simulate(const Samples& samples) const {
   return asperity::simulate(explanation->mechanics(values), samples);
 }
 
-ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit& baseline) const {
+ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects,
+                        const ModelFit& baseline) const {
   ModelFit fewer;
   fewer.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
   for (const FreeParameter& p : fewer.explanation->parameters()) {
-    const Effect* owner = p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
+    const Effect* owner =
+        p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
     const double* value = value_of(p.name, owner);
     fewer.values.push_back(value ? *value : *baseline.value_of(p.name, owner));
   }
@@ -121,7 +132,9 @@ ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effec
 const double* ModelFit::value_of(const std::string& name, const Effect* owner) const {
   const auto& parameters = explanation->parameters();
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const Effect* own = parameters[k].effect < 0 ? nullptr : explanation->effects()[static_cast<std::size_t>(parameters[k].effect)];
+    const Effect* own = parameters[k].effect < 0
+                            ? nullptr
+                            : explanation->effects()[static_cast<std::size_t>(parameters[k].effect)];
     if (own == owner && parameters[k].name == name) return &values[k];
   }
   return nullptr;
@@ -144,26 +157,31 @@ DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) cons
   DiagnosedParameter result{p.name, p.unit, values[index], p.low, p.high};
   if (covariance.size() == 0) return result;
   const auto i = static_cast<Eigen::Index>(index);
-  const double half = two_sided_95 * std::sqrt(std::max(0.0, covariance(i, i)) * inflation), x = p.coordinate(values[index]);
+  const double half = two_sided_95 * std::sqrt(std::max(0.0, covariance(i, i)) * inflation),
+               x = p.coordinate(values[index]);
   if (std::isfinite(half)) {
     constexpr double largest_exponent = 600;
-    const double down = stretch.empty() ? 1 : stretch[index].first, up = stretch.empty() ? 1 : stretch[index].second;
+    const double down = stretch.empty() ? 1 : stretch[index].first,
+                 up = stretch.empty() ? 1 : stretch[index].second;
     result.low = std::max(p.low, p.value(std::max(x - down * half, -largest_exponent)));
     result.high = std::min(p.high, p.value(std::min(x + up * half, largest_exponent)));
   }
   return result;
 }
 
-ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit* near) {
+ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
+                         const ModelFit* near) {
   const auto explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
   // From a smaller explanation, most of the way is known.
-  const std::size_t searched = near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;
+  const std::size_t searched =
+      near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;
   const Coordinates bounds = bounds_of(*explanation);
   const auto thin_residuals = residuals_of(problem, *explanation, problem.thin);
   std::vector<std::pair<double, VectorXd>> starts;
   for (const auto& point : starting_points(problem, *explanation, near)) {
     VectorXd x(static_cast<Eigen::Index>(point.size()));
-    for (std::size_t k = 0; k < point.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation->parameters()[k].coordinate(point[k]);
+    for (std::size_t k = 0; k < point.size(); ++k)
+      x[static_cast<Eigen::Index>(k)] = explanation->parameters()[k].coordinate(point[k]);
     x = x.cwiseMax(bounds.low).cwiseMin(bounds.high);
     starts.push_back({huber_sum(thin_residuals(x)), x});
   }
@@ -183,14 +201,17 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   for (Eigen::Index k = 0; k < best.x.size(); ++k)
     fit.values.push_back(explanation->parameters()[static_cast<std::size_t>(k)].value(best.x[k]));
   constexpr int last_steps = 1;  // the optimum on thinned samples is near; finish with refitted()
-  return refitted(problem, fit, problem.samples, false, problem.thin.list.size() == problem.samples.list.size() ? 0 : last_steps);
+  return refitted(problem, fit, problem.samples, false,
+                  problem.thin.list.size() == problem.samples.list.size() ? 0 : last_steps);
 }
 
-ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance, int iterations) {
+ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance,
+                  int iterations) {
   const Explanation& explanation = *fit.explanation;
   const Coordinates bounds = bounds_of(explanation);
   VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
-  for (std::size_t k = 0; k < fit.values.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
+  for (std::size_t k = 0; k < fit.values.size(); ++k)
+    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
   BoundedFitOptions options;
   options.most_iterations = iterations;
   options.covariance = covariance;
@@ -204,12 +225,14 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
   BoundedFit found = fit_within_bounds(residuals, x, bounds.low, bounds.high, options);
   if (covariance && !explanation.is_smooth()) {
     const Eigen::MatrixXd known = found.covariance;
-    found = search_at_random(residuals_of(problem, explanation, problem.thin), found, bounds.low, bounds.high);
+    found =
+        search_at_random(residuals_of(problem, explanation, problem.thin), found, bounds.low, bounds.high);
     found.cost = huber_sum(residuals(found.x));
     found.covariance = known;
   }
   ModelFit result = fit;
-  for (std::size_t k = 0; k < fit.values.size(); ++k) result.values[k] = explanation.parameters()[k].value(found.x[static_cast<Eigen::Index>(k)]);
+  for (std::size_t k = 0; k < fit.values.size(); ++k)
+    result.values[k] = explanation.parameters()[k].value(found.x[static_cast<Eigen::Index>(k)]);
   result.cost = found.cost;
   result.count = count;
   result.stretch.clear();
@@ -223,8 +246,8 @@ ModelFit finished(const FitProblem& problem, const ModelFit& fit) {
 }
 
 ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
-  constexpr double rise = 4;             // cost at two standard deviations
-  constexpr double nearly = 1.3;         // a parabola's width within this factor is believed
+  constexpr double rise = 4;      // cost at two standard deviations
+  constexpr double nearly = 1.3;  // a parabola's width within this factor is believed
   constexpr double widest = 64;
   ModelFit result = fit;
   const Explanation& explanation = *fit.explanation;
@@ -232,7 +255,8 @@ ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
   const auto residuals = residuals_of(problem, explanation, problem.samples);
   const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count)));
   VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
-  for (std::size_t k = 0; k < fit.values.size(); ++k) x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
+  for (std::size_t k = 0; k < fit.values.size(); ++k)
+    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const double sd = std::sqrt(std::max(0.0, fit.covariance(k, k)));
     const VectorXd along = sd > 0 ? (fit.covariance.col(k) / sd).eval() : VectorXd::Zero(x.size()).eval();

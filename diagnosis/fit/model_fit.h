@@ -16,7 +16,8 @@ struct FitProblem {
   SimulationChoice choice;
   Samples samples, thin;
   Noise noise;
-  std::vector<double> baseline_residual;  ///< recorded minus simulated before physics is added, of all samples
+  std::vector<double>
+      baseline_residual;  ///< recorded minus simulated before physics is added, of all samples
 
   /// Recorded minus simulated.
   static std::vector<double> residual(const Samples& samples, const std::vector<double>& simulated);
@@ -24,17 +25,21 @@ struct FitProblem {
 
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
-  std::vector<double> values;    ///< of explanation->parameters()
-  double cost = 0;               ///< sum of Huber's costs of the whitened residuals of all samples
-  std::size_t count = 0;         ///< of whitened residuals
-  Eigen::MatrixXd covariance;    ///< of the search coordinates; empty where it was not asked for
-  /// Factors on the standard deviations, downwards and upwards, that make the cost rise as a parabola would (with_intervals()).
+  std::vector<double> values;  ///< of explanation->parameters()
+  double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples
+  std::size_t count = 0;       ///< of whitened residuals
+  Eigen::MatrixXd covariance;  ///< of the search coordinates; empty where it was not asked for
+  /// Factors on the standard deviations, downwards and upwards, that make the cost rise as a parabola would
+  /// (with_intervals()).
   std::vector<std::pair<double, double>> stretch;
 
   std::vector<double> simulate(const Samples& samples) const;
-  std::vector<double> residual(const Samples& samples) const { return FitProblem::residual(samples, simulate(samples)); }
+  std::vector<double> residual(const Samples& samples) const {
+    return FitProblem::residual(samples, simulate(samples));
+  }
   /// The same with these of its effects only; parameters that the others replaced are those of `baseline`.
-  ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit& baseline) const;
+  ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects,
+                const ModelFit& baseline) const;
   /// Null where it has no such parameter; `owner` null: of the simulation itself.
   const double* value_of(const std::string& name, const Effect* owner) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
@@ -43,15 +48,18 @@ struct ModelFit {
   DiagnosedParameter parameter(std::size_t index, double inflation) const;
 };
 
-/// From the parameters' own starts, those read off the residuals, and `near`: values of a smaller explanation within this one.
-ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects, const ModelFit* near = nullptr);
+/// From the parameters' own starts, those read off the residuals, and `near`: values of a smaller explanation
+/// within this one.
+ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
+                         const ModelFit* near = nullptr);
 /// From where a fit stands, on these samples (some of which may not count): parameters and cost there.
-ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance, int iterations);
+ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance,
+                  int iterations);
 /// The last steps, on all samples and with the covariance there.
 ModelFit finished(const FitProblem& problem, const ModelFit& fit);
 
-/// Looks along each parameter (the others following as the covariance says) for where the cost has risen by that of two standard
-/// deviations: the parabola misleads where the response jumps, bends or meets a bound.
+/// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
+/// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.
 ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit);
 
 }  // namespace asperity

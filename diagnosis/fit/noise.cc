@@ -14,13 +14,15 @@ namespace {
 constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
 
 /// Stretches of one table: contiguous counted samples of one part, residual over the given shape of noise.
-std::vector<std::vector<double>> stretches_of(const Samples& samples, const std::vector<double>& residual, std::size_t table) {
+std::vector<std::vector<double>> stretches_of(const Samples& samples, const std::vector<double>& residual,
+                                              std::size_t table) {
   std::vector<std::vector<double>> list;
   for (const auto& run : samples.runs) {
     if (run.table != table || run.independent_rows) continue;
     for (std::size_t i = run.begin; i < run.end; ++i) {
       const Sample& s = samples.list[i];
-      if (i == run.begin || s.part != samples.list[i - 1].part || !samples.list[i - 1].counts) list.emplace_back();
+      if (i == run.begin || s.part != samples.list[i - 1].part || !samples.list[i - 1].counts)
+        list.emplace_back();
       if (s.counts) list.back().push_back(residual[i]);
     }
   }
@@ -29,15 +31,18 @@ std::vector<std::vector<double>> stretches_of(const Samples& samples, const std:
 
 /// Scatter between runs whose control is the same, sample by sample; 0 if there are none.
 double scatter_of_repeats(const Recording& recording, const Samples& samples, std::size_t table) {
-  constexpr double same = 2e-3;  // of the range
+  constexpr double same = 2e-3;       // of the range
   constexpr double same_speed = 0.1;  // relative
   std::vector<const SampleRun*> runs;
   for (const auto& run : samples.runs)
     if (run.table == table && !run.independent_rows) runs.push_back(&run);
   if (runs.size() < 2) return 0;
   const auto control = [&](const Sample& s, const std::string& channel) {
-    return channel == "normal_displacement" ? s.normal_displacement : channel == "normal_force" ? s.normal_force
-           : channel == "lateral_displacement" ? s.lateral_displacement : channel == "speed" ? s.speed : 0.0;
+    return channel == "normal_displacement"    ? s.normal_displacement
+           : channel == "normal_force"         ? s.normal_force
+           : channel == "lateral_displacement" ? s.lateral_displacement
+           : channel == "speed"                ? s.speed
+                                               : 0.0;
   };
   std::map<std::string, double> range;
   for (const auto& channel : recording.tables[table].control) {
@@ -59,8 +64,10 @@ double scatter_of_repeats(const Recording& recording, const Samples& samples, st
       bool alike = true;
       for (std::size_t i = 0; alike && i < run->end - run->begin; ++i)
         for (const auto& channel : recording.tables[table].control)
-          if (std::abs(samples.list[run->begin + i].speed - samples.list[first.begin + i].speed) > same_speed * samples.list[first.begin + i].speed ||
-              std::abs(control(samples.list[run->begin + i], channel) - control(samples.list[first.begin + i], channel)) > same * range[channel])
+          if (std::abs(samples.list[run->begin + i].speed - samples.list[first.begin + i].speed) >
+                  same_speed * samples.list[first.begin + i].speed ||
+              std::abs(control(samples.list[run->begin + i], channel) -
+                       control(samples.list[first.begin + i], channel)) > same * range[channel])
             alike = false;
       if (alike) {
         group.push_back(run);
@@ -77,7 +84,8 @@ double scatter_of_repeats(const Recording& recording, const Samples& samples, st
     for (std::size_t i = 0; i < group.front()->end - group.front()->begin; ++i) {
       double sum = 0, square = 0;
       for (const auto* run : group) sum += samples.list[run->begin + i].response;
-      for (const auto* run : group) square += std::pow(samples.list[run->begin + i].response - sum / count, 2);
+      for (const auto* run : group)
+        square += std::pow(samples.list[run->begin + i].response - sum / count, 2);
       squares.push_back(square / (count - 1));
     }
   }
@@ -117,24 +125,30 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
     const std::size_t k = lags[l];
     std::vector<double> squares;
     for (const auto& r : stretches)
-      for (std::size_t i = k; i + k < r.size(); ++i) squares.push_back(std::pow(r[i - k] - 2 * r[i] + r[i + k], 2));
+      for (std::size_t i = k; i + k < r.size(); ++i)
+        squares.push_back(std::pow(r[i - k] - 2 * r[i] + r[i + k], 2));
     if (l == 0) count = squares.size();
     if (squares.empty()) continue;
-    const auto end = squares.begin() + std::max<long>(1, std::lround(kept * static_cast<double>(squares.size())));
+    const auto end =
+        squares.begin() + std::max<long>(1, std::lround(kept * static_cast<double>(squares.size())));
     std::nth_element(squares.begin(), end - 1, squares.end());
-    variance[l] = std::accumulate(squares.begin(), end, 0.0) / static_cast<double>(end - squares.begin()) / trimmed_mean_of_square;
+    variance[l] = std::accumulate(squares.begin(), end, 0.0) / static_cast<double>(end - squares.begin()) /
+                  trimmed_mean_of_square;
   }
   if (!(variance[0] > 0)) return {0, 0, count};
   const auto shape = [](double rho, double k) {
     const double q = std::pow(rho, k);
     return 6 - 8 * q + 2 * q * q;
   };
-  // The rho whose three variances lie nearest in ratio; smooth mismatch makes those at longer distances too large only.
+  // The rho whose three variances lie nearest in ratio; smooth mismatch makes those at longer distances too
+  // large only.
   const auto misfit = [&](double rho) {
     double sum = 0;
     const double first = std::log(variance[0] / shape(rho, 1));
     for (int l = 1; l < 3; ++l)
-      if (variance[l] > 0) sum += std::pow(std::log(variance[l] / shape(rho, static_cast<double>(lags[l]))) - first, 2) / static_cast<double>(l);
+      if (variance[l] > 0)
+        sum += std::pow(std::log(variance[l] / shape(rho, static_cast<double>(lags[l]))) - first, 2) /
+               static_cast<double>(l);
     return sum;
   };
   double best = 0;
@@ -146,7 +160,8 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
   return {std::sqrt(variance[0] / shape(best, 1)), best, count};
 }
 
-Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual) {
+Noise estimate_noise(const Recording& recording, const Samples& samples,
+                     const std::vector<double>& residual) {
   Noise noise;
   noise.sd.assign(samples.list.size(), 0.0);
   noise.shared.assign(samples.runs.size(), {});
@@ -158,11 +173,16 @@ Noise estimate_noise(const Recording& recording, const Samples& samples, const s
     double sd = 0;
     std::string from;
     constexpr std::size_t enough = 30;
-    if (by_row) from = "given by row";
-    else if (given != recording.noise.end()) sd = given->second, from = "given";
-    else if ((sd = scatter_of_repeats(recording, samples, t)) > 0) from = "repeats";
-    else if (table.kind == TableKind::trace && fast.count >= enough) sd = fast.sd, from = "high frequencies";
-    else if ((sd = scatter_of_series(samples, residual, t)) > 0) from = "neighbouring rows";
+    if (by_row)
+      from = "given by row";
+    else if (given != recording.noise.end())
+      sd = given->second, from = "given";
+    else if ((sd = scatter_of_repeats(recording, samples, t)) > 0)
+      from = "repeats";
+    else if (table.kind == TableKind::trace && fast.count >= enough)
+      sd = fast.sd, from = "high frequencies";
+    else if ((sd = scatter_of_series(samples, residual, t)) > 0)
+      from = "neighbouring rows";
     if (from.empty() || (!by_row && !(sd > 0))) {
       double sum = 0, count = 0;
       for (const auto& run : samples.runs)
@@ -185,7 +205,9 @@ Noise estimate_noise(const Recording& recording, const Samples& samples, const s
     for (std::size_t r = 0; r < samples.runs.size(); ++r) {
       if (samples.runs[r].table != t) continue;
       for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
-        noise.sd[i] = std::max(floor, by_row && samples.list[i].sd > 0 ? samples.list[i].sd : by_row ? median_given : sd);
+        noise.sd[i] = std::max(floor, by_row && samples.list[i].sd > 0 ? samples.list[i].sd
+                                      : by_row                         ? median_given
+                                                                       : sd);
       if (!samples.runs[r].independent_rows && fast.count >= enough) noise.shared[r] = {1, fast.correlation};
     }
   }
@@ -204,14 +226,16 @@ std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual,
       for (long k = -reach; k <= reach; ++k) {
         const long j = static_cast<long>(i) + k;
         if (k == 0 || j < static_cast<long>(run.begin) || j >= static_cast<long>(run.end)) continue;
-        if (samples.list[static_cast<std::size_t>(j)].counts) near.push_back(residual[static_cast<std::size_t>(j)]);
+        if (samples.list[static_cast<std::size_t>(j)].counts)
+          near.push_back(residual[static_cast<std::size_t>(j)]);
       }
       if (near.size() < 4) continue;
       const double middle = median(near);
       for (double& value : near) value = std::abs(value - middle);
       const double spread = std::max(noise.sd[i], 1.4826 * median(near));
       // Beyond all its neighbours, not only off their middle: the edge of a step is none.
-      if (std::abs(residual[i] - middle) > far * spread && std::abs(residual[i] - middle) > 2 * *std::max_element(near.begin(), near.end()))
+      if (std::abs(residual[i] - middle) > far * spread &&
+          std::abs(residual[i] - middle) > 2 * *std::max_element(near.begin(), near.end()))
         marked.push_back(i);
     }
   }
@@ -226,19 +250,23 @@ void mark_beginnings(Samples& samples, const Noise& noise) {
   for (auto& run : samples.runs) {
     if (run.independent_rows) continue;
     const Sample& first = samples.list[run.begin];
-    run.first_response = first.counts && std::abs(first.response) > clear * noise.sd[first.index] ? first.response : 0;
+    run.first_response =
+        first.counts && std::abs(first.response) > clear * noise.sd[first.index] ? first.response : 0;
     std::size_t end = run.begin;
     while (end < run.end && samples.list[end].direction == first.direction) ++end;
     if (end == run.end) continue;
     std::vector<double> later;
-    for (std::size_t i = run.begin + (end - run.begin) / 2; i < end; ++i) later.push_back(samples.list[i].response * first.direction);
+    for (std::size_t i = run.begin + (end - run.begin) / 2; i < end; ++i)
+      later.push_back(samples.list[i].response * first.direction);
     const double reached = sliding * median(later);
-    for (std::size_t i = run.begin; i < end && samples.list[i].response * first.direction < reached; ++i) samples.list[i].counts = false;
+    for (std::size_t i = run.begin; i < end && samples.list[i].response * first.direction < reached; ++i)
+      samples.list[i].counts = false;
   }
 }
 
 bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise) {
-  constexpr double may_be_off = 1.25;  // of an estimate from second differences, if neighbours share a fifth or two of the variance
+  constexpr double may_be_off =
+      1.25;  // of an estimate from second differences, if neighbours share a fifth or two of the variance
   constexpr std::size_t fewest = 100;
   bool changed = false;
   for (std::size_t t = 0; t < noise.from.size(); ++t) {
@@ -265,13 +293,16 @@ bool refine_noise(const Samples& samples, const std::vector<double>& residual, N
   return changed;
 }
 
-std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
+std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual,
+                             const Noise& noise) {
   return NoiseFilter(samples, noise.sd, noise.shared).whitened(residual);
 }
 
 double shared_variance(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
   constexpr std::size_t reach = 30;
-  if (std::any_of(samples.runs.begin(), samples.runs.end(), [](const SampleRun& r) { return r.independent_rows; })) return 1;
+  if (std::any_of(samples.runs.begin(), samples.runs.end(),
+                  [](const SampleRun& r) { return r.independent_rows; }))
+    return 1;
   std::vector<double> white = whitened(samples, residual, noise);
   constexpr double far = 3;  // single large ones say nothing of what neighbours share
   double square = 0;

@@ -11,13 +11,15 @@ namespace asperity {
 struct Noise {
   std::vector<double> sd;           ///< of each sample
   std::vector<SharedNoise> shared;  ///< by run
-  std::vector<std::string> from;    ///< by table: "given by row", "given", "repeats", "high frequencies", "residuals"
-  bool is_absolute = true;          ///< false where the residuals themselves were taken as noise: no absolute test then
+  std::vector<std::string>
+      from;  ///< by table: "given by row", "given", "repeats", "high frequencies", "residuals"
+  bool is_absolute =
+      true;  ///< false where the residuals themselves were taken as noise: no absolute test then
 };
 
-/// Standard deviation and correlation of AR(1) noise under a signal that is smooth over a few samples, from second differences at
-/// distances of k = 1, 2 and 3 samples: their variance is sigma^2 (6 - 8 rho^k + 2 rho^(2k)). Means of the lowest 60 % bear with outliers
-/// and with a signal that jumps now and then.
+/// Standard deviation and correlation of AR(1) noise under a signal that is smooth over a few samples, from
+/// second differences at distances of k = 1, 2 and 3 samples: their variance is sigma^2 (6 - 8 rho^k + 2
+/// rho^(2k)). Means of the lowest 60 % bear with outliers and with a signal that jumps now and then.
 struct ShortScaleNoise {
   double sd = 0, correlation = 0;
   std::size_t count = 0;  ///< of second differences
@@ -27,22 +29,26 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretc
 /// From what is given, from repeats, else from the high frequencies of the residuals.
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual);
 
-/// With what the residuals of a fit say of it where they are noise: where what they scatter over neighbours is no more than the estimate may
-/// be off by, deviation and memory by maximum likelihood (the latter alone where the deviation is given). False if nothing changes.
+/// With what the residuals of a fit say of it where they are noise: where what they scatter over neighbours
+/// is no more than the estimate may be off by, deviation and memory by maximum likelihood (the latter alone
+/// where the deviation is given). False if nothing changes.
 bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise);
 
 /// Marks samples that lie far off their neighbours (Hampel 1974) as not counting; returns how many.
 std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise);
 
-/// What came before a record is not known: a run begins under the lateral force recorded first, and where it reverses later, its
-/// samples up to the first sliding do not count (they depend on that force, and all they can tell comes again).
+/// What came before a record is not known: a run begins under the lateral force recorded first, and where it
+/// reverses later, its samples up to the first sliding do not count (they depend on that force, and all they
+/// can tell comes again).
 void mark_beginnings(Samples& samples, const Noise& noise);
 
-/// Residuals over noise with what each shares with the one before it taken out: independent, of unit variance.
+/// Residuals over noise with what each shares with the one before it taken out: independent, of unit
+/// variance.
 std::vector<double> whitened(const Samples& samples, const std::vector<double>& residual, const Noise& noise);
 
-/// How much of the variance of a mean the whitened residuals still share with their neighbours: 1 + 2 sum (1 - k/(K + 1)) r_k, r_k
-/// their autocorrelation at a distance of k (Bartlett 1946; Newey & West 1987); at least 1. What AR(1) does not describe.
+/// How much of the variance of a mean the whitened residuals still share with their neighbours: 1 + 2 sum (1
+/// - k/(K + 1)) r_k, r_k their autocorrelation at a distance of k (Bartlett 1946; Newey & West 1987); at
+/// least 1. What AR(1) does not describe.
 double shared_variance(const Samples& samples, const std::vector<double>& residual, const Noise& noise);
 
 }  // namespace asperity

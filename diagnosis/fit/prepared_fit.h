@@ -1,4 +1,5 @@
-// From a recording to what all fits share: its samples, its own simulation calibrated as it says, what is noise, what an outlier.
+// From a recording to what all fits share: its samples, its own simulation calibrated as it says, what is
+// noise, what an outlier.
 #pragma once
 
 #include <functional>
@@ -9,8 +10,8 @@ namespace asperity {
 
 struct PreparedFit {
   FitProblem problem;
-  ModelFit baseline;         ///< the recording's own simulation
-  Noise short_scale_noise;   ///< before anything is learned from residuals that are noise
+  ModelFit baseline;        ///< the recording's own simulation
+  Noise short_scale_noise;  ///< before anything is learned from residuals that are noise
   std::size_t outliers = 0;
 
   /// Noise from what a fit leaves, where that is noise; false if nothing changes.

@@ -5,8 +5,12 @@
 
 namespace asperity {
 
-NoiseFilter::NoiseFilter(const Samples& samples, const std::vector<double>& sd, const std::vector<SharedNoise>& shared)
-    : place_(samples.list.size()), sd_(samples.list.size()), decay_(samples.list.size()), gain_(samples.list.size()),
+NoiseFilter::NoiseFilter(const Samples& samples, const std::vector<double>& sd,
+                         const std::vector<SharedNoise>& shared)
+    : place_(samples.list.size()),
+      sd_(samples.list.size()),
+      decay_(samples.list.size()),
+      gain_(samples.list.size()),
       deviation_(samples.list.size()) {
   for (std::size_t r = 0; r < samples.runs.size(); ++r) {
     const SampleRun& run = samples.runs[r];
@@ -57,9 +61,10 @@ void NoiseFilter::whiten(const std::vector<std::size_t>& samples, Eigen::MatrixX
   }
 }
 
-MeasuredNoise measured_noise(const Samples& samples, const std::vector<double>& residual, const std::vector<double>& sd, std::size_t table) {
-  constexpr double far = 4;           // single large ones say nothing of what neighbours share
-  constexpr double clearly = 3;       // log likelihood by which noise must be other than white
+MeasuredNoise measured_noise(const Samples& samples, const std::vector<double>& residual,
+                             const std::vector<double>& sd, std::size_t table) {
+  constexpr double far = 4;      // single large ones say nothing of what neighbours share
+  constexpr double clearly = 3;  // log likelihood by which noise must be other than white
   constexpr double step = 0.1;
   Samples own = samples;
   own.runs.clear();

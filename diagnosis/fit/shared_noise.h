@@ -1,6 +1,9 @@
-// Noise of which neighbouring samples share a part: white noise plus a first-order autoregression, as amplifiers and filters leave it,
-//   y = x + e,   x_k+1 = rho x_k + ...,   var x = share,  var e = 1 - share (in units of the sample's variance),
-// so that samples k apart correlate by share rho^k. Whitening is the innovation of Kalman's (1960) filter over its standard deviation.
+// Noise of which neighbouring samples share a part: white noise plus a first-order autoregression, as
+// amplifiers and filters leave it,
+//   y = x + e,   x_k+1 = rho x_k + ...,   var x = share,  var e = 1 - share (in units of the sample's
+//   variance),
+// so that samples k apart correlate by share rho^k. Whitening is the innovation of Kalman's (1960) filter
+// over its standard deviation.
 #pragma once
 
 #include <Eigen/Dense>
@@ -11,8 +14,8 @@
 namespace asperity {
 
 struct SharedNoise {
-  double share = 0;   ///< of the variance
-  double memory = 0;  ///< rho
+  double share = 0;                                     ///< of the variance
+  double memory = 0;                                    ///< rho
   double neighbours() const { return share * memory; }  ///< correlation of two samples next to each other
 };
 
@@ -38,13 +41,15 @@ class NoiseFilter {
   double log_determinant_ = 0;
 };
 
-/// By maximum likelihood from residuals over their noise: what part is shared, over how many samples, and the standard deviation in
-/// units of that noise. Memory is at most `largest_memory`: what is correlated over longer is structure. White if that is as likely.
+/// By maximum likelihood from residuals over their noise: what part is shared, over how many samples, and the
+/// standard deviation in units of that noise. Memory is at most `largest_memory`: what is correlated over
+/// longer is structure. White if that is as likely.
 struct MeasuredNoise {
   double sd = 1;
   SharedNoise shared;
 };
-MeasuredNoise measured_noise(const Samples& samples, const std::vector<double>& residual, const std::vector<double>& sd, std::size_t table);
+MeasuredNoise measured_noise(const Samples& samples, const std::vector<double>& residual,
+                             const std::vector<double>& sd, std::size_t table);
 constexpr double largest_memory = 0.8;
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
-// Hysitron: "File Version: Hysitron ..." with "Test Data Points: N", or "Number of Points = N"; displacement, force and time. The header's
-// "Disp Shift" and "Force Shift" (its zero at contact) are taken off; its machine compliance is left to the diagnosis.
+// Hysitron: "File Version: Hysitron ..." with "Test Data Points: N", or "Number of Points = N"; displacement,
+// force and time. The header's "Disp Shift" and "Force Shift" (its zero at contact) are taken off; its
+// machine compliance is left to the diagnosis.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +17,8 @@ constexpr const char* test_of_hld = "Test Data Points";
 /// Unit in "Depth (nm)" or "Force_µN".
 std::string unit_in(const std::string& name) {
   const auto open = name.find('(');
-  if (open != std::string::npos) return instrument_unit(name.substr(open + 1, name.find(')', open) - open - 1));
+  if (open != std::string::npos)
+    return instrument_unit(name.substr(open + 1, name.find(')', open) - open - 1));
   return instrument_unit(name.substr(name.rfind('_') + 1));
 }
 
@@ -25,7 +27,8 @@ std::string unit_in(const std::string& name) {
 bool is_hysitron(const InstrumentText& text) {
   constexpr std::size_t first_lines = 5;
   for (std::size_t i = 0; i < std::min(first_lines, text.lines.size()); ++i)
-    if (text.lines[i].find("Hysitron") != std::string::npos || text.lines[i].rfind(points_of_text, 0) == 0) return true;
+    if (text.lines[i].find("Hysitron") != std::string::npos || text.lines[i].rfind(points_of_text, 0) == 0)
+      return true;
   return false;
 }
 
@@ -33,12 +36,13 @@ Recording read_hysitron(const InstrumentText& text, const ImportOptions&) {
   const auto points = text.line_with(test_of_hld);
   const auto announced = points ? points : text.line_with(points_of_text);
   if (!announced || *announced + 1 >= text.lines.size())
-    throw InputError(text.file + ": says it is Hysitron's but has neither '" + test_of_hld + "' nor '" + points_of_text + "'; it may be cut short");
+    throw InputError(text.file + ": says it is Hysitron's but has neither '" + test_of_hld + "' nor '" +
+                     points_of_text + "'; it may be cut short");
   const InstrumentTable source = table_under(text, *announced + 1);
   const auto count = text.number_behind(points ? test_of_hld : points_of_text);
   if (count && static_cast<double>(source.rows()) < *count)
-    throw InputError(text.file + ": announces " + std::to_string(std::lround(*count)) + " points and holds " + std::to_string(source.rows()) +
-                     "; it is cut short");
+    throw InputError(text.file + ": announces " + std::to_string(std::lround(*count)) + " points and holds " +
+                     std::to_string(source.rows()) + "; it is cut short");
   RecordingTable table;
   table.file = "loading.csv";
   // The instrument drives the force, but before contact only the displacement says where it is.

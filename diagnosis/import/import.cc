@@ -17,7 +17,8 @@ const TextFormat& format_of(const InstrumentText& text, const std::string& asked
   std::string list;
   for (const auto& name : import_formats()) list += (list.empty() ? "" : ", ") + name;
   const std::string meant = nearest_name(asked, import_formats());
-  throw InputError("there is no format '" + asked + "'; " + (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
+  throw InputError("there is no format '" + asked + "'; " +
+                   (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
 }
 
 /// What the options say over what the file says; what neither says is asked for.
@@ -33,10 +34,14 @@ void fill_bodies(Recording& recording, const ImportOptions& options, const std::
   }
   if (options.substrate_modulus) substrate.youngs_modulus = *options.substrate_modulus;
   if (options.substrate_poisson) substrate.poissons_ratio = *options.substrate_poisson;
-  if (!std::isfinite(particle.radius)) throw InputError(file + ": does not say the radius of sphere or tip; give it with --radius, for example \"150 nm\"");
+  if (!std::isfinite(particle.radius))
+    throw InputError(
+        file + ": does not say the radius of sphere or tip; give it with --radius, for example \"150 nm\"");
   if (!std::isfinite(substrate.youngs_modulus) || !std::isfinite(substrate.poissons_ratio))
-    throw InputError(file + ": does not say what the substrate is; give --substrate-modulus and --substrate-poisson");
-  if (!std::isfinite(particle.poissons_ratio)) throw InputError(file + ": --particle-modulus needs --particle-poisson too");
+    throw InputError(
+        file + ": does not say what the substrate is; give --substrate-modulus and --substrate-poisson");
+  if (!std::isfinite(particle.poissons_ratio))
+    throw InputError(file + ": --particle-modulus needs --particle-poisson too");
 }
 
 void keep_run(RecordingTable& table, int run, const std::string& file) {
@@ -50,7 +55,8 @@ void keep_run(RecordingTable& table, int run, const std::string& file) {
     if (!table.segment.empty()) kept.segment.push_back(table.segment[i]);
   }
   if (kept.rows() == 0)
-    throw InputError(file + ": has no run " + std::to_string(run) + "; there are " + std::to_string(std::lround(*std::max_element(runs.begin(), runs.end()))));
+    throw InputError(file + ": has no run " + std::to_string(run) + "; there are " +
+                     std::to_string(std::lround(*std::max_element(runs.begin(), runs.end()))));
   table = kept;
 }
 
@@ -77,7 +83,8 @@ void drop_repeated_times(RecordingTable& table) {
 
 }  // namespace
 
-void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values, const std::string& unit) {
+void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values,
+                 const std::string& unit) {
   const Dimension dimension = dimension_of_channel(channel);
   const double factor = dimension == Dimension::none ? 1 : unit_factor(instrument_unit(unit), dimension);
   auto& column = table.columns[channel];
@@ -85,11 +92,10 @@ void add_channel(RecordingTable& table, const std::string& channel, const std::v
 }
 
 const std::vector<TextFormat>& text_formats() {
-  static const std::vector<TextFormat> formats{
-      {"hysitron", is_hysitron, read_hysitron},
-      {"optics11", is_optics11, read_optics11},
-      {"fischer", is_fischer, read_fischer},
-      {"csv", is_csv, read_mapped_csv}};
+  static const std::vector<TextFormat> formats{{"hysitron", is_hysitron, read_hysitron},
+                                               {"optics11", is_optics11, read_optics11},
+                                               {"fischer", is_fischer, read_fischer},
+                                               {"csv", is_csv, read_mapped_csv}};
   return formats;
 }
 

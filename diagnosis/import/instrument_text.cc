@@ -16,7 +16,8 @@ InstrumentText read_instrument_text(const std::filesystem::path& file) {
   check_file_size(file, "cut it into experiments");
   std::string bytes = read_file(file);
   if (bytes.find('\0') != std::string::npos)
-    throw InputError(file.string() + ": is binary, not text; export it as text from the instrument's program");
+    throw InputError(file.string() +
+                     ": is binary, not text; export it as text from the instrument's program");
   if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) bytes.erase(0, 3);
   bytes = as_utf8(std::move(bytes));
   InstrumentText text;
@@ -25,8 +26,9 @@ InstrumentText read_instrument_text(const std::filesystem::path& file) {
   std::string line;
   for (const char c : bytes) {
     if (line.size() > read_limits::longest_line)
-      throw InputError(text.file + ":" + std::to_string(text.lines.size() + 1) + ": this line is longer than " +
-                       std::to_string(read_limits::longest_line) + " characters; this is no table of an instrument");
+      throw InputError(text.file + ":" + std::to_string(text.lines.size() + 1) +
+                       ": this line is longer than " + std::to_string(read_limits::longest_line) +
+                       " characters; this is no table of an instrument");
     if (c == '\n') {
       text.lines.push_back(line);
       line.clear();
@@ -53,7 +55,9 @@ std::optional<double> InstrumentText::number_behind(const std::string& key) cons
 }
 
 std::vector<std::string> cells_of_line(const std::string& line) {
-  const char separator = line.find('\t') != std::string::npos ? '\t' : line.find(';') != std::string::npos ? ';' : ',';
+  const char separator = line.find('\t') != std::string::npos  ? '\t'
+                         : line.find(';') != std::string::npos ? ';'
+                                                               : ',';
   std::vector<std::string> cells;
   for (std::size_t from = 0;;) {
     const auto at = line.find(separator, from);
@@ -85,20 +89,24 @@ InstrumentTable table_under(const InstrumentText& text, std::size_t header) {
     if (!number_in(cells[0])) {
       // A text line ends the table, unless it is one of its rows gone wrong.
       if (table.rows() > 0 && cells.size() == table.names.size() && cells.size() > 1 && number_in(cells[1]))
-        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[0] + "' in column '" + table.names[0] + "' is not a number");
+        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[0] + "' in column '" +
+                         table.names[0] + "' is not a number");
       break;
     }
     if (cells.size() < table.names.size())
-      throw InputError(text.file + ":" + std::to_string(i + 1) + ": " + std::to_string(cells.size()) + " cells where the header has " +
-                       std::to_string(table.names.size()) + "; the file may be cut short");
+      throw InputError(text.file + ":" + std::to_string(i + 1) + ": " + std::to_string(cells.size()) +
+                       " cells where the header has " + std::to_string(table.names.size()) +
+                       "; the file may be cut short");
     for (std::size_t c = 0; c < table.names.size(); ++c) {
       const auto value = number_in(cells[c]);
       if (!value)
-        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[c] + "' in column '" + table.names[c] + "' is not a number");
+        throw InputError(text.file + ":" + std::to_string(i + 1) + ": '" + cells[c] + "' in column '" +
+                         table.names[c] + "' is not a number");
       table.columns[c].push_back(*value);
     }
   }
-  if (table.rows() == 0) throw InputError(text.file + ":" + std::to_string(header + 1) + ": no numbers follow this header");
+  if (table.rows() == 0)
+    throw InputError(text.file + ":" + std::to_string(header + 1) + ": no numbers follow this header");
   return table;
 }
 

@@ -38,8 +38,8 @@ std::vector<std::string> cells_of_line(const std::string& line);
 /// Reads "1.5", "1,5" (decimal comma), "nan"; none if the whole text is not a number.
 std::optional<double> number_in(std::string text);
 
-/// The table whose header stands in line `header` (index), until a line that is not numbers. Throws InputError naming a line whose
-/// cells are too few or hold text.
+/// The table whose header stands in line `header` (index), until a line that is not numbers. Throws
+/// InputError naming a line whose cells are too few or hold text.
 InstrumentTable table_under(const InstrumentText& text, std::size_t header);
 
 /// "um" for "µm" or "micron", "uN" for "µN".

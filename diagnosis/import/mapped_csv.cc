@@ -1,5 +1,6 @@
-// A table with a header row, its columns mapped to channels: "channel [unit] = factor * column * column". A constant alone fills the
-// column. "channel:forward" and "channel:backward" hold the two ways of a scan side by side: each run becomes a loop, there and back.
+// A table with a header row, its columns mapped to channels: "channel [unit] = factor * column * column". A
+// constant alone fills the column. "channel:forward" and "channel:backward" hold the two ways of a scan side
+// by side: each run becomes a loop, there and back.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -36,7 +37,8 @@ MappedColumn parsed(const std::string& entry) {
     mapped.way = left.substr(colon + 1);
     left = left.substr(0, colon);
     if (mapped.way != "forward" && mapped.way != "backward")
-      throw InputError("the column map '" + entry + "' has the way '" + mapped.way + "'; it is forward or backward");
+      throw InputError("the column map '" + entry + "' has the way '" + mapped.way +
+                       "'; it is forward or backward");
   }
   mapped.channel = left;
   if (left.empty() || mapped.expression.empty()) throw InputError(refusal);
@@ -45,7 +47,8 @@ MappedColumn parsed(const std::string& entry) {
 }
 
 /// factor * column * column, or a constant.
-std::vector<double> evaluated(const std::string& expression, const InstrumentTable& source, const std::string& file) {
+std::vector<double> evaluated(const std::string& expression, const InstrumentTable& source,
+                              const std::string& file) {
   std::vector<double> values(source.rows(), 1.0);
   for (std::size_t from = 0; from <= expression.size();) {
     const auto star = std::min(expression.find('*', from), expression.size());
@@ -66,7 +69,8 @@ std::vector<double> evaluated(const std::string& expression, const InstrumentTab
 std::size_t header_line(const InstrumentText& text) {
   for (std::size_t i = 0; i + 1 < text.lines.size(); ++i) {
     const auto names = cells_of_line(text.lines[i]), numbers = cells_of_line(text.lines[i + 1]);
-    if (names.size() < 2 || numbers.size() < names.size() || number_in(names[0]) || text.lines[i][0] == '#') continue;
+    if (names.size() < 2 || numbers.size() < names.size() || number_in(names[0]) || text.lines[i][0] == '#')
+      continue;
     if (number_in(numbers[0]) && number_in(numbers[1])) return i;
   }
   throw InputError(text.file + ": there is no row of names with a row of as many numbers under it");
@@ -81,12 +85,15 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
   if (options.columns.empty()) {
     std::string list;
     for (const auto& name : source.names) list += (list.empty() ? "" : ", ") + name;
-    throw InputError(text.file + ": say what its columns are with --column \"channel [unit] = column\"; there are " + list);
+    throw InputError(text.file +
+                     ": say what its columns are with --column \"channel [unit] = column\"; there are " +
+                     list);
   }
   const bool is_normal = options.mode == Motion::normal;
   RecordingTable table;
   table.file = is_normal ? "loading.csv" : "loops.csv";
-  table.control = is_normal ? std::vector<std::string>{"normal_displacement"} : std::vector<std::string>{"lateral_displacement", "normal_force"};
+  table.control = is_normal ? std::vector<std::string>{"normal_displacement"}
+                            : std::vector<std::string>{"lateral_displacement", "normal_force"};
   table.response = is_normal ? "normal_force" : "lateral_force";
   std::map<std::string, std::vector<double>> by_way[2];
   bool has_ways = false;
@@ -95,9 +102,11 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
     const std::vector<double> values = evaluated(mapped.expression, source, text.file);
     has_ways = has_ways || !mapped.way.empty();
     RecordingTable one;
-    add_channel(one, mapped.channel, values, mapped.unit.empty() ? unit_of_channel(mapped.channel) : mapped.unit);
+    add_channel(one, mapped.channel, values,
+                mapped.unit.empty() ? unit_of_channel(mapped.channel) : mapped.unit);
     for (int way = 0; way < 2; ++way)
-      if (mapped.way.empty() || (mapped.way == "forward") == (way == 0)) by_way[way][mapped.channel] = one.columns.at(mapped.channel);
+      if (mapped.way.empty() || (mapped.way == "forward") == (way == 0))
+        by_way[way][mapped.channel] = one.columns.at(mapped.channel);
   }
   if (!has_ways) {
     table.columns = by_way[0];
@@ -106,7 +115,8 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
     if (is_normal && table.has(driven)) table.segment = find_segments(table.column(driven)).segment;
   } else {
     // Rows of one run (line of a scan): there in order, back in the reverse.
-    const std::vector<double> runs = by_way[0].count("run") ? by_way[0]["run"] : std::vector<double>(source.rows(), 1);
+    const std::vector<double> runs =
+        by_way[0].count("run") ? by_way[0]["run"] : std::vector<double>(source.rows(), 1);
     for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
       while (to < runs.size() && runs[to] == runs[from]) ++to;
       for (int way = 0; way < 2; ++way)

@@ -1,5 +1,6 @@
-// Optics11: header "k (N/m)", "Tip radius (um)", "E[v=0.50] (Pa)"; table of time, load, indentation, cantilever and piezo.
-// Displacement: piezo less cantilever, from where the file's own indentation begins, so that the way before contact is kept too.
+// Optics11: header "k (N/m)", "Tip radius (um)", "E[v=0.50] (Pa)"; table of time, load, indentation,
+// cantilever and piezo. Displacement: piezo less cantilever, from where the file's own indentation begins, so
+// that the way before contact is kept too.
 #include <algorithm>
 #include <cmath>
 
@@ -14,15 +15,20 @@ constexpr const char* optics11_header = "Time (s)\tLoad (uN)";
 
 }  // namespace
 
-bool is_optics11(const InstrumentText& text) { return text.line_with(optics11_header).has_value() && text.line_with("Tip radius").has_value(); }
+bool is_optics11(const InstrumentText& text) {
+  return text.line_with(optics11_header).has_value() && text.line_with("Tip radius").has_value();
+}
 
 Recording read_optics11(const InstrumentText& text, const ImportOptions& options) {
   const auto header = text.line_with(optics11_header);
   if (!header)
-    throw InputError(text.file + ": has no table under 'Time (s)' and 'Load (uN)' as Optics11's has; leave --format out, or pass csv");
+    throw InputError(
+        text.file +
+        ": has no table under 'Time (s)' and 'Load (uN)' as Optics11's has; leave --format out, or pass csv");
   const InstrumentTable source = table_under(text, *header);
   const auto &time = source.column("Time (s)", text.file), &load = source.column("Load (uN)", text.file),
-             &indentation = source.column("Indentation (nm)", text.file), &cantilever = source.column("Cantilever (nm)", text.file),
+             &indentation = source.column("Indentation (nm)", text.file),
+             &cantilever = source.column("Cantilever (nm)", text.file),
              &piezo = source.column("Piezo (nm)", text.file);
   std::vector<double> displacement, offsets;
   for (std::size_t i = 0; i < source.rows(); ++i) {
@@ -36,7 +42,8 @@ Recording read_optics11(const InstrumentText& text, const ImportOptions& options
   const auto k = text.number_behind("k (N/m)");
   std::vector<double> force = load;
   if (options.spring_constant) {
-    if (!k || !(*k > 0)) throw InputError(text.file + ": has no 'k (N/m)' that --spring-constant could replace");
+    if (!k || !(*k > 0))
+      throw InputError(text.file + ": has no 'k (N/m)' that --spring-constant could replace");
     for (double& f : force) f *= *options.spring_constant / *k;
   }
   RecordingTable table;

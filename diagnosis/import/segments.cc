@@ -13,7 +13,8 @@ constexpr double shortest_hold = 0.02;       // of the samples
 std::vector<double> smoothed(const std::vector<double>& signal) {
   std::vector<double> smooth = signal;
   for (std::size_t i = 2; i + 2 < signal.size(); ++i) {
-    std::vector<double> five(signal.begin() + static_cast<long>(i) - 2, signal.begin() + static_cast<long>(i) + 3);
+    std::vector<double> five(signal.begin() + static_cast<long>(i) - 2,
+                             signal.begin() + static_cast<long>(i) + 3);
     std::nth_element(five.begin(), five.begin() + 2, five.end());
     smooth[i] = five[2];
   }
@@ -33,11 +34,13 @@ FoundSegments find_segments(const std::vector<double>& given) {
   const double range = *high - *low;
   // Holds first: from each sample as far as the signal stays within the band.
   std::vector<bool> holds(n, false);
-  const auto shortest = std::max<std::size_t>(3, static_cast<std::size_t>(shortest_hold * static_cast<double>(n)));
+  const auto shortest =
+      std::max<std::size_t>(3, static_cast<std::size_t>(shortest_hold * static_cast<double>(n)));
   for (std::size_t i = 0; i < n;) {
     double least = signal[i], most = signal[i];
     std::size_t end = i;
-    while (end + 1 < n && std::max(most, signal[end + 1]) - std::min(least, signal[end + 1]) < still * range) {
+    while (end + 1 < n &&
+           std::max(most, signal[end + 1]) - std::min(least, signal[end + 1]) < still * range) {
       ++end;
       least = std::min(least, signal[end]);
       most = std::max(most, signal[end]);
@@ -57,7 +60,8 @@ FoundSegments find_segments(const std::vector<double>& given) {
   };
   for (std::size_t i = 1; i < n; ++i) {
     if (direction == 0) {
-      if (std::abs(signal[i] - signal[0]) > turn * range) direction = signal[i] > signal[0] ? 1 : -1, extreme = i;
+      if (std::abs(signal[i] - signal[0]) > turn * range)
+        direction = signal[i] > signal[0] ? 1 : -1, extreme = i;
     } else if ((signal[i] - signal[extreme]) * direction >= 0) {
       extreme = i;
     } else if ((signal[extreme] - signal[i]) * direction > turn * range) {

@@ -32,6 +32,7 @@ bool is_csv(const InstrumentText& text);
 Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& options);
 
 /// Adds `values` (in `unit`) as a channel [SI].
-void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values, const std::string& unit);
+void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values,
+                 const std::string& unit);
 
 }  // namespace asperity

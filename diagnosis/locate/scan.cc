@@ -22,7 +22,8 @@ struct Run {
 };
 
 /// Disjoint runs of positive sum, the largest first: take the largest, then look to either side of it.
-void best_runs(const std::vector<double>& excess, std::size_t from, std::size_t to, std::vector<Run>& found, bool only_best) {
+void best_runs(const std::vector<double>& excess, std::size_t from, std::size_t to, std::vector<Run>& found,
+               bool only_best) {
   Run best;
   double sum = 0;
   std::size_t start = from;
@@ -44,7 +45,8 @@ std::vector<double> simulated_noise(const Samples& samples, const Noise& noise, 
   std::vector<double> values(samples.list.size());
   for (std::size_t r = 0; r < samples.runs.size(); ++r) {
     const SharedNoise shared = samples.runs[r].independent_rows ? SharedNoise{} : noise.shared[r];
-    const double fresh = std::sqrt(shared.share * (1 - shared.memory * shared.memory)), own = std::sqrt(1 - shared.share);
+    const double fresh = std::sqrt(shared.share * (1 - shared.memory * shared.memory)),
+                 own = std::sqrt(1 - shared.share);
     double slow = std::sqrt(shared.share) * normal(random);
     for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i) {
       values[i] = slow + own * normal(random);
@@ -54,14 +56,17 @@ std::vector<double> simulated_noise(const Samples& samples, const Noise& noise, 
   return values;
 }
 
-/// Single samples far off between two that are not are outliers, or the one sample in which something snapped.
+/// Single samples far off between two that are not are outliers, or the one sample in which something
+/// snapped.
 void leave_out_spikes(const Samples& samples, std::vector<double>& ratio) {
   constexpr double far = 4.5, near = 3;
   const std::vector<double> given = ratio;
   for (const auto& run : samples.runs) {
     if (run.independent_rows) continue;
     for (std::size_t i = run.begin; i < run.end; ++i)
-      if (std::abs(given[i]) > far && (i == run.begin || std::abs(given[i - 1]) < near) && (i + 1 == run.end || std::abs(given[i + 1]) < near)) ratio[i] = 0;
+      if (std::abs(given[i]) > far && (i == run.begin || std::abs(given[i - 1]) < near) &&
+          (i + 1 == run.end || std::abs(given[i + 1]) < near))
+        ratio[i] = 0;
   }
 }
 
@@ -101,14 +106,16 @@ Scanner::Scanner(const Samples& samples, const Experiment& experiment, const Noi
   for (int n = 0; n < simulated_noises; ++n) {
     const auto values = simulated_noise(samples, noise, random);
     for (std::size_t v = 0; v < views_.size(); ++v)
-      for (std::size_t b = 0; b < views_[v].bins.size(); ++b) all[v][b].push_back(moments(views_[v].bins[b], values));
+      for (std::size_t b = 0; b < views_[v].bins.size(); ++b)
+        all[v][b].push_back(moments(views_[v].bins[b], values));
   }
   scales_.resize(views_.size());
   for (std::size_t v = 0; v < views_.size(); ++v)
     for (const auto& bin : all[v]) {
       double mean = 0, square = 0;
       for (const auto& m : bin) mean += m.mean * m.mean, square += (m.square - 1) * (m.square - 1);
-      scales_[v].push_back({std::sqrt(mean / simulated_noises), std::hypot(std::sqrt(square / simulated_noises), 2 * uncertainty_of_sd)});
+      scales_[v].push_back({std::sqrt(mean / simulated_noises),
+                            std::hypot(std::sqrt(square / simulated_noises), 2 * uncertainty_of_sd)});
     }
   for (int n = 0; n < simulated_noises; ++n) {
     double largest = 0;
@@ -117,7 +124,8 @@ Scanner::Scanner(const Samples& samples, const Experiment& experiment, const Noi
       for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
         const auto& m = all[v][b][static_cast<std::size_t>(n)];
         const double q = (m.square - 1) / scales_[v][b].square;
-        excess.push_back(std::max(std::pow(m.mean / scales_[v][b].mean, 2), q > 0 ? q * q : 0.0) - background);
+        excess.push_back(std::max(std::pow(m.mean / scales_[v][b].mean, 2), q > 0 ? q * q : 0.0) -
+                         background);
       }
       std::vector<Run> runs;
       best_runs(excess, 0, excess.size(), runs, true);
@@ -132,13 +140,15 @@ double Scanner::p_value(double score) const {
   if (score <= 0) return 1;
   constexpr double tail = 0.2, smallest = 1e-12;
   const auto count = static_cast<double>(noise_scores_.size());
-  const auto above = static_cast<double>(noise_scores_.end() - std::lower_bound(noise_scores_.begin(), noise_scores_.end(), score));
+  const auto above = static_cast<double>(noise_scores_.end() -
+                                         std::lower_bound(noise_scores_.begin(), noise_scores_.end(), score));
   const auto edge = static_cast<std::size_t>((1 - tail) * count);
   if (score <= noise_scores_[edge]) return (above + 1) / (count + 1);
   double excess = 0;
   for (std::size_t i = edge; i < noise_scores_.size(); ++i) excess += noise_scores_[i] - noise_scores_[edge];
   excess /= static_cast<double>(noise_scores_.size() - edge);
-  return excess > 0 ? std::max(smallest, tail * std::exp(-(score - noise_scores_[edge]) / excess)) : (above + 1) / (count + 1);
+  return excess > 0 ? std::max(smallest, tail * std::exp(-(score - noise_scores_[edge]) / excess))
+                    : (above + 1) / (count + 1);
 }
 
 ScanResult Scanner::scan(const std::vector<double>& residual, const std::vector<double>& tolerated) const {
@@ -190,9 +200,11 @@ ScanResult Scanner::scan(const std::vector<double>& residual, const std::vector<
     for (const auto& run : runs)
       if (p_value(run.score) < region_significance) best.candidates.push_back({v, run});
   }
-  for (const auto& [segment, best] : best_of_segment) candidates.insert(candidates.end(), best.candidates.begin(), best.candidates.end());
+  for (const auto& [segment, best] : best_of_segment)
+    candidates.insert(candidates.end(), best.candidates.begin(), best.candidates.end());
   result.p_value = p_value(largest);
-  std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.run.score > b.run.score; });
+  std::sort(candidates.begin(), candidates.end(),
+            [](const auto& a, const auto& b) { return a.run.score > b.run.score; });
   for (const auto& candidate : candidates) {
     if (result.regions.size() == most_regions) break;
     const View& view = views_[candidate.view];

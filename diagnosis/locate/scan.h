@@ -1,8 +1,9 @@
-// Is a residual noise, and if not, where is it not? In every bin of every view the mean residual, and its mean square, are held
-// against those of simulated noise with the same standard deviation and correlation; runs of bins that stand out together are
-// regions, found as the segments of largest sum of (T - c) (Ruzzo & Tompa 1999), T the square of the bin's departure in units of
-// its own standard deviation. The p-value of a region is the share of simulated noise in which any region anywhere is as large;
-// beyond the simulated ones, by an exponential tail.
+// Is a residual noise, and if not, where is it not? In every bin of every view the mean residual, and its
+// mean square, are held against those of simulated noise with the same standard deviation and correlation;
+// runs of bins that stand out together are regions, found as the segments of largest sum of (T - c) (Ruzzo &
+// Tompa 1999), T the square of the bin's departure in units of its own standard deviation. The p-value of a
+// region is the share of simulated noise in which any region anywhere is as large; beyond the simulated ones,
+// by an exponential tail.
 #pragma once
 
 #include <vector>

@@ -21,18 +21,24 @@ struct NamedVariable {
 };
 
 std::vector<NamedVariable> variables_for(Motion mode, bool trace, bool hold, bool force_drives) {
-  const NamedVariable displacement{"normal_displacement", [](const Sample& s) { return s.normal_displacement; }},
-      load{"normal_force", [](const Sample& s) { return s.normal_force; }},
-      way{"lateral_displacement", [](const Sample& s) { return s.lateral_displacement; }},
-      time{"time", [](const Sample& s) { return s.hold_time; }}, cycle{"cycle", [](const Sample& s) { return s.cycle; }},
-      speed{"speed", [](const Sample& s) { return s.speed; }}, radius{"radius", [](const Sample& s) { return s.radius; }},
-      roughness{"rms_roughness", [](const Sample& s) { return s.rms_roughness; }},
-      angle{"rail_angle", [](const Sample& s) { return s.rail_angle; }};
+  const NamedVariable displacement{"normal_displacement",
+                                   [](const Sample&s) { return s.normal_displacement; }},
+      load{"normal_force", [](const Sample&s) { return s.normal_force; }},
+      way{"lateral_displacement", [](const Sample&s) { return s.lateral_displacement; }},
+      time{"time", [](const Sample&s) { return s.hold_time; }},
+      cycle{"cycle", [](const Sample&s) { return s.cycle; }},
+      speed{"speed", [](const Sample&s) { return s.speed; }},
+      radius{"radius", [](const Sample&s) { return s.radius; }},
+      roughness{"rms_roughness", [](const Sample&s) { return s.rms_roughness; }},
+      angle{"rail_angle", [](const Sample&s) { return s.rail_angle; }};
   std::vector<NamedVariable> list;
   if (hold) return {time, cycle};
-  if (mode == Motion::normal) list.push_back(force_drives ? load : displacement);
-  else if (trace) list = {way, load};
-  else list = {load};
+  if (mode == Motion::normal)
+    list.push_back(force_drives ? load : displacement);
+  else if (trace)
+    list = {way, load};
+  else
+    list = {load};
   if (trace) list.push_back(cycle);
   if (mode != Motion::normal) list.push_back(speed);
   if (mode != Motion::normal) list.insert(list.end(), {radius, roughness, angle});
@@ -40,7 +46,8 @@ std::vector<NamedVariable> variables_for(Motion mode, bool trace, bool hold, boo
 }
 
 /// Bins of about equal count; values that are few have a bin each.
-std::vector<Bin> binned(const Samples& samples, std::vector<std::size_t> members, const Variable& value, bool trace) {
+std::vector<Bin> binned(const Samples& samples, std::vector<std::size_t> members, const Variable& value,
+                        bool trace) {
   std::set<double> distinct;
   for (const std::size_t i : members) {
     distinct.insert(value(samples.list[i]));
@@ -48,7 +55,9 @@ std::vector<Bin> binned(const Samples& samples, std::vector<std::size_t> members
   }
   const double low = *distinct.begin(), high = *distinct.rbegin();
   if (distinct.size() < 2 || high - low <= varies * std::max(-low, high)) return {};
-  std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) { return value(samples.list[a]) < value(samples.list[b]); });
+  std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+    return value(samples.list[a]) < value(samples.list[b]);
+  });
   std::vector<Bin> bins;
   const std::size_t fewest = trace ? samples_in_a_bin : 1;
   if (distinct.size() <= most_bins && members.size() >= fewest * distinct.size()) {

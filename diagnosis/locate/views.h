@@ -1,5 +1,5 @@
-// The data cut into bins along each variable that can order a mismatch: displacement, load, time in a hold, cycle, speed, radius,
-// roughness, angle; one view for each table, segment and variable.
+// The data cut into bins along each variable that can order a mismatch: displacement, load, time in a hold,
+// cycle, speed, radius, roughness, angle; one view for each table, segment and variable.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 namespace asperity {
 
 struct Bin {
-  double from = 0, to = 0;             ///< of the variable
-  std::vector<std::size_t> samples;    ///< that count
+  double from = 0, to = 0;           ///< of the variable
+  std::vector<std::size_t> samples;  ///< that count
 };
 
 struct View {

@@ -17,14 +17,23 @@ Mechanics baseline_mechanics(const Experiment& experiment, const SimulationChoic
   m.geometry = experiment.hertz();
   m.normal.contact = std::make_shared<HertzContact>(m.geometry);
   switch (experiment.mode) {
-    case Motion::normal: break;
-    case Motion::sliding: m.lateral.coefficient = value_of(choice, "sliding_friction"); break;
-    case Motion::rolling: m.lateral.coefficient = value_of(choice, "rolling_friction"); break;
+    case Motion::normal:
+      break;
+    case Motion::sliding:
+      m.lateral.coefficient = value_of(choice, "sliding_friction");
+      break;
+    case Motion::rolling:
+      m.lateral.coefficient = value_of(choice, "rolling_friction");
+      break;
     case Motion::rail:
       m.lateral.coefficient = value_of(choice, "rolling_friction");
       if (choice.torsion == "constant") m.lateral.torsion_coefficient = value_of(choice, "torsion_friction");
       break;
-    case Motion::torsion: m.lateral.coefficient = value_of(choice, "torsion_friction"); break;
+    case Motion::torsion:
+      m.lateral.coefficient = value_of(choice, "torsion_friction");
+      break;
+    case Motion::program:
+      break;
   }
   return m;
 }

@@ -1,9 +1,11 @@
-// The mechanical model that a recording is compared with, as parts that effects replace, add in series, or add on top:
+// The mechanical model that a recording is compared with, as parts that effects replace, add in series, or
+// add on top:
 //
-//   normal   d = d_contact + sum of series(f_contact) + sum of delayed parts(d_contact) + sum of shifts(sample),
+//   normal   d = d_contact + sum of series(f_contact) + sum of delayed parts(d_contact) + sum of
+//   shifts(sample),
 //              f_n = f_contact + sum of additions(sample, d)
-//   lateral  x = x_contact + C f_l,contact,   |f_l,contact| <= limit,   f_l = f_l,contact + sum of additions(sample)
-//   limit    coefficient x (f_n + offset), each changed by the list of changes
+//   lateral  x = x_contact + C f_l,contact,   |f_l,contact| <= limit,   f_l = f_l,contact + sum of
+//   additions(sample) limit    coefficient x (f_n + offset), each changed by the list of changes
 //
 // Copying it copies the histories: a run of the recording begins with a copy. SI units.
 #pragma once
@@ -23,12 +25,12 @@ namespace asperity {
 /// What a friction law may depend on at one instant.
 struct SlipState {
   const Sample* sample = nullptr;
-  double normal_force = 0;     ///< f_n [N]
-  double contact_radius = 0;   ///< a by Hertz [m]
-  double slip = 0;             ///< path slipped since the last reversal [m]
-  double path = 0;             ///< recorded path since sliding began after the last reversal, elastic parts included [m]
-  double speed = 0;            ///< [m/s]
-  double time_step = 0;        ///< [s]
+  double normal_force = 0;    ///< f_n [N]
+  double contact_radius = 0;  ///< a by Hertz [m]
+  double slip = 0;            ///< path slipped since the last reversal [m]
+  double path = 0;  ///< recorded path since sliding began after the last reversal, elastic parts included [m]
+  double speed = 0;      ///< [m/s]
+  double time_step = 0;  ///< [s]
 };
 
 /// mu -> changed mu. May keep a history; called once for every sample, in order.
@@ -54,21 +56,22 @@ struct DelayedPart {
 };
 
 struct NormalMechanics {
-  std::shared_ptr<const NormalContact> contact;                        ///< without history; cloned for a run
-  std::vector<std::function<double(double force)>> series;             ///< displacement [m] of what lies in series
-  std::vector<DelayedPart> delays;                                     ///< displacement [m] that follows the contact's
-  std::vector<std::function<double(const Sample&)>> shifts;            ///< displacement [m]; may keep a history
+  std::shared_ptr<const NormalContact> contact;              ///< without history; cloned for a run
+  std::vector<std::function<double(double force)>> series;   ///< displacement [m] of what lies in series
+  std::vector<DelayedPart> delays;                           ///< displacement [m] that follows the contact's
+  std::vector<std::function<double(const Sample&)>> shifts;  ///< displacement [m]; may keep a history
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
 };
 
 struct LateralMechanics {
   enum class Stick { spring, strips } stick = Stick::spring;
-  double compliance = 0;         ///< C in series [m/N]
-  double coefficient = 0;        ///< mu of sliding, rolling, or torsion in mode torsion
-  double offset = 0;             ///< h added to the normal force [N]
-  double torsion_coefficient = 0;                               ///< mu_to at the slopes of a rail
+  double compliance = 0;                              ///< C in series [m/N]
+  double coefficient = 0;                             ///< mu of sliding, rolling, or torsion in mode torsion
+  double offset = 0;                                  ///< h added to the normal force [N]
+  double torsion_coefficient = 0;                     ///< mu_to at the slopes of a rail
   LengthScale length = LengthScale::particle_radius;  ///< of rolling and torsion
-  bool follows_area = false;     ///< sliding: the limit is coefficient x pi a^2, coefficient a shear strength [Pa]
+  bool follows_area =
+      false;  ///< sliding: the limit is coefficient x pi a^2, coefficient a shear strength [Pa]
   std::vector<CoefficientChange> coefficient_changes;
   std::vector<LimitChange> limit_changes;
   std::vector<std::function<double(const Sample&)>> additions;  ///< to the recorded force [N]

@@ -1,4 +1,5 @@
-// The law between the displacement of the contact and its normal force, with a history: the slot into which effects put theirs.
+// The law between the displacement of the contact and its normal force, with a history: the slot into which
+// effects put theirs.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,8 @@ class HertzContact : public NormalContact {
     return d <= 0 ? 0 : 4.0 / 3.0 * law_.reduced_modulus * std::sqrt(law_.radius * d) * d;
   }
   double displacement(double force) const override {
-    return force > 0 ? std::cbrt(std::pow(force / (4.0 / 3.0 * law_.reduced_modulus), 2) / law_.radius) : std::numeric_limits<double>::quiet_NaN();
+    return force > 0 ? std::cbrt(std::pow(force / (4.0 / 3.0 * law_.reduced_modulus), 2) / law_.radius)
+                     : std::numeric_limits<double>::quiet_NaN();
   }
   const Hertz* hertz() const override { return &law_; }
 

@@ -5,8 +5,9 @@
 
 namespace asperity {
 
-/// Brackets by growing steps from `guess`, then regula falsi in the Illinois form (Dowell & Jarratt 1971). Where the function
-/// has more than one root, the bracket is sought from above: the stable branch of an adhesive contact lies there.
+/// Brackets by growing steps from `guess`, then regula falsi in the Illinois form (Dowell & Jarratt 1971).
+/// Where the function has more than one root, the bracket is sought from above: the stable branch of an
+/// adhesive contact lies there.
 template <class Function>
 double increasing_root(const Function& f, double guess, double step, double tolerance) {
   constexpr int most_expansions = 80, most_iterations = 100;

@@ -11,11 +11,13 @@
 namespace asperity {
 namespace {
 
-// ---- normal ----------------------------------------------------------------------------------------------------------
+// ---- normal
+// ----------------------------------------------------------------------------------------------------------
 
 class NormalRun {
  public:
-  explicit NormalRun(const NormalMechanics& mechanics) : mechanics_(mechanics), contact_(mechanics.contact->clone()) {}
+  explicit NormalRun(const NormalMechanics& mechanics)
+      : mechanics_(mechanics), contact_(mechanics.contact->clone()) {}
 
   /// Restart without history: rows of a series.
   void forget() { contact_ = mechanics_.contact->clone(); }
@@ -23,7 +25,8 @@ class NormalRun {
   double force_at(const Sample& sample) {
     begin_step(sample);
     const double shifted = sample.normal_displacement - shift(sample);
-    const double d = mechanics_.series.empty() && mechanics_.delays.empty() ? shifted : contact_displacement(shifted);
+    const double d =
+        mechanics_.series.empty() && mechanics_.delays.empty() ? shifted : contact_displacement(shifted);
     accept(d);
     return contact_->force(d) + addition(sample, sample.normal_displacement);
   }
@@ -42,9 +45,12 @@ class NormalRun {
       }
     }
     const auto whole = [&](double d) { return d + series(contact_->force(d)) + delayed(d) + shifted; };
-    const auto excess = [&](double d) { return contact_->force(d) + addition(sample, whole(d)) - sample.normal_force; };
+    const auto excess = [&](double d) {
+      return contact_->force(d) + addition(sample, whole(d)) - sample.normal_force;
+    };
     // As far again as the last step went.
-    const double d = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)), displacement_tolerance);
+    const double d = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)),
+                                     displacement_tolerance);
     step_ = d - last_;
     last_ = d;
     const double displacement = whole(d);
@@ -91,7 +97,8 @@ class NormalRun {
     const auto excess = [&](double d) { return d + series(contact_->force(d)) + delayed(d) - given; };
     const double step = given - last_given_;
     last_given_ = given;
-    last_ = increasing_root(excess, std::min(last_ + step, given), std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
+    last_ = increasing_root(excess, std::min(last_ + step, given),
+                            std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
     return last_;
   }
 
@@ -101,7 +108,8 @@ class NormalRun {
   bool begun_ = false;
 };
 
-// ---- lateral ---------------------------------------------------------------------------------------------------------
+// ---- lateral
+// ---------------------------------------------------------------------------------------------------------
 
 class LateralRun {
  public:
@@ -142,8 +150,10 @@ class LateralRun {
     if (path_ > 0) state.path = path_ += std::abs(step);
     const double most = limit(state);
     const double before = position_;
-    if (lateral_.stick == LateralMechanics::Stick::strips) move_strips(sample, stiffness, most, state.contact_radius);
-    else move_spring(sample, stiffness, most);
+    if (lateral_.stick == LateralMechanics::Stick::strips)
+      move_strips(sample, stiffness, most, state.contact_radius);
+    else
+      move_spring(sample, stiffness, most);
     slips_ = std::abs(force_) >= most * (1 - gross) && force_ * sample.direction > 0;
     if (slips_) slip_ += std::abs(position_ - before);
     if (slips_ && path_ == 0) path_ = std::abs(position_ - before);
@@ -179,9 +189,11 @@ class LateralRun {
     return sum;
   }
   void move_spring(const Sample& sample, double stiffness, double most) {
-    const double rescale = stiffness < stiffness_ && stiffness_ > 0 ? stiffness / stiffness_ : 1;  // spring_slider.h
+    const double rescale =
+        stiffness < stiffness_ && stiffness_ > 0 ? stiffness / stiffness_ : 1;  // spring_slider.h
     const double held = force_ * rescale;
-    const double trial = (held + stiffness * (sample.lateral_displacement - position_)) / (1 + stiffness * lateral_.compliance);
+    const double trial = (held + stiffness * (sample.lateral_displacement - position_)) /
+                         (1 + stiffness * lateral_.compliance);
     force_ = std::clamp(trial, -most, most);
     position_ = sample.lateral_displacement - lateral_.compliance * force_;
     stiffness_ = stiffness;
@@ -193,9 +205,12 @@ class LateralRun {
     };
     double position = sample.lateral_displacement;
     if (lateral_.compliance > 0 && stiffness > 0) {
-      const auto excess = [&](double x) { return x + lateral_.compliance * force_of(x) - sample.lateral_displacement; };
+      const auto excess = [&](double x) {
+        return x + lateral_.compliance * force_of(x) - sample.lateral_displacement;
+      };
       const double guess = sample.lateral_displacement - lateral_.compliance * force_;
-      position = increasing_root(excess, guess, std::max(1e-12, 0.1 * most / stiffness), 1e-6 * most / stiffness + 1e-16);
+      position = increasing_root(excess, guess, std::max(1e-12, 0.1 * most / stiffness),
+                                 1e-6 * most / stiffness + 1e-16);
     }
     force_ = force_of(position);
     strips_ = now;
@@ -231,7 +246,8 @@ std::vector<double> simulate(const Mechanics& mechanics, const Samples& samples)
       NormalRun state(mechanics.normal);
       for (std::size_t i = run.begin; i < run.end; ++i) {
         if (run.independent_rows) state.forget();
-        response[i] = run.response_is_displacement ? state.displacement_at(samples.list[i]) : state.force_at(samples.list[i]);
+        response[i] = run.response_is_displacement ? state.displacement_at(samples.list[i])
+                                                   : state.force_at(samples.list[i]);
       }
       continue;
     }
@@ -239,7 +255,9 @@ std::vector<double> simulate(const Mechanics& mechanics, const Samples& samples)
     state.at_ = run.at;
     for (std::size_t i = run.begin; i < run.end; ++i) {
       const Sample& sample = samples.list[i];
-      response[i] = run.independent_rows ? state.steady(sample) : i == run.begin ? state.first(sample, run.first_response) : state.next(sample);
+      response[i] = run.independent_rows ? state.steady(sample)
+                    : i == run.begin     ? state.first(sample, run.first_response)
+                                         : state.next(sample);
     }
   }
   return response;

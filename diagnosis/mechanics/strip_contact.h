@@ -1,7 +1,9 @@
-// Partial slip of a Hertzian contact on strips x_k of its width: u_k <- u_k + d xi, cut to |u_k| <= kappa (delta - s_k),
-//   s_k = x_k^2/R,  kappa = 3 limit R/(16 G* a^3),  f_l = 8 G* sum u_k dx   (Jaeger 1993; Ciavarella 1998; the states of
-// dem_compare/laws/mindlin_deresiewicz.h on a fixed set of strips: within 0.2 % of it, and many times faster).
-// Elastically similar bodies; shear along one line. SI units.
+// Partial slip of a Hertzian contact on strips x_k of its width: u_k <- u_k + d xi, cut to |u_k| <= kappa
+// (delta - s_k),
+//   s_k = x_k^2/R,  kappa = 3 limit R/(16 G* a^3),  f_l = 8 G* sum u_k dx   (Jaeger 1993; Ciavarella 1998;
+//   the states of
+// dem_compare/laws/mindlin_deresiewicz.h on a fixed set of strips: within 0.2 % of it, and many times
+// faster). Elastically similar bodies; shear along one line. SI units.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +14,17 @@ namespace asperity {
 
 class StripContact {
  public:
-  /// Force at a shift that follows the accepted state by `increment`; `stiffness` = 8 G* a, `limit` = mu f_n [N].
-  /// `now` receives the state.
-  double advance(double stiffness, double limit, double contact_radius, double increment, StripContact& now) const {
+  /// Force at a shift that follows the accepted state by `increment`; `stiffness` = 8 G* a, `limit` = mu f_n
+  /// [N]. `now` receives the state.
+  double advance(double stiffness, double limit, double contact_radius, double increment,
+                 StripContact& now) const {
     now.radius_ = contact_radius;
     if (contact_radius <= 0 || limit <= 0) {
       now.shift_.fill(0);
       return 0;
     }
-    // Strips are parts of the present radius: where the contact grows, they come from further inside, and new ones are at rest.
+    // Strips are parts of the present radius: where the contact grows, they come from further inside, and new
+    // ones are at rest.
     const double scale = radius_ > 0 ? contact_radius / radius_ : 1;
     const double largest = 1.5 * limit / stiffness;  // kappa delta: of the middle strip at gross slip
     double sum = 0;

@@ -25,7 +25,8 @@ int count_spots(const std::vector<std::array<int, 4>>& quads, const std::vector<
     for (const auto& [a, b] : sides)
       if (pressure[quad[a]] > 0 && pressure[quad[b]] > 0) parent[root(quad[a])] = root(quad[b]);
   int spots = 0;
-  for (std::size_t row = 0; row < pressure.size(); ++row) spots += pressure[row] > 0 && parent[row] == static_cast<int>(row);
+  for (std::size_t row = 0; row < pressure.size(); ++row)
+    spots += pressure[row] > 0 && parent[row] == static_cast<int>(row);
   return spots;
 }
 
@@ -70,8 +71,9 @@ double edge_fraction(double pressure, double gap, double distance, double modulu
   return 0.5 * (low + high);
 }
 
-ContactShape contact_shape(const std::vector<std::array<int, 4>>& quads, const std::vector<Point>& points, const std::vector<double>& pressure,
-                           const std::vector<double>& gap, double modulus) {
+ContactShape contact_shape(const std::vector<std::array<int, 4>>& quads, const std::vector<Point>& points,
+                           const std::vector<double>& pressure, const std::vector<double>& gap,
+                           double modulus) {
   constexpr int around[4] = {0, 1, 3, 2};
   ContactShape shape;
   shape.spots = count_spots(quads, pressure);
@@ -93,12 +95,14 @@ ContactShape contact_shape(const std::vector<std::array<int, 4>>& quads, const s
       if (diagonal) {  // two contacts that meet nowhere in this face: a triangle at either corner
         if (!is_closed(k)) continue;
         Inside triangle;
-        triangle.add(points[here]), triangle.add(crossing(here, next), true), triangle.add(crossing(here, before));
+        triangle.add(points[here]), triangle.add(crossing(here, next), true),
+            triangle.add(crossing(here, before));
         triangle.add_to(within, edge);
         continue;
       }
       if (is_closed(k)) inside.add(points[here]);
-      if (is_closed(k) != is_closed(k + 1)) inside.add(is_closed(k) ? crossing(here, next) : crossing(next, here), is_closed(k));
+      if (is_closed(k) != is_closed(k + 1))
+        inside.add(is_closed(k) ? crossing(here, next) : crossing(next, here), is_closed(k));
     }
     inside.add_to(within, edge);
     const double face = area_of(points, quad);

@@ -7,7 +7,8 @@
 namespace asperity::fem {
 namespace {
 
-/// Closed nodes move together: springs that are this many times the penalty, far stiffer than the bodies at the spacing's scale.
+/// Closed nodes move together: springs that are this many times the penalty, far stiffer than the bodies at
+/// the spacing's scale.
 constexpr double glue = 50;
 
 /// Weights of Hertz' distribution over the rows, of sum 1: sqrt(1 - r^2 / radius^2) times the area.
@@ -23,7 +24,8 @@ std::vector<double> hertz_weights(const ContactSystem& system, double radius) {
   return weights;
 }
 
-/// The mean over Hertz' pressure of what that pressure displaces, over the displacement of its centre: the mean of r^2 is 2 a^2 / 5.
+/// The mean over Hertz' pressure of what that pressure displaces, over the displacement of its centre: the
+/// mean of r^2 is 2 a^2 / 5.
 constexpr double mean_over_centre = 0.8;
 
 }  // namespace
@@ -31,9 +33,11 @@ constexpr double mean_over_centre = 0.8;
 double ContactSolver::elastic_stiffness(const ContactState& state) {
   const auto& level = system_.level();
   std::vector<RowStiffness> stiffness(state.multiplier.size());
-  for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? glue * penalty_ * system_.areas()[r] : 0.0;
+  for (std::size_t r = 0; r < stiffness.size(); ++r)
+    stiffness[r] = state.multiplier[r] > 0 ? glue * penalty_ * system_.areas()[r] : 0.0;
   if (!force_control()) {
-    const std::vector<double> gaps = system_.interface().gaps(linear_advance(1.0, stiffness, 1e-6, nullptr).begin());
+    const std::vector<double> gaps =
+        system_.interface().gaps(linear_advance(1.0, stiffness, 1e-6, nullptr).begin());
     double force = 0;
     for (std::size_t r = 0; r < gaps.size(); ++r) force -= stiffness[r].normal * gaps[r];
     return force;
@@ -49,7 +53,8 @@ double ContactSolver::elastic_stiffness(const ContactState& state) {
   return upright() * upright() / compliance;
 }
 
-std::array<std::vector<double>, 2> ContactSolver::forces_of_glued_rows(const ContactState& state, const RigidMotion& motion) {
+std::array<std::vector<double>, 2> ContactSolver::forces_of_glued_rows(const ContactState& state,
+                                                                       const RigidMotion& motion) {
   const auto& level = system_.level();
   std::vector<RowStiffness> stiffness(state.multiplier.size());
   std::array<std::vector<double>, 2> slip, forces;
@@ -76,7 +81,8 @@ std::array<std::vector<double>, 2> ContactSolver::forces_of_glued_rows(const Con
   relaxed.update_ghost_values();
   for (int c = 0; c < 2; ++c) {
     const auto jumps = system_.interface().jumps(relaxed.begin(), c);
-    for (std::size_t r = 0; r < stiffness.size(); ++r) forces[c][r] = -stiffness[r].xx * (slip[c][r] + jumps[r]);
+    for (std::size_t r = 0; r < stiffness.size(); ++r)
+      forces[c][r] = -stiffness[r].xx * (slip[c][r] + jumps[r]);
   }
   return forces;
 }
@@ -113,7 +119,8 @@ double ContactSolver::far_field_compliance(double radius) {
   if (force_control() && level.owns_driven_dof()) load.begin()[level.local_driven_dof()] -= 1.0 / upright();
   level.condense(load.begin());
   load.compress(dealii::VectorOperation::add);
-  const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
+  const double spring =
+      force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
   system_.linear().update(std::vector<RowStiffness>(forces.size()), nullptr, spring);
   system_.linear().solve(response, load, 1e-7);
   const std::vector<double> opening = system_.interface().gaps(response.begin());
@@ -138,7 +145,8 @@ double ContactSolver::lateral_far_field_compliance(double radius) {
   const std::vector<double> slip = system_.interface().jumps(response.begin(), 0);
   double mean = 0;
   for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * slip[r];
-  // Half-spaces under shear of Hertz' distribution and unit force: 3 / (16 G* a) at the centre (Johnson 1985, eq. 7.41).
+  // Half-spaces under shear of Hertz' distribution and unit force: 3 / (16 G* a) at the centre (Johnson 1985,
+  // eq. 7.41).
   return mean - mean_over_centre * 3 / (16 * system_.reduced_shear_modulus() * radius);
 }
 

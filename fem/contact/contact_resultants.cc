@@ -10,7 +10,8 @@ namespace {
 
 struct PressureMoments {
   std::array<double, 2> centre{};
-  double hertzian_radius = 0;  ///< of the Hertzian pressure with the same second moment, which is 2 a^2 / 5 under it
+  double hertzian_radius =
+      0;  ///< of the Hertzian pressure with the same second moment, which is 2 a^2 / 5 under it
 };
 
 PressureMoments moments_of(const ContactSystem& system, const std::vector<double>& pressure) {
@@ -22,7 +23,8 @@ PressureMoments moments_of(const ContactSystem& system, const std::vector<double
   }
   if (force <= 0) return {};
   const RigidMotion shift = system.coupling().surface();
-  return {{x / force + shift.x, y / force + shift.y}, std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force))};
+  return {{x / force + shift.x, y / force + shift.y},
+          std::sqrt(2.5 * std::max(0.0, square / force - (x * x + y * y) / force / force))};
 }
 
 }  // namespace
@@ -36,7 +38,8 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   const Rotation turn = rotation(state.motion);
   const RigidMotion shift = system_.coupling().surface();
   std::array<std::vector<double>, 3> displacement;
-  for (int c = 0; c < 3; ++c) displacement[c] = system_.interface().nodes().gather(state.displacement.begin(), c);
+  for (int c = 0; c < 3; ++c)
+    displacement[c] = system_.interface().nodes().gather(state.displacement.begin(), c);
   result.sticking = tractions_.has_friction() ? tractions_.sticking() : 0;
   for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
     const double p = state.multiplier[r];
@@ -44,14 +47,17 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     auto material = system_.interface_points()[own];
     for (int c = 0; c < 3; ++c) material[c] += displacement[c][own];
     const auto place = turned(turn, material, radius);
-    const double attraction = tractions_.has_adhesion() ? tractions_.attraction(state, static_cast<int>(r), gap[r]).stress : 0.0;
+    const double attraction =
+        tractions_.has_adhesion() ? tractions_.attraction(state, static_cast<int>(r), gap[r]).stress : 0.0;
     const double force = (p - attraction) * system_.areas()[r];
     const auto& slope = system_.interface().slope(static_cast<int>(r));
-    const double fx = state.shear[0][r] * system_.areas()[r] + force * slope[0], fy = state.shear[1][r] * system_.areas()[r] + force * slope[1];
+    const double fx = state.shear[0][r] * system_.areas()[r] + force * slope[0],
+                 fy = state.shear[1][r] * system_.areas()[r] + force * slope[1];
     result.lateral_force[0] -= fx, result.lateral_force[1] -= fy;
     result.torsion_moment -= place[0] * fy - place[1] * fx;
-    // About the rolling axis (-sin, cos, 0) through the smooth shape's lowest point, which the approach has taken down: this moment,
-    // less radius times the lateral force, is the one about the centre that the roll turns, hence conjugate to its angle.
+    // About the rolling axis (-sin, cos, 0) through the smooth shape's lowest point, which the approach has
+    // taken down: this moment, less radius times the lateral force, is the one about the centre that the roll
+    // turns, hence conjugate to its angle.
     const double lever = place[2] + state.approach;
     result.rolling_moment -= std::cos(state.motion.spin) * (lever * fx - place[0] * force) -
                              std::sin(state.motion.spin) * (place[1] * force - lever * fy);
@@ -70,7 +76,8 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   }
   std::vector<std::array<double, 2>> points;
   for (const auto& p : system_.row_points()) points.push_back({p[0], p[1]});
-  const ContactShape shape = contact_shape(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
+  const ContactShape shape =
+      contact_shape(system_.row_quads(), points, state.multiplier, gap, system_.reduced_modulus());
   result.area = shape.area, result.perimeter = shape.perimeter, result.spots = shape.spots;
   const PressureMoments moments = moments_of(system_, state.multiplier);
   result.centre = moments.centre, result.pressure_radius = moments.hertzian_radius;
@@ -87,7 +94,8 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     fixed += force.local_element(dof);
     for (int c = 0; c < 2; ++c) lateral[c] += force.local_element(dof - 2 + c);
   }
-  for (int c = 0; c < 2; ++c) result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
+  for (int c = 0; c < 2; ++c)
+    result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
   result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator()) * upright();
   result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
   return result;

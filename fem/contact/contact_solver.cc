@@ -12,26 +12,32 @@ namespace {
 
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
 constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
-// Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a Newton step.
+// Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a
+// Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 
 constexpr int way_of_jumps = 10;
 // Conjugate gradients need a few tens of iterations; many times that tell of an indefinite matrix.
 constexpr int iterations_of_definite = 200, convex_steps = 3;
 
-// Steps without progress before the line search looks closely: full steps soon go round in circles between stick and slip.
+// Steps without progress before the line search looks closely: full steps soon go round in circles between
+// stick and slip.
 constexpr int patience_without = 3, patience_with_friction = 0;
 
-bool parallel(const ContactSystem& system) { return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1; }
+bool parallel(const ContactSystem& system) {
+  return dealii::Utilities::MPI::n_mpi_processes(system.level().communicator()) > 1;
+}
 
 }  // namespace
 
 ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& options)
     : system_(system),
       options_(options),
-      penalty_(options_.penalty_factor * system.reduced_modulus() / system.options().mesh.sizes.spacing_particle),
+      penalty_(options_.penalty_factor * system.reduced_modulus() /
+               system.options().mesh.sizes.spacing_particle),
       tractions_(system, options_.friction.get(), options_.adhesion, penalty_),
-      elastic_diagonal_(HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
+      elastic_diagonal_(
+          HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
   // Contacts that jump in or apart go a long way down in energy.
@@ -70,11 +76,14 @@ void ContactSolver::push_rigidly(ContactState& state, double approach) const {
 
 void ContactSolver::complete(Vector<double>& displacement, double approach) const {
   displacement.update_ghost_values();
-  if (force_control()) system_.level().distribute(displacement.begin());
-  else system_.level().distribute(displacement.begin(), -approach * upright());
+  if (force_control())
+    system_.level().distribute(displacement.begin());
+  else
+    system_.level().distribute(displacement.begin(), -approach * upright());
 }
 
-Vector<double> ContactSolver::linear_advance(double approach, const std::vector<RowStiffness>& stiffness, double accuracy, int* iterations) {
+Vector<double> ContactSolver::linear_advance(double approach, const std::vector<RowStiffness>& stiffness,
+                                             double accuracy, int* iterations) {
   // The particle's rigid motion strains nothing: only the closed contacts resist it.
   ContactState rigid = first_touch();
   push_rigidly(rigid, approach);
@@ -98,7 +107,8 @@ Vector<double> ContactSolver::linear_advance(double approach, const std::vector<
 
 void ContactSolver::advance_to(ContactState& state, double approach, SolveReport& report) {
   std::vector<RowStiffness> stiffness(state.multiplier.size());
-  for (std::size_t r = 0; r < stiffness.size(); ++r) stiffness[r] = state.multiplier[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
+  for (std::size_t r = 0; r < stiffness.size(); ++r)
+    stiffness[r] = state.multiplier[r] > 0 ? penalty_ * system_.areas()[r] : 0.0;
   Vector<double> step = linear_advance(approach - state.approach, stiffness, 1e-2, &report.linear);
   state.displacement.zero_out_ghost_values();
   step.zero_out_ghost_values();
@@ -109,7 +119,8 @@ void ContactSolver::advance_to(ContactState& state, double approach, SolveReport
 
 void ContactSolver::read_approach(ContactState& state) const {
   const auto& level = system_.level();
-  const double own = level.owns_driven_dof() ? -state.displacement.local_element(level.local_driven_dof()) : 0.0;
+  const double own =
+      level.owns_driven_dof() ? -state.displacement.local_element(level.local_driven_dof()) : 0.0;
   state.approach = dealii::Utilities::MPI::sum(own, level.communicator()) / upright();
 }
 
@@ -119,7 +130,8 @@ std::vector<double> ContactSolver::gaps(const ContactState& state) const {
   return gaps;
 }
 
-double ContactSolver::evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent) {
+double ContactSolver::evaluate(const ContactState& state, double target, Vector<double>& residual,
+                               TangentField* tangent) {
   const auto& level = system_.level();
   tractions_.evaluate(state, gaps(state));
   residual = 0.0;
@@ -129,27 +141,33 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   const std::size_t entries = residual.locally_owned_size() + level.partitioner()->n_ghost_indices();
   for (std::size_t i = 0; i < entries; ++i) residual.begin()[i] = -residual.begin()[i];
   tractions_.add_forces(residual.begin());
-  if (force_control() && level.owns_driven_dof()) residual.begin()[level.local_driven_dof()] -= target / upright();
+  if (force_control() && level.owns_driven_dof())
+    residual.begin()[level.local_driven_dof()] -= target / upright();
   level.condense(residual.begin());
   residual.compress(dealii::VectorOperation::add);
   double scale = std::max(tractions_.total_force(), force_control() ? std::abs(target) : 0.0);
   const double spacing = system_.options().mesh.sizes.spacing_particle;
-  if (scale == 0) scale = 0.1 * system_.reduced_modulus() * spacing * spacing;  // no contact: what would flatten a tenth of a spacing
+  if (scale == 0)
+    scale = 0.1 * system_.reduced_modulus() * spacing *
+            spacing;  // no contact: what would flatten a tenth of a spacing
   rounding_ = force_of_rounding(state.displacement) / scale;
   return residual.l1_norm() / scale;
 }
 
 double ContactSolver::force_of_rounding(const Vector<double>& displacement) const {
   double sum = 0;
-  for (std::size_t i = 0; i < displacement.locally_owned_size(); ++i) sum += elastic_diagonal_.local_element(i) * std::abs(displacement.local_element(i));
-  return std::numeric_limits<double>::epsilon() * dealii::Utilities::MPI::sum(sum, system_.level().communicator());
+  for (std::size_t i = 0; i < displacement.locally_owned_size(); ++i)
+    sum += elastic_diagonal_.local_element(i) * std::abs(displacement.local_element(i));
+  return std::numeric_limits<double>::epsilon() *
+         dealii::Utilities::MPI::sum(sum, system_.level().communicator());
 }
 
-int ContactSolver::newton_direction(const TangentField* tangent, double spring, double accuracy, const Vector<double>& residual,
-                                    Vector<double>& direction) {
+int ContactSolver::newton_direction(const TangentField* tangent, double spring, double accuracy,
+                                    const Vector<double>& residual, Vector<double>& direction) {
   int iterations = 0;
   if (tractions_.has_adhesion() && convex_steps_left_-- <= 0) {
-    // Attraction that falls with the gap softens; where that makes the matrix indefinite, as in a jump, it is left out for some steps.
+    // Attraction that falls with the gap softens; where that makes the matrix indefinite, as in a jump, it is
+    // left out for some steps.
     convex_steps_left_ = 0;
     try {
       system_.linear().update(tractions_.stiffness(false, slip_stiffness_), tangent, spring);
@@ -163,7 +181,9 @@ int ContactSolver::newton_direction(const TangentField* tangent, double spring, 
   return iterations + system_.linear().solve(direction, residual, accuracy);
 }
 
-void ContactSolver::step_with_held_rows(ContactState& state, double target, TangentField* tangent, Vector<double>& residual, Vector<double>& direction, SolveReport& report) {
+void ContactSolver::step_with_held_rows(ContactState& state, double target, TangentField* tangent,
+                                        Vector<double>& residual, Vector<double>& direction,
+                                        SolveReport& report) {
   evaluate(state, target, residual, tangent);
   if (tractions_.any_closed()) {
     report.linear += newton_direction(tangent, 0.0, rough_direction, residual, direction);
@@ -180,26 +200,31 @@ SurfaceDisplacement ContactSolver::mean_displacement(const ContactState& state) 
   std::vector<double> weight(state.multiplier.size());
   for (std::size_t r = 0; r < weight.size(); ++r) weight[r] = system_.areas()[r] * state.multiplier[r];
   const double* displacement = state.displacement.begin();
-  return mean_surface_displacement(system_.row_points(), weight, {system_.interface().jumps(displacement, 0), system_.interface().jumps(displacement, 1)});
+  return mean_surface_displacement(
+      system_.row_points(), weight,
+      {system_.interface().jumps(displacement, 0), system_.interface().jumps(displacement, 1)});
 }
 
 SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion,
                                  double time_step) {
   SolveReport report;
   const auto& level = system_.level();
-  // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs from it is small.
-  // A failed step or a restart may have left the interfaces coupled elsewhere.
+  // The surfaces have moved with their frames and in them: by the mean over the pressure, and what differs
+  // from it is small. A failed step or a restart may have left the interfaces coupled elsewhere.
   if (!(system_.coupling() == state.coupling)) system_.couple_at(state.coupling, state.displacement);
   const std::vector<double> gaps_before = gaps(state);
   constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
-  const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before) : target > state.approach;
+  const bool load_grows = force_control() ? target > growth * tractions_.carried_load(state, gaps_before)
+                                          : target > state.approach;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
   system_.bodies().begin_step({state.time + time_step, time_step});
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
-  if (force_control()) complete(state.displacement, state.approach);
-  else advance_to(state, target, report);
+  if (force_control())
+    complete(state.displacement, state.approach);
+  else
+    advance_to(state, target, report);
   Vector<double> residual, direction;
   for (auto* v : {&residual, &direction}) level.initialise(*v);
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
@@ -215,14 +240,20 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   bool closed = false;  // whether another update of the multipliers would change nothing of weight
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
-      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than that, the
-      // last one by the full accuracy.
-      const double wanted = closed ? 0.0 : report.updates == 0 ? first_goal : std::min(first_goal, fraction_of_change * report.penetration);
+      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than
+      // that, the last one by the full accuracy.
+      const double wanted = closed ? 0.0
+                            : report.updates == 0
+                                ? first_goal
+                                : std::min(first_goal, fraction_of_change * report.penetration);
       const double goal = std::max({options_.residual_tolerance, rounding_, wanted});
       if (error <= goal || report.newton >= options_.largest_newton) break;
-      // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of descent.
+      // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of
+      // descent.
       const bool open = !tractions_.any_closed();
-      const double spring = open && force_control() ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle : 0.0;
+      const double spring = open && force_control()
+                                ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle
+                                : 0.0;
       const double accuracy = std::clamp(0.1 * goal / error, accurate_direction, rough_direction);
       report.linear += newton_direction(tangent, spring, accuracy, residual, direction);
       ++report.newton;
@@ -242,21 +273,26 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
       const double error_before = error;
       const double step = search.step(slope, slope_at);
       search.reached(error);
-      // Cut steps tell of slip that turns into stick: tangents let what slips run past it, secants lead there.
+      // Cut steps tell of slip that turns into stick: tangents let what slips run past it, secants lead
+      // there.
       constexpr double little_progress = 0.5;
       const bool is_slow = error > little_progress * error_before;
       const bool stays = slip_stiffness_ == SlipStiffness::secant ? !is_slow : !is_slow && step >= 1;
-      if (!stays) slip_stiffness_ = slip_stiffness_ == SlipStiffness::secant ? SlipStiffness::tangent : SlipStiffness::secant;
+      if (!stays)
+        slip_stiffness_ =
+            slip_stiffness_ == SlipStiffness::secant ? SlipStiffness::tangent : SlipStiffness::secant;
       if (log)
-        log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " + std::to_string(error) +
-            " cg " + std::to_string(report.linear) + " active " + std::to_string(tractions_.closed()) + " sticking " +
-            std::to_string(tractions_.sticking()));
+        log("  newton " + std::to_string(report.newton) + " step " + std::to_string(step) + " residual " +
+            std::to_string(error) + " cg " + std::to_string(report.linear) + " active " +
+            std::to_string(tractions_.closed()) + " sticking " + std::to_string(tractions_.sticking()));
     }
     const auto change = tractions_.change(state);
     // The unbalanced force is measured by the pressures' total, and so is the change that sets the next goal.
     report.penetration = change.pressure + change.shear * tractions_.shear_share();
     report.residual = error;
-    if (log) log(" update " + std::to_string(report.updates) + " change " + std::to_string(change.pressure) + " " + std::to_string(change.shear));
+    if (log)
+      log(" update " + std::to_string(report.updates) + " change " + std::to_string(change.pressure) + " " +
+          std::to_string(change.shear));
     closed = change.pressure <= options_.penetration_tolerance && change.shear <= options_.slip_tolerance;
     if (closed && error <= std::max(options_.residual_tolerance, rounding_)) {
       report.converged = true;

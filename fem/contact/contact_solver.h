@@ -1,8 +1,9 @@
 // Equilibrium of two elastic-plastic bodies in unilateral, frictional contact at a given load or approach.
 //
-// Augmented Lagrangian (Alart & Curnier 1991; Puso & Laursen 2004 for mortar), see interface_tractions.h. For fixed
-// multipliers the equilibrium minimises a convex function (associated flow, hardening >= 0, Tresca friction), which the
-// semismooth Newton iteration with line search finds from any start. eps scales with E* / spacing.
+// Augmented Lagrangian (Alart & Curnier 1991; Puso & Laursen 2004 for mortar), see interface_tractions.h. For
+// fixed multipliers the equilibrium minimises a convex function (associated flow, hardening >= 0, Tresca
+// friction), which the semismooth Newton iteration with line search finds from any start. eps scales with E*
+// / spacing.
 #pragma once
 
 #include <cmath>
@@ -17,12 +18,14 @@
 namespace asperity::fem {
 
 struct ContactSolverOptions {
-  /// Sum of unbalanced nodal forces relative to the contact force; met, too, where it is no more than what rounding of the
-  /// displacements leaves (light loads on a body far stiffer than the other, which moves as a whole).
+  /// Sum of unbalanced nodal forces relative to the contact force; met, too, where it is no more than what
+  /// rounding of the displacements leaves (light loads on a body far stiffer than the other, which moves as a
+  /// whole).
   double residual_tolerance = 1e-6;
-  double penetration_tolerance = 1e-3;  ///< change of the pressures by a multiplier update, relative, in the 1-norm
-  double slip_tolerance = 3e-3;         ///< the same of the shear tractions
-  double penalty_factor = 4.0;          ///< eps = factor E* / spacing
+  double penetration_tolerance =
+      1e-3;                      ///< change of the pressures by a multiplier update, relative, in the 1-norm
+  double slip_tolerance = 3e-3;  ///< the same of the shear tractions
+  double penalty_factor = 4.0;   ///< eps = factor E* / spacing
   int largest_newton = 60, largest_updates = 40;
   std::shared_ptr<const FrictionLaw> friction;  ///< null: none
   AdhesionLaws adhesion;                        ///< empty: none
@@ -52,8 +55,8 @@ class ContactSolver {
   double elastic_stiffness(const ContactState& state);  ///< dF/d(approach) [N/m]
   double lateral_stiffness(const ContactState& state);  ///< dQ/d(shift along x) [N/m]
   double torsion_stiffness(const ContactState& state);  ///< dM/d(spin) [N m/rad]
-  /// Approach [m/N] that the finite bodies add to (or take from) that of half-spaces, from one elastic solution under
-  /// Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces).
+  /// Approach [m/N] that the finite bodies add to (or take from) that of half-spaces, from one elastic
+  /// solution under Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces).
   double far_field_compliance(double radius);
   /// The same for the shift under a lateral force (Johnson 1985 eq. 7.41 under Hertz' distribution of shear).
   double lateral_far_field_compliance(double radius);
@@ -70,10 +73,12 @@ class ContactSolver {
   /// Sum of nodal forces that displacements rounded to double precision leave unbalanced [N].
   double force_of_rounding(const Vector<double>& displacement) const;
   /// A first guess: one step of elastic bodies in which the rows that tractions_ holds stick.
-  void step_with_held_rows(ContactState& state, double target, TangentField* tangent, Vector<double>& residual, Vector<double>& direction,
-                           SolveReport& report);
-  /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by component.
-  std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state, const RigidMotion& motion);
+  void step_with_held_rows(ContactState& state, double target, TangentField* tangent,
+                           Vector<double>& residual, Vector<double>& direction, SolveReport& report);
+  /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by
+  /// component.
+  std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state,
+                                                          const RigidMotion& motion);
   /// Of the surfaces against each other, weighted with the pressure; none without tilted normals.
   SurfaceDisplacement mean_displacement(const ContactState& state) const;
   /// Of the angle by which the particle has rolled: its driven plane moves along its own axes.
@@ -81,24 +86,27 @@ class ContactSolver {
   bool force_control() const { return system_.options().control == Control::force; }
   /// Sets what follows from the free entries, and the driven plane under displacement control.
   void complete(Vector<double>& displacement, double approach) const;
-  /// Displacement of elastic bodies when the driven plane advances and the contacts of `stiffness` [N/m] stay closed.
-  Vector<double> linear_advance(double approach, const std::vector<RowStiffness>& stiffness, double accuracy, int* iterations);
+  /// Displacement of elastic bodies when the driven plane advances and the contacts of `stiffness` [N/m] stay
+  /// closed.
+  Vector<double> linear_advance(double approach, const std::vector<RowStiffness>& stiffness, double accuracy,
+                                int* iterations);
   /// First guess at another approach (displacement control).
   void advance_to(ContactState& state, double approach, SolveReport& report);
   void read_approach(ContactState& state) const;
   /// Newton's direction for the evaluated tractions, of descent in any case. Returns the iterations.
-  int newton_direction(const TangentField* tangent, double spring, double accuracy, const Vector<double>& residual, Vector<double>& direction);
+  int newton_direction(const TangentField* tangent, double spring, double accuracy,
+                       const Vector<double>& residual, Vector<double>& direction);
 
   ContactSystem& system_;
   ContactSolverOptions options_;
   TangentField tangent_;
   SlipStiffness slip_stiffness_ = SlipStiffness::tangent;
   int convex_steps_left_ = 0;  ///< in which Newton's direction leaves the softening of attraction out
-  double penalty_;       ///< eps [Pa/m]
+  double penalty_;             ///< eps [Pa/m]
   InterfaceTractions tractions_;
   Vector<double> elastic_diagonal_;  ///< of both bodies' stiffness [N/m]
   double rounding_ = 0;              ///< force of rounding over the contact force, as evaluated last
-  double touch_offset_;  ///< rigid shift that brings the bodies to first touch [m]
+  double touch_offset_;              ///< rigid shift that brings the bodies to first touch [m]
 };
 
 }  // namespace asperity::fem

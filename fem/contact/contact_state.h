@@ -13,15 +13,17 @@ namespace asperity::fem {
 struct ContactState {
   Vector<double> displacement;
   std::vector<double> multiplier;  ///< lambda of each row [Pa], also the pressure of an accepted state
-  std::array<std::vector<double>, 2> shear;  ///< shear traction on the particle of each row along x and y [Pa]
+  std::array<std::vector<double>, 2>
+      shear;  ///< shear traction on the particle of each row along x and y [Pa]
   /// Of each row, one after the other: slip path [m], shear limit [Pa] and what the law of friction
   /// remembers; empty: no friction.
   std::vector<double> friction_history;
-  double time = 0;                 ///< see InterfacePoint
-  std::vector<char> bonded;        ///< rows that were in contact and have not left the range of attraction since; empty: no adhesion
-  double approach = 0;             ///< displacement of the driven plane towards the substrate [m], from first touch
+  double time = 0;           ///< see InterfacePoint
+  std::vector<char> bonded;  ///< rows that were in contact and have not left the range of attraction since;
+                             ///< empty: no adhesion
+  double approach = 0;       ///< displacement of the driven plane towards the substrate [m], from first touch
   RigidMotion motion;
-  Coupling coupling;               ///< of the interfaces
+  Coupling coupling;  ///< of the interfaces
 };
 
 struct SolveReport {
@@ -35,20 +37,22 @@ struct SolveReport {
 
 /// Resultants of an equilibrium.
 struct ContactResultants {
-  double force = 0;           ///< from tractions [N]
-  double attraction = 0;      ///< part of it that attracts [N]
+  double force = 0;                       ///< from tractions [N]
+  double attraction = 0;                  ///< part of it that attracts [N]
   std::array<double, 2> lateral_force{};  ///< that moves the particle, against the shear tractions [N]
-  double torsion_moment = 0;  ///< that turns the particle about the approach axis [N m]
-  double rolling_moment = 0;  ///< that turns it about its rolling axis, y turned by the spin, through the lowest point of its smooth shape [N m]
-  double reaction_driven = 0; ///< from reactions of the driven plane [N]
-  double reaction_fixed = 0;  ///< from reactions of the fixed plane [N]
+  double torsion_moment = 0;              ///< that turns the particle about the approach axis [N m]
+  double rolling_moment = 0;   ///< that turns it about its rolling axis, y turned by the spin, through the
+                               ///< lowest point of its smooth shape [N m]
+  double reaction_driven = 0;  ///< from reactions of the driven plane [N]
+  double reaction_fixed = 0;   ///< from reactions of the fixed plane [N]
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]
-  double moment_error = 0;    ///< |moment of tractions about the axes - moment of the same forces on the substrate| / (force, radius of the area)
-  double area = 0;            ///< real contact area [m^2]
-  double perimeter = 0;       ///< of its edge [m]
-  int spots = 0;              ///< contacts apart from each other
+  double moment_error = 0;         ///< |moment of tractions about the axes - moment of the same forces on the
+                                   ///< substrate| / (force, radius of the area)
+  double area = 0;                 ///< real contact area [m^2]
+  double perimeter = 0;            ///< of its edge [m]
+  int spots = 0;                   ///< contacts apart from each other
   std::array<double, 2> centre{};  ///< of the contact pressure, in the substrate's frame [m]
-  double pressure_radius = 0; ///< of the Hertzian pressure with the same second moment [m]
+  double pressure_radius = 0;      ///< of the Hertzian pressure with the same second moment [m]
   double largest_pressure = 0;
   int active = 0, sticking = 0;  ///< rows in contact, and those of them that stick
   bool reaches_rim = false;

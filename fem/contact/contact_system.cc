@@ -34,7 +34,8 @@ void ContactSystem::describe_rows() {
     const double inside = std::min(largest[0] - std::abs(p[0]), largest[1] - std::abs(p[1]));
     on_rim_.push_back(inside < 0.5 * options_.mesh.sizes.spacing_particle);
   }
-  linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_, options_.mesh, geometry_, options_.control});
+  linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_,
+                                                  options_.mesh, geometry_, options_.control});
 }
 
 void ContactSystem::find_faces() {
@@ -51,13 +52,17 @@ void ContactSystem::find_faces() {
     const auto& low = interface_points_[face.node[0]];
     const auto& high = interface_points_[face.node[3]];
     face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
-    const double along = std::max(std::abs(face.x0), std::abs(face.x1)) - sizes.reach_particle, across = std::max(std::abs(face.y0), std::abs(face.y1));
+    const double along = std::max(std::abs(face.x0), std::abs(face.x1)) - sizes.reach_particle,
+                 across = std::max(std::abs(face.y0), std::abs(face.y1));
     if (f.body == 0 && std::max(along, across) > sizes.region_particle * (1 + 1e-9)) continue;
     if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)
-      throw WorkError("the particle's contact region is not uniformly meshed; this is an error of the program");
+      throw WorkError(
+          "the particle's contact region is not uniformly meshed; this is an error of the program");
     faces_[f.body].push_back(face);
   }
-  if (faces_[0].empty()) throw WorkError("the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
+  if (faces_[0].empty())
+    throw WorkError(
+        "the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");
 }
 
 void ContactSystem::couple() {
@@ -80,7 +85,8 @@ void ContactSystem::couple() {
   for (const auto& row : rows_) {
     const auto& place = row_points_.emplace_back(turned(turn, interface_points_[row.node], radius));
     const auto strainless = turned(frames, interface_points_[row.node], radius);
-    elastic_.push_back({place[0] - strainless[0] + coupling_.elastic.x, place[1] - strainless[1] + coupling_.elastic.y});
+    elastic_.push_back(
+        {place[0] - strainless[0] + coupling_.elastic.x, place[1] - strainless[1] + coupling_.elastic.y});
     areas_.push_back(row.area);
   }
 }
@@ -91,7 +97,8 @@ void ContactSystem::couple_at(Coupling coupling, const Vector<double>& accepted)
   // Far below what any gap can notice.
   const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
   const RigidMotion here = coupling_.surface(), there = coupling.surface();
-  const double way = std::hypot(there.x - here.x, there.y - here.y) + radius * std::abs(there.roll - here.roll);
+  const double way =
+      std::hypot(there.x - here.x, there.y - here.y) + radius * std::abs(there.roll - here.roll);
   if (!options_.tilted_normals && way < unnoticed) return;
   if (there.roll != here.roll) level_->set_drive_tilt(-std::tan(there.roll));
   coupling_ = coupling;
@@ -140,7 +147,8 @@ double poisson_ratio(const J2Material& m) {
 
 double ContactSystem::reduced_modulus() const {
   double compliance = 0;
-  for (const auto& m : options_.materials) compliance += (1 - poisson_ratio(m)) / (2 * m.shear_modulus);  // (1 - nu^2) / E
+  for (const auto& m : options_.materials)
+    compliance += (1 - poisson_ratio(m)) / (2 * m.shear_modulus);  // (1 - nu^2) / E
   return 1 / compliance;
 }
 

@@ -1,4 +1,5 @@
-// Both bodies, their meshes, the coupling of their interfaces and the solver's levels: all that stays fixed while loads change.
+// Both bodies, their meshes, the coupling of their interfaces and the solver's levels: all that stays fixed
+// while loads change.
 #pragma once
 
 #include <memory>
@@ -16,8 +17,8 @@ struct ContactSystemOptions {
   std::array<J2Material, 2> materials;  ///< particle, substrate
   Control control = Control::force;
   std::string backend = "matrix-free";  ///< see make_linear_solver
-  /// Whether pressure acts along the normals of the substrate's deformed surface, as it must where bodies slide over asperities,
-  /// or along z. Without sliding the difference is of second order in slopes.
+  /// Whether pressure acts along the normals of the substrate's deformed surface, as it must where bodies
+  /// slide over asperities, or along z. Without sliding the difference is of second order in slopes.
   bool tilted_normals = false;
 };
 
@@ -31,24 +32,29 @@ class ContactSystem {
   const meshing::Triangulation& forest() const { return *forest_; }
   const Vector<double>& positions() const { return positions_; }
   const std::vector<GapRow>& rows() const { return rows_; }
-  const std::vector<double>& areas() const { return areas_; }      ///< of each row [m^2]
-  const std::vector<double>& initial_gaps() const { return gaps_; }  ///< of each row, without displacements [m]
+  const std::vector<double>& areas() const { return areas_; }  ///< of each row [m^2]
+  const std::vector<double>& initial_gaps() const {
+    return gaps_;
+  }  ///< of each row, without displacements [m]
   const Coupling& coupling() const { return coupling_; }
   const InterfaceOperator& interface() const { return *interface_; }
   InterfaceOperator& interface() { return *interface_; }
   /// As it was before the last shift.
-  const InterfaceOperator& interface_before() const { return interface_before_ ? *interface_before_ : *interface_; }
+  const InterfaceOperator& interface_before() const {
+    return interface_before_ ? *interface_before_ : *interface_;
+  }
   /// Place of each interface node in its body's frame [m].
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
   const LinearSolver& linear() const { return *linear_; }
-  /// Place of each row's node in the substrate's frame, without shift, displacement and, without tilted normals, spin [m].
+  /// Place of each row's node in the substrate's frame, without shift, displacement and, without tilted
+  /// normals, spin [m].
   const std::vector<std::array<double, 3>>& row_points() const { return row_points_; }
   PlasticBodies& bodies() { return *bodies_; }
   const PlasticBodies& bodies() const { return *bodies_; }
 
-  /// Couples the interfaces anew: the same rows with other weights, gaps, and, with tilted normals, slopes, those of the
-  /// substrate displaced by `accepted`. Spin is heeded with tilted normals only. Collective.
+  /// Couples the interfaces anew: the same rows with other weights, gaps, and, with tilted normals, slopes,
+  /// those of the substrate displaced by `accepted`. Spin is heeded with tilted normals only. Collective.
   void couple_at(Coupling coupling, const Vector<double>& accepted);
   /// With tilted normals: slopes of the substrate displaced by `displacement`. Collective.
   void follow_slopes(const Vector<double>& displacement);
@@ -62,7 +68,8 @@ class ContactSystem {
   double reduced_shear_modulus() const;
   /// G of both bodies in series [Pa], 1/G = 1/G1 + 1/G2, which governs torsion.
   double torsion_modulus() const;
-  /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too small.
+  /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too
+  /// small.
   const std::vector<char>& on_rim() const { return on_rim_; }
 
  private:
@@ -82,7 +89,8 @@ class ContactSystem {
   std::unique_ptr<LinearSolver> linear_;
   std::array<std::vector<PlaneFace>, 2> faces_;  ///< that can touch, each body's in its own frame
   Coupling coupling_;
-  std::vector<std::array<double, 2>> elastic_;  ///< displacement of each row that the coupling brings along [m]
+  std::vector<std::array<double, 2>>
+      elastic_;  ///< displacement of each row that the coupling brings along [m]
   std::vector<GapRow> rows_;
   std::vector<double> areas_, gaps_, untilted_gaps_;
   std::vector<std::array<double, 3>> interface_points_, row_points_;

@@ -2,7 +2,8 @@
 
 namespace asperity::fem {
 
-SurfaceDisplacement mean_surface_displacement(const std::vector<std::array<double, 3>>& place, const std::vector<double>& weight,
+SurfaceDisplacement mean_surface_displacement(const std::vector<std::array<double, 3>>& place,
+                                              const std::vector<double>& weight,
                                               const std::array<std::vector<double>, 2>& along) {
   double total = 0, x = 0, y = 0;
   SurfaceDisplacement mean;

@@ -46,7 +46,8 @@ class FaceFinder {
 }  // namespace
 
 InterfaceNodes::InterfaceNodes(const MeshLevel& level)
-    : communicator_(level.communicator()), parallel_(dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1) {
+    : communicator_(level.communicator()),
+      parallel_(dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1) {
   std::map<long, Site> found;
   for (const auto& face : level.interface_faces())
     for (int v = 0; v < 4; ++v)
@@ -54,7 +55,8 @@ InterfaceNodes::InterfaceNodes(const MeshLevel& level)
   const auto& partitioner = *level.partitioner();
   for (const auto& [node, site] : found) {
     if (partitioner.in_local_range(3 * static_cast<dealii::types::global_dof_index>(node)))
-      owned_.emplace_back(static_cast<int>(global_.size()), static_cast<int>(partitioner.global_to_local(3 * node) / 3));
+      owned_.emplace_back(static_cast<int>(global_.size()),
+                          static_cast<int>(partitioner.global_to_local(3 * node) / 3));
     global_.push_back(node);
     sites_.push_back(site);
   }
@@ -93,10 +95,12 @@ void InterfaceNodes::sum_over_ranks(std::vector<NodeValue<Number>>& values) cons
   if (!parallel_ || values.empty()) return;
   auto* numbers = reinterpret_cast<Number*>(values.data());
   const std::size_t count = 4 * values.size();
-  dealii::Utilities::MPI::sum(dealii::ArrayView<const Number>(numbers, count), communicator_, dealii::ArrayView<Number>(numbers, count));
+  dealii::Utilities::MPI::sum(dealii::ArrayView<const Number>(numbers, count), communicator_,
+                              dealii::ArrayView<Number>(numbers, count));
 }
 
-InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes)
+InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
+                                     const InterfaceNodes& fine_nodes)
     : level_(level), nodes_(level) {
   set_rows(rows, fine_nodes);
 }
@@ -113,14 +117,18 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
     for (const auto& [fine_node, weight] : row.entries) {
       const auto& site = fine_nodes.site(fine_node);
       const InterfaceFace& face = finder.at(site);
-      const double s = static_cast<double>(site.i - face.i) / face.size, t = static_cast<double>(site.j - face.j) / face.size;
+      const double s = static_cast<double>(site.i - face.i) / face.size,
+                   t = static_cast<double>(site.j - face.j) / face.size;
       const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
       for (int v = 0; v < 4; ++v) {
         if (shape[v] == 0) continue;
         const int column = nodes_.index(face.node[v]);
-        const auto known = std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
-        if (known == merged.end()) merged.emplace_back(column, weight * shape[v]);
-        else known->second += weight * shape[v];
+        const auto known =
+            std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
+        if (known == merged.end())
+          merged.emplace_back(column, weight * shape[v]);
+        else
+          known->second += weight * shape[v];
       }
     }
     for (const auto& [column, weight] : merged) {
@@ -169,7 +177,8 @@ void InterfaceOperator::turn(std::vector<NodeValue<Number>>& values, bool back) 
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) column[j][i] = static_cast<Number>(back ? rotation_[j][i] : rotation_[i][j]);
   for (int k = 0; k < nodes_.count(); ++k)
-    if (nodes_.site(k).body == 0) values[k] = column[0] * values[k][0] + column[1] * values[k][1] + column[2] * values[k][2];
+    if (nodes_.site(k).body == 0)
+      values[k] = column[0] * values[k][0] + column[1] * values[k][1] + column[2] * values[k][2];
 }
 
 template <typename Number>
@@ -200,11 +209,13 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
     const RowStiffness& stiffness = stiffness_[row];
     const double n[3] = {slope_[row][0], slope_[row][1], 1};
     const double slip[3][3] = {{stiffness.xx, stiffness.xy, 0}, {stiffness.xy, stiffness.yy, 0}, {0, 0, 0}};
-    double fixed[3], turned[3] = {};  // diagonal of the row's stiffness in the frames of the substrate and of the particle
+    double fixed[3],
+        turned[3] = {};  // diagonal of the row's stiffness in the frames of the substrate and of the particle
     for (int c = 0; c < 3; ++c) {
       fixed[c] = slip[c][c] + n[c] * n[c] * stiffness.normal;
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) turned[c] += rotation_[i][c] * (slip[i][j] + n[i] * n[j] * stiffness.normal) * rotation_[j][c];
+        for (int j = 0; j < 3; ++j)
+          turned[c] += rotation_[i][c] * (slip[i][j] + n[i] * n[j] * stiffness.normal) * rotation_[j][c];
     }
     for (int e = start_[row]; e < start_[row + 1]; ++e) {
       const double* k = turned_ && nodes_.site(column_[e]).body == 0 ? turned : fixed;
@@ -221,7 +232,8 @@ std::vector<double> InterfaceOperator::jumps(const double* x, int component) con
   turn<double>(moved, false);
   std::vector<double> jumps(rows(), 0.0);
   for (int row = 0; row < rows(); ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) jumps[row] += weight[e] * moved[column_[e]][component];
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      jumps[row] += weight[e] * moved[column_[e]][component];
   return jumps;
 }
 
@@ -250,7 +262,8 @@ void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double
   forces.assign(nodes_.count(), NodeValue<double>{});
   const auto& weight = std::get<std::vector<double>>(weights_);
   for (int row = first_row_; row < last_row_; ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) forces[column_[e]][component] += weight[e] * row_forces[row];
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      forces[column_[e]][component] += weight[e] * row_forces[row];
   turn<double>(forces, true);
   nodes_.scatter_add<double>(forces, y);
 }

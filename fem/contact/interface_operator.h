@@ -1,13 +1,13 @@
 // The gap operator G of the finest mesh seen from one mesh level, and its stiffness G^T E G.
 //
-// G maps displacements to what the particle's surface moves relative to the substrate's at each contact row: along z the
-// gap opens, along x and y it slips. The weights of a row are the same for the three components. Where the row has a slope
-// m, slip along m opens the gap too: the row's normal is n = (m_x, m_y, 1), to first order in slopes.
-// Rows, jumps and forces are in the substrate's frame; where the particle's frame is turned, its displacements are turned on
-// their way in and its forces back on their way out.
-// The rows are the contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
-// G_coarse = G P exactly and spares triple products when the active set changes. Interface values are gathered on all
-// ranks; each rank works on its share of the rows.
+// G maps displacements to what the particle's surface moves relative to the substrate's at each contact row:
+// along z the gap opens, along x and y it slips. The weights of a row are the same for the three components.
+// Where the row has a slope m, slip along m opens the gap too: the row's normal is n = (m_x, m_y, 1), to
+// first order in slopes. Rows, jumps and forces are in the substrate's frame; where the particle's frame is
+// turned, its displacements are turned on their way in and its forces back on their way out. The rows are the
+// contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
+// G_coarse = G P exactly and spares triple products when the active set changes. Interface values are
+// gathered on all ranks; each rank works on its share of the rows.
 #pragma once
 
 #include <array>
@@ -74,7 +74,8 @@ struct RowStiffness {
 class InterfaceOperator {
  public:
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
-  InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
+  InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
+                    const InterfaceNodes& fine_nodes);
 
   /// Other rows, or the same ones with other weights.
   void set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
@@ -108,7 +109,8 @@ class InterfaceOperator {
   /// Visits the entries (interface node, weight) of a row.
   template <typename Visit>
   void for_row(int row, const Visit& visit) const {
-    for (int e = start_[row]; e < start_[row + 1]; ++e) visit(column_[e], std::get<std::vector<double>>(weights_)[e]);
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      visit(column_[e], std::get<std::vector<double>>(weights_)[e]);
   }
   /// The rows [first, last) that this rank works on.
   std::pair<int, int> share() const { return {first_row_, last_row_}; }
@@ -131,7 +133,7 @@ class InterfaceOperator {
   std::vector<int> start_, column_, active_;
   std::vector<RowStiffness> stiffness_;
   std::vector<std::array<double, 2>> slope_;
-  bool tilted_ = false;  ///< whether any row is
+  bool tilted_ = false;                                          ///< whether any row is
   std::tuple<std::vector<double>, std::vector<float>> weights_;  ///< the same, for both precisions
   mutable std::tuple<Workspace<double>, Workspace<float>> workspaces_;
   int first_row_ = 0, last_row_ = 0;  ///< this rank's share

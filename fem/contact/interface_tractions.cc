@@ -20,8 +20,10 @@ InterfaceTractions::InterfaceTractions(const ContactSystem& system, const Fricti
   shear_.assign(pressure_.size(), Shear{{0, 0}, 0, 0, 0, true});
 }
 
-std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOperator& interface, const ContactState& state) const {
-  // The particle's own node is placed by the state's own motion, whatever the turn under which the interfaces are coupled.
+std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOperator& interface,
+                                                             const ContactState& state) const {
+  // The particle's own node is placed by the state's own motion, whatever the turn under which the interfaces
+  // are coupled.
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation turn = rotation(state.motion);
   std::array<std::vector<double>, 3> displacement;
@@ -43,8 +45,9 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOper
   return slips;
 }
 
-void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before,
-                                    const std::vector<double>& gaps, bool load_grows, double time_step) {
+void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMotion& motion,
+                                    const std::vector<double>& gaps_before, const std::vector<double>& gaps,
+                                    bool load_grows, double time_step) {
   time_ = accepted.time + time_step, time_step_ = time_step;
   if (!friction_) return;
   gap_ = gaps;
@@ -59,13 +62,14 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
   const Rotation from = rotation(accepted.motion), to = rotation(motion);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     if (accepted.multiplier[r] > 0) continue;
-    // Of the gap, what the motion alone closes. A growing load closes the rest, next to a contact whose stress has kept the surfaces
-    // there opposite each other all along.
+    // Of the gap, what the motion alone closes. A growing load closes the rest, next to a contact whose
+    // stress has kept the surfaces there opposite each other all along.
     const double by_motion = gaps_before[r] > 0 ? std::max(0.0, 1 - gaps[r] / gaps_before[r]) : 0.0;
     const double open_part = by_motion > 1 ? 1 / by_motion : load_grows ? by_motion : 1.0;
     const auto& point = system_.interface_points()[system_.rows()[r].node];
     const auto before = turned(from, point, radius), after = turned(to, point, radius);
-    const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x, after[1] - before[1] + motion.y - accepted.motion.y};
+    const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x,
+                           after[1] - before[1] + motion.y - accepted.motion.y};
     for (int c = 0; c < 2; ++c) slip_origin_[c][r] += open_part * way[c];
   }
   update_limits(accepted);
@@ -105,15 +109,19 @@ void InterfaceTractions::update_history(ContactState& state) const {
 }
 
 void InterfaceTractions::evaluate(const ContactState& state, const std::vector<double>& gaps) {
-  for (std::size_t r = 0; r < pressure_.size(); ++r) pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
-  for (std::size_t r = 0; r < attraction_.size(); ++r) attraction_[r] = attraction(state, static_cast<int>(r), gaps[r]);
+  for (std::size_t r = 0; r < pressure_.size(); ++r)
+    pressure_[r] = std::max(0.0, state.multiplier[r] - penalty_ * gaps[r]);
+  for (std::size_t r = 0; r < attraction_.size(); ++r)
+    attraction_[r] = attraction(state, static_cast<int>(r), gaps[r]);
   if (!friction_) return;
   gap_ = gaps;
   slip_ = slips(system_.interface(), state);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     for (int c = 0; c < 2; ++c) slip_[c][r] -= slip_origin_[c][r];
-    const double limit = !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
-    shear_[r] = return_to_limit({state.shear[0][r] - penalty_ * slip_[0][r], state.shear[1][r] - penalty_ * slip_[1][r]}, limit);
+    const double limit =
+        !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
+    shear_[r] = return_to_limit(
+        {state.shear[0][r] - penalty_ * slip_[0][r], state.shear[1][r] - penalty_ * slip_[1][r]}, limit);
   }
 }
 
@@ -127,7 +135,8 @@ AdhesionLaw::Attraction InterfaceTractions::attraction(const ContactState& state
 double InterfaceTractions::update_bonds(ContactState& state, const std::vector<double>& gaps) const {
   double lost = 0;
   for (std::size_t r = 0; r < attraction_.size(); ++r) {
-    const bool formed = pressure_[r] > 0 && !state.bonded[r], broken = state.bonded[r] && gaps[r] > adhesion_.opening->range();
+    const bool formed = pressure_[r] > 0 && !state.bonded[r],
+               broken = state.bonded[r] && gaps[r] > adhesion_.opening->range();
     if (!formed && !broken) continue;
     const auto before = attraction(state, static_cast<int>(r), gaps[r]);
     state.bonded[r] = formed;
@@ -140,7 +149,8 @@ double InterfaceTractions::update_bonds(ContactState& state, const std::vector<d
 
 double InterfaceTractions::adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const {
   double energy = 0;
-  for (std::size_t r = 0; r < attraction_.size(); ++r) energy -= system_.areas()[r] * attraction(state, static_cast<int>(r), gaps[r]).work;
+  for (std::size_t r = 0; r < attraction_.size(); ++r)
+    energy -= system_.areas()[r] * attraction(state, static_cast<int>(r), gaps[r]).work;
   return energy;
 }
 
@@ -188,7 +198,8 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
 void InterfaceTractions::add_forces(double* y) const {
   std::vector<double> forces(pressure_.size());
   for (std::size_t r = 0; r < forces.size(); ++r) forces[r] = pressure_[r] * system_.areas()[r];
-  for (std::size_t r = 0; r < attraction_.size(); ++r) forces[r] -= attraction_[r].stress * system_.areas()[r];
+  for (std::size_t r = 0; r < attraction_.size(); ++r)
+    forces[r] -= attraction_[r].stress * system_.areas()[r];
   system_.interface().add_normal_forces(forces, y);
   if (!friction_) return;
   for (int c = 0; c < 2; ++c) {
@@ -215,7 +226,8 @@ double InterfaceTractions::carried_load(const ContactState& accepted, const std:
 double InterfaceTractions::shear_share() const {
   const double total = total_force();
   double shear = 0;
-  for (std::size_t r = 0; r < shear_.size(); ++r) shear += system_.areas()[r] * std::hypot(shear_[r].traction[0], shear_[r].traction[1]);
+  for (std::size_t r = 0; r < shear_.size(); ++r)
+    shear += system_.areas()[r] * std::hypot(shear_[r].traction[0], shear_[r].traction[1]);
   return total > 0 ? shear / total : 0.0;
 }
 
@@ -225,7 +237,8 @@ int InterfaceTractions::closed() const {
 bool InterfaceTractions::any_closed() const { return closed() > 0; }
 
 int InterfaceTractions::sticking() const {
-  return static_cast<int>(std::count_if(shear_.begin(), shear_.end(), [](const Shear& s) { return !s.slips; }));
+  return static_cast<int>(
+      std::count_if(shear_.begin(), shear_.end(), [](const Shear& s) { return !s.slips; }));
 }
 
 std::vector<RowStiffness> InterfaceTractions::stiffness(bool convex, SlipStiffness slip) const {
@@ -258,10 +271,14 @@ double InterfaceTractions::friction_work(const ContactState& state) const {
     }
     const double way[2] = {0.5 * (here[0][r] - start_[0][r] + seen_before[0][r] - start_before_[0][r]),
                            0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
-    // What slips does so at its limit, which has changed from the one before: also where contact began or ended on the way.
-    const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r], size = std::hypot(bx, by);
+    // What slips does so at its limit, which has changed from the one before: also where contact began or
+    // ended on the way.
+    const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r],
+                 size = std::hypot(bx, by);
     // Slip that turned on the way ends against its mean: it has dissipated, how much the ends do not tell.
-    if (size > 0) work += system_.areas()[r] * 0.5 * (limit_before_[r] + now) * std::max(0.0, -(bx * way[0] + by * way[1]) / size);
+    if (size > 0)
+      work += system_.areas()[r] * 0.5 * (limit_before_[r] + now) *
+              std::max(0.0, -(bx * way[0] + by * way[1]) / size);
   }
   return work;
 }

@@ -20,22 +20,25 @@
 
 namespace asperity::fem {
 
-/// How rows that slip resist further slip: by the derivative of their traction, nothing along it; or by traction over trial traction, which
-/// bounds their convex potential from above, so that a whole step always leads down (Weiszfeld 1937; Chan & Mulet 1999, SIAM J. Numer.
-/// Anal. 36, 354), but slowly where much slips far.
+/// How rows that slip resist further slip: by the derivative of their traction, nothing along it; or by
+/// traction over trial traction, which bounds their convex potential from above, so that a whole step always
+/// leads down (Weiszfeld 1937; Chan & Mulet 1999, SIAM J. Numer. Anal. 36, 354), but slowly where much slips
+/// far.
 enum class SlipStiffness { tangent, secant };
 
 class InterfaceTractions {
  public:
   /// friction: null for none. penalty: eps [Pa/m].
-  InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, const AdhesionLaws& adhesion, double penalty);
+  InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction, const AdhesionLaws& adhesion,
+                     double penalty);
 
-  /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is counted from there.
-  /// A row that is open slips only from where it closes, which its gaps at the accepted displacements before and after the
-  /// coupling tell; where the load grows, one that the motion does not close slips from the beginning.
-  /// time_step: from the accepted state's time.
-  void begin_step(const ContactState& accepted, const RigidMotion& motion, const std::vector<double>& gaps_before, const std::vector<double>& gaps,
-                  bool load_grows, double time_step);
+  /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is
+  /// counted from there. A row that is open slips only from where it closes, which its gaps at the accepted
+  /// displacements before and after the coupling tell; where the load grows, one that the motion does not
+  /// close slips from the beginning. time_step: from the accepted state's time.
+  void begin_step(const ContactState& accepted, const RigidMotion& motion,
+                  const std::vector<double>& gaps_before, const std::vector<double>& gaps, bool load_grows,
+                  double time_step);
   /// Shear limits from the multipliers of `state` and the evaluated slip.
   void update_limits(const ContactState& state);
   /// Rows with friction that stick beyond their limit until release():
@@ -57,8 +60,9 @@ class InterfaceTractions {
   bool has_adhesion() const { return adhesion_.closing != nullptr; }
   /// Attraction of a row at a gap [m].
   AdhesionLaw::Attraction attraction(const ContactState& state, int row, double gap) const;
-  /// Bonds of the evaluated rows at the end of a step: those that touch are formed, those out of range are broken. What their
-  /// attraction changes is made up by the multipliers. Returns the energy that is lost [J].
+  /// Bonds of the evaluated rows at the end of a step: those that touch are formed, those out of range are
+  /// broken. What their attraction changes is made up by the multipliers. Returns the energy that is lost
+  /// [J].
   double update_bonds(ContactState& state, const std::vector<double>& gaps) const;
   /// Makes time and history of `state`, which begin_step() was given, those of the evaluated rows at the end
   /// of a step.
@@ -77,8 +81,9 @@ class InterfaceTractions {
   int sticking() const;
   /// Stiffness of the rows at the evaluated state; without what attraction takes from it if `convex`.
   std::vector<RowStiffness> stiffness(bool convex, SlipStiffness slip) const;
-  /// Work of the shear on the slip since the last accepted state, at the mean of both states' limits [J]. Slip is the mean of what the
-  /// couplings before and after the step see of the same displacements. Both make the balance of energy one of second order in the step.
+  /// Work of the shear on the slip since the last accepted state, at the mean of both states' limits [J].
+  /// Slip is the mean of what the couplings before and after the step see of the same displacements. Both
+  /// make the balance of energy one of second order in the step.
   double friction_work(const ContactState& state) const;
   bool has_friction() const { return friction_ != nullptr; }
   /// Numbers that a state keeps of each row for friction.
@@ -93,8 +98,10 @@ class InterfaceTractions {
   /// A row under a pressure after the evaluated slip.
   InterfacePoint point(const ContactState& state, std::size_t row, double pressure) const;
   double shear_limit(const ContactState& state, std::size_t row, double pressure) const;
-  /// Place of each row's node along x and y relative to the substrate's surface as it is displaced, but for a constant.
-  std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface, const ContactState& state) const;
+  /// Place of each row's node along x and y relative to the substrate's surface as it is displaced, but for a
+  /// constant.
+  std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface,
+                                           const ContactState& state) const;
 
   const ContactSystem& system_;
   const FrictionLaw* friction_;

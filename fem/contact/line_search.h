@@ -8,8 +8,8 @@ namespace asperity::fem {
 
 class LineSearch {
  public:
-  /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress after which
-  /// the lowest energy is looked for closely.
+  /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress
+  /// after which the lowest energy is looked for closely.
   LineSearch(double error, int patience) : patience_(patience) { restart(error); }
   void restart(double error) { least_ = error, barren_ = 0; }
   /// To be told of the unbalanced force that each step reached.
@@ -18,8 +18,8 @@ class LineSearch {
     least_ = std::min(least_, error);
   }
 
-  /// slope: of the energy along the direction at its start, positive for descent; slope_at(step) moves there and returns
-  /// the slope, negative beyond the lowest energy. Returns the step that it moved to last.
+  /// slope: of the energy along the direction at its start, positive for descent; slope_at(step) moves there
+  /// and returns the slope, negative beyond the lowest energy. Returns the step that it moved to last.
   template <typename SlopeAt>
   double step(double slope, const SlopeAt& slope_at) const {
     const double whole = slope_at(1.0);
@@ -37,8 +37,9 @@ class LineSearch {
     return step;
   }
 
-  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in equilibrium the
-  /// iteration comes back in few full steps, with fewer it creeps. `here`: the slope after a whole step.
+  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in
+  /// equilibrium the iteration comes back in few full steps, with fewer it creeps. `here`: the slope after a
+  /// whole step.
   template <typename SlopeAt>
   static double with_few_cuts(double slope, double here, const SlopeAt& slope_at) {
     double step = 1;
@@ -49,7 +50,8 @@ class LineSearch {
     return step;
   }
 
-  /// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more closely.
+  /// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more
+  /// closely.
   template <typename SlopeAt>
   static double to_lowest(double slope, double slope_high, const SlopeAt& slope_at) {
     double low = 0, high = 1, slope_low = slope, step = 1;
@@ -64,7 +66,8 @@ class LineSearch {
   }
 
   static constexpr int most_cuts = 2, most_closing_steps = 10, most_doublings = 5;
-  static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3, far_from_lowest = 0.5;
+  static constexpr double overshoot_allowed = 5.0, shortest_cut = 0.35, progress = 0.7, slope_left = 0.3,
+                          far_from_lowest = 0.5;
   int patience_;
   double least_ = 0;
   int barren_ = 0;

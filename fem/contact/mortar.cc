@@ -15,7 +15,8 @@ namespace {
 class FaceBins {
  public:
   FaceBins(const std::vector<PlaneFace>& faces, double width) : width_(width) {
-    for (int f = 0; f < static_cast<int>(faces.size()); ++f) for_bins(faces[f], [&](long key) { bins_[key].push_back(f); });
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+      for_bins(faces[f], [&](long key) { bins_[key].push_back(f); });
   }
   template <typename Visit>
   void visit(const PlaneFace& face, const Visit& visit) const {
@@ -67,9 +68,12 @@ double cross(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-std::array<double, 4> bilinear(double s, double t) { return {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t}; }
+std::array<double, 4> bilinear(double s, double t) {
+  return {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
+}
 
-/// Bilinear coordinates of points of a quadrilateral, by Newton's iteration: one step where it is a parallelogram.
+/// Bilinear coordinates of points of a quadrilateral, by Newton's iteration: one step where it is a
+/// parallelogram.
 class BilinearMap {
  public:
   explicit BilinearMap(const PlaneQuad& quad) : origin_(quad.corner[0]) {
@@ -101,22 +105,26 @@ class BilinearMap {
   Point origin_, along_, across_, twist_;
 };
 
-/// Exact to degree 4 on a triangle, as the product of two bilinear functions needs (Strang & Fix 1973): barycentric a, weight.
-constexpr std::array<std::array<double, 2>, 2> triangle_rule{{{0.445948490915964886, 0.223381589678011466}, {0.091576213509770743, 0.109951743655321868}}};
+/// Exact to degree 4 on a triangle, as the product of two bilinear functions needs (Strang & Fix 1973):
+/// barycentric a, weight.
+constexpr std::array<std::array<double, 2>, 2> triangle_rule{
+    {{0.445948490915964886, 0.223381589678011466}, {0.091576213509770743, 0.109951743655321868}}};
 
 /// A point of the overlap of one particle face with one of the substrate.
 struct OverlapPoint {
-  double weight;                       ///< [m^2]
-  std::array<double, 4> own, other;    ///< shape functions of both faces
+  double weight;                               ///< [m^2]
+  std::array<double, 4> own, other;            ///< shape functions of both faces
   std::array<std::array<double, 2>, 4> slope;  ///< gradients of `other` [1/m]
-  int face;                            ///< of the substrate
+  int face;                                    ///< of the substrate
 };
 
-void add_overlap(const PlaneQuad& quad, const BilinearMap& map, const PlaneFace& face, int index, std::vector<OverlapPoint>& points) {
+void add_overlap(const PlaneQuad& quad, const BilinearMap& map, const PlaneFace& face, int index,
+                 std::vector<OverlapPoint>& points) {
   Polygon overlap;
   overlap.corner = {quad.corner[0], quad.corner[1], quad.corner[3], quad.corner[2]};
   overlap.count = 4;
-  overlap.cut(0, face.x1, 1), overlap.cut(0, face.x0, -1), overlap.cut(1, face.y1, 1), overlap.cut(1, face.y0, -1);
+  overlap.cut(0, face.x1, 1), overlap.cut(0, face.x0, -1), overlap.cut(1, face.y1, 1),
+      overlap.cut(1, face.y0, -1);
   const double wx = face.x1 - face.x0, wy = face.y1 - face.y0;
   for (int k = 1; k + 1 < overlap.count; ++k) {
     const Point triangle[3] = {overlap.corner[0], overlap.corner[k], overlap.corner[k + 1]};
@@ -129,8 +137,14 @@ void add_overlap(const PlaneQuad& quad, const BilinearMap& map, const PlaneFace&
           for (int c = 0; c < 2; ++c) p[c] += (u == v ? 1 - 2 * a : a) * triangle[u][c];
         const Point s = map.coordinates(p);
         const double x = (p[0] - face.x0) / wx, y = (p[1] - face.y0) / wy;
-        points.push_back({weight * area, bilinear(s[0], s[1]), bilinear(x, y),
-                          {{{-(1 - y) / wx, -(1 - x) / wy}, {(1 - y) / wx, -x / wy}, {-y / wx, (1 - x) / wy}, {y / wx, x / wy}}}, index});
+        points.push_back({weight * area,
+                          bilinear(s[0], s[1]),
+                          bilinear(x, y),
+                          {{{-(1 - y) / wx, -(1 - x) / wy},
+                            {(1 - y) / wx, -x / wy},
+                            {-y / wx, (1 - x) / wy},
+                            {y / wx, x / wy}}},
+                          index});
       }
   }
 }
@@ -164,17 +178,20 @@ PlaneFace box_of(const PlaneQuad& quad) {
 
 std::vector<PlaneQuad> quads(const std::vector<PlaneFace>& faces) {
   std::vector<PlaneQuad> result;
-  for (const auto& f : faces) result.push_back({{{{f.x0, f.y0}, {f.x1, f.y0}, {f.x0, f.y1}, {f.x1, f.y1}}}, f.node});
+  for (const auto& f : faces)
+    result.push_back({{{{f.x0, f.y0}, {f.x1, f.y0}, {f.x0, f.y1}, {f.x1, f.y1}}}, f.node});
   return result;
 }
 
-std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle, const std::vector<PlaneFace>& substrate) {
+std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle,
+                                      const std::vector<PlaneFace>& substrate) {
   if (particle.empty()) return {};
   PlaneFace all = box_of(particle[0]);
   double width = 1e300;
   for (const auto& q : particle) {
     const PlaneFace box = box_of(q);
-    all.x0 = std::min(all.x0, box.x0), all.x1 = std::max(all.x1, box.x1), all.y0 = std::min(all.y0, box.y0), all.y1 = std::max(all.y1, box.y1);
+    all.x0 = std::min(all.x0, box.x0), all.x1 = std::max(all.x1, box.x1), all.y0 = std::min(all.y0, box.y0),
+    all.y1 = std::max(all.y1, box.y1);
     width = std::min(width, box.x1 - box.x0);
   }
   std::vector<PlaneFace> near;
@@ -194,7 +211,9 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle, co
     for (const auto& p : points) covered += p.weight;
     const double area = area_of(quad);
     if (std::abs(covered - area) > 1e-6 * area)
-      throw WorkError("the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of the substrate");
+      throw WorkError(
+          "the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of "
+          "the substrate");
     const auto [dual, integral] = dual_basis(points);
     int row[4];
     for (int a = 0; a < 4; ++a) {

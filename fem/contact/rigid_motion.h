@@ -1,7 +1,9 @@
-// Rigid motion of the particle's frame in that of the substrate: x = Q (X + u - C) + C + s, C the particle's centre.
+// Rigid motion of the particle's frame in that of the substrate: x = Q (X + u - C) + C + s, C the particle's
+// centre.
 //
-// It strains nothing by itself. Q turns about y by `roll` through the particle's centre, then about the approach axis z by `spin`.
-// A particle that rolls by a positive angle without sliding moves by radius * roll along x.
+// It strains nothing by itself. Q turns about y by `roll` through the particle's centre, then about the
+// approach axis z by `spin`. A particle that rolls by a positive angle without sliding moves by radius * roll
+// along x.
 #pragma once
 
 #include <array>
@@ -36,7 +38,8 @@ inline Rotation rotation(const RigidMotion& m) {
 /// Q (X - C) + C of a point X of the particle: where the turn alone takes it, C = (0, 0, radius).
 inline std::array<double, 3> turned(const Rotation& q, const std::array<double, 3>& point, double radius) {
   std::array<double, 3> place{0, 0, radius};
-  for (int c = 0; c < 3; ++c) place[c] += q[c][0] * point[0] + q[c][1] * point[1] + q[c][2] * (point[2] - radius);
+  for (int c = 0; c < 3; ++c)
+    place[c] += q[c][0] * point[0] + q[c][1] * point[1] + q[c][2] * (point[2] - radius);
   return place;
 }
 

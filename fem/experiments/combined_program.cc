@@ -13,7 +13,8 @@ double largest_load(const ExperimentInput& e) { return by_force(e) ? e.normal_lo
 double rolled_angle(const ProgramPart& part, double radius) { return part.roll + part.rolled_arc / radius; }
 
 /// Positions of a part's steps as shares of it, the last one 1: no motion's steps are wider than its own.
-std::vector<double> shares(const ProgramPart& part, double load_change, const ExperimentInput& e, const MotionScales& scales) {
+std::vector<double> shares(const ProgramPart& part, double load_change, const ExperimentInput& e,
+                           const MotionScales& scales) {
   std::vector<double> path;
   if (part.steps > 0) {
     for (int i = 1; i <= part.steps; ++i) path.push_back(static_cast<double>(i) / part.steps);
@@ -27,15 +28,16 @@ std::vector<double> shares(const ProgramPart& part, double load_change, const Ex
   };
   limit(std::hypot(part.slide, part.slide_across), scales.full_slip_shift, scales.largest_shift);
   limit(part.spin, scales.full_slip_angle, scales.largest_angle);
-  limit(rolled_angle(part, scales.rolling_radius) * scales.rolling_radius, scales.largest_shift, scales.largest_shift);
+  limit(rolled_angle(part, scales.rolling_radius) * scales.rolling_radius, scales.largest_shift,
+        scales.largest_shift);
   limit(load_change, 0, 1.0 / e.load_steps);
   return graded_path(1, std::min(onset, 10 * largest), largest);
 }
 
 }  // namespace
 
-std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, const ExperimentInput& e, const MotionScales& scales,
-                                      const RigidMotion& start) {
+std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, const ExperimentInput& e,
+                                      const MotionScales& scales, const RigidMotion& start) {
   std::vector<Station> stations;
   Station at{1.0, start, false};
   for (const auto& part : parts) {
@@ -47,7 +49,8 @@ std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, con
     for (const double share : shares(part, load_change, e, scales)) {
       const double step = share - done;
       // The particle rolls about an axis that spins with it.
-      const double heading = begin.motion.spin + part.spin * (share - 0.5 * step), arc = scales.rolling_radius * angle * step;
+      const double heading = begin.motion.spin + part.spin * (share - 0.5 * step),
+                   arc = scales.rolling_radius * angle * step;
       at.load = begin.load + load_change * share;
       at.motion.x += part.slide * step + arc * std::cos(heading);
       at.motion.y += part.slide_across * step + arc * std::sin(heading);
@@ -66,7 +69,8 @@ MotionExtent extent_of(const std::vector<Station>& stations) {
   for (const auto& [load, motion, free] : stations) {
     extent.low_x = std::min(extent.low_x, motion.x), extent.high_x = std::max(extent.high_x, motion.x);
     extent.low_y = std::min(extent.low_y, motion.y), extent.high_y = std::max(extent.high_y, motion.y);
-    extent.low_roll = std::min(extent.low_roll, motion.roll), extent.high_roll = std::max(extent.high_roll, motion.roll);
+    extent.low_roll = std::min(extent.low_roll, motion.roll),
+    extent.high_roll = std::max(extent.high_roll, motion.roll);
     extent.largest_spin = std::max(extent.largest_spin, std::abs(motion.spin));
   }
   return extent;

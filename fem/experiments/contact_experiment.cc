@@ -32,7 +32,10 @@ double seconds() {
 }  // namespace
 
 ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions& options)
-    : input_(with_derived_way(input)), options_(options), setup_(set_up(input_)), program_(make_program(input_.experiment, setup_.motion)) {
+    : input_(with_derived_way(input)),
+      options_(options),
+      setup_(set_up(input_)),
+      program_(make_program(input_.experiment, setup_.motion)) {
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
@@ -49,7 +52,8 @@ void ContactExperiment::start() {
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
   for (int body = 0; body < 2; ++body)
-    if (setup_.roughness[body].rough()) say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
+    if (setup_.roughness[body].rough())
+      say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
   system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
   ContactState unloaded;
   system_->level().initialise(unloaded.displacement);
@@ -67,18 +71,21 @@ void ContactExperiment::start() {
   require_quality(quality, setup_.system.mesh, input_.file);
   for (int body = 0; body < 2; ++body) {
     setup_.roughness[body].fidelity = quality.roughness[body];
-    const std::string missed = missed_roughness_text(quality.roughness[body], body == 0 ? "particle" : "substrate");
+    const std::string missed =
+        missed_roughness_text(quality.roughness[body], body == 0 ? "particle" : "substrate");
     if (!missed.empty()) say(missed);
   }
-  say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) + " contact nodes, " +
-      system_->linear().description() + " (" + wait_text(seconds() - started_) + ")");
+  say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) +
+      " contact nodes, " + system_->linear().description() + " (" + wait_text(seconds() - started_) + ")");
 }
 
 bool ContactExperiment::resume() {
   const auto checkpoint = read_checkpoint(options_.output / "checkpoint", provenance(), MPI_COMM_WORLD);
   if (!checkpoint) return false;
-  if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() || checkpoint->multiplier.size() != state_.multiplier.size())
-    throw WorkError("the checkpoint in '" + options_.output.string() + "' belongs to another mesh; solve again with --overwrite");
+  if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() ||
+      checkpoint->multiplier.size() != state_.multiplier.size())
+    throw WorkError("the checkpoint in '" + options_.output.string() +
+                    "' belongs to another mesh; solve again with --overwrite");
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
   state_.multiplier = checkpoint->multiplier;
@@ -109,14 +116,17 @@ void ContactExperiment::run() {
   if (speaks()) {
     if (options_.before_writing) options_.before_writing();
     make_folder(options_.output);
-    // What an earlier run left is of another history: a study would take a run that is stopped now for a finished one.
+    // What an earlier run left is of another history: a study would take a run that is stopped now for a
+    // finished one.
     if (!resumed) std::filesystem::remove(options_.output / "result.json");
   }
   MPI_Barrier(MPI_COMM_WORLD);
   if (!resumed) {
-    // A radius well inside of the region and several spacings wide; the far field does not depend on it at first order.
-    const double radius = std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
-                                   6 * setup_.system.mesh.sizes.spacing_particle);
+    // A radius well inside of the region and several spacings wide; the far field does not depend on it at
+    // first order.
+    const double radius =
+        std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
+                 6 * setup_.system.mesh.sizes.spacing_particle);
     far_field_ = solver_->far_field_compliance(radius);
     lateral_far_field_ = solver_->lateral_far_field_compliance(radius);
   }
@@ -124,9 +134,10 @@ void ContactExperiment::run() {
   for (std::size_t k = first; k < steps; ++k) {
     const double began = seconds();
     step_to(program_[k], static_cast<int>(k) + 1);
-    const double left = (seconds() - started_) / static_cast<double>(k + 1 - first) * static_cast<double>(steps - k - 1);
-    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + progress_of(records_.back()) + "  " + wait_text(seconds() - began) +
-        "  left ~" + wait_text(left));
+    const double left =
+        (seconds() - started_) / static_cast<double>(k + 1 - first) * static_cast<double>(steps - k - 1);
+    say("step " + std::to_string(k + 1) + "/" + std::to_string(steps) + progress_of(records_.back()) + "  " +
+        wait_text(seconds() - began) + "  left ~" + wait_text(left));
   }
   write_result();
 }
@@ -141,7 +152,8 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   }
   if (!station.rolls_freely) return motion;
   const double stiffness = solver_->has_friction() ? lateral_stiffness_ : 0.0;
-  const RollingStep step = free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
+  const RollingStep step =
+      free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
   const double way = step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
   const double heading = 0.5 * (motion.spin + state_.motion.spin);
   motion.x = state_.motion.x + way * std::cos(heading);
@@ -150,16 +162,21 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
 }
 
 double ContactExperiment::expected_approach(double target) const {
-  // Under a growing load: what Hertz would add from here, or the first touch of rough surfaces; unloading needs no guess.
+  // Under a growing load: what Hertz would add from here, or the first touch of rough surfaces; unloading
+  // needs no guess.
   if (setup_.system.control != Control::force || target <= load_) return 0;
-  const auto hertz = [&](double force) { return setup_.hertz_approach * std::pow(force / setup_.largest_load, 2.0 / 3); };
+  const auto hertz = [&](double force) {
+    return setup_.hertz_approach * std::pow(force / setup_.largest_load, 2.0 / 3);
+  };
   const double touch = load_ == 0 ? 2 * std::hypot(setup_.rms_particle, setup_.rms_substrate) : 0;
   return 0.8 * (hertz(target) - hertz(load_)) + touch;
 }
 
-int ContactExperiment::parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const {
+int ContactExperiment::parts_needed(const ContactState& trial, double force_before, double force,
+                                    double flow_turn) const {
   const double approach_change = trial.approach - state_.approach - far_field_ * (force - force_before);
-  return parts_of_step(flow_turn, approach_change, force - force_before, force, input_.experiment.load_step_error);
+  return parts_of_step(flow_turn, approach_change, force - force_before, force,
+                       input_.experiment.load_step_error);
 }
 
 void ContactExperiment::accept(ContactState& trial, double load) {
@@ -196,8 +213,8 @@ ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const
 }
 
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
-  // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn divided; what is reached in
-  // between is accepted and kept in the history.
+  // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn
+  // divided; what is reached in between is accepted and kept in the history.
   std::vector<Target> pending{{target, motion, state_.time + 1}};
   int failures = 0;
   BodyEnergies energies;
@@ -262,7 +279,8 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   r.load_step_error = energies.approach_error;
   r.largest_plastic_strain = energies.largest_plastic_strain();
   r.largest_von_mises = energies.largest_von_mises();
-  r.particle_plastic_strain = energies.plastic_strain[0], r.substrate_plastic_strain = energies.plastic_strain[1];
+  r.particle_plastic_strain = energies.plastic_strain[0],
+  r.substrate_plastic_strain = energies.plastic_strain[1];
   r.particle_von_mises = energies.von_mises[0], r.substrate_von_mises = energies.von_mises[1];
   records_.push_back(r);
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
@@ -297,9 +315,10 @@ HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
   r.max_pressure = c.largest_pressure;
   r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
   if (c.force > 0)
-    r.force_error = std::max({std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1),
-                              std::abs(c.lateral_reaction[0] - c.lateral_force[0]) / c.force,
-                              std::abs(c.lateral_reaction[1] - c.lateral_force[1]) / c.force});
+    r.force_error =
+        std::max({std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1),
+                  std::abs(c.lateral_reaction[0] - c.lateral_force[0]) / c.force,
+                  std::abs(c.lateral_reaction[1] - c.lateral_force[1]) / c.force});
   r.moment_error = c.moment_error;
   r.reaches_rim = c.reaches_rim;
   r.newton_iterations = report.newton;
@@ -310,7 +329,9 @@ HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
 }
 
 void ContactExperiment::measure_stiffness() {
-  const auto without_far_field = [](double stiffness, double compliance) { return 1 / (1 / stiffness - compliance); };
+  const auto without_far_field = [](double stiffness, double compliance) {
+    return 1 / (1 / stiffness - compliance);
+  };
   stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
   const Motion type = input_.experiment.type;
   const bool moves_as_written = type == Motion::program && solver_->has_friction();
@@ -322,7 +343,9 @@ void ContactExperiment::measure_stiffness() {
 void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
-  solve_with_retries(fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach), towards(station, index > 1 ? &program_[index - 2] : nullptr));
+  solve_with_retries(
+      fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach),
+      towards(station, index > 1 ? &program_[index - 2] : nullptr));
   if (fraction == 1.0 && stiffness_at_peak_ == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());
@@ -344,7 +367,8 @@ void ContactExperiment::write_step(int index) {
   c.torsion_stiffness = torsion_stiffness_;
   c.wall_time = time_before_ + seconds() - started_;
   c.records = records_;
-  c.displacement.assign(state_.displacement.begin(), state_.displacement.begin() + state_.displacement.locally_owned_size());
+  c.displacement.assign(state_.displacement.begin(),
+                        state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.multiplier = state_.multiplier;
   c.shear = state_.shear;
   c.friction_history = state_.friction_history;
@@ -360,12 +384,15 @@ void ContactExperiment::write_step(int index) {
 
 void ContactExperiment::say_load_steps() const {
   constexpr double small = 0.005;  // of the approach, as much as a fine mesh leaves
-  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
+  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
+    return a.normal_force < b.normal_force;
+  });
   const double share = peak.normal_displacement > 0 ? peak.load_step_error / peak.normal_displacement : 0;
   if (share <= small) return;
   const int enough = static_cast<int>(std::ceil(input_.experiment.load_steps * share / small));
-  say("the load steps leave the approach some " + std::to_string(std::lround(1000 * share) / 10.0).substr(0, 4) + " % too large; Experiment/Load steps = " +
-      std::to_string(enough) + " would leave half a per cent");
+  say("the load steps leave the approach some " +
+      std::to_string(std::lround(1000 * share) / 10.0).substr(0, 4) +
+      " % too large; Experiment/Load steps = " + std::to_string(enough) + " would leave half a per cent");
 }
 
 void ContactExperiment::write_result() {
@@ -373,7 +400,8 @@ void ContactExperiment::write_result() {
   getrusage(RUSAGE_SELF, &usage);
   ResultSummary summary;
   summary.provenance = provenance();
-  summary.peak_memory = dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
+  summary.peak_memory =
+      dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
   summary.wall_time = time_before_ + seconds() - started_;
   summary.ranks = ranks_;
   summary.threads = omp_get_max_threads();
@@ -385,7 +413,8 @@ void ContactExperiment::write_result() {
   summary.stiffness_at_peak = stiffness_at_peak_;
   summary.lateral_stiffness = lateral_stiffness_;
   summary.torsion_stiffness = torsion_stiffness_;
-  if (speaks()) write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
+  if (speaks())
+    write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say_load_steps();
   say("wrote " + (options_.output / "result.json").string());
 }

@@ -1,4 +1,5 @@
-// One experiment in accepted steps: pressing the particle on the substrate, holding, sliding or spinning it, unloading, cycles.
+// One experiment in accepted steps: pressing the particle on the substrate, holding, sliding or spinning it,
+// unloading, cycles.
 #pragma once
 
 #include <memory>
@@ -9,8 +10,8 @@
 #include "fem/case_setup.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/experiments/program.h"
-#include "results/history.h"
 #include "fem/solve_case.h"
+#include "results/history.h"
 
 namespace asperity::fem {
 
@@ -24,13 +25,14 @@ class ContactExperiment {
   bool resume();
   void step_to(const Station& station, int index);
   double expected_approach(double target) const;
-  /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free of lateral force.
+  /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free
+  /// of lateral force.
   RigidMotion towards(const Station& station, const Station* before) const;
   /// Where a step, or a part of one, goes.
   struct Target {
     double load;  ///< force [N] or approach [m]
     RigidMotion motion;
-    double time;  ///< see InterfacePoint
+    double time;           ///< see InterfacePoint
     bool divided = false;  ///< for what finite load steps leave
   };
   /// What a step to a target came to; from `report` alone where it has not converged.
@@ -65,8 +67,8 @@ class ContactExperiment {
   ContactState state_;
   std::vector<HistoryRow> records_;
   double far_field_ = 0, lateral_far_field_ = 0;  ///< [m/N]
-  double load_ = 0;                 ///< of the accepted state: force [N] or approach [m]
-  double started_ = 0, time_before_ = 0;  ///< wall time of this run's start and of earlier runs [s]
+  double load_ = 0;                               ///< of the accepted state: force [N] or approach [m]
+  double started_ = 0, time_before_ = 0;          ///< wall time of this run's start and of earlier runs [s]
   double stiffness_at_peak_ = 0, lateral_stiffness_ = 0, torsion_stiffness_ = 0;  ///< 0: not known
   SolveReport last_report_;
 };

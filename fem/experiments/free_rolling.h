@@ -15,11 +15,13 @@ struct RollingContact {
 
 struct RollingStep {
   double way_per_angle = 0;  ///< [m/rad]
-  double back = 0;           ///< way along which the lateral force that the last step left along it is given way to [m]
+  double back =
+      0;  ///< way along which the lateral force that the last step left along it is given way to [m]
 };
 
-/// The next step of a program of which `records` (one at least) are done. A quarter of what is given way to enters the way per angle,
-/// which is shorter than the radius by about the approach.
-RollingStep free_rolling(const std::vector<Station>& program, const std::vector<HistoryRow>& records, const RollingContact& contact);
+/// The next step of a program of which `records` (one at least) are done. A quarter of what is given way to
+/// enters the way per angle, which is shorter than the radius by about the approach.
+RollingStep free_rolling(const std::vector<Station>& program, const std::vector<HistoryRow>& records,
+                         const RollingContact& contact);
 
 }  // namespace asperity::fem

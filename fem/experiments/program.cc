@@ -10,10 +10,13 @@ namespace {
 
 constexpr double smallest_fraction = 1e-3;
 
-double hertz_power(const ExperimentInput& e) { return e.control == ExperimentInput::Control::force ? 1.5 : 1.0; }
+double hertz_power(const ExperimentInput& e) {
+  return e.control == ExperimentInput::Control::force ? 1.5 : 1.0;
+}
 
 void load(const ExperimentInput& e, const RigidMotion& here, std::vector<Station>& program) {
-  for (int i = 1; i <= e.load_steps; ++i) program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here, false});
+  for (int i = 1; i <= e.load_steps; ++i)
+    program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here, false});
   for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, here, false});
 }
 
@@ -22,11 +25,14 @@ void unload(const ExperimentInput& e, std::vector<Station>& program) {
   const double from = program.back().load;
   if (e.retract > 0) {
     const double last = -e.retract / e.normal_approach;
-    for (int i = 1; i <= e.unload_steps; ++i) program.push_back({from + (last - from) * i / e.unload_steps, here, false});
+    for (int i = 1; i <= e.unload_steps; ++i)
+      program.push_back({from + (last - from) * i / e.unload_steps, here, false});
     return;
   }
   for (int i = e.unload_steps - 1; i >= 0; --i)
-    program.push_back({std::max(smallest_fraction, from * std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))), here, false});
+    program.push_back({std::max(smallest_fraction,
+                                from * std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))),
+                       here, false});
 }
 
 std::vector<double> even_path(double length, int steps) {
@@ -39,15 +45,19 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
   const bool torsion = e.type == Motion::torsion, rolling = e.type == Motion::rolling;
   const RigidMotion start = program.back().motion;
   const double length = torsion ? e.angle : e.distance;
-  const double onset = torsion ? scales.full_slip_angle : rolling ? scales.largest_shift : scales.full_slip_shift;
+  const double onset = torsion   ? scales.full_slip_angle
+                       : rolling ? scales.largest_shift
+                                 : scales.full_slip_shift;
   const double largest = torsion ? scales.largest_angle : scales.largest_shift;
   const auto path = [&](double way, double scale) {
     return e.motion_steps > 0 ? even_path(way, e.motion_steps) : graded_path(way, scale * onset, largest);
   };
   const auto add = [&](double position) {
     Station station{1.0, start, rolling};
-    if (torsion) station.motion.spin += position;
-    else station.motion.x += position;
+    if (torsion)
+      station.motion.spin += position;
+    else
+      station.motion.x += position;
     if (rolling) station.motion.roll += position / scales.rolling_radius;
     program.push_back(station);
   };

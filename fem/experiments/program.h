@@ -23,8 +23,10 @@ struct MotionScales {
   double rolling_radius = 0;   ///< of the particle [m]
 };
 
-/// Loading and unloading advance evenly in the approach of a Hertzian contact; the motion lies between them, at the largest
-/// load. A particle that rolls does so half of its way on either side of the axis of the meshes. The last unloading step keeps a thousandth of the load: without any contact nothing holds the particle. To retract is to go on evenly beyond first touch.
+/// Loading and unloading advance evenly in the approach of a Hertzian contact; the motion lies between them,
+/// at the largest load. A particle that rolls does so half of its way on either side of the axis of the
+/// meshes. The last unloading step keeps a thousandth of the load: without any contact nothing holds the
+/// particle. To retract is to go on evenly beyond first touch.
 std::vector<Station> make_program(const ExperimentInput& experiment, const MotionScales& scales);
 
 /// Positions from 0 to `length`, without 0: steps grow from a tenth of `onset` to `largest`.

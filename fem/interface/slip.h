@@ -1,10 +1,12 @@
-// Shear traction at a point that sticks up to a limit and slips beyond it (return mapping of rigid-plastic slip).
+// Shear traction at a point that sticks up to a limit and slips beyond it (return mapping of rigid-plastic
+// slip).
 //
 //   t = t*                 if |t*| < limit      (stick)
 //   t = limit t* / |t*|    otherwise            (slip, along t*)
 //   with t* = lambda - eps s:  lambda [Pa] traction before, s [m] slip since then, eps [Pa/m] penalty.
-// Minus the derivative dt/ds is symmetric and never negative: for a fixed limit the slip work is a convex potential.
-// Source: Alart & Curnier (1991), Comput. Methods Appl. Mech. Eng. 92, 353; Simo & Laursen (1992), Comput. Struct. 42, 97.
+// Minus the derivative dt/ds is symmetric and never negative: for a fixed limit the slip work is a convex
+// potential. Source: Alart & Curnier (1991), Comput. Methods Appl. Mech. Eng. 92, 353; Simo & Laursen (1992),
+// Comput. Struct. 42, 97.
 #pragma once
 
 #include <array>
@@ -15,8 +17,8 @@ namespace asperity::fem {
 using PlaneVector = std::array<double, 2>;
 
 struct Shear {
-  PlaneVector traction;     ///< [Pa]
-  double xx, xy, yy;        ///< -dt/ds over eps [-]
+  PlaneVector traction;  ///< [Pa]
+  double xx, xy, yy;     ///< -dt/ds over eps [-]
   bool slips;
 
   /// |t|/|t*|: the traction is this share of the trial one.

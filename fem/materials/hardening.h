@@ -49,9 +49,9 @@ class Hardening {
 
 /// Plasticity of a body by its law.
 struct Plasticity {
-  double yield_stress;           ///< initial [Pa]
-  double kinematic_modulus = 0;  ///< of Prager's hardening [Pa]
-  std::shared_ptr<const Hardening> hardening;  ///< null: perfectly plastic
+  double yield_stress;                           ///< initial [Pa]
+  double kinematic_modulus = 0;                  ///< of Prager's hardening [Pa]
+  std::shared_ptr<const Hardening> hardening{};  ///< null: perfectly plastic
 };
 
 /// Why a body cannot be meant: the entry at fault, and a sentence that begins with the body's name.

@@ -20,7 +20,7 @@ namespace asperity::fem {
 struct J2Material {
   double shear_modulus = 0, bulk_modulus = 0;
   double yield_stress = std::numeric_limits<double>::infinity();
-  double kinematic_modulus = 0;  ///< H_kin [Pa]
+  double kinematic_modulus = 0;                ///< H_kin [Pa]
   std::shared_ptr<const Hardening> hardening;  ///< null: none but the kinematic one
 
   static J2Material elastic(double youngs_modulus, double poisson_ratio) {
@@ -71,7 +71,8 @@ inline double return_to_yield_surface(const J2Material& m, double q, double alph
   const FlowStress first = m.flow(alpha, 0, time);
   double increment = (q - first.stress) / (stiff + first.slope);
   if (m.hardens_linearly()) return increment;
-  for (int i = 0; i < 50; ++i) {  // Newton: the flow stress is concave, so it converges monotonically from here
+  for (int i = 0; i < 50;
+       ++i) {  // Newton: the flow stress is concave, so it converges monotonically from here
     const FlowStress flow = m.flow(alpha + increment, increment, time);
     const double error = q - stiff * increment - flow.stress;
     increment += error / (stiff + flow.slope);
@@ -85,8 +86,8 @@ inline double return_to_yield_surface(const J2Material& m, double q, double alph
   return increment;
 }
 
-/// Returns the deviatoric stress for a deviatoric strain; updates `state` and fills `tangent` where a lane yields.
-/// materials[l] belongs to lane l. The result says whether any lane yields in this step.
+/// Returns the deviatoric stress for a deviatoric strain; updates `state` and fills `tangent` where a lane
+/// yields. materials[l] belongs to lane l. The result says whether any lane yields in this step.
 inline bool return_map(const J2Material* const* materials, const Simd<double>& shear_modulus,
                        const SymmetricTensor<Simd<double>>& strain_deviator,
                        PlasticState<Simd<double>>& state, SymmetricTensor<Simd<double>>& stress,

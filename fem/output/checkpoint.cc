@@ -22,10 +22,12 @@ void put(std::string& bytes, const std::vector<double>& values) {
 
 std::vector<double> take(const std::string& bytes, std::size_t& at) {
   std::uint64_t count = 0;
-  if (at + sizeof count > bytes.size()) throw WorkError("the checkpoint is cut off; solve again with --overwrite");
+  if (at + sizeof count > bytes.size())
+    throw WorkError("the checkpoint is cut off; solve again with --overwrite");
   std::memcpy(&count, bytes.data() + at, sizeof count);
   at += sizeof count;
-  if (at + count * sizeof(double) > bytes.size()) throw WorkError("the checkpoint is cut off; solve again with --overwrite");
+  if (at + count * sizeof(double) > bytes.size())
+    throw WorkError("the checkpoint is cut off; solve again with --overwrite");
   std::vector<double> values(count);
   std::memcpy(values.data(), bytes.data() + at, count * sizeof(double));
   at += count * sizeof(double);
@@ -35,7 +37,9 @@ std::vector<double> take(const std::string& bytes, std::size_t& at) {
 /// To be raised with every change of what a checkpoint holds.
 constexpr const char* format = "asperity-checkpoint/6";
 
-std::string part_name(int step, int rank) { return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin"; }
+std::string part_name(int step, int rank) {
+  return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin";
+}
 
 /// What the manifest says of a part.
 nlohmann::json description(const std::string& name, const std::string& bytes) {
@@ -63,15 +67,19 @@ std::string objection_to_origin(const nlohmann::json& manifest, const Provenance
   if (manifest.empty()) return "is damaged, or was written by another version of asperity";
   if (manifest.at("inputs_sha256") != now.inputs_sha256) return "is of other inputs";
   if (manifest.at("commit") != now.commit)
-    return "was written by the build of commit " + manifest.at("commit").get<std::string>() + ", and this one is of " + now.commit;
+    return "was written by the build of commit " + manifest.at("commit").get<std::string>() +
+           ", and this one is of " + now.commit;
   return "";
 }
 
-std::string objection_to_part(const fs::path& folder, const nlohmann::json& described, const std::string& bytes) {
+std::string objection_to_part(const fs::path& folder, const nlohmann::json& described,
+                              const std::string& bytes) {
   const std::string name = (folder / described.at("file").get<std::string>()).string();
   if (bytes.size() != described.at("bytes").get<std::size_t>())
-    return "is damaged: '" + name + "' has " + std::to_string(bytes.size()) + " bytes of " + std::to_string(described.at("bytes").get<std::size_t>());
-  if (sha256(bytes) != described.at("sha256").get<std::string>()) return "is damaged: '" + name + "' has another SHA-256 than when it was written";
+    return "is damaged: '" + name + "' has " + std::to_string(bytes.size()) + " bytes of " +
+           std::to_string(described.at("bytes").get<std::size_t>());
+  if (sha256(bytes) != described.at("sha256").get<std::string>())
+    return "is damaged: '" + name + "' has another SHA-256 than when it was written";
   return "";
 }
 
@@ -81,7 +89,9 @@ std::string read_part(const fs::path& folder, const nlohmann::json& described) {
 }
 
 void accept(const fs::path& folder, const std::string& objection) {
-  if (!objection.empty()) throw WorkError("the checkpoint in '" + folder.string() + "' " + objection + "; solve again with --overwrite");
+  if (!objection.empty())
+    throw WorkError("the checkpoint in '" + folder.string() + "' " + objection +
+                    "; solve again with --overwrite");
 }
 
 }  // namespace
@@ -125,13 +135,18 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   write_file_atomically(folder / name, bytes);
   const auto parts = dealii::Utilities::MPI::gather(communicator, description(name, bytes).dump());
   if (rank != 0) return;
-  nlohmann::json manifest{{"format", format}, {"steps", c.steps}, {"ranks", ranks}, {"columns", history_columns().size()},
-                          {"inputs_sha256", c.provenance.inputs_sha256}, {"commit", c.provenance.commit}};
+  nlohmann::json manifest{{"format", format},
+                          {"steps", c.steps},
+                          {"ranks", ranks},
+                          {"columns", history_columns().size()},
+                          {"inputs_sha256", c.provenance.inputs_sha256},
+                          {"commit", c.provenance.commit}};
   for (const auto& part : parts) manifest["parts"].push_back(nlohmann::json::parse(part));
   write_file_atomically(folder / "latest.json", signed_text(manifest));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps) + "_", 0) != 0) fs::remove(entry.path());
+    if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps) + "_", 0) != 0)
+      fs::remove(entry.path());
   }
 }
 
@@ -147,7 +162,8 @@ std::string objection_to_resume(const fs::path& folder, const Provenance& now) {
   return "";
 }
 
-std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenance& now, MPI_Comm communicator) {
+std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenance& now,
+                                          MPI_Comm communicator) {
   if (!fs::exists(folder / "latest.json")) return std::nullopt;
   const auto manifest = read_manifest(folder);
   accept(folder, objection_to_origin(manifest, now));

@@ -1,4 +1,5 @@
-// The last accepted state on disk, one file per rank and a manifest, written last, that says length and SHA-256 of each.
+// The last accepted state on disk, one file per rank and a manifest, written last, that says length and
+// SHA-256 of each.
 #pragma once
 
 #include <filesystem>
@@ -14,29 +15,31 @@ namespace asperity::fem {
 
 struct Checkpoint {
   Provenance provenance;
-  int steps = 0;                       ///< accepted so far
+  int steps = 0;  ///< accepted so far
   double load = 0, far_field = 0, lateral_far_field = 0, wall_time = 0;
   double stiffness_at_peak = 0, lateral_stiffness = 0, torsion_stiffness = 0;
   std::vector<HistoryRow> records;
-  std::vector<double> displacement;    ///< locally owned
+  std::vector<double> displacement;  ///< locally owned
   std::vector<double> multiplier;
   std::array<std::vector<double>, 2> shear;
   std::vector<double> friction_history, bonded;  ///< see ContactState
   RigidMotion motion;
   Coupling coupling;  ///< see ContactState
   double approach = 0, time = 0;
-  std::vector<double> history;         ///< PlasticBodies::save_history
+  std::vector<double> history;  ///< PlasticBodies::save_history
 };
 
 /// Collective. The checkpoint before stays valid until this one is complete.
-void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint, MPI_Comm communicator);
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint,
+                      MPI_Comm communicator);
 
-/// Why the checkpoint in `folder` cannot be gone on with (another program, other inputs, damaged), as the end of a sentence that
-/// begins with its name; empty if it can, or if there is none. Reads all of its files.
+/// Why the checkpoint in `folder` cannot be gone on with (another program, other inputs, damaged), as the end
+/// of a sentence that begins with its name; empty if it can, or if there is none. Reads all of its files.
 std::string objection_to_resume(const std::filesystem::path& folder, const Provenance& now);
 
-/// The latest complete checkpoint; empty if there is none. Throws WorkError if it is of another number of ranks, or for what
-/// objection_to_resume says.
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, const Provenance& now, MPI_Comm communicator);
+/// The latest complete checkpoint; empty if there is none. Throws WorkError if it is of another number of
+/// ranks, or for what objection_to_resume says.
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, const Provenance& now,
+                                          MPI_Comm communicator);
 
 }  // namespace asperity::fem

@@ -15,14 +15,16 @@ namespace fs = std::filesystem;
 VtkMesh bodies(const ContactSystem& system, const ContactState& state) {
   const MeshLevel& level = system.level();
   VtkMesh mesh;
-  const std::size_t nodes = (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
+  const std::size_t nodes =
+      (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
   Vector<double> shown = state.displacement;  // with the driven plane's common displacement on all its nodes
   shown.update_ghost_values();
   mesh.points.assign(system.positions().begin(), system.positions().begin() + 3 * nodes);
   VtkArray displacement{"displacement", 3, {}};
   displacement.values.assign(shown.begin(), shown.begin() + 3 * nodes);
   const auto states = system.bodies().cell_states(state.displacement);
-  VtkArray stress{"stress", 6, {}}, mises{"von_mises", 1, {}}, plastic{"equivalent_plastic_strain", 1, {}}, body{"body", 1, {}};
+  VtkArray stress{"stress", 6, {}}, mises{"von_mises", 1, {}}, plastic{"equivalent_plastic_strain", 1, {}},
+      body{"body", 1, {}};
   std::size_t cell = 0;
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l, ++cell) {
@@ -41,10 +43,12 @@ VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver
   VtkMesh mesh;
   mesh.points_per_cell = 4;
   const auto& rows = system.rows();
-  for (const auto& quad : system.row_quads()) mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
+  for (const auto& quad : system.row_quads())
+    mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
   const auto gaps = solver.gaps(state);
   const auto& options = system.options().mesh;
-  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}}, upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}}, shear{"shear_traction", 3, {}};
+  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}},
+      upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}}, shear{"shear_traction", 3, {}};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto& p = system.interface_points()[rows[r].node];
     const auto& under = system.row_points()[r];
@@ -53,8 +57,12 @@ VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver
     gap.values.push_back(closed ? 0.0f : static_cast<float>(gaps[r]));
     pressure.values.push_back(static_cast<float>(state.multiplier[r]));
     status.values.push_back(closed ? 1.0f : 0.0f);
-    upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1])) : 0.0f);
-    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(under[0] + system.coupling().surface().x, under[1] + system.coupling().surface().y)) : 0.0f);
+    upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1]))
+                                                   : 0.0f);
+    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(
+                                                          under[0] + system.coupling().surface().x,
+                                                          under[1] + system.coupling().surface().y))
+                                                    : 0.0f);
     for (const auto& component : state.shear) shear.values.push_back(static_cast<float>(component[r]));
     shear.values.push_back(0.0f);
   }
@@ -74,7 +82,8 @@ void write_series(const fs::path& folder, const std::string& sub) {
   for (const auto& entry : fs::directory_iterator(folder / sub)) {
     int step = 0;
     const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
-    if ((extension == ".vtu" || extension == ".vtp") && std::sscanf(name.c_str(), "step_%d", &step) == 1) by_step[step].push_back(sub + "/" + name);
+    if ((extension == ".vtu" || extension == ".vtp") && std::sscanf(name.c_str(), "step_%d", &step) == 1)
+      by_step[step].push_back(sub + "/" + name);
   }
   std::vector<std::pair<double, std::vector<std::string>>> files;
   for (auto& [step, names] : by_step) {
@@ -86,9 +95,11 @@ void write_series(const fs::path& folder, const std::string& sub) {
 
 }  // namespace
 
-void write_contact_fields(const fs::path& folder, int step, const ContactSystem& system, const ContactSolver& solver, const ContactState& state) {
+void write_contact_fields(const fs::path& folder, int step, const ContactSystem& system,
+                          const ContactSolver& solver, const ContactState& state) {
   const MPI_Comm communicator = system.level().communicator();
-  const int rank = dealii::Utilities::MPI::this_mpi_process(communicator), ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const int rank = dealii::Utilities::MPI::this_mpi_process(communicator),
+            ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   char name[32];
   std::snprintf(name, sizeof name, "step_%04d", step);
   const std::string part = ranks == 1 ? "" : "_rank_" + std::to_string(rank);

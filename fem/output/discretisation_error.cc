@@ -5,26 +5,33 @@
 
 namespace asperity::fem {
 
-DiscretisationError::DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave)
+DiscretisationError::DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus,
+                                         double shortest_wave)
     : spacing_(spacing),
       resolution_(peak.contact_area > 0 ? peak.contact_perimeter * spacing / peak.contact_area : 0),
       whole_(peak.pressure_radius > 0 ? spacing / peak.pressure_radius : 0),
       wave_(spacing / shortest_wave),
       dent_(reduced_modulus > 0 ? spacing * peak.mean_pressure / reduced_modulus : 0) {}
 
-// Hertz at a/h 6 to 18, 41 rough elastic contacts with 8, 4 and 2 spacings in the shortest wave, against boundary elements: what the
-// correction of the edge (contact_area.h) leaves.
+// Hertz at a/h 6 to 18, 41 rough elastic contacts with 8, 4 and 2 spacings in the shortest wave, against
+// boundary elements: what the correction of the edge (contact_area.h) leaves.
 double DiscretisationError::area() const { return resolution_ * std::hypot(0.05, 0.05 * resolution_); }
 
-// The same contacts: -10 to -25 % at kappa 0.5 to 1.5 and four spacings, -25 to -60 % with two, -2 % with eight. Where spots have grown
-// together the edge says little of the waves within.
-double DiscretisationError::largest_pressure() const { return std::hypot(0.13 * std::pow(resolution_, 1.5), wave_ * wave_); }
+// The same contacts: -10 to -25 % at kappa 0.5 to 1.5 and four spacings, -25 to -60 % with two, -2 % with
+// eight. Where spots have grown together the edge says little of the waves within.
+double DiscretisationError::largest_pressure() const {
+  return std::hypot(0.13 * std::pow(resolution_, 1.5), wave_ * wave_);
+}
 
 // The same contacts: 0.1 of the dent at kappa 0.5, up to all of it at kappa 2.
-double DiscretisationError::approach() const { return dent_ * std::hypot(0.1, 0.15 * resolution_ * resolution_); }
+double DiscretisationError::approach() const {
+  return dent_ * std::hypot(0.1, 0.15 * resolution_ * resolution_);
+}
 
 // One surface on spacings of 5 to 41 nm: -3.35, -3.23, -3.11, -2.57 nm for -3.36.
-double DiscretisationError::first_touch() const { return dent_ * std::hypot(0.25, 0.15 * resolution_ * resolution_); }
+double DiscretisationError::first_touch() const {
+  return dent_ * std::hypot(0.25, 0.15 * resolution_ * resolution_);
+}
 double DiscretisationError::unloading() const { return 0.1 * dent_; }
 double DiscretisationError::load_centre() const { return 0.1 * spacing_; }
 
@@ -32,18 +39,25 @@ double DiscretisationError::load_centre() const { return 0.1 * spacing_; }
 double DiscretisationError::stiffness() const { return std::hypot(0.07 * whole_, 0.01 * resolution_); }
 
 // Against 8 G* a at a/h 6, 8, 12, 18: +0.1, +2.2, +1.7, +0.2 %.
-double DiscretisationError::lateral_stiffness() const { return std::hypot(0.15 * whole_, 0.01 * resolution_); }
+double DiscretisationError::lateral_stiffness() const {
+  return std::hypot(0.15 * whole_, 0.01 * resolution_);
+}
 
 // Against 16 G a^3 / 3 with four layers of cells: +1.1, +0.5, -1.6 %, which does not fall with the spacing.
 double DiscretisationError::torsion_stiffness() const { return std::hypot(0.015, 0.01 * resolution_); }
 
-// Below Hertz' contact at a/h 8 with four layers of cells: +6.3 %; at a/h 16 with ten -0.2 and -1.3 %. In asperities as their pressure.
+// Below Hertz' contact at a/h 8 with four layers of cells: +6.3 %; at a/h 16 with ten -0.2 and -1.3 %. In
+// asperities as their pressure.
 double DiscretisationError::largest_stress() const { return std::hypot(0.5 * whole_, largest_pressure()); }
-double DiscretisationError::largest_plastic_strain() const { return std::hypot(0.5 * whole_, 2 * largest_pressure()); }
+double DiscretisationError::largest_plastic_strain() const {
+  return std::hypot(0.5 * whole_, 2 * largest_pressure());
+}
 double DiscretisationError::plasticity() const { return std::hypot(0.25 * whole_, largest_pressure()); }
 
 // Friction by an area: as the area. By a load: what is left is that of full slip, below 0.5 %.
-double DiscretisationError::resistance(double share_by_area) const { return std::hypot(0.005, share_by_area * area()); }
+double DiscretisationError::resistance(double share_by_area) const {
+  return std::hypot(0.005, share_by_area * area());
+}
 
 // As friction's lever arm goes with the contact radius.
 double DiscretisationError::torsion() const { return std::hypot(0.01, 1.5 * area()); }
@@ -51,8 +65,8 @@ double DiscretisationError::torsion() const { return std::hypot(0.01, 1.5 * area
 // Smooth contacts at a/h 6 and 8 against Kendall, Krijt, Dominik & Tielens: within 2.4 %.
 double DiscretisationError::rolling() const { return std::hypot(0.2 * whole_, 2 * area()); }
 
-// Smooth contacts with 8 to 16 spacings in the unit of radius against Maugis: up to 0.65 %; where the ring of attraction is two or three
-// cells wide up to 5 %.
+// Smooth contacts with 8 to 16 spacings in the unit of radius against Maugis: up to 0.65 %; where the ring of
+// attraction is two or three cells wide up to 5 %.
 double DiscretisationError::pull_off() const { return std::hypot(0.02, area()); }
 double DiscretisationError::spots() const { return 0.5 * std::min(1.0, resolution_); }
 

@@ -1,9 +1,10 @@
 // What the mesh leaves in doubt of the numbers of a single case, as standard deviations.
 //
-// How well a contact is resolved is told by its edge: kappa = perimeter * spacing / area, 2 h / a for a circle of radius a, four spacings
-// over the width of a square spot for kappa 1. It needs no knowledge of spectra and sees what has yielded. Errors of the area are those of
-// the edge, so of first order in kappa. The constants are root mean square errors, each from the cases that its comment names; where
-// they come from boundary elements, tests/fem/stated_errors_test.cc asserts that two standard deviations hold nine of ten.
+// How well a contact is resolved is told by its edge: kappa = perimeter * spacing / area, 2 h / a for a
+// circle of radius a, four spacings over the width of a square spot for kappa 1. It needs no knowledge of
+// spectra and sees what has yielded. Errors of the area are those of the edge, so of first order in kappa.
+// The constants are root mean square errors, each from the cases that its comment names; where they come from
+// boundary elements, tests/fem/stated_errors_test.cc asserts that two standard deviations hold nine of ten.
 #pragma once
 
 #include "results/history.h"
@@ -12,31 +13,32 @@ namespace asperity::fem {
 
 class DiscretisationError {
  public:
-  /// peak: the step at the largest load; spacing [m] of the interface; reduced_modulus: E* [Pa]; shortest_wave [m] of the surfaces,
-  /// infinite for smooth ones.
+  /// peak: the step at the largest load; spacing [m] of the interface; reduced_modulus: E* [Pa];
+  /// shortest_wave [m] of the surfaces, infinite for smooth ones.
   DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave);
 
   double resolution() const { return resolution_; }  ///< kappa
 
   // Relative:
-  double area() const;              ///< also of the mean pressure; twice that of the radius
+  double area() const;  ///< also of the mean pressure; twice that of the radius
   double largest_pressure() const;
   double stiffness() const;
   double lateral_stiffness() const;
   double torsion_stiffness() const;
-  double largest_stress() const;    ///< below the surface
+  double largest_stress() const;  ///< below the surface
   double largest_plastic_strain() const;
-  double plasticity() const;        ///< yielded volume, dissipation, imprint
-  double resistance(double share_by_area) const;  ///< of sliding, of which this share goes with the area and not with the load
-  double torsion() const;           ///< moment
-  double rolling() const;           ///< moment, dissipation
+  double plasticity() const;  ///< yielded volume, dissipation, imprint
+  double resistance(double share_by_area)
+      const;               ///< of sliding, of which this share goes with the area and not with the load
+  double torsion() const;  ///< moment
+  double rolling() const;  ///< moment, dissipation
   double pull_off() const;
   double spots() const;
 
   // Lengths [m]:
-  double approach() const;          ///< of the mean planes
-  double first_touch() const;       ///< where the surfaces touch first
-  double unloading() const;         ///< difference of two approaches at small loads
+  double approach() const;     ///< of the mean planes
+  double first_touch() const;  ///< where the surfaces touch first
+  double unloading() const;    ///< difference of two approaches at small loads
   double load_centre() const;
 
  private:

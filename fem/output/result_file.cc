@@ -35,9 +35,12 @@ json body_inputs(const BodyInput& body) {
   for (const auto& parameter : parameters) {
     const double value = values.at(parameter.entry);
     json& said = inputs[result_name(parameter.entry)];
-    if (!parameter.words.empty()) said = parameter.words.at(static_cast<std::size_t>(value));
-    else if (std::isfinite(value)) said = value;
-    else said = "inf";
+    if (!parameter.words.empty())
+      said = parameter.words.at(static_cast<std::size_t>(value));
+    else if (std::isfinite(value))
+      said = value;
+    else
+      said = "inf";
   }
   return inputs;
 }
@@ -56,7 +59,9 @@ json resolved_roughness(const MeshedRoughness& r) {
           {"cells_over_shortest_wave", finite(r.cells_per_wave())},
           {"slope_variance_in_shorter_waves", r.scales.unresolved},
           {"rms_slope", r.fidelity.rms_slope},
-          {"missed_by_facets", {{"rms_height", r.fidelity.missed_height_share()}, {"slope_variance", r.fidelity.missed_slope_share()}}},
+          {"missed_by_facets",
+           {{"rms_height", r.fidelity.missed_height_share()},
+            {"slope_variance", r.fidelity.missed_slope_share()}}},
           {"repeats_every", r.scales.period < r.region ? json(r.scales.period) : json(nullptr)}};
 }
 
@@ -76,7 +81,8 @@ double root_of_squares(std::initializer_list<double> errors) {
 /// Work that is not accounted for along the way rolled, per angle [N m].
 double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
   double angle = 0, largest_work = 0;
-  for (std::size_t k = 1; k < records.size(); ++k) angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
+  for (std::size_t k = 1; k < records.size(); ++k)
+    angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
   for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
   return angle > 0 ? largest_size(records, &HistoryRow::energy_error) * largest_work / angle : 0.0;
 }
@@ -85,12 +91,16 @@ double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
 ResidualImprint imprint_of(const std::vector<HistoryRow>& records, double largest_force) {
   const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
   std::size_t peak = 0;
-  while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise) ++peak;
+  while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise)
+    ++peak;
   std::size_t turn = peak;
-  while (turn + 1 < records.size() && std::abs(records[turn + 1].normal_force - records[turn].normal_force) <= noise) ++turn;
+  while (turn + 1 < records.size() &&
+         std::abs(records[turn + 1].normal_force - records[turn].normal_force) <= noise)
+    ++turn;
   std::vector<double> up, up_force, down, down_force;
   for (std::size_t k = 0; k <= peak; ++k)
-    if (records[k].normal_force > 0) up.push_back(records[k].normal_displacement), up_force.push_back(records[k].normal_force);
+    if (records[k].normal_force > 0)
+      up.push_back(records[k].normal_displacement), up_force.push_back(records[k].normal_force);
   for (std::size_t k = turn; k < records.size(); ++k) {
     if (k > turn && records[k].normal_force >= records[k - 1].normal_force - noise) break;
     down.push_back(records[k].normal_displacement), down_force.push_back(records[k].normal_force);
@@ -105,7 +115,9 @@ class Effective {
   void add(const char* name, double value, const char* unit, std::initializer_list<double> errors) {
     add_absolute(name, value, unit, std::abs(value) * root_of_squares(errors));
   }
-  void add_absolute(const char* name, double value, const char* unit, double sd) { values_[name] = number(value, unit, sd); }
+  void add_absolute(const char* name, double value, const char* unit, double sd) {
+    values_[name] = number(value, unit, sd);
+  }
   const json& values() const { return values_; }
 
  private:
@@ -113,10 +125,14 @@ class Effective {
 };
 
 /// The contact at the largest load.
-void add_contact(Effective& effective, const HistoryRow& peak, const DiscretisationError& error, const ResultSummary& s) {
-  if (s.stiffness_at_peak > 0) effective.add("normal_stiffness", s.stiffness_at_peak, "N/m", {error.stiffness()});
-  if (s.lateral_stiffness > 0) effective.add("lateral_stiffness", s.lateral_stiffness, "N/m", {error.lateral_stiffness()});
-  if (s.torsion_stiffness > 0) effective.add("torsion_stiffness", s.torsion_stiffness, "N m/rad", {error.torsion_stiffness()});
+void add_contact(Effective& effective, const HistoryRow& peak, const DiscretisationError& error,
+                 const ResultSummary& s) {
+  if (s.stiffness_at_peak > 0)
+    effective.add("normal_stiffness", s.stiffness_at_peak, "N/m", {error.stiffness()});
+  if (s.lateral_stiffness > 0)
+    effective.add("lateral_stiffness", s.lateral_stiffness, "N/m", {error.lateral_stiffness()});
+  if (s.torsion_stiffness > 0)
+    effective.add("torsion_stiffness", s.torsion_stiffness, "N m/rad", {error.torsion_stiffness()});
   effective.add("contact_radius", peak.contact_radius, "m", {0.5 * error.area()});
   effective.add("contact_area", peak.contact_area, "m^2", {error.area()});
   effective.add("mean_pressure", peak.mean_pressure, "Pa", {error.area()});
@@ -124,16 +140,18 @@ void add_contact(Effective& effective, const HistoryRow& peak, const Discretisat
   effective.add("pressure_radius", peak.pressure_radius, "m", {error.stiffness()});
   const double approach = root_of_squares({error.approach(), peak.load_step_error});
   effective.add_absolute("approach", peak.mean_plane_approach, "m", approach);
-  effective.add_absolute("approach_from_first_touch", peak.normal_displacement, "m", root_of_squares({approach, error.first_touch()}));
-  effective.add_absolute("first_touch", peak.mean_plane_approach - peak.normal_displacement, "m", error.first_touch());
+  effective.add_absolute("approach_from_first_touch", peak.normal_displacement, "m",
+                         root_of_squares({approach, error.first_touch()}));
+  effective.add_absolute("first_touch", peak.mean_plane_approach - peak.normal_displacement, "m",
+                         error.first_touch());
   effective.add("spots", peak.spots, "", {error.spots()});
   effective.add_absolute("load_centre_x", peak.load_centre_x, "m", error.load_centre());
   effective.add_absolute("load_centre_y", peak.load_centre_y, "m", error.load_centre());
 }
 
 /// What yields, and what stays.
-void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak, const std::vector<HistoryRow>& records,
-                  const DiscretisationError& error) {
+void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak,
+                  const std::vector<HistoryRow>& records, const DiscretisationError& error) {
   const HistoryRow& last = records.back();
   if (peak.normal_displacement > 0) {
     const double steps = peak.load_step_error / peak.normal_displacement;
@@ -144,26 +162,33 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
     // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
     const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
     const double sd = last.plastic_volume > 0
-                          ? root_of_squares({error.plasticity() * depth, peak.load_step_error, error.unloading(), imprint.error})
+                          ? root_of_squares({error.plasticity() * depth, peak.load_step_error,
+                                             error.unloading(), imprint.error})
                           : 0.0;
     effective.add_absolute("residual_imprint", depth, "m", sd);
   }
-  effective.add("particle_von_mises", largest_size(records, &HistoryRow::particle_von_mises), "Pa", {error.largest_stress()});
-  effective.add("substrate_von_mises", largest_size(records, &HistoryRow::substrate_von_mises), "Pa", {error.largest_stress()});
-  effective.add("particle_plastic_strain", last.particle_plastic_strain, "", {error.largest_plastic_strain()});
-  effective.add("substrate_plastic_strain", last.substrate_plastic_strain, "", {error.largest_plastic_strain()});
+  effective.add("particle_von_mises", largest_size(records, &HistoryRow::particle_von_mises), "Pa",
+                {error.largest_stress()});
+  effective.add("substrate_von_mises", largest_size(records, &HistoryRow::substrate_von_mises), "Pa",
+                {error.largest_stress()});
+  effective.add("particle_plastic_strain", last.particle_plastic_strain, "",
+                {error.largest_plastic_strain()});
+  effective.add("substrate_plastic_strain", last.substrate_plastic_strain, "",
+                {error.largest_plastic_strain()});
   effective.add("plastic_volume", last.plastic_volume, "m^3", {error.plasticity()});
   effective.add("dissipated_energy", last.dissipated_energy, "J", {error.plasticity()});
 }
 
 /// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
-void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak, const std::vector<HistoryRow>& records,
-                const DiscretisationError& error) {
+void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak,
+                const std::vector<HistoryRow>& records, const DiscretisationError& error) {
   if (input.experiment.type == Motion::program) {  // steady in nothing
-    effective.add("friction_work", records.back().friction_work, "J", {error.resistance(1), records.back().energy_error});
+    effective.add("friction_work", records.back().friction_work, "J",
+                  {error.resistance(1), records.back().energy_error});
     return;
   }
-  const auto add = [&](const char* name, const SteadyResistance& r, const char* unit, double mesh, double floor) {
+  const auto add = [&](const char* name, const SteadyResistance& r, const char* unit, double mesh,
+                       double floor) {
     effective.add_absolute(name, r.mean, unit, root_of_squares({r.sd, mesh * r.mean, floor}));
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
@@ -175,24 +200,30 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
     add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
   }
-  if (const auto rolling = steady_rolling(records, input.radius)) add("rolling_moment", *rolling, "N m", error.rolling(), noise);
+  if (const auto rolling = steady_rolling(records, input.radius))
+    add("rolling_moment", *rolling, "N m", error.rolling(), noise);
   if (const auto dissipation = rolling_dissipation(records, input.radius)) {
-    effective.add_absolute("rolling_dissipation", *dissipation, "N m", root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
+    effective.add_absolute("rolling_dissipation", *dissipation, "N m",
+                           root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
     effective.add("rolling_noise_floor", noise, "N m", {0.5});
   }
-  if (const auto torsion = steady_torsion(records)) add("torsion_moment", *torsion, "N m", error.torsion(), 0);
+  if (const auto torsion = steady_torsion(records))
+    add("torsion_moment", *torsion, "N m", error.torsion(), 0);
 }
 
 }  // namespace
 
-std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<HistoryRow>& records, const ResultSummary& s) {
+std::string result_json(const CaseInput& input, const CaseSetup& setup,
+                        const std::vector<HistoryRow>& records, const ResultSummary& s) {
   const auto by_force = [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; };
   const HistoryRow& peak = *std::max_element(records.begin(), records.end(), by_force);
   const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const double force = largest_size(records, &HistoryRow::force_error), moment = largest_size(records, &HistoryRow::moment_error),
+  const double force = largest_size(records, &HistoryRow::force_error),
+               moment = largest_size(records, &HistoryRow::moment_error),
                energy = largest_size(records, &HistoryRow::energy_error);
   Effective effective;
-  const double wave = std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
+  const double wave =
+      std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
   const DiscretisationError error(peak, spacing, setup.reduced_modulus, wave);
   add_contact(effective, peak, error, s);
   add_yielding(effective, input, peak, records, error);
@@ -220,34 +251,61 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup, const st
         {"work_of_adhesion", input.interface.work_of_adhesion},
         {"opening_work", input.interface.opening_work},
         {"adhesion_law", input.interface.adhesion_law},
-        {"normal_displacement", "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, m/N, "
-                                "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
-        {"contact_radius", "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same second moment"},
-        {"approach", "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces touch first, which is at "
-                     "an approach of first_touch and moves with the spacing"},
-        {"load_step_error", "by which finite load steps make the approach of bodies that yield too large, over the approach from first touch; it "
-                            "falls with the number of steps"},
-        {"sd", "what the mesh and the load steps leave in doubt (docs/solver.md); of sliding_friction, rolling_moment and "
-               "torsion_moment with the fluctuation along the way; scatter over realisations is the study's"},
-        {"rolling_moment", "about the contact, of a particle whose shift follows its rolling so that no lateral force builds up; "
-                           "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of rough surfaces take and give back; "
-                           "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth elastic bodies"},
-        {"sliding_friction", "lateral over normal force of the whole contact; the local friction_coefficient is an input, and where it is "
-                             "Coulomb's only what departs from it is a result"}}},
-      {"hertz", {{"contact_radius", setup.hertz_radius}, {"approach", setup.hertz_approach}, {"reduced_modulus", setup.reduced_modulus}}},
+        {"normal_displacement",
+         "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, "
+         "m/N, "
+         "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
+        {"contact_radius",
+         "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same "
+         "second moment"},
+        {"approach",
+         "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces "
+         "touch first, which is at "
+         "an approach of first_touch and moves with the spacing"},
+        {"load_step_error",
+         "by which finite load steps make the approach of bodies that yield too large, over the approach "
+         "from first touch; it "
+         "falls with the number of steps"},
+        {"sd",
+         "what the mesh and the load steps leave in doubt (docs/solver.md); of sliding_friction, "
+         "rolling_moment and "
+         "torsion_moment with the fluctuation along the way; scatter over realisations is the study's"},
+        {"rolling_moment",
+         "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
+         "up; "
+         "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of "
+         "rough surfaces take and give back; "
+         "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth "
+         "elastic bodies"},
+        {"sliding_friction",
+         "lateral over normal force of the whole contact; the local friction_coefficient is an input, and "
+         "where it is "
+         "Coulomb's only what departs from it is a result"}}},
+      {"hertz",
+       {{"contact_radius", setup.hertz_radius},
+        {"approach", setup.hertz_approach},
+        {"reduced_modulus", setup.reduced_modulus}}},
       {"mesh",
        {{"cells", s.cells},
         {"dofs", s.unknowns},
         {"interface_spacing", spacing},
         {"contact_region", setup.system.mesh.sizes.region_particle},
         {"contact_nodes", s.contact_nodes},
-        {"roughness", {{"particle", resolved_roughness(setup.roughness[0])}, {"substrate", resolved_roughness(setup.roughness[1])}}},
-        {"contact_reaches_rim", std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
+        {"roughness",
+         {{"particle", resolved_roughness(setup.roughness[0])},
+          {"substrate", resolved_roughness(setup.roughness[1])}}},
+        {"contact_reaches_rim",
+         std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
       {"effective", effective.values()},
       {"balance", {{"force", force}, {"moment", moment}, {"energy", energy}}},
       {"cost",
-       {{"wall_time", s.wall_time}, {"peak_memory", s.peak_memory}, {"ranks", s.ranks}, {"threads", s.threads}, {"steps", records.size()}}},
-      {"versions", {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
+       {{"wall_time", s.wall_time},
+        {"peak_memory", s.peak_memory},
+        {"ranks", s.ranks},
+        {"threads", s.threads},
+        {"steps", records.size()}}},
+      {"versions",
+       {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
   for (const auto& [entry, value] : interface_parameters(input.interface))
     result["inputs"][result_name(entry)] = value;
   return result.dump(1) + "\n";

@@ -18,10 +18,12 @@ struct ResultSummary {
   long cells = 0, unknowns = 0, contact_nodes = 0;
   double far_field = 0;          ///< compliance of the finite bodies taken out of the approach [m/N]
   double lateral_far_field = 0;  ///< the same of the shift [m/N]
-  double lateral_stiffness = 0, torsion_stiffness = 0;  ///< without slip, half-spaces [N/m], [N m/rad]; 0 if not known
+  double lateral_stiffness = 0,
+         torsion_stiffness = 0;  ///< without slip, half-spaces [N/m], [N m/rad]; 0 if not known
   double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
 };
 
-std::string result_json(const CaseInput& input, const CaseSetup& setup, const std::vector<HistoryRow>& records, const ResultSummary& summary);
+std::string result_json(const CaseInput& input, const CaseSetup& setup,
+                        const std::vector<HistoryRow>& records, const ResultSummary& summary);
 
 }  // namespace asperity::fem

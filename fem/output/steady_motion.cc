@@ -20,11 +20,16 @@ struct Steady {
   MotionRows rows;
   SteadyRows where;
   double way() const { return std::abs(rows.position[where.last] - rows.position[where.first]); }
-  double mean_force() const { return per_way(rows.position, work_against_motion(rows.position, rows.resistance), where.first, where.last); }
+  double mean_force() const {
+    return per_way(rows.position, work_against_motion(rows.position, rows.resistance), where.first,
+                   where.last);
+  }
 };
 
-Steady steady_part(const std::vector<HistoryRow>& records, Column position, Column resistance, double rolling_radius) {
-  Steady steady{{values_of(records, position), values_of(records, resistance), values_of(records, &HistoryRow::pressure_radius),
+Steady steady_part(const std::vector<HistoryRow>& records, Column position, Column resistance,
+                   double rolling_radius) {
+  Steady steady{{values_of(records, position), values_of(records, resistance),
+                 values_of(records, &HistoryRow::pressure_radius),
                  values_of(records, &HistoryRow::sticking_share), rolling_radius},
                 {}};
   steady.where = steady_rows_of_first_leg(steady.rows);
@@ -32,15 +37,18 @@ Steady steady_part(const std::vector<HistoryRow>& records, Column position, Colu
 }
 
 double dissipated_per_way(const std::vector<HistoryRow>& records, const Steady& steady) {
-  return per_way(steady.rows.position, values_of(records, &HistoryRow::dissipated_energy), steady.where.first, steady.where.last);
+  return per_way(steady.rows.position, values_of(records, &HistoryRow::dissipated_energy), steady.where.first,
+                 steady.where.last);
 }
 
 double fluctuation(const Steady& steady) {
   double squares = 0;
   const auto& y = steady.rows.resistance;
-  const double direction = steady.rows.position[steady.where.last] > steady.rows.position[steady.where.first] ? 1 : -1;
+  const double direction =
+      steady.rows.position[steady.where.last] > steady.rows.position[steady.where.first] ? 1 : -1;
   const double mean = steady.mean_force();
-  for (std::size_t i = steady.where.first; i <= steady.where.last; ++i) squares += std::pow(direction * y[i] - mean, 2);
+  for (std::size_t i = steady.where.first; i <= steady.where.last; ++i)
+    squares += std::pow(direction * y[i] - mean, 2);
   return std::sqrt(squares / static_cast<double>(steady.where.last - steady.where.first));
 }
 
@@ -52,7 +60,8 @@ std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& re
   double load = 0;
   for (std::size_t i = steady.where.first; i <= steady.where.last; ++i)
     load += records[i].normal_force / static_cast<double>(steady.where.last - steady.where.first + 1);
-  return SteadyResistance{dissipated_per_way(records, steady) / load, fluctuation(steady) / load, steady.way()};
+  return SteadyResistance{dissipated_per_way(records, steady) / load, fluctuation(steady) / load,
+                          steady.way()};
 }
 
 std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records) {

@@ -18,8 +18,8 @@ struct SteadyResistance {
 std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& records);
 /// What is dissipated per angle.
 std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records);
-/// Largest rolling moment of smooth elastic bodies without friction, eight spacings in the contact radius: noise of the mesh, over
-/// the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
+/// Largest rolling moment of smooth elastic bodies without friction, eight spacings in the contact radius:
+/// noise of the mesh, over the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
 constexpr double rolling_noise = 5e-4;
 /// Mean moment against the motion: mostly that of hills, which give back what they take.
 std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius);

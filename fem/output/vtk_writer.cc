@@ -26,11 +26,12 @@ class Appended {
   std::string bytes_;
 };
 
-void describe(std::ostringstream& xml, const std::vector<VtkArray>& arrays, const char* element, Appended& data) {
+void describe(std::ostringstream& xml, const std::vector<VtkArray>& arrays, const char* element,
+              Appended& data) {
   xml << "<" << element << ">\n";
   for (const auto& array : arrays)
-    xml << "<DataArray type=\"Float32\" Name=\"" << array.name << "\" NumberOfComponents=\"" << array.components
-        << "\" format=\"appended\" offset=\"" << data.add(array.values) << "\"/>\n";
+    xml << "<DataArray type=\"Float32\" Name=\"" << array.name << "\" NumberOfComponents=\""
+        << array.components << "\" format=\"appended\" offset=\"" << data.add(array.values) << "\"/>\n";
   xml << "</" << element << ">\n";
 }
 
@@ -41,25 +42,32 @@ void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh) {
   const char* type = grid ? "UnstructuredGrid" : "PolyData";
   const std::size_t cells = mesh.connectivity.size() / mesh.points_per_cell;
   std::vector<std::int32_t> offsets(cells);
-  for (std::size_t c = 0; c < cells; ++c) offsets[c] = static_cast<std::int32_t>((c + 1) * mesh.points_per_cell);
+  for (std::size_t c = 0; c < cells; ++c)
+    offsets[c] = static_cast<std::int32_t>((c + 1) * mesh.points_per_cell);
   Appended data;
   std::ostringstream xml;
-  xml << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<"
-      << type << ">\n<Piece NumberOfPoints=\"" << mesh.points.size() / 3 << "\" " << (grid ? "NumberOfCells" : "NumberOfPolys") << "=\"" << cells
-      << "\">\n";
+  xml << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
+      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" << type
+      << ">\n<Piece NumberOfPoints=\"" << mesh.points.size() / 3 << "\" "
+      << (grid ? "NumberOfCells" : "NumberOfPolys") << "=\"" << cells << "\">\n";
   describe(xml, mesh.point_data, "PointData", data);
   describe(xml, mesh.cell_data, "CellData", data);
-  xml << "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"" << data.add(mesh.points)
-      << "\"/>\n</Points>\n<" << (grid ? "Cells" : "Polys") << ">\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"appended\" offset=\""
-      << data.add(mesh.connectivity) << "\"/>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"appended\" offset=\"" << data.add(offsets)
+  xml << "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\""
+      << data.add(mesh.points) << "\"/>\n</Points>\n<" << (grid ? "Cells" : "Polys")
+      << ">\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"appended\" offset=\""
+      << data.add(mesh.connectivity)
+      << "\"/>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"appended\" offset=\"" << data.add(offsets)
       << "\"/>\n";
   if (grid)
-    xml << "<DataArray type=\"UInt8\" Name=\"types\" format=\"appended\" offset=\"" << data.add(std::vector<std::uint8_t>(cells, 12)) << "\"/>\n";
-  xml << "</" << (grid ? "Cells" : "Polys") << ">\n</Piece>\n</" << type << ">\n<AppendedData encoding=\"raw\">\n_";
+    xml << "<DataArray type=\"UInt8\" Name=\"types\" format=\"appended\" offset=\""
+        << data.add(std::vector<std::uint8_t>(cells, 12)) << "\"/>\n";
+  xml << "</" << (grid ? "Cells" : "Polys") << ">\n</Piece>\n</" << type
+      << ">\n<AppendedData encoding=\"raw\">\n_";
   write_file_atomically(path, xml.str() + data.bytes() + "\n</AppendedData>\n</VTKFile>\n");
 }
 
-void write_pvd(const std::filesystem::path& path, const std::vector<std::pair<double, std::vector<std::string>>>& files) {
+void write_pvd(const std::filesystem::path& path,
+               const std::vector<std::pair<double, std::vector<std::string>>>& files) {
   std::ostringstream xml;
   xml << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [time, parts] : files)

@@ -1,4 +1,5 @@
-// VTK XML files with raw binary data that ParaView opens: an unstructured grid (.vtu) or polygons (.vtp) and a series (.pvd).
+// VTK XML files with raw binary data that ParaView opens: an unstructured grid (.vtu) or polygons (.vtp) and
+// a series (.pvd).
 #pragma once
 
 #include <filesystem>
@@ -16,8 +17,8 @@ struct VtkArray {
 
 /// Points [m] and hexahedra (VTK order) or quadrilaterals.
 struct VtkMesh {
-  std::vector<double> points;       ///< x y z of each
-  std::vector<int> connectivity;    ///< 8 or 4 per cell
+  std::vector<double> points;     ///< x y z of each
+  std::vector<int> connectivity;  ///< 8 or 4 per cell
   int points_per_cell = 8;
   std::vector<VtkArray> point_data, cell_data;
 };
@@ -25,6 +26,7 @@ struct VtkMesh {
 /// Writes a .vtu (8 points per cell) or .vtp (4), in one step.
 void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh);
 /// A time series of files beside it; the same step may have several parts (one per rank).
-void write_pvd(const std::filesystem::path& path, const std::vector<std::pair<double, std::vector<std::string>>>& files);
+void write_pvd(const std::filesystem::path& path,
+               const std::vector<std::pair<double, std::vector<std::string>>>& files);
 
 }  // namespace asperity::fem

@@ -26,7 +26,9 @@ struct AssembledSolver::Trilinos {
 };
 
 AssembledSolver::AssembledSolver(const LinearProblem& problem)
-    : problem_(problem), cells_(problem.level, problem.positions, problem.materials), trilinos_(std::make_unique<Trilinos>()) {
+    : problem_(problem),
+      cells_(problem.level, problem.positions, problem.materials),
+      trilinos_(std::make_unique<Trilinos>()) {
   resolve_rows();
   make_pattern();
   make_rigid_body_modes();
@@ -35,11 +37,13 @@ AssembledSolver::AssembledSolver(const LinearProblem& problem)
 AssembledSolver::~AssembledSolver() = default;
 
 std::string AssembledSolver::description() const {
-  return std::to_string(trilinos_->matrix.n_nonzero_elements() / 1000000) + " million matrix entries, algebraic multigrid";
+  return std::to_string(trilinos_->matrix.n_nonzero_elements() / 1000000) +
+         " million matrix entries, algebraic multigrid";
 }
 
 void AssembledSolver::recouple(const RigidMotion& motion) {
-  if (motion.roll != 0) throw InputError("the assembled solver cannot roll; set Solver/Backend = matrix-free");
+  if (motion.roll != 0)
+    throw InputError("the assembled solver cannot roll; set Solver/Backend = matrix-free");
   resolve_rows();
   make_pattern();
 }
@@ -59,7 +63,8 @@ void AssembledSolver::resolve_rows() {
       known.emplace_back(dof, entries ? *entries : Row{});
     }
   std::map<global_dof_index, Row> masters;
-  for (const auto& part : dealii::Utilities::MPI::all_gather(level.communicator(), known)) masters.insert(part.begin(), part.end());
+  for (const auto& part : dealii::Utilities::MPI::all_gather(level.communicator(), known))
+    masters.insert(part.begin(), part.end());
 
   const auto [first, last] = problem_.interface.share();
   for (int r = first; r < last; ++r) {
@@ -69,14 +74,16 @@ void AssembledSolver::resolve_rows() {
       const auto add = [&](int node, int component, double weight) {
         const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(node) + component);
         const auto constrained = masters.find(dof);
-        if (constrained == masters.end()) sum[dof] += weight;
+        if (constrained == masters.end())
+          sum[dof] += weight;
         else
           for (const auto& [master, share] : constrained->second) sum[master] += weight * share;
       };
       problem_.interface.for_row(r, [&](int node, double weight) {
         if (nodes.site(node).body != 0) return add(node, c, weight);
         for (int own = 0; own < 3; ++own)
-          if (const double turn = problem_.interface.rotation()[c][own]; turn != 0) add(node, own, weight * turn);
+          if (const double turn = problem_.interface.rotation()[c][own]; turn != 0)
+            add(node, own, weight * turn);
       });
       jump[c].assign(sum.begin(), sum.end());
     }
@@ -109,14 +116,15 @@ void AssembledSolver::make_pattern() {
 }
 
 void AssembledSolver::make_rigid_body_modes() {
-  // Three translations and three rotations about the origin, mode by mode over the owned unknowns; lengths in units of
-  // the particle's radius, so that all modes are of one size.
+  // Three translations and three rotations about the origin, mode by mode over the owned unknowns; lengths in
+  // units of the particle's radius, so that all modes are of one size.
   const auto& x = problem_.positions;
   const std::size_t n = x.locally_owned_size();
   const double unit = 1 / problem_.mesh.sizes.radius;
   modes_.assign(rigid_body_modes * n, 0.0);
   for (std::size_t node = 0; node < n / 3; ++node) {
-    const double p[3] = {unit * x.local_element(3 * node), unit * x.local_element(3 * node + 1), unit * x.local_element(3 * node + 2)};
+    const double p[3] = {unit * x.local_element(3 * node), unit * x.local_element(3 * node + 1),
+                         unit * x.local_element(3 * node + 2)};
     for (int c = 0; c < 3; ++c) {
       const int a = (c + 1) % 3, b = (c + 2) % 3;
       modes_[c * n + 3 * node + c] = 1;
@@ -137,7 +145,8 @@ void AssembledSolver::assemble_bodies(const TangentField* tangent) {
     cells_.cell_matrices(b, matrices);
     for (int l = 0; l < batch.count; ++l) {
       for (int v = 0; v < vertices_per_hex; ++v)
-        for (int c = 0; c < 3; ++c) dofs[3 * v + c] = level.partitioner()->local_to_global(3 * batch.node[v][l] + c);
+        for (int c = 0; c < 3; ++c)
+          dofs[3 * v + c] = level.partitioner()->local_to_global(3 * batch.node[v][l] + c);
       for (int i = 0; i < unknowns_per_hex; ++i)
         for (int j = 0; j < unknowns_per_hex; ++j) local(i, j) = matrices[i][j][l];
       level.constraints().distribute_local_to_global(local, dofs, trilinos_->matrix);
@@ -170,12 +179,14 @@ void AssembledSolver::assemble_interface(const std::vector<RowStiffness>& row_st
   }
 }
 
-void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+                             double driven_spring) {
   auto& matrix = trilinos_->matrix;
   matrix = 0;
   assemble_bodies(tangent);
   assemble_interface(row_stiffness);
-  if (driven_spring != 0 && problem_.level.owns_driven_dof()) matrix.add(problem_.level.driven_dof(), problem_.level.driven_dof(), driven_spring);
+  if (driven_spring != 0 && problem_.level.owns_driven_dof())
+    matrix.add(problem_.level.driven_dof(), problem_.level.driven_dof(), driven_spring);
   matrix.compress(dealii::VectorOperation::add);
 
   Teuchos::ParameterList parameters;
@@ -201,7 +212,8 @@ void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, con
 }
 
 int AssembledSolver::solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
-  return conjugate_gradients(problem_.level, trilinos_->matrix, trilinos_->preconditioner, x, rhs, relative_tolerance);
+  return conjugate_gradients(problem_.level, trilinos_->matrix, trilinos_->preconditioner, x, rhs,
+                             relative_tolerance);
 }
 
 }  // namespace asperity::fem

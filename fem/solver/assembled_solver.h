@@ -1,8 +1,9 @@
-// The assembled path: a sparse matrix (Trilinos Epetra) and smoothed aggregation (ML) that knows the six rigid-body modes.
+// The assembled path: a sparse matrix (Trilinos Epetra) and smoothed aggregation (ML) that knows the six
+// rigid-body modes.
 //
-// Slower than the matrix-free path and several times its memory, but independent of the mesh's hierarchy: the reference
-// that checks it, and the way for operators whose kernels are not written yet.
-// Vanek, Mandel & Brezina, Computing 56 (1996) 179: aggregation with rigid-body modes as near-kernel.
+// Slower than the matrix-free path and several times its memory, but independent of the mesh's hierarchy: the
+// reference that checks it, and the way for operators whose kernels are not written yet. Vanek, Mandel &
+// Brezina, Computing 56 (1996) 179: aggregation with rigid-body modes as near-kernel.
 #pragma once
 
 #include "fem/solver/linear_solver.h"
@@ -13,7 +14,8 @@ class AssembledSolver : public LinearSolver {
  public:
   explicit AssembledSolver(const LinearProblem& problem);
   ~AssembledSolver() override;
-  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) override;
+  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+              double driven_spring) override;
   void recouple(const RigidMotion& motion) override;
   void follow_slopes() override {}  // read from the interface at each update
   int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;
@@ -31,7 +33,8 @@ class AssembledSolver : public LinearSolver {
 
   LinearProblem problem_;
   HexOperator<double> cells_;
-  std::vector<std::array<Row, 3>> row_;  ///< components of this rank's share of the contact rows, constrained nodes replaced by their masters
+  std::vector<std::array<Row, 3>> row_;  ///< components of this rank's share of the contact rows, constrained
+                                         ///< nodes replaced by their masters
   std::vector<double> modes_;
   std::unique_ptr<Trilinos> trilinos_;
 };

@@ -47,7 +47,8 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
     z = r;
     z.scale(inverse_diagonal_);
     const double next = static_cast<double>(r * z), beta = next / rz;
-    if (made + 1 < steps) lanczos(made, made + 1) = lanczos(made + 1, made) = std::sqrt(std::max(beta, 0.0)) / alpha;
+    if (made + 1 < steps)
+      lanczos(made, made + 1) = lanczos(made + 1, made) = std::sqrt(std::max(beta, 0.0)) / alpha;
     p.sadd(static_cast<float>(beta), z);
     alpha_before = alpha;
     beta_before = beta;
@@ -57,7 +58,8 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
   largest_ = made ? 1.2 * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff() : 1.0;
 }
 
-void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const {
+void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b,
+                       bool zero_guess) const {
   const double upper = largest_, lower = largest_ / range;
   const double centre = 0.5 * (upper + lower), half = 0.5 * (upper - lower), sigma = centre / half;
   double rho = 1 / sigma;

@@ -11,13 +11,14 @@ class Chebyshev {
   /// The smoother damps eigenvalues in [largest / range, largest] of the scaled operator.
   static constexpr double range = 20.0;
 
-  /// Takes the diagonal of `matrix`. The first time, estimates the largest eigenvalue of the scaled operator by `steps` of
-  /// Lanczos (conjugate gradients), with 20 % added: opening, closing and yielding change the scaled spectrum's upper end
-  /// little, because the diagonal follows.
+  /// Takes the diagonal of `matrix`. The first time, estimates the largest eigenvalue of the scaled operator
+  /// by `steps` of Lanczos (conjugate gradients), with 20 % added: opening, closing and yielding change the
+  /// scaled spectrum's upper end little, because the diagonal follows.
   void update(const HexOperator<float>& matrix, int steps = 12);
 
   /// x = p(A) b; x is taken as zero, or as a first guess.
-  void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess) const;
+  void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b,
+              bool zero_guess) const;
 
  private:
   Vector<float> inverse_diagonal_;

@@ -9,8 +9,8 @@ namespace asperity::fem {
 
 /// See LinearSolver::solve.
 template <typename Matrix, typename Preconditioner>
-int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Preconditioner& preconditioner, Vector<double>& x,
-                        const Vector<double>& rhs, double relative_tolerance) {
+int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Preconditioner& preconditioner,
+                        Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) {
   constexpr unsigned most_iterations = 400;
   x = 0.0;
   if (rhs.l2_norm() == 0) return 0;

@@ -1,7 +1,9 @@
-// Gradients of trilinear fields at the 2x2x2 Gauss points of hexahedra, and their transpose, by sum factorisation.
+// Gradients of trilinear fields at the 2x2x2 Gauss points of hexahedra, and their transpose, by sum
+// factorisation.
 //
-// Vertices v = i + 2j + 4k and points q = i + 2j + 4k count lexicographically. A derivative along one direction is
-// constant along it, so each direction has four distinct values, indexed by the other two coordinates of the point.
+// Vertices v = i + 2j + 4k and points q = i + 2j + 4k count lexicographically. A derivative along one
+// direction is constant along it, so each direction has four distinct values, indexed by the other two
+// coordinates of the point.
 #pragma once
 
 #include <array>
@@ -16,12 +18,13 @@ constexpr double gauss_weight = 0.125;  ///< of each point on the unit cube
 
 /// Index among the four values of direction d at point q.
 constexpr int slot(int direction, int q) {
-  return direction == 0 ? ((q >> 1) & 1) + 2 * ((q >> 2) & 1)
-       : direction == 1 ? (q & 1) + 2 * ((q >> 2) & 1)
-                        : (q & 1) + 2 * ((q >> 1) & 1);
+  return direction == 0   ? ((q >> 1) & 1) + 2 * ((q >> 2) & 1)
+         : direction == 1 ? (q & 1) + 2 * ((q >> 2) & 1)
+                          : (q & 1) + 2 * ((q >> 1) & 1);
 }
 
-/// Interpolates four values from the ends to the Gauss points of two directions; symmetric, so its own transpose.
+/// Interpolates four values from the ends to the Gauss points of two directions; symmetric, so its own
+/// transpose.
 template <typename V, typename Number>
 inline void interpolate_both(std::array<V, 4>& e, Number near, Number far) {
   const V a = near * e[0] + far * e[1], b = far * e[0] + near * e[1];

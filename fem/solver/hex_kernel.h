@@ -1,8 +1,8 @@
 // Strains and internal forces of trilinear hexahedra with mean dilatation (B-bar), eight cells at a time.
 //
-// B-bar (Nagtegaal, Parks & Rice 1974; Hughes 1980): the volumetric strain is its mean over the cell, so that plastic
-// flow at constant volume does not lock. The pressure is then constant per cell. Geometry is recomputed from the
-// nodes: that costs less than reading stored Jacobians.
+// B-bar (Nagtegaal, Parks & Rice 1974; Hughes 1980): the volumetric strain is its mean over the cell, so that
+// plastic flow at constant volume does not lock. The pressure is then constant per cell. Geometry is
+// recomputed from the nodes: that costs less than reading stored Jacobians.
 #pragma once
 
 #include <array>
@@ -65,18 +65,25 @@ inline void evaluate_strain(const V (&u)[3][8], HexStrain<V>& strain) {
     V h[3][3];  // h[component][k] = du_component / dx_k
     for (int c = 0; c < 3; ++c)
       for (int k = 0; k < 3; ++k)
-        h[c][k] = g[c][0][slot(0, q)] * inv[k] + g[c][1][slot(1, q)] * inv[3 + k] + g[c][2][slot(2, q)] * inv[6 + k];
+        h[c][k] = g[c][0][slot(0, q)] * inv[k] + g[c][1][slot(1, q)] * inv[3 + k] +
+                  g[c][2][slot(2, q)] * inv[6 + k];
     const V trace = h[0][0] + h[1][1] + h[2][2], mean = trace * Number(1.0 / 3.0);
     volume_change += trace * strain.volume[q];
-    strain.deviator[q] = {h[0][0] - mean, h[1][1] - mean, h[2][2] - mean, Number(0.5) * (h[0][1] + h[1][0]),
-                          Number(0.5) * (h[1][2] + h[2][1]), Number(0.5) * (h[0][2] + h[2][0])};
+    strain.deviator[q] = {h[0][0] - mean,
+                          h[1][1] - mean,
+                          h[2][2] - mean,
+                          Number(0.5) * (h[0][1] + h[1][0]),
+                          Number(0.5) * (h[1][2] + h[2][1]),
+                          Number(0.5) * (h[0][2] + h[2][0])};
   }
   strain.dilatation = volume_change / strain.cell_volume;
 }
 
-/// Nodal forces f[component][vertex] = integral of B-bar^T sigma, sigma = stress_deviator + pressure I (tension > 0).
+/// Nodal forces f[component][vertex] = integral of B-bar^T sigma, sigma = stress_deviator + pressure I
+/// (tension > 0).
 template <typename Number, typename V = Simd<Number>>
-inline void integrate_stress(const HexStrain<V>& strain, const std::array<SymmetricTensor<V>, points_per_hex>& stress_deviator,
+inline void integrate_stress(const HexStrain<V>& strain,
+                             const std::array<SymmetricTensor<V>, points_per_hex>& stress_deviator,
                              const V& mean_stress, V (&f)[3][8]) {
   std::array<std::array<V, 4>, 3> g[3] = {};
   constexpr int index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
@@ -87,7 +94,8 @@ inline void integrate_stress(const HexStrain<V>& strain, const std::array<Symmet
     for (auto& component : s) component *= strain.volume[q];
     for (int c = 0; c < 3; ++c)
       for (int d = 0; d < 3; ++d)
-        g[c][d][slot(d, q)] += s[index[c][0]] * inv[3 * d] + s[index[c][1]] * inv[3 * d + 1] + s[index[c][2]] * inv[3 * d + 2];
+        g[c][d][slot(d, q)] +=
+            s[index[c][0]] * inv[3 * d] + s[index[c][1]] * inv[3 * d + 1] + s[index[c][2]] * inv[3 * d + 2];
   }
   for (int c = 0; c < 3; ++c) integrate_gradients<V, Number>(g[c], f[c]);
 }

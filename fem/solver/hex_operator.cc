@@ -5,9 +5,11 @@
 namespace asperity::fem {
 
 template <typename Number>
-HexOperator<Number>::HexOperator(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
+HexOperator<Number>::HexOperator(const MeshLevel& level, const Vector<double>& positions,
+                                 const std::array<J2Material, 2>& materials)
     : level_(level) {
-  const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
+  const std::size_t local =
+      level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
   positions_.assign(positions.begin(), positions.begin() + local);
   for (int b = 0; b < 2; ++b) {
     shear_[b] = static_cast<Number>(materials[b].shear_modulus);
@@ -45,7 +47,8 @@ void HexOperator<Number>::cell_matrices(int index, CellMatrices& matrices) const
 }
 
 template <typename Number>
-void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const {
+void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain,
+                                    Simd<Number> (&nodes)[3][8]) const {
   using V = Simd<Number>;
   const CellBatch& batch = level_.batches()[index];
   evaluate_strain<Number>(nodes, strain);
@@ -70,7 +73,8 @@ void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain, 
       for (int c = 0; c < 6; ++c) normal[c][l] = tangent.normal[c][l];
     }
     const V along = theta_bar * double_contraction(normal, strain.deviator[q]);
-    for (int c = 0; c < 6; ++c) stress[q][c] = two_shear * (theta * strain.deviator[q][c] - along * normal[c]);
+    for (int c = 0; c < 6; ++c)
+      stress[q][c] = two_shear * (theta * strain.deviator[q][c] - along * normal[c]);
   }
   integrate_stress<Number>(strain, stress, bulk * strain.dilatation, nodes);
 }
@@ -87,7 +91,8 @@ void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) 
   Number* y = dst.begin();
   level_.for_each_batch([&](int batch) { apply_batch(batch, x, y); });
   if (interface_) interface_->apply(x, y);
-  if (driven_spring_ != 0 && level_.owns_driven_dof()) y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
+  if (driven_spring_ != 0 && level_.owns_driven_dof())
+    y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
   level_.condense(y);
   if (parallel) {
     dst.compress(dealii::VectorOperation::add);
@@ -128,8 +133,9 @@ Vector<Number> HexOperator<Number>::diagonal() const {
       }
       for (int l = 0; l < batch.count; ++l)
         for (int c = 0; c < 3; ++c)
-          d[3 * batch.node[v][l] + c] += static_cast<double>(shear_[batch.body[l]]) * entry[c][l] +
-                                         static_cast<double>(bulk_[batch.body[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
+          d[3 * batch.node[v][l] + c] +=
+              static_cast<double>(shear_[batch.body[l]]) * entry[c][l] +
+              static_cast<double>(bulk_[batch.body[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
     }
   });
   if (interface_) interface_->add_diagonal(d);
@@ -137,12 +143,15 @@ Vector<Number> HexOperator<Number>::diagonal() const {
   level_.condense_diagonal(d);
   diagonal.compress(dealii::VectorOperation::add);
   Vector<Number> result(level_.partitioner());
-  for (std::size_t i = 0; i < result.locally_owned_size(); ++i) result.local_element(i) = static_cast<Number>(diagonal.local_element(i));
+  for (std::size_t i = 0; i < result.locally_owned_size(); ++i)
+    result.local_element(i) = static_cast<Number>(diagonal.local_element(i));
   for (const int c : level_.constrained())
     if (c < static_cast<int>(result.locally_owned_size())) result.local_element(c) = Number(1);
   for (std::size_t i = 0; i < result.locally_owned_size(); ++i)
     if (!(result.local_element(i) > 0))
-      throw WorkError("the mesh is torn between its trees on this number of processes (an error of p4est); use another number");
+      throw WorkError(
+          "the mesh is torn between its trees on this number of processes (an error of p4est); use another "
+          "number");
   return result;
 }
 

@@ -1,4 +1,5 @@
-// Matrix-free stiffness of both bodies plus the interface's stiffness on one mesh level: y = C^T (K + G^T E G) C x.
+// Matrix-free stiffness of both bodies plus the interface's stiffness on one mesh level: y = C^T (K + G^T E
+// G) C x.
 #pragma once
 
 #include <vector>
@@ -20,12 +21,14 @@ template <typename Number>
 class HexOperator {
  public:
   /// positions: of the nodes, ghosts up to date; elastic constants by body.
-  HexOperator(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
+  HexOperator(const MeshLevel& level, const Vector<double>& positions,
+              const std::array<J2Material, 2>& materials);
 
   /// Interface stiffness and tangents that vmult adds; null: none. Not owned.
   void set_interface(const InterfaceOperator* interface) { interface_ = interface; }
   void set_tangent(const TangentField* tangent) { tangent_ = tangent; }
-  /// A spring [N/m] from the driven plane to the ground (force control): grounds a body that no contact holds yet.
+  /// A spring [N/m] from the driven plane to the ground (force control): grounds a body that no contact holds
+  /// yet.
   void set_driven_spring(double stiffness) { driven_spring_ = static_cast<Number>(stiffness); }
 
   void vmult(Vector<Number>& dst, const Vector<Number>& src) const;
@@ -33,7 +36,8 @@ class HexOperator {
   /// Diagonal of the condensed operator, 1 at constrained unknowns.
   Vector<Number> diagonal() const;
 
-  /// Stiffness matrices of the cells of a batch: entry [i][j], unknown 3 * vertex + component, one value per lane [N/m].
+  /// Stiffness matrices of the cells of a batch: entry [i][j], unknown 3 * vertex + component, one value per
+  /// lane [N/m].
   using CellMatrices = std::array<std::array<Simd<Number>, 24>, 24>;
   void cell_matrices(int batch, CellMatrices& matrices) const;
 

@@ -18,7 +18,8 @@ using dealii::types::global_dof_index;
 struct CellKey {
   int tree, x, y, z, edge_bits;
   std::uint64_t packed() const {
-    return ((((static_cast<std::uint64_t>(tree) * 32 + edge_bits) << 17 | (x >> 3)) << 17 | (y >> 3)) << 17) | (z >> 3);
+    return ((((static_cast<std::uint64_t>(tree) * 32 + edge_bits) << 17 | (x >> 3)) << 17 | (y >> 3)) << 17) |
+           (z >> 3);
   }
   CellKey parent() const {
     const int mask = ~((1 << (edge_bits + 1)) - 1);
@@ -28,8 +29,10 @@ struct CellKey {
 
 CellKey key_of(const meshing::LogicalBox& box) {
   const double unit = std::pow(2.0, lattice_bits);
-  return {box.tree, static_cast<int>(std::lround(box.corner[0] * unit)), static_cast<int>(std::lround(box.corner[1] * unit)),
-          static_cast<int>(std::lround(box.corner[2] * unit)), static_cast<int>(std::lround(std::log2(box.size))) + lattice_bits};
+  return {box.tree, static_cast<int>(std::lround(box.corner[0] * unit)),
+          static_cast<int>(std::lround(box.corner[1] * unit)),
+          static_cast<int>(std::lround(box.corner[2] * unit)),
+          static_cast<int>(std::lround(std::log2(box.size))) + lattice_bits};
 }
 
 using CellNodes = std::array<long, 8>;
@@ -54,10 +57,13 @@ class CoarseCells {
     const MPI_Comm comm = coarse.communicator();
     const unsigned ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     if (ranks == 1) {
-      for_owned_cells(coarse, [&](const CellKey& key, const CellNodes& nodes) { found_[key.packed()] = nodes; });
+      for_owned_cells(coarse,
+                      [&](const CellKey& key, const CellNodes& nodes) { found_[key.packed()] = nodes; });
       return;
     }
-    const auto directory = [&](std::uint64_t key) { return static_cast<unsigned>((key * 0x9E3779B97F4A7C15ull >> 32) % ranks); };
+    const auto directory = [&](std::uint64_t key) {
+      return static_cast<unsigned>((key * 0x9E3779B97F4A7C15ull >> 32) % ranks);
+    };
     std::map<unsigned, std::vector<long>> announced, asked;
     for_owned_cells(coarse, [&](const CellKey& key, const CellNodes& nodes) {
       auto& message = announced[directory(key.packed())];
@@ -65,7 +71,8 @@ class CoarseCells {
       message.insert(message.end(), nodes.begin(), nodes.end());
     });
     for_owned_cells(fine, [&](const CellKey& key, const CellNodes&) {
-      for (const auto k : {key.packed(), key.parent().packed()}) asked[directory(k)].push_back(static_cast<long>(k));
+      for (const auto k : {key.packed(), key.parent().packed()})
+        asked[directory(k)].push_back(static_cast<long>(k));
     });
     std::unordered_map<std::uint64_t, CellNodes> entries;
     const auto unpack = [](const std::vector<long>& message, auto& map) {
@@ -114,7 +121,8 @@ LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
     const CellKey parent = key.parent();
     const CellNodes* same = cells.find(key.packed());
     const CellNodes* above = same ? nullptr : cells.find(parent.packed());
-    if (!same && !above) throw WorkError("a cell has no counterpart on the next coarser mesh; this is an error of the program");
+    if (!same && !above)
+      throw WorkError("a cell has no counterpart on the next coarser mesh; this is an error of the program");
     for (int v = 0; v < 8; ++v) {
       const auto dof = static_cast<global_dof_index>(3 * nodes[v]);
       if (!layout.in_local_range(dof)) continue;
@@ -127,7 +135,8 @@ LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
         rows_.weight.push_back(1.0f);
       } else {
         const int edge = 1 << key.edge_bits;
-        const int offset[3] = {(key.x - parent.x) / edge + (v & 1), (key.y - parent.y) / edge + ((v >> 1) & 1),
+        const int offset[3] = {(key.x - parent.x) / edge + (v & 1),
+                               (key.y - parent.y) / edge + ((v >> 1) & 1),
                                (key.z - parent.z) / edge + (v >> 2)};  // 0, 1 or 2 half edges of the parent
         for (int w = 0; w < 8; ++w) {
           double weight = 1;
@@ -144,13 +153,15 @@ LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
   dealii::IndexSet needed(coarse.size());
   for (const long node : columns) needed.add_range(3 * node, 3 * node + 3);
   needed.compress();
-  columns_ = parallel_ ? std::make_shared<dealii::Utilities::MPI::Partitioner>(coarse.partitioner()->locally_owned_range(), needed,
-                                                                              coarse.communicator())
+  columns_ = parallel_ ? std::make_shared<dealii::Utilities::MPI::Partitioner>(
+                             coarse.partitioner()->locally_owned_range(), needed, coarse.communicator())
                        : coarse.partitioner();
   buffer_.reinit(columns_);
-  for (const long node : columns) rows_.column.push_back(static_cast<int>(columns_->global_to_local(3 * node) / 3));
+  for (const long node : columns)
+    rows_.column.push_back(static_cast<int>(columns_->global_to_local(3 * node) / 3));
 
-  const int coarse_nodes = static_cast<int>((columns_->locally_owned_size() + columns_->n_ghost_indices()) / 3);
+  const int coarse_nodes =
+      static_cast<int>((columns_->locally_owned_size() + columns_->n_ghost_indices()) / 3);
   std::vector<int> fill(coarse_nodes + 1, 0);
   for (const int c : rows_.column) ++fill[c + 1];
   for (int c = 0; c < coarse_nodes; ++c) fill[c + 1] += fill[c];
@@ -171,7 +182,8 @@ void LevelTransfer::prolongate_and_add(Vector<float>& fine, const Vector<float>&
   const float* values = coarse.begin();
   if (parallel_) {
     coarse.zero_out_ghost_values();
-    for (unsigned i = 0; i < buffer_.locally_owned_size(); ++i) buffer_.local_element(i) = coarse.local_element(i);
+    for (unsigned i = 0; i < buffer_.locally_owned_size(); ++i)
+      buffer_.local_element(i) = coarse.local_element(i);
     buffer_.update_ghost_values();
     values = buffer_.begin();
   }
@@ -202,7 +214,8 @@ void LevelTransfer::restrict_to(Vector<float>& coarse, const Vector<float>& fine
   if (parallel_) {
     buffer_.compress(dealii::VectorOperation::add);
     coarse = 0.0f;
-    for (unsigned i = 0; i < coarse.locally_owned_size(); ++i) coarse.local_element(i) = buffer_.local_element(i);
+    for (unsigned i = 0; i < coarse.locally_owned_size(); ++i)
+      coarse.local_element(i) = buffer_.local_element(i);
     // Only the owner of a hanging node passes on what it received.
     coarse.zero_out_ghost_values();
   }

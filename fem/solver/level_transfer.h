@@ -1,8 +1,8 @@
 // Prolongation between two meshes of the forest (trilinear interpolation at nodes) and its transpose.
 //
-// deal.II's own global-coarsening transfer numbers cells in 32 bits on Debian and so ends at nine levels; contact at a few
-// nm below micrometres needs more. Cells are matched here by tree and lattice position, through a directory spread over
-// all ranks.
+// deal.II's own global-coarsening transfer numbers cells in 32 bits on Debian and so ends at nine levels;
+// contact at a few nm below micrometres needs more. Cells are matched here by tree and lattice position,
+// through a directory spread over all ranks.
 #pragma once
 
 #include <memory>
@@ -24,8 +24,9 @@ class LevelTransfer {
  private:
   const MeshLevel& coarse_;
   bool parallel_;
-  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> columns_;  ///< coarse unknowns with those that rows here need
-  mutable Vector<float> buffer_;                                       ///< in the layout of columns_
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+      columns_;                   ///< coarse unknowns with those that rows here need
+  mutable Vector<float> buffer_;  ///< in the layout of columns_
   struct Rows {
     std::vector<int> start{0}, column;
     std::vector<float> weight;

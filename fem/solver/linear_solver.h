@@ -1,5 +1,5 @@
-// The linearised contact problem and its solution: the one interface that the Newton iteration knows. Behind it stand the
-// matrix-free path (geometric multigrid) and the assembled one (algebraic multigrid).
+// The linearised contact problem and its solution: the one interface that the Newton iteration knows. Behind
+// it stand the matrix-free path (geometric multigrid) and the assembled one (algebraic multigrid).
 #pragma once
 
 #include <memory>
@@ -17,16 +17,19 @@ class LinearSolver {
 
   /// Sets the operator C^T (K + G^T E G) C + k e e^T and prepares its preconditioner.
   /// row_stiffness: E, of each contact row. tangent: of the cell batches that yield, null: elastic;
-  /// must live until the next update. driven_spring: k, from the driven plane to the ground [N/m] (force control).
-  virtual void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) = 0;
+  /// must live until the next update. driven_spring: k, from the driven plane to the ground [N/m] (force
+  /// control).
+  virtual void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+                      double driven_spring) = 0;
 
   /// To be told that the rows and the interface have changed (sliding); an update follows.
   virtual void recouple(const RigidMotion& motion) = 0;
   /// To be told that only the slopes of the rows have changed; an update follows.
   virtual void follow_slopes() = 0;
 
-  /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after 400 steps: an
-  /// inexact direction is still one of descent). Constrained entries and ghosts of x are set. Returns the iterations.
+  /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after
+  /// 400 steps: an inexact direction is still one of descent). Constrained entries and ghosts of x are set.
+  /// Returns the iterations.
   virtual int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const = 0;
 
   /// For the log: what it is and how large, e.g. "9 multigrid levels".

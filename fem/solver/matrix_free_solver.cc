@@ -14,9 +14,12 @@ MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
   matrix_.set_interface(&interface_);
 }
 
-void MatrixFreeSolver::recouple(const RigidMotion& motion) { multigrid_.set_interface_rows(rows_, interface_.nodes(), motion); }
+void MatrixFreeSolver::recouple(const RigidMotion& motion) {
+  multigrid_.set_interface_rows(rows_, interface_.nodes(), motion);
+}
 
-void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+                              double driven_spring) {
   interface_.set_stiffness(row_stiffness);
   matrix_.set_tangent(tangent);
   matrix_.set_driven_spring(driven_spring);

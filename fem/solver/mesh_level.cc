@@ -36,7 +36,8 @@ void MeshLevel::make_constraints(Control control) {
   const auto boundary_dofs = [&](unsigned id, int component) {
     dealii::ComponentMask mask(3, false);
     mask.set(component, true);
-    return dealii::DoFTools::extract_boundary_dofs(*dofs_, mask, {static_cast<dealii::types::boundary_id>(id)});
+    return dealii::DoFTools::extract_boundary_dofs(*dofs_, mask,
+                                                   {static_cast<dealii::types::boundary_id>(id)});
   };
   const dealii::IndexSet driven = boundary_dofs(meshing::driven_boundary, 2);
   global_dof_index lowest = dealii::numbers::invalid_dof_index;
@@ -57,26 +58,30 @@ void MeshLevel::make_constraints(Control control) {
       }
   for (int component = 0; component < 3; ++component)
     for (const auto dof : boundary_dofs(meshing::driven_boundary, component)) {
-      if (component == 2 && owned.is_element(dof)) driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
+      if (component == 2 && owned.is_element(dof))
+        driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
       if (tied.is_constrained(dof) || dof == driven_dof_) continue;
       tied.add_line(dof);
       if (component != 1) tied.add_entry(dof, driven_dof_, 1.0);  // along x: scaled by set_drive_tilt
     }
-  // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the edge of its
-  // sight may be constrained by what lies beyond.
+  // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the
+  // edge of its sight may be constrained by what lies beyond.
   if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
     tied.make_consistent_in_parallel(owned, tied.get_local_lines(), communicator_);
   tied.close();
 
-  // Displacement control takes the plane's common displacement out of the unknowns; how much of it each node gets is kept.
+  // Displacement control takes the plane's common displacement out of the unknowns; how much of it each node
+  // gets is kept.
   std::vector<std::pair<global_dof_index, double>> along_z{{driven_dof_, 1.0}};
   std::map<global_dof_index, double> along_x;
   constraints_.reinit(relevant);
   for (const auto& line : tied.get_lines()) {
     constraints_.add_line(line.index);
     for (const auto& [master, weight] : line.entries) {
-      if (master != driven_dof_) constraints_.add_entry(line.index, master, weight);
-      else if (line.index % 3 == 0) along_x[line.index] = weight;
+      if (master != driven_dof_)
+        constraints_.add_entry(line.index, master, weight);
+      else if (line.index % 3 == 0)
+        along_x[line.index] = weight;
       else {
         along_z.emplace_back(line.index, weight);
         if (control == Control::force) constraints_.add_entry(line.index, master, weight);
@@ -89,13 +94,16 @@ void MeshLevel::make_constraints(Control control) {
   dealii::IndexSet needed = relevant;
   for (const auto& line : tied.get_lines()) {
     needed.add_range(line.index - line.index % 3, line.index - line.index % 3 + 3);
-    for (const auto& entry : line.entries) needed.add_range(entry.first - entry.first % 3, entry.first - entry.first % 3 + 3);
+    for (const auto& entry : line.entries)
+      needed.add_range(entry.first - entry.first % 3, entry.first - entry.first % 3 + 3);
   }
   needed.compress();
   partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, needed, communicator_);
 
-  for (const auto& [dof, weight] : along_z) share_along_z_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
-  for (const auto& [dof, weight] : along_x) share_along_x_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
+  for (const auto& [dof, weight] : along_z)
+    share_along_z_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
+  for (const auto& [dof, weight] : along_x)
+    share_along_x_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
   driven_share_ = share_along_z_;
   entry_start_.push_back(0);
   for (const auto& line : constraints_.get_lines()) {
@@ -130,7 +138,8 @@ void MeshLevel::make_batches() {
     for (int v = 0; v < vertices_per_hex; ++v) {
       const unsigned local = partitioner_->global_to_local(indices[3 * v]);
       if (local % 3 != 0 || indices[3 * v + 2] != indices[3 * v] + 2)
-        throw WorkError("the unknowns of a node are not numbered together; this build of deal.II is not supported");
+        throw WorkError(
+            "the unknowns of a node are not numbered together; this build of deal.II is not supported");
       batch.node[v][batch.count] = static_cast<int>(local / 3);
     }
     batch.body[batch.count++] = static_cast<unsigned char>(cell->material_id());
@@ -145,15 +154,18 @@ void MeshLevel::make_batches() {
 void MeshLevel::make_thread_runs() {
   const int count = static_cast<int>(batches_.size());
   const int runs = count < 200 ? 1 : omp_get_max_threads();
-  std::vector<int> run_of_node(partitioner_->locally_owned_size() / 3 + partitioner_->n_ghost_indices() / 3, -1);
+  std::vector<int> run_of_node(partitioner_->locally_owned_size() / 3 + partitioner_->n_ghost_indices() / 3,
+                               -1);
   constexpr int shared = -2;
   const auto run_of_batch = [&](int b) { return static_cast<int>(static_cast<long>(b) * runs / count); };
   for (int b = 0; b < count; ++b)
     for (const auto& nodes : batches_[b].node)
       for (const int node : nodes) {
         int& run = run_of_node[node];
-        if (run == -1) run = run_of_batch(b);
-        else if (run != run_of_batch(b)) run = shared;
+        if (run == -1)
+          run = run_of_batch(b);
+        else if (run != run_of_batch(b))
+          run = shared;
       }
   run_start_.assign(1, 0);
   for (int run = 0; run < runs; ++run) {
@@ -180,29 +192,36 @@ void MeshLevel::collect_interfaces() {
       cell->get_dof_indices(indices);
       const auto box = meshing::logical_box(cell);
       const double unit = std::pow(2.0, lattice_bits);
-      InterfaceFace face{id == meshing::interface_particle ? 0 : 1, static_cast<int>(std::lround(box.corner[0] * unit)),
-                         static_cast<int>(std::lround(box.corner[1] * unit)), static_cast<int>(std::lround(box.size * unit)), {}};
+      InterfaceFace face{id == meshing::interface_particle ? 0 : 1,
+                         static_cast<int>(std::lround(box.corner[0] * unit)),
+                         static_cast<int>(std::lround(box.corner[1] * unit)),
+                         static_cast<int>(std::lround(box.size * unit)),
+                         {}};
       for (int v = 0; v < 4; ++v) face.node[v] = static_cast<long>(indices[3 * (v + (f == 5 ? 4 : 0))] / 3);
       own.push_back(face);
     }
   }
-  for (const auto& part : dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1
-                              ? std::vector<std::vector<InterfaceFace>>{own}
-                              : [&] {
-                                  // plain data travels as longs
-                                  std::vector<long> packed;
-                                  for (const auto& f : own)
-                                    packed.insert(packed.end(), {f.body, f.i, f.j, f.size, f.node[0], f.node[1], f.node[2], f.node[3]});
-                                  std::vector<std::vector<InterfaceFace>> parts;
-                                  for (const auto& data : dealii::Utilities::MPI::all_gather(communicator_, packed)) {
-                                    parts.emplace_back();
-                                    for (std::size_t k = 0; k + 8 <= data.size(); k += 8)
-                                      parts.back().push_back({static_cast<int>(data[k]), static_cast<int>(data[k + 1]),
-                                                              static_cast<int>(data[k + 2]), static_cast<int>(data[k + 3]),
-                                                              {data[k + 4], data[k + 5], data[k + 6], data[k + 7]}});
-                                  }
-                                  return parts;
-                                }())
+  for (const auto& part :
+       dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1
+           ? std::vector<std::vector<InterfaceFace>>{own}
+           : [&] {
+               // plain data travels as longs
+               std::vector<long> packed;
+               for (const auto& f : own)
+                 packed.insert(packed.end(),
+                               {f.body, f.i, f.j, f.size, f.node[0], f.node[1], f.node[2], f.node[3]});
+               std::vector<std::vector<InterfaceFace>> parts;
+               for (const auto& data : dealii::Utilities::MPI::all_gather(communicator_, packed)) {
+                 parts.emplace_back();
+                 for (std::size_t k = 0; k + 8 <= data.size(); k += 8)
+                   parts.back().push_back({static_cast<int>(data[k]),
+                                           static_cast<int>(data[k + 1]),
+                                           static_cast<int>(data[k + 2]),
+                                           static_cast<int>(data[k + 3]),
+                                           {data[k + 4], data[k + 5], data[k + 6], data[k + 7]}});
+               }
+               return parts;
+             }())
     interface_faces_.insert(interface_faces_.end(), part.begin(), part.end());
   std::sort(interface_faces_.begin(), interface_faces_.end(), [](const auto& a, const auto& b) {
     return std::array<int, 3>{a.body, a.j, a.i} < std::array<int, 3>{b.body, b.j, b.i};
@@ -245,7 +264,8 @@ void MeshLevel::condense_diagonal(double* y) const {
   for (std::size_t c = 0; c < constrained_.size(); ++c) {
     const double value = y[constrained_[c]];
     y[constrained_[c]] = 0;
-    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) y[entry_dof_[e]] += entry_weight_[e] * entry_weight_[e] * value;
+    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+      y[entry_dof_[e]] += entry_weight_[e] * entry_weight_[e] * value;
   }
 }
 

@@ -33,8 +33,8 @@ struct CellBatch {
 
 /// A square face of an interface in the logical lattice of its tree, with global node numbers.
 struct InterfaceFace {
-  int body;             ///< 0 particle, 1 substrate
-  int i, j, size;       ///< lower corner and width in units of 2^-lattice_bits of the tree
+  int body;                  ///< 0 particle, 1 substrate
+  int i, j, size;            ///< lower corner and width in units of 2^-lattice_bits of the tree
   std::array<long, 4> node;  ///< global nodes, lexicographic
 };
 constexpr int lattice_bits = 20;
@@ -45,7 +45,9 @@ class MeshLevel {
 
   const dealii::DoFHandler<3>& dofs() const { return *dofs_; }
   const dealii::AffineConstraints<double>& constraints() const { return constraints_; }
-  const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>& partitioner() const { return partitioner_; }
+  const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>& partitioner() const {
+    return partitioner_;
+  }
   MPI_Comm communicator() const { return communicator_; }
   const std::vector<CellBatch>& batches() const { return batches_; }
   /// Faces of both interfaces of all ranks, sorted; the same on every rank.
@@ -59,8 +61,8 @@ class MeshLevel {
   const std::vector<int>& driven_nodes() const { return driven_nodes_; }
   /// Unknowns (local) that follow the driven plane's displacement along z, and how much of it they get.
   const std::vector<std::pair<int, double>>& driven_share() const { return driven_share_; }
-  /// The driven plane moves by `tilt` times as much along x as along z: under a particle that has rolled by an angle,
-  /// -tan(angle) keeps its way upright.
+  /// The driven plane moves by `tilt` times as much along x as along z: under a particle that has rolled by
+  /// an angle, -tan(angle) keeps its way upright.
   void set_drive_tilt(double tilt);
   /// Local z dofs, owned here, of the nodes of the fixed plane that are not hanging.
   const std::vector<int>& fixed_z() const { return fixed_z_; }
@@ -78,7 +80,8 @@ class MeshLevel {
   void distribute(Number* x) const {
     for (std::size_t c = 0; c < constrained_.size(); ++c) {
       Number sum = 0;
-      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
+      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+        sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
       x[constrained_[c]] = sum;
     }
   }
@@ -88,7 +91,8 @@ class MeshLevel {
     for (std::size_t c = 0; c < constrained_.size(); ++c) {
       const Number value = y[constrained_[c]];
       y[constrained_[c]] = 0;
-      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e) y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
+      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+        y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
     }
   }
   /// The same with a given displacement of the driven plane along z (displacement control).

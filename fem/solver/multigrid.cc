@@ -8,7 +8,8 @@
 namespace asperity::fem {
 Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
                      const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials) {
-  const int finest_level = std::max(geometry.map().finest_level(meshing::Body::particle), geometry.map().finest_level(meshing::Body::substrate));
+  const int finest_level = std::max(geometry.map().finest_level(meshing::Body::particle),
+                                    geometry.map().finest_level(meshing::Body::substrate));
   std::vector<std::unique_ptr<MeshLevel>> meshes;
   for (int coarsenings = finest_level - 1; coarsenings > 0; --coarsenings) {
     forests_.push_back(meshing::make_forest(finest.communicator(), options, coarsenings));
@@ -19,7 +20,8 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
     Level& level = level_[l];
     if (l + 1 < level_.size()) level.owned_mesh = std::move(meshes[l]);
     level.mesh = level.owned_mesh ? level.owned_mesh.get() : &finest;
-    level.matrix = std::make_unique<HexOperator<float>>(*level.mesh, level.mesh->node_positions(geometry), materials);
+    level.matrix =
+        std::make_unique<HexOperator<float>>(*level.mesh, level.mesh->node_positions(geometry), materials);
     for (auto* v : {&level.solution, &level.defect, &level.scratch}) level.mesh->initialise(*v);
     if (l == 0) continue;
     level.transfer = std::make_unique<LevelTransfer>(*level.mesh, *level_[l - 1].mesh);
@@ -27,12 +29,14 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
   const MeshLevel& coarse = *level_[0].mesh;
   std::vector<int> free(coarse.size(), 1);
   for (const auto& line : coarse.constraints().get_lines()) free[line.index] = 0;
-  dealii::Utilities::MPI::min(free, coarse.communicator(), free);  // each rank knows the constraints near its own cells
+  dealii::Utilities::MPI::min(free, coarse.communicator(),
+                              free);  // each rank knows the constraints near its own cells
   for (dealii::types::global_dof_index i = 0; i < coarse.size(); ++i)
     if (free[i]) coarse_free_.push_back(i);
 }
 
-void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes, const RigidMotion& motion) {
+void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes,
+                                   const RigidMotion& motion) {
   for (auto& level : level_) {
     if (level.owned_mesh) level.owned_mesh->set_drive_tilt(-std::tan(motion.roll));
     if (level.interface) {
@@ -45,7 +49,8 @@ void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const Interf
   }
 }
 
-void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring) {
+void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+                       double driven_spring) {
   level_.back().matrix->set_tangent(tangent);
   for (std::size_t l = 0; l < level_.size(); ++l) {
     level_[l].matrix->set_driven_spring(driven_spring);
@@ -56,7 +61,8 @@ void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const Tan
 }
 
 void Multigrid::factor_coarsest() {
-  // Columns of the condensed operator by applying it to unit vectors; the coarsest level has a few hundred unknowns.
+  // Columns of the condensed operator by applying it to unit vectors; the coarsest level has a few hundred
+  // unknowns.
   const Level& level = level_[0];
   const int n = static_cast<int>(coarse_free_.size());
   Vector<float> unit, column;
@@ -78,7 +84,9 @@ void Multigrid::factor_coarsest() {
   matrix = 0.5 * (matrix + matrix.transpose()).eval();
   coarse_factor_.compute(matrix);
   if (coarse_factor_.info() != Eigen::Success)
-    throw WorkError("the coarsest level is singular: no contact holds the particle; start from a state in contact or control the displacement");
+    throw WorkError(
+        "the coarsest level is singular: no contact holds the particle; start from a state in contact or "
+        "control the displacement");
 }
 
 void Multigrid::solve_coarsest() const {
@@ -92,7 +100,8 @@ void Multigrid::solve_coarsest() const {
   const Eigen::VectorXd x = coarse_factor_.solve(rhs);
   level.solution = 0.0f;
   for (int i = 0; i < n; ++i)
-    if (level.mesh->partitioner()->in_local_range(coarse_free_[i])) level.solution(coarse_free_[i]) = static_cast<float>(x[i]);
+    if (level.mesh->partitioner()->in_local_range(coarse_free_[i]))
+      level.solution(coarse_free_[i]) = static_cast<float>(x[i]);
 }
 
 void Multigrid::cycle(int index) const {
@@ -121,9 +130,11 @@ void Multigrid::vmult(Vector<double>& dst, const Vector<double>& src) const {
     dst = 0.0;
     return;
   }
-  for (unsigned i = 0; i < src.locally_owned_size(); ++i) finest.defect.local_element(i) = static_cast<float>(src.local_element(i) / scale);
+  for (unsigned i = 0; i < src.locally_owned_size(); ++i)
+    finest.defect.local_element(i) = static_cast<float>(src.local_element(i) / scale);
   cycle(levels() - 1);
-  for (unsigned i = 0; i < dst.locally_owned_size(); ++i) dst.local_element(i) = scale * static_cast<double>(finest.solution.local_element(i));
+  for (unsigned i = 0; i < dst.locally_owned_size(); ++i)
+    dst.local_element(i) = scale * static_cast<double>(finest.solution.local_element(i));
   for (const int c : finest.mesh->constrained())
     if (c < static_cast<int>(dst.locally_owned_size())) dst.local_element(c) = 0;
 }

@@ -1,8 +1,8 @@
 // Geometric multigrid V-cycle in single precision for the bulk of both bodies and the interface between them.
 //
-// Levels are forests refined by the same rule up to a rising depth: nested meshes of their own, with hanging nodes.
-// Chebyshev-Jacobi smoothing; a dense Cholesky factor on the coarsest level. The bulk is rediscretised elastically, the
-// interface enters through G_level (exact on every level).
+// Levels are forests refined by the same rule up to a rising depth: nested meshes of their own, with hanging
+// nodes. Chebyshev-Jacobi smoothing; a dense Cholesky factor on the coarsest level. The bulk is rediscretised
+// elastically, the interface enters through G_level (exact on every level).
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -21,15 +21,18 @@ class Multigrid {
   Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
             const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials);
 
-  /// Builds the interface on every level from the rows of the finest mesh, or builds it anew, with the particle moved by `motion`.
-  void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes, const RigidMotion& motion);
+  /// Builds the interface on every level from the rows of the finest mesh, or builds it anew, with the
+  /// particle moved by `motion`.
+  void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes,
+                          const RigidMotion& motion);
 
   void set_interface_slopes(const std::vector<GapRow>& rows) {
     for (auto& level : level_) level.interface->set_slopes(rows);
   }
 
   /// Adapts to a new active set (stiffness per row [N/m]), tangent of the finest level and driven spring.
-  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent, double driven_spring);
+  void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
+              double driven_spring);
 
   /// dst = approximate inverse times src.
   void vmult(Vector<double>& dst, const Vector<double>& src) const;

@@ -34,9 +34,11 @@ double von_mises(const SymmetricTensor<double>& s) {
 
 }  // namespace
 
-PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials)
+PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions,
+                             const std::array<J2Material, 2>& materials)
     : level_(level), materials_(materials), history_(level.batches().size()), tried_(level.batches().size()) {
-  const std::size_t local = level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
+  const std::size_t local =
+      level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
   positions_.assign(positions.begin(), positions.begin() + local);
 }
 
@@ -82,9 +84,12 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
     }
     if (tangent) {
       auto& stored = tangent->batch[index];
-      if (!yields) stored.reset();
-      else if (stored) *stored = tangents;
-      else stored = std::make_unique<TangentField::Batch>(tangents);
+      if (!yields)
+        stored.reset();
+      else if (stored)
+        *stored = tangents;
+      else
+        stored = std::make_unique<TangentField::Batch>(tangents);
     }
     V forces[3][8];
     integrate_stress<double>(strain, stress, material.bulk * strain.dilatation, forces);
@@ -93,13 +98,16 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
   if (can_yield()) failures.throw_on_all(level_.communicator());
 }
 
-BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change) {
+BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u,
+                                     double force_change) {
   BodyEnergies sum;
   const int count = static_cast<int>(level_.batches().size());
-  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0, left_over = 0;
+  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0,
+         left_over = 0;
   double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
   StepFailures failures;
-#pragma omp parallel for schedule(static) reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, left_over) \
+#pragma omp parallel for schedule(static) \
+    reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, left_over) \
     reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
   for (int index = 0; index < count; ++index) {
     const CellBatch& batch = level_.batches()[index];
@@ -113,7 +121,8 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
       SymmetricTensor<V> stress, stress_before;
       J2Tangent<V> tangent;
       const PointHistory old = updated[q];
-      for (int c = 0; c < 6; ++c) stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
+      for (int c = 0; c < 6; ++c)
+        stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
       failures.guard([&] {
         yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent,
                             time_) ||
@@ -125,11 +134,17 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
         mean_stress[c] = 0.5 * (stress[c] + stress_before[c]);
         elastic_strain[c] = strain.deviator[q][c] - updated[q].strain[c];
         change_of_stress[c] = stress[c] - stress_before[c];
-        for (int l = 0; l < lanes; ++l) relative_before[c][l] = stress_before[c][l] - material.lane[l]->kinematic_modulus * (2.0 / 3.0) * old.strain[c][l];
-        trial[c] = relative_before[c] + 2.0 * material.shear * (strain.deviator[q][c] - before.deviator[q][c]);
+        for (int l = 0; l < lanes; ++l)
+          relative_before[c][l] =
+              stress_before[c][l] - material.lane[l]->kinematic_modulus * (2.0 / 3.0) * old.strain[c][l];
+        trial[c] =
+            relative_before[c] + 2.0 * material.shear * (strain.deviator[q][c] - before.deviator[q][c]);
       }
       const V work = double_contraction(mean_stress, increment) * strain.volume[q];
-      const V stored = 0.5 * (double_contraction(stress, elastic_strain) + material.bulk * strain.dilatation * strain.dilatation) * strain.volume[q];
+      const V stored = 0.5 *
+                       (double_contraction(stress, elastic_strain) +
+                        material.bulk * strain.dilatation * strain.dilatation) *
+                       strain.volume[q];
       const V mises = square_root(V(1.5 * double_contraction(stress, stress)));
       for (int l = 0; l < batch.count; ++l) {
         const J2Material& m = *material.lane[l];
@@ -144,22 +159,27 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
         }
         for (int c = 0; c < 6; ++c) {
           updated[q].flow_error[c][l] += turn.strain[c];
-          left_over += (c < 3 ? 1 : 2) * updated[q].flow_error[c][l] * change_of_stress[c][l] * strain.volume[q][l];
+          left_over +=
+              (c < 3 ? 1 : 2) * updated[q].flow_error[c][l] * change_of_stress[c][l] * strain.volume[q][l];
         }
         if (alpha > 0) {
           double square = 0;
-          for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
+          for (int c = 0; c < 6; ++c)
+            square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
           hardening += (m.isotropic_energy(alpha) + m.kinematic_modulus * square / 3) * strain.volume[q][l];
           plastic_volume += strain.volume[q][l];
         }
-        double &strain_of_body = largest_strain[batch.body[l]], &stress_of_body = largest_stress[batch.body[l]];
+        double &strain_of_body = largest_strain[batch.body[l]],
+               &stress_of_body = largest_stress[batch.body[l]];
         strain_of_body = std::max(strain_of_body, alpha);
         stress_of_body = std::max(stress_of_body, mises[l]);
         largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
       }
     }
-    if (yields) tried_[index] = std::make_unique<History>(updated);
-    else tried_[index].reset();
+    if (yields)
+      tried_[index] = std::make_unique<History>(updated);
+    else
+      tried_[index].reset();
   }
   const MPI_Comm comm = level_.communicator();
   failures.throw_on_all(comm);
@@ -169,7 +189,8 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
   sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
   // Where the load stays, so does what is known of the approach.
   const double all_left_over = dealii::Utilities::MPI::sum(left_over, comm);
-  sum.approach_error = tried_approach_error_ = force_change != 0 ? all_left_over / force_change : approach_error_;
+  sum.approach_error = tried_approach_error_ =
+      force_change != 0 ? all_left_over / force_change : approach_error_;
   sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
   for (int body = 0; body < 2; ++body) {
     sum.plastic_strain[body] = dealii::Utilities::MPI::max(largest_strain[body], comm);
@@ -228,8 +249,10 @@ std::vector<double> PlasticBodies::save_history() const {
 void PlasticBodies::restore_history(const std::vector<double>& saved) {
   constexpr int numbers_of_a_point = 6 + 1 + 6;  // as save_history() has them
   constexpr std::size_t record = 1 + points_per_hex * numbers_of_a_point * lanes;
-  if (saved.size() < 2 || saved[0] != static_cast<double>(history_.size()) || (saved.size() - 2) % record != 0)
-    throw WorkError("the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
+  if (saved.size() < 2 || saved[0] != static_cast<double>(history_.size()) ||
+      (saved.size() - 2) % record != 0)
+    throw WorkError(
+        "the checkpoint belongs to another mesh or number of ranks; solve again with --overwrite");
   for (auto& history : history_) history.reset();
   for (auto& history : tried_) history.reset();
   approach_error_ = saved[1];

@@ -14,16 +14,18 @@ namespace asperity::fem {
 
 /// Energies [J] and extremes of the bodies at an accepted state.
 struct BodyEnergies {
-  double elastic = 0;          ///< stored elastically
-  double plastic_work = 0;     ///< increment of the work of stress on plastic strain since the last accepted state
-  double hardening = 0;        ///< stored by hardening (not dissipated)
-  double plastic_volume = 0;   ///< volume of points with plastic strain [m^3]
+  double elastic = 0;  ///< stored elastically
+  double plastic_work =
+      0;                 ///< increment of the work of stress on plastic strain since the last accepted state
+  double hardening = 0;  ///< stored by hardening (not dissipated)
+  double plastic_volume = 0;               ///< volume of points with plastic strain [m^3]
   std::array<double, 2> plastic_strain{};  ///< largest of particle and substrate
   std::array<double, 2> von_mises{};       ///< the same [Pa]
   double largest_plastic_strain() const { return std::max(plastic_strain[0], plastic_strain[1]); }
   double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
-  double largest_yield_ratio = 0; ///< von Mises over initial yield stress
-  /// What the turn of the flow within the last step leaves, as wide as it was, over the volume [J]; see load_step_error.h.
+  double largest_yield_ratio = 0;  ///< von Mises over initial yield stress
+  /// What the turn of the flow within the last step leaves, as wide as it was, over the volume [J]; see
+  /// load_step_error.h.
   double flow_turn = 0;
   double approach_error = 0;  ///< what all steps have left in the approach [m]
 };
@@ -37,11 +39,13 @@ struct CellState {
 class PlasticBodies {
  public:
   struct PointHistory : PlasticState<Simd<double>> {
-    SymmetricTensor<Simd<double>> flow_error{};  ///< what finite steps have left in the plastic strain (load_step_error.h)
+    SymmetricTensor<Simd<double>>
+        flow_error{};  ///< what finite steps have left in the plastic strain (load_step_error.h)
   };
   using History = std::array<PointHistory, points_per_hex>;
 
-  PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const std::array<J2Material, 2>& materials);
+  PlasticBodies(const MeshLevel& level, const Vector<double>& positions,
+                const std::array<J2Material, 2>& materials);
 
   /// Of the step that the next calls are about.
   void begin_step(const StepTime& time) { time_ = time; }
@@ -51,8 +55,9 @@ class PlasticBodies {
   /// a return map fails.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
-  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by `force_change` [N] (0: too little to
-  /// tell how the approach answers to the load); the accepted state stays. Throws as internal_force().
+  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by
+  /// `force_change` [N] (0: too little to tell how the approach answers to the load); the accepted state
+  /// stays. Throws as internal_force().
   BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
 
   /// Makes the state of the last try_step() the accepted one.
@@ -82,7 +87,8 @@ class PlasticBodies {
   std::array<J2Material, 2> materials_;
   StepTime time_;
   double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
-  std::vector<std::unique_ptr<History>> history_, tried_;  ///< accepted; of the step that is tried, where it yields
+  std::vector<std::unique_ptr<History>> history_,
+      tried_;  ///< accepted; of the step that is tried, where it yields
 };
 
 }  // namespace asperity::fem

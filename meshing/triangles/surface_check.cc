@@ -89,8 +89,9 @@ SurfaceCheck check_surface(const TriangleSurface& surface) {
     const CgalMesh mesh = cgal_mesh(surface);
     using Face = CgalMesh::Face_index;
     std::vector<std::pair<Face, Face>> pairs;
-    without_raw_failures("look for triangles that cross", "use another interface spacing",
-                         [&] { CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs)); });
+    without_raw_failures("look for triangles that cross", "use another interface spacing", [&] {
+      CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+    });
     check.self_intersections = pairs.size();
   }
   return check;

@@ -130,7 +130,8 @@ TetrahedralMesh plain_mesh(const Complex& complex) {
   return mesh;
 }
 
-TetrahedralMesh filled_from_seed(const TriangleSurface& surface, const TetrahedraOptions& options, unsigned seed) {
+TetrahedralMesh filled_from_seed(const TriangleSurface& surface, const TetrahedraOptions& options,
+                                 unsigned seed) {
   CGAL::Random random(seed);  // a fixed one: the same input gives the same mesh
   CGAL::get_default_random() = CGAL::Random(seed);
   Domain domain(cgal_mesh(surface), &random);
@@ -143,12 +144,14 @@ TetrahedralMesh filled_from_seed(const TriangleSurface& surface, const Tetrahedr
                           with::facet_size = size, with::facet_distance = distance,
                           with::cell_radius_edge_ratio = options.radius_edge_ratio, with::cell_size = size);
   // Perturbation alone removes the slivers; exudation breaks ties by memory address, so its meshes vary.
-  return plain_mesh(CGAL::make_mesh_3<Complex>(domain, criteria, with::manifold(), with::perturb(), with::no_exude()));
+  return plain_mesh(
+      CGAL::make_mesh_3<Complex>(domain, criteria, with::manifold(), with::perturb(), with::no_exude()));
 }
 
-/// Perturbation takes a move back where it did not help. Where points lie on one sphere, as those of smooth symmetric bodies may, other
-/// tetrahedra can come back than were there, and CGAL gives up (restore_from_cells_backup; issue 8051 of CGAL is of this kind). Refined
-/// from other first points, the mesh is another and the tie is gone.
+/// Perturbation takes a move back where it did not help. Where points lie on one sphere, as those of smooth
+/// symmetric bodies may, other tetrahedra can come back than were there, and CGAL gives up
+/// (restore_from_cells_backup; issue 8051 of CGAL is of this kind). Refined from other first points, the mesh
+/// is another and the tie is gone.
 TetrahedralMesh filled(const TriangleSurface& surface, const TetrahedraOptions& options) {
   constexpr unsigned last_seed = 7;
   for (unsigned seed = 0; seed < last_seed; ++seed) {
@@ -174,7 +177,8 @@ TetrahedralMesh tetrahedra(const TriangleSurface& surface, const TetrahedraOptio
   const auto check = check_surface(surface);
   require_body(check, "the body to be filled with tetrahedra");
 
-  auto mesh = without_raw_failures("fill a body with tetrahedra", "use another interface spacing", [&] { return filled(surface, options); });
+  auto mesh = without_raw_failures("fill a body with tetrahedra", "use another interface spacing",
+                                   [&] { return filled(surface, options); });
   const double error = quality(mesh).volume / check.volume - 1;
   if (!(std::abs(error) <= options.volume_tolerance))
     throw WorkError("the tetrahedra's volume differs from the surface's by " + std::to_string(100 * error) +

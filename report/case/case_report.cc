@@ -1,18 +1,18 @@
 #include "report/case/case_report.h"
 
-#include <cmath>
 #include <cctype>
+#include <cmath>
 #include <ctime>
 
 #include "dem_compare/compare/comparison.h"
-#include "report/page/axis.h"
 #include "report/curves/curves.h"
+#include "report/fields/surface_maps.h"
 #include "report/motion/motion_figures.h"
 #include "report/motion/motion_lead.h"
+#include "report/page/axis.h"
 #include "report/page/page.h"
-#include "report/result/result_tables.h"
-#include "report/fields/surface_maps.h"
 #include "report/page/words.h"
+#include "report/result/result_tables.h"
 #include "results/energy_balance.h"
 
 namespace asperity::report {
@@ -24,16 +24,18 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
   const Hertz& hertz = numbers.hertz;
   const double force = numbers.force;
   const auto against = [](double value, double reference) {
-    return value > 2 * reference ? departure_text(value / reference) + " Hertz's" : departure_text(value / reference) + " against Hertz";
+    return value > 2 * reference ? departure_text(value / reference) + " Hertz's"
+                                 : departure_text(value / reference) + " against Hertz";
   };
   constexpr double kN_per_m = 1e3, um = 1e-6;
-  std::vector<Tile> tiles{
-      {in_units(force, Dimension::force), "largest normal force", "approach " + in_units(numbers.approach.mean, Dimension::length) +
-          ", " + against(numbers.approach.mean, hertz.approach(force))},
-      {in_units(numbers.loading_stiffness, kN_per_m, "kN/m"), "normal stiffness, loading",
-       against(numbers.loading_stiffness.mean, hertz.normal_stiffness(force))}};
+  std::vector<Tile> tiles{{in_units(force, Dimension::force), "largest normal force",
+                           "approach " + in_units(numbers.approach.mean, Dimension::length) + ", " +
+                               against(numbers.approach.mean, hertz.approach(force))},
+                          {in_units(numbers.loading_stiffness, kN_per_m, "kN/m"), "normal stiffness, loading",
+                           against(numbers.loading_stiffness.mean, hertz.normal_stiffness(force))}};
   if (std::isfinite(numbers.unloading_stiffness.mean))
-    tiles.push_back({in_units(numbers.unloading_stiffness, kN_per_m, "kN/m"), "normal stiffness, start of unloading",
+    tiles.push_back({in_units(numbers.unloading_stiffness, kN_per_m, "kN/m"),
+                     "normal stiffness, start of unloading",
                      against(numbers.unloading_stiffness.mean, hertz.normal_stiffness(force))});
   tiles.push_back({area_text(numbers.contact_area.mean), "real contact area",
                    against(numbers.contact_area.mean, hertz.contact_area(force))});
@@ -43,8 +45,9 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
     tiles.push_back(numbers.plastic_volume.mean == 0
                         ? Tile{"none", "imprint left after unloading", "nothing has yielded"}
                         : Tile{imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
-                               numbers.residual_imprint.mean > 0 ? "approach that has not come back"
-                                                                 : "none that can be told from the error of the computation"});
+                               numbers.residual_imprint.mean > 0
+                                   ? "approach that has not come back"
+                                   : "none that can be told from the error of the computation"});
   if (std::isfinite(numbers.fitted_radius.mean))
     tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
                      "the sphere has " + in_units(hertz.radius, Dimension::length)});
@@ -62,23 +65,31 @@ std::string state_warning(const SolvedCase& solved) {
 
 std::string energy_warning(const SolvedCase& solved) {
   if (!is_energy_flagged(solved)) return "";
-  return "<div class='warning'><b>The energy of this case does not balance.</b> " + escaped(open_energy_words(solved)) + ".</div>\n";
+  return "<div class='warning'><b>The energy of this case does not balance.</b> " +
+         escaped(open_energy_words(solved)) + ".</div>\n";
 }
 
 std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupComparison& group) {
   std::vector<std::string> sentences;
   const double yield = solved.first_yield_force();
   if (!solved.is_rough() && group.numbers.force < yield)
-    sentences.push_back("Smooth bodies below their first yield (" +
-                        (std::isinf(yield) ? std::string("these cannot yield") : in_units(yield, Dimension::force)) +
-                        ") must follow Hertz: what departs here is the error of the computation.");
+    sentences.push_back(
+        "Smooth bodies below their first yield (" +
+        (std::isinf(yield) ? std::string("these cannot yield") : in_units(yield, Dimension::force)) +
+        ") must follow Hertz: what departs here is the error of the computation.");
   else if (std::isfinite(yield))
-    sentences.push_back("Without roughness these bodies would first yield at " + in_units(yield, Dimension::force) +
-                        ", below the surface.");
-  const std::string spacing = std::isfinite(group.interface_spacing) ? " (spacing " + in_units(group.interface_spacing, Dimension::length) + " at the interface)" : "";
+    sentences.push_back("Without roughness these bodies would first yield at " +
+                        in_units(yield, Dimension::force) + ", below the surface.");
+  const std::string spacing =
+      std::isfinite(group.interface_spacing)
+          ? " (spacing " + in_units(group.interface_spacing, Dimension::length) + " at the interface)"
+          : "";
   sentences.push_back(std::string("Error of the mesh: ") +
-                      (solved.finished() ? "estimated beside each effective quantity (± sd)" : "estimated when the case is finished") + spacing +
-                      "; the same case on another spacing, compared by <code>asperity compare</code>, measures it. Scatter over realisations: none, "
+                      (solved.finished() ? "estimated beside each effective quantity (± sd)"
+                                         : "estimated when the case is finished") +
+                      spacing +
+                      "; the same case on another spacing, compared by <code>asperity compare</code>, "
+                      "measures it. Scatter over realisations: none, "
                       "this is one surface; a study with several seeds gives it.");
   for (const char* body : {"particle", "substrate"}) {
     const std::string resolved = resolved_roughness_sentence(solved, body);
@@ -88,8 +99,10 @@ std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupCo
     sentences.push_back("The finite load steps change the stiffness by at most " +
                         percent_bound(group.numbers.differencing_error) + ".");
   if (solved.finished() && solved.result->reaches_rim)
-    sentences.push_back("<b>The contact reached the rim of the finely meshed region:</b> what lies beyond it is missing; solve again "
-                        "with a larger Mesh/Contact region.");
+    sentences.push_back(
+        "<b>The contact reached the rim of the finely meshed region:</b> what lies beyond it is missing; "
+        "solve again "
+        "with a larger Mesh/Contact region.");
   const std::string balance = balance_sentence(solved);
   if (!balance.empty()) sentences.push_back(balance);
   return sentences;
@@ -104,17 +117,23 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
   return section_html(
       "Load against approach",
       figure_html("", to_svg(load_approach_chart(solved)),
-                  "How far the bodies come together under a growing force, and on the way back. The dashed line is Hertz's law for "
-                  "the same bodies, smooth and elastic. A rough contact starts softer, because at first only the highest "
-                  "asperities carry; later it runs nearly parallel to Hertz's curve. If unloading does not return on the loading curve, material "
+                  "How far the bodies come together under a growing force, and on the way back. The dashed "
+                  "line is Hertz's law for "
+                  "the same bodies, smooth and elastic. A rough contact starts softer, because at first only "
+                  "the highest "
+                  "asperities carry; later it runs nearly parallel to Hertz's curve. If unloading does not "
+                  "return on the loading curve, material "
                   "has yielded; where it meets the axis is the imprint that stays.") +
           side_by_side(
               {figure_html("Stiffness", to_svg(stiffness_chart(solved, numbers)),
-                           "The slope of the curve above: how much force one more nanometre takes. Bars bound the error that the "
-                           "finite load steps make. The black point, where there is one, is the elastic stiffness that the solver itself finds there. This is what a discrete "
+                           "The slope of the curve above: how much force one more nanometre takes. Bars "
+                           "bound the error that the "
+                           "finite load steps make. The black point, where there is one, is the elastic "
+                           "stiffness that the solver itself finds there. This is what a discrete "
                            "element simulation needs as k<sub>n</sub>."),
                figure_html("Real contact area", to_svg(contact_area_chart(solved)),
-                           "The area that truly touches. Between rough surfaces it is smaller than Hertz's circle; on unloading it "
+                           "The area that truly touches. Between rough surfaces it is smaller than Hertz's "
+                           "circle; on unloading it "
                            "stays larger where asperities were flattened.")}));
 }
 
@@ -124,15 +143,18 @@ std::vector<std::string> joined(std::vector<std::string> sentences, const std::v
 }
 
 std::string tables_of(const SolvedCase& solved, const GroupComparison& group, const NormalNumbers& numbers) {
-  std::string body = section_html("Against Hertz, load by load",
-                                  ratio_table(group) +
-                                      note("Each number is the computed value over Hertz's for the same smooth, elastic bodies: 1 is Hertz. "
-                                           "The force ratio at equal approach depends on where approach is counted from; "
-                                           "the stiffness ratio at equal load does not."));
+  std::string body =
+      section_html("Against Hertz, load by load",
+                   ratio_table(group) +
+                       note("Each number is the computed value over Hertz's for the same smooth, elastic "
+                            "bodies: 1 is Hertz. "
+                            "The force ratio at equal approach depends on where approach is counted from; "
+                            "the stiffness ratio at equal load does not."));
   body += section_html("What a fit would report", fit_table(numbers, solved.hertz().radius));
   const std::string effective = effective_table(solved);
   if (!effective.empty()) body += section_html("Effective quantities in result.json", effective);
-  body += section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
+  body +=
+      section_html("How far to trust it, and what it cost", balance_table(solved) + remaining_tables(solved));
   return body + section_html("What went in", inputs_table(solved));
 }
 
@@ -142,7 +164,9 @@ std::string subtitle_of(const fs::path& folder, const std::string& version) {
   const std::time_t now = std::time(nullptr);
   char date[32];
   std::strftime(date, sizeof date, "%Y-%m-%d %H:%M", std::localtime(&now));
-  std::string text = "asperity report of " + escaped(fs::absolute(folder).lexically_normal().filename().string()) + ", written " + date;
+  std::string text = "asperity report of " +
+                     escaped(fs::absolute(folder).lexically_normal().filename().string()) + ", written " +
+                     date;
   if (!version.empty()) text += ", computed by asperity " + escaped(version);
   return text;
 }
@@ -160,7 +184,8 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   const std::string pressed = capitalised(readable(group.verdict));
   const std::optional<MotionLead> motion = motion_lead(solved);
   if (is_energy_refused(solved)) {
-    body += verdict_html("No verdict: its energy does not balance. What follows shows where it went wrong", {});
+    body +=
+        verdict_html("No verdict: its energy does not balance. What follows shows where it went wrong", {});
   } else if (motion) {
     body += verdict_html(motion->headline, joined(motion->sentences, trust)) + tiles_html(motion->tiles);
   } else {
@@ -168,7 +193,8 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   }
   if (motion) body += motion_figure(solved);
   if (motion && !is_energy_refused(solved))
-    body += section_html("Pressed, before it moved", paragraph(pressed) + tiles_html(tiles_of(group.numbers)));
+    body +=
+        section_html("Pressed, before it moved", paragraph(pressed) + tiles_html(tiles_of(group.numbers)));
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);
   if (!motion) body += motion_figure(solved);

@@ -9,7 +9,8 @@ namespace asperity::report {
 
 std::string case_report_html(const std::filesystem::path& folder, SectionPainter& painter);
 
-/// version: of asperity, which solved it; empty where that is not known. "Written on 2026-11-21 by asperity ..., from ...": below the title.
+/// version: of asperity, which solved it; empty where that is not known. "Written on 2026-11-21 by asperity
+/// ..., from ...": below the title.
 std::string subtitle_of(const std::filesystem::path& folder, const std::string& version);
 
 }  // namespace asperity::report

@@ -23,14 +23,16 @@ std::vector<Rows> grouped(const std::vector<ComparisonRow>& rows) {
   std::vector<Rows> groups;
   std::map<std::tuple<std::string, Quantity, std::string>, std::size_t> known;
   for (const auto& row : rows) {
-    const auto [place, added] = known.try_emplace({row.contact, row.quantity, rail_words(row.rail_angle)}, groups.size());
+    const auto [place, added] =
+        known.try_emplace({row.contact, row.quantity, rail_words(row.rail_angle)}, groups.size());
     if (added) groups.emplace_back();
     groups[place->second].push_back(&row);
   }
   return groups;
 }
 
-std::string label_of(const std::string& kind, const Rows& rows, const ComparedValue& (*value)(const ComparisonRow&)) {
+std::string label_of(const std::string& kind, const Rows& rows,
+                     const ComparedValue& (*value)(const ComparisonRow&)) {
   for (const auto* row : rows)
     if (value(*row).known() && !value(*row).source.empty()) return kind + ": " + value(*row).source;
   return kind;
@@ -45,10 +47,14 @@ struct Source {
 
 const std::vector<Source>& sources() {
   static const std::vector<Source> list{
-      {"finite elements", "#0072b2", Series::Style::points, [](const ComparisonRow& r) -> const ComparedValue& { return r.finite_elements; }},
-      {"law", "#555555", Series::Style::dashed_with_points, [](const ComparisonRow& r) -> const ComparedValue& { return r.reduced_law; }},
-      {"engine", "#009e73", Series::Style::points, [](const ComparisonRow& r) -> const ComparedValue& { return r.engine; }},
-      {"published", "#d55e00", Series::Style::points, [](const ComparisonRow& r) -> const ComparedValue& { return r.published; }}};
+      {"finite elements", "#0072b2", Series::Style::points,
+       [](const ComparisonRow& r) -> const ComparedValue& { return r.finite_elements; }},
+      {"law", "#555555", Series::Style::dashed_with_points,
+       [](const ComparisonRow& r) -> const ComparedValue& { return r.reduced_law; }},
+      {"engine", "#009e73", Series::Style::points,
+       [](const ComparisonRow& r) -> const ComparedValue& { return r.engine; }},
+      {"published", "#d55e00", Series::Style::points,
+       [](const ComparisonRow& r) -> const ComparedValue& { return r.published; }}};
   return list;
 }
 
@@ -58,7 +64,8 @@ bool is_law(const Source& source) { return source.kind == std::string("law"); }
 std::vector<std::string> laws_of(const Rows& rows) {
   std::vector<std::string> laws;
   for (const auto* row : rows)
-    if (row->reduced_law.known() && std::find(laws.begin(), laws.end(), row->reduced_law.source) == laws.end())
+    if (row->reduced_law.known() &&
+        std::find(laws.begin(), laws.end(), row->reduced_law.source) == laws.end())
       laws.push_back(row->reduced_law.source);
   return laws;
 }
@@ -66,8 +73,10 @@ std::vector<std::string> laws_of(const Rows& rows) {
 std::string value_cell(const ComparedValue& value, double factor) {
   char text[64];
   if (!value.known()) return "–";
-  if (std::isfinite(value.sd)) std::snprintf(text, sizeof text, "%.4g ± %.2g", value.value / factor, value.sd / factor);
-  else std::snprintf(text, sizeof text, "%.4g", value.value / factor);
+  if (std::isfinite(value.sd))
+    std::snprintf(text, sizeof text, "%.4g ± %.2g", value.value / factor, value.sd / factor);
+  else
+    std::snprintf(text, sizeof text, "%.4g", value.value / factor);
   return text;
 }
 
@@ -75,7 +84,8 @@ std::string reasons(const Rows& rows) {
   std::string text;
   for (const auto& source : sources()) {
     const ComparedValue& first = source.value(*rows.front());
-    if (!first.known() && !first.reason.empty()) text += (text.empty() ? "No value — " : "; ") + std::string(source.kind) + ": " + escaped(first.reason);
+    if (!first.known() && !first.reason.empty())
+      text += (text.empty() ? "No value — " : "; ") + std::string(source.kind) + ": " + escaped(first.reason);
   }
   return text.empty() ? "" : note(text + ".");
 }
@@ -86,8 +96,10 @@ std::string table_of(const Rows& rows) {
   Table table{{"load [µN]"}, {}, false};
   for (const auto& source : sources()) {
     // Several laws take turns in the rows.
-    if (is_law(source)) table.head.push_back("reduced law"), table.head.push_back("its value" + unit);
-    else table.head.push_back(source.kind + unit);
+    if (is_law(source))
+      table.head.push_back("reduced law"), table.head.push_back("its value" + unit);
+    else
+      table.head.push_back(source.kind + unit);
   }
   table.head.push_back("verdict");
   for (const auto* row : rows) {
@@ -107,27 +119,33 @@ std::string table_of(const Rows& rows) {
 std::string good_enough(const SideBySide& comparison, const std::string& contact) {
   Table table{{"simplification", "quantity", "judged by", "good enough"}, {}, true};
   for (const auto& verdict : comparison.verdicts)
-    if (verdict.contact == contact) table.rows.push_back({escaped(verdict.law), display_of(verdict.quantity).words + rail_words(verdict.rail_angle), escaped(verdict.reference),
-                          verdict.is_own_fit ? "fitted to this measurement: judges nothing" : escaped(good_words(verdict))});
+    if (verdict.contact == contact)
+      table.rows.push_back(
+          {escaped(verdict.law), display_of(verdict.quantity).words + rail_words(verdict.rail_angle),
+           escaped(verdict.reference),
+           verdict.is_own_fit ? "fitted to this measurement: judges nothing" : escaped(good_words(verdict))});
   char title[64];
-  std::snprintf(title, sizeof title, "Where each simplification is good within %.3g %%", 100 * comparison.tolerance);
+  std::snprintf(title, sizeof title, "Where each simplification is good within %.3g %%",
+                100 * comparison.tolerance);
   return table.rows.empty() ? "" : details_html(title, table_html(table));
 }
 
 std::vector<std::string> contacts_of(const SideBySide& comparison) {
   std::vector<std::string> contacts;
   for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end()) contacts.push_back(row.contact);
+    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
+      contacts.push_back(row.contact);
   return contacts;
 }
 
 std::string verdicts_of(const SideBySide& comparison, const std::string& contact) {
   std::string html;
-  for (const auto& [reference, headline] :
-       {std::pair{"finite elements", "Against finite elements"}, std::pair{"measurement", "Against the measurement"}}) {
+  for (const auto& [reference, headline] : {std::pair{"finite elements", "Against finite elements"},
+                                            std::pair{"measurement", "Against the measurement"}}) {
     std::vector<std::string> sentences;
     for (const auto& verdict : comparison.verdicts)
-      if (verdict.contact == contact && verdict.reference == reference) sentences.push_back(escaped(verdict.text));
+      if (verdict.contact == contact && verdict.reference == reference)
+        sentences.push_back(escaped(verdict.text));
     if (!sentences.empty()) html += verdict_html(headline, sentences);
   }
   return html;
@@ -138,10 +156,12 @@ std::string quantity_block(const Rows& rows) {
   // One load and one value make no figure.
   std::size_t points = 0;
   for (const auto& series : chart.series) points += series.x.size();
-  const std::string figure = points < 2 ? "" : figure_html("", to_svg(chart), "Bars are standard deviations where one is known.");
+  const std::string figure =
+      points < 2 ? "" : figure_html("", to_svg(chart), "Bars are standard deviations where one is known.");
   std::string title = display_of(rows.front()->quantity).words;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return "<h3>" + title + rail_words(rows.front()->rail_angle) + "</h3>\n" + figure + table_of(rows) + reasons(rows);
+  return "<h3>" + title + rail_words(rows.front()->rail_angle) + "</h3>\n" + figure + table_of(rows) +
+         reasons(rows);
 }
 
 }  // namespace
@@ -150,8 +170,10 @@ Chart quantity_chart(const Rows& rows) {
   const auto& display = display_of(rows.front()->quantity);
   Chart chart;
   chart.x_label = "load [µN]";
-  chart.y_label = std::string(display.words) + (std::string(display.unit).empty() ? "" : std::string(" [") + display.unit + "]");
-  const auto add = [&](Series series, const Source& source, const std::function<bool(const ComparisonRow&)>& belongs) {
+  chart.y_label = std::string(display.words) +
+                  (std::string(display.unit).empty() ? "" : std::string(" [") + display.unit + "]");
+  const auto add = [&](Series series, const Source& source,
+                       const std::function<bool(const ComparisonRow&)>& belongs) {
     for (const auto* row : rows) {
       const ComparedValue& value = source.value(*row);
       if (!value.known() || !belongs(*row)) continue;
@@ -172,7 +194,8 @@ Chart quantity_chart(const Rows& rows) {
   }
   for (auto source = sources().rbegin(); source != sources().rend(); ++source)
     if (!is_law(*source))
-      add({label_of(source->kind, rows, source->value), source->colour, source->style, {}, {}, {}}, *source, [](const ComparisonRow&) { return true; });
+      add({label_of(source->kind, rows, source->value), source->colour, source->style, {}, {}, {}}, *source,
+          [](const ComparisonRow&) { return true; });
   return chart;
 }
 
@@ -184,7 +207,8 @@ std::string comparison_page(const SideBySide& comparison) {
   const std::string engine = engine_sentence(comparison);
   if (!engine.empty()) sentences.push_back(escaped(engine));
   for (const auto& remark : comparison.remarks) sentences.push_back(escaped(remark));
-  std::string body = verdict_html("Finite elements, reduced law, engine and measurement side by side", sentences);
+  std::string body =
+      verdict_html("Finite elements, reduced law, engine and measurement side by side", sentences);
   const auto groups = grouped(comparison.rows);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::string section = verdicts_of(comparison, contacts[i]) + good_enough(comparison, contacts[i]);

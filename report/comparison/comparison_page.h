@@ -1,5 +1,5 @@
-// The comparison side by side as one page: verdicts in words, where each simplification is good enough, a figure and a table for
-// each quantity.
+// The comparison side by side as one page: verdicts in words, where each simplification is good enough, a
+// figure and a table for each quantity.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace asperity::report {
 
-/// A quantity of one contact (one rail, if it is one) over the load: finite elements, law, engine and measurement.
+/// A quantity of one contact (one rail, if it is one) over the load: finite elements, law, engine and
+/// measurement.
 Chart quantity_chart(const std::vector<const ComparisonRow*>& rows);
 
 /// Self-contained HTML.

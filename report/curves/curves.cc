@@ -29,10 +29,12 @@ Series hertz_curve(const Hertz& hertz, double largest_approach, const ForceUnit&
   return series;
 }
 
-/// Adds the way from one step to the next as a contact goes it: approach linear in F^(2/3), a straight line for Hertz.
+/// Adds the way from one step to the next as a contact goes it: approach linear in F^(2/3), a straight line
+/// for Hertz.
 void add_between(Series& series, double approach0, double force0, double approach1, double force1) {
   constexpr int pieces = 12;
-  const double g0 = std::pow(std::max(0.0, force0), 2.0 / 3.0), g1 = std::pow(std::max(0.0, force1), 2.0 / 3.0);
+  const double g0 = std::pow(std::max(0.0, force0), 2.0 / 3.0),
+               g1 = std::pow(std::max(0.0, force1), 2.0 / 3.0);
   for (int i = 0; i <= pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     series.x.push_back(approach0 + share * (approach1 - approach0));
@@ -40,14 +42,16 @@ void add_between(Series& series, double approach0, double force0, double approac
   }
 }
 
-/// Replaces the straight lines between the steps of load-approach curves; the steps themselves stay as points.
+/// Replaces the straight lines between the steps of load-approach curves; the steps themselves stay as
+/// points.
 std::vector<Series> smoothed(const std::vector<Series>& branches) {
   std::vector<Series> list;
   for (const auto& branch : branches) {
     Series line = branch;
     line.x.clear();
     line.y.clear();
-    for (std::size_t i = 0; i + 1 < branch.x.size(); ++i) add_between(line, branch.x[i], branch.y[i], branch.x[i + 1], branch.y[i + 1]);
+    for (std::size_t i = 0; i + 1 < branch.x.size(); ++i)
+      add_between(line, branch.x[i], branch.y[i], branch.x[i + 1], branch.y[i + 1]);
     if (branch.has_points()) {
       line.style = branch.is_dashed() ? Series::Style::dashed : Series::Style::line;
       Series points = branch;
@@ -74,12 +78,14 @@ Series hertz_over_load(double largest_force, const ForceUnit& unit, const Value&
 }
 
 std::string branch_name(HistoryBranch::Kind kind, int loadings, int unloadings) {
-  if (kind == HistoryBranch::Kind::loading) return loadings == 1 ? "loading" : loadings == 2 ? "reloading" : "";
+  if (kind == HistoryBranch::Kind::loading)
+    return loadings == 1 ? "loading" : loadings == 2 ? "reloading" : "";
   return unloadings == 1 ? "unloading" : unloadings == 2 ? "second unloading" : "";
 }
 
 /// Branches of a history, each as a series of one of its columns.
-std::vector<Series> branch_series(const History& history, const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<Series> branch_series(const History& history, const std::vector<double>& x,
+                                  const std::vector<double>& y) {
   std::vector<Series> list;
   int loadings = 0, unloadings = 0;
   for (const auto& branch : history_branches(history)) {
@@ -89,8 +95,12 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
     const bool is_first = (is_loading ? loadings : unloadings) == 1;
     Series series{branch_name(branch.kind, loadings, unloadings),
                   is_loading ? (is_first ? loading_colour : reloading_colour) : unloading_colour,
-                  !is_first ? Series::Style::dashed : is_loading ? Series::Style::line_with_points : Series::Style::dashed_with_points,
-                  {}, {}, {}};
+                  !is_first    ? Series::Style::dashed
+                  : is_loading ? Series::Style::line_with_points
+                               : Series::Style::dashed_with_points,
+                  {},
+                  {},
+                  {}};
     for (std::size_t i = branch.first; i <= branch.last; ++i) {
       series.x.push_back(x[i]);
       series.y.push_back(y[i]);
@@ -100,8 +110,8 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
   return list;
 }
 
-Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit, const std::string& label,
-                      const std::string& colour, Series::Style style) {
+Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit,
+                      const std::string& label, const std::string& colour, Series::Style style) {
   Series series{label, colour, style, {}, {}, {}};
   for (const auto& tangent : tangents) {
     series.x.push_back(tangent.force / unit.si);
@@ -128,7 +138,8 @@ Chart load_approach_chart(const SolvedCase& solved) {
   Chart chart;
   chart.x_label = "approach δ of the bodies [nm]";
   chart.y_label = "normal force F [" + unit.name + "]";
-  chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm), divided(history.normal_force, unit.si)));
+  chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm),
+                                        divided(history.normal_force, unit.si)));
   chart.series.push_back(hertz_curve(solved.hertz(), largest_or_zero(history.normal_displacement), unit));
   return chart;
 }
@@ -139,16 +150,23 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = "normal stiffness dF/dδ [kN/m]";
-  chart.series = {tangent_series(numbers.loading, unit, "loading", loading_colour, Series::Style::line_with_points),
-                  tangent_series(numbers.unloading, unit, "unloading", unloading_colour, Series::Style::dashed_with_points)};
+  chart.series = {
+      tangent_series(numbers.loading, unit, "loading", loading_colour, Series::Style::line_with_points),
+      tangent_series(numbers.unloading, unit, "unloading", unloading_colour,
+                     Series::Style::dashed_with_points)};
   if (!numbers.reloading.empty())
-    chart.series.push_back(tangent_series(numbers.reloading, unit, "reloading", reloading_colour, Series::Style::dashed));
-  chart.series.push_back(hertz_over_load(numbers.largest_force, unit,
-                                         [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
+    chart.series.push_back(
+        tangent_series(numbers.reloading, unit, "reloading", reloading_colour, Series::Style::dashed));
+  chart.series.push_back(hertz_over_load(
+      numbers.largest_force, unit, [&](double force) { return hertz.normal_stiffness(force) / kN_per_m; }));
   const EffectiveNumber elastic = solved.effective("normal_stiffness");
   if (std::isfinite(elastic.value) && elastic.unit == "N/m")
-    chart.series.push_back({"elastic, at the largest load", "#111111", Series::Style::points, {numbers.largest_force / unit.si},
-                            {elastic.value / kN_per_m}, {}});
+    chart.series.push_back({"elastic, at the largest load",
+                            "#111111",
+                            Series::Style::points,
+                            {numbers.largest_force / unit.si},
+                            {elastic.value / kN_per_m},
+                            {}});
   chart.width = 520;
   return chart;
 }
@@ -160,7 +178,8 @@ Chart contact_area_chart(const SolvedCase& solved) {
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
   chart.y_label = "real contact area [µm²]";
-  chart.series = branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
+  chart.series =
+      branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
   chart.series.push_back(hertz_over_load(largest_or_zero(history.normal_force), unit,
                                          [&](double force) { return hertz.contact_area(force) / um2; }));
   chart.width = 520;
@@ -197,15 +216,16 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
       chart.series.push_back(std::move(series));
     }
   }
-  if (!curves.empty()) chart.series.push_back(hertz_curve(curves.front().last().numbers.hertz, approach, unit));
+  if (!curves.empty())
+    chart.series.push_back(hertz_curve(curves.front().last().numbers.hertz, approach, unit));
   return chart;
 }
 
 namespace {
 
 /// Means and standard deviations over load, one series per curve.
-std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit,
-                              const ForceUnit& force) {
+std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value,
+                              double unit, const ForceUnit& force) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
@@ -227,7 +247,8 @@ double largest_drawn_force(const std::vector<StudyCurve>& curves) {
 
 }  // namespace
 
-Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio, const std::string& label) {
+Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio,
+                  const std::string& label) {
   const ForceUnit unit = force_unit(largest_drawn_force(curves));
   Chart chart;
   chart.x_label = "normal force F [" + unit.name + "]";
@@ -243,8 +264,8 @@ Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
   return chart;
 }
 
-Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit, const std::string& label,
-                  const std::function<double(const Hertz&, double force)>& hertz) {
+Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit,
+                  const std::string& label, const std::function<double(const Hertz&, double force)>& hertz) {
   const double largest = largest_drawn_force(curves);
   const ForceUnit force = force_unit(largest);
   Chart chart;
@@ -253,7 +274,8 @@ Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
   chart.width = 520;
   chart.series = over_load(curves, value, unit, force);
   if (!curves.empty())
-    chart.series.push_back(hertz_over_load(largest, force, [&](double f) { return hertz(curves.front().last().numbers.hertz, f) / unit; }));
+    chart.series.push_back(hertz_over_load(
+        largest, force, [&](double f) { return hertz(curves.front().last().numbers.hertz, f) / unit; }));
   return chart;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dem_compare/compare/comparison.h"
-#include "report/page/chart.h"
 #include "report/curves/study_curves.h"
+#include "report/page/chart.h"
 
 namespace asperity::report {
 
@@ -24,10 +24,12 @@ Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers);
 Chart contact_area_chart(const SolvedCase& solved);
 
 Chart load_approach_chart(const std::vector<StudyCurve>& curves);
-/// A number against load: means of the group with the largest load; bars are standard deviations over realisations. The ratios
-/// have a band around 1; others are divided by `unit` [SI] and have Hertz' value as a dashed line, if it is given.
-Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio, const std::string& label);
-Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit, const std::string& label,
-                  const std::function<double(const Hertz&, double force)>& hertz);
+/// A number against load: means of the group with the largest load; bars are standard deviations over
+/// realisations. The ratios have a band around 1; others are divided by `unit` [SI] and have Hertz' value as
+/// a dashed line, if it is given.
+Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio,
+                  const std::string& label);
+Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*value, double unit,
+                  const std::string& label, const std::function<double(const Hertz&, double force)>& hertz);
 
 }  // namespace asperity::report

@@ -26,14 +26,17 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-std::size_t stride_of(const ComparedTable& table) { return std::max<std::size_t>(1, table.x.size() / most_points); }
+std::size_t stride_of(const ComparedTable& table) {
+  return std::max<std::size_t>(1, table.x.size() / most_points);
+}
 
 std::string axis_label(const std::string& channel, const DisplayUnit& unit) {
   return channel_words(channel) + (unit.name.empty() ? "" : " [" + unit.name + "]");
 }
 
 /// Lines break where another segment or run begins; rows of a series are points.
-Series series_of(const ComparedTable& table, const std::vector<double>& y, double x_factor, double y_factor, bool trace) {
+Series series_of(const ComparedTable& table, const std::vector<double>& y, double x_factor, double y_factor,
+                 bool trace) {
   Series series;
   const std::size_t stride = stride_of(table);
   for (std::size_t i = 0; i < table.x.size(); i += stride) {
@@ -53,7 +56,8 @@ bool is_trace(const ComparedTable& table) { return !table.is_series; }
 }  // namespace
 
 DisplayUnit display_unit(const std::string& si, double largest) {
-  static const std::vector<std::pair<std::string, double>> prefixes{{"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"", 1}, {"m", 1e-3}, {"µ", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+  static const std::vector<std::pair<std::string, double>> prefixes{
+      {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"", 1}, {"m", 1e-3}, {"µ", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
   if (si.empty() || si == "rad" || si == "s/m" || !(largest > 0)) return {si, 1};
   for (const auto& [prefix, factor] : prefixes)
     if (largest >= factor) return {prefix + si, factor};
@@ -68,12 +72,14 @@ std::string channel_words(const std::string& channel) {
 
 double residual_limit(const ComparedTable& table) {
   double limit = 4;
-  for (std::size_t i = 0; i < table.x.size(); ++i) limit = std::max(limit, std::abs(table.recorded[i] - table.before[i]) / table.sd[i]);
+  for (std::size_t i = 0; i < table.x.size(); ++i)
+    limit = std::max(limit, std::abs(table.recorded[i] - table.before[i]) / table.sd[i]);
   return 1.05 * limit;
 }
 
 std::string response_figure(const ComparedTable& table, bool improved) {
-  const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x)), y = display_unit(table.unit, largest_of(table.recorded));
+  const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x)),
+                    y = display_unit(table.unit, largest_of(table.recorded));
   Chart chart;
   chart.x_label = axis_label(table.variable, x);
   chart.y_label = axis_label(table.channel, y);
@@ -93,13 +99,15 @@ std::string response_figure(const ComparedTable& table, bool improved) {
     chart.series.push_back(after);
   }
   return figure_html("Response", to_svg(chart),
-                     improved ? "Grey: what was recorded. Orange: the simulation alone, calibrated as it may be. Blue: with the effects named below. The "
+                     improved ? "Grey: what was recorded. Orange: the simulation alone, calibrated as it may "
+                                "be. Blue: with the effects named below. The "
                                 "nearer a curve is to grey, the better."
                               : "Grey: what was recorded. Orange: the simulation, calibrated as it may be.");
 }
 
-std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated, const std::vector<MismatchRegion>& regions,
-                            const std::string& title, double limit) {
+std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,
+                            const std::vector<MismatchRegion>& regions, const std::string& title,
+                            double limit) {
   const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x));
   Chart chart;
   chart.x_label = axis_label(table.variable, x);
@@ -108,14 +116,17 @@ std::string residual_figure(const ComparedTable& table, const std::vector<double
   chart.band_low = -2;
   chart.band_high = 2;
   chart.band_label = "noise (95 %)";
-  Series inside{"", "#b5261e", Series::Style::points, {}, {}, {}}, outside{"", "#5b6675", Series::Style::points, {}, {}, {}};
+  Series inside{"", "#b5261e", Series::Style::points, {}, {}, {}},
+      outside{"", "#5b6675", Series::Style::points, {}, {}, {}};
   const std::size_t stride = std::max<std::size_t>(1, table.x.size() / (most_points / 2));
   for (std::size_t i = 0; i < table.x.size(); i += stride) {
     bool located = false;
     for (const auto& region : regions)
-      located = located || (region.table == table.table && region.variable == table.variable &&
-                            (region.segment.empty() || i >= table.segment.size() || table.segment[i] == region.segment) &&
-                            table.x[i] >= region.from && table.x[i] <= region.to);
+      located =
+          located ||
+          (region.table == table.table && region.variable == table.variable &&
+           (region.segment.empty() || i >= table.segment.size() || table.segment[i] == region.segment) &&
+           table.x[i] >= region.from && table.x[i] <= region.to);
     Series& series = located ? inside : outside;
     series.x.push_back(table.x[i] / x.factor);
     series.y.push_back(std::clamp((table.recorded[i] - simulated[i]) / table.sd[i], -limit, limit));
@@ -124,8 +135,11 @@ std::string residual_figure(const ComparedTable& table, const std::vector<double
   inside.label = "where it is not noise";
   if (!outside.x.empty()) chart.series.push_back(outside);
   if (!inside.x.empty()) chart.series.push_back(inside);
-  return figure_html(title, to_svg(chart), "Each dot is a sample: how far it lies from the simulation, in standard deviations of the noise. Noise alone keeps 95 % "
-                                           "of them in the green band" + std::string(inside.x.empty() ? "." : "; red marks the located mismatch."));
+  return figure_html(title, to_svg(chart),
+                     "Each dot is a sample: how far it lies from the simulation, in standard deviations of "
+                     "the noise. Noise alone keeps 95 % "
+                     "of them in the green band" +
+                         std::string(inside.x.empty() ? "." : "; red marks the located mismatch."));
 }
 
 }  // namespace asperity::report

@@ -18,8 +18,9 @@ std::string channel_words(const std::string& channel);
 
 std::string response_figure(const ComparedTable& table, bool improved);
 /// Residual over noise; samples within `regions` are set off.
-std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated, const std::vector<MismatchRegion>& regions,
-                            const std::string& title, double limit);
+std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,
+                            const std::vector<MismatchRegion>& regions, const std::string& title,
+                            double limit);
 /// Largest residual over noise before, for axes alike.
 double residual_limit(const ComparedTable& table);
 

@@ -1,5 +1,5 @@
-// report.html of a diagnosis: verdict, where recording and simulation part, what was left out, how much better the fit is, and how
-// sure one can be; for a reader who has nothing else.
+// report.html of a diagnosis: verdict, where recording and simulation part, what was left out, how much
+// better the fit is, and how sure one can be; for a reader who has nothing else.
 #pragma once
 
 #include <string>

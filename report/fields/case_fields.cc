@@ -36,7 +36,8 @@ std::string no_fields(const SolvedCase& solved) {
               " to draw (Output/Fields is off, or the case has not come to its largest load yet).");
 }
 
-MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high, const std::string& upright_name) {
+MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high,
+                       const std::string& upright_name) {
   constexpr double nm = 1e-9;
   MapFigure figure;
   figure.x_label = "x [nm]";

@@ -1,11 +1,12 @@
-// What the pictures of one solved case have in common: its field files, and Hertz' contact at its largest load.
+// What the pictures of one solved case have in common: its field files, and Hertz' contact at its largest
+// load.
 #pragma once
 
 #include <string>
 
-#include "results/solved_case.h"
 #include "report/fields/field_files.h"
 #include "report/fields/map_figure.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 
@@ -23,6 +24,7 @@ StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd
 std::string no_fields(const SolvedCase& solved);
 
 /// A figure over two lengths in nm; the window is given in m.
-MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high, const std::string& upright_name);
+MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high,
+                       const std::string& upright_name);
 
 }  // namespace asperity::report

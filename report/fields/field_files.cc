@@ -53,7 +53,8 @@ std::map<int, StepFiles> field_files(const fs::path& pvd) {
     const std::string name = (*at)[1];
     std::smatch step;
     const fs::path path = pvd.parent_path() / name;
-    if (std::regex_search(name, step, step_name) && fs::exists(path)) files[std::stoi(step[1])].push_back(path);
+    if (std::regex_search(name, step, step_name) && fs::exists(path))
+      files[std::stoi(step[1])].push_back(path);
   }
   return files;
 }

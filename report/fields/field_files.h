@@ -16,7 +16,8 @@ namespace asperity::report {
 /// The files of one step, one of each rank.
 using StepFiles = std::vector<std::filesystem::path>;
 
-/// What a .pvd lists, by the number in the names, step_NNNN. Files that are missing are left out; empty without a .pvd.
+/// What a .pvd lists, by the number in the names, step_NNNN. Files that are missing are left out; empty
+/// without a .pvd.
 std::map<int, StepFiles> field_files(const std::filesystem::path& pvd);
 
 /// A point data array of the contact surface on a regular grid over the square |x|, |y| <= half_width [m].

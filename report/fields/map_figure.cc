@@ -20,7 +20,8 @@ std::vector<double> known_values(const Map& map) {
 
 double Map::largest() const {
   const auto known = known_values(*this);
-  return known.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(known.begin(), known.end());
+  return known.empty() ? std::numeric_limits<double>::quiet_NaN()
+                       : *std::max_element(known.begin(), known.end());
 }
 
 ColourRange colour_range(const Map& map, double share) {
@@ -57,29 +58,33 @@ void paint_over(Image& image, const Map& map, double threshold, const Colour& co
 std::string to_svg(const MapFigure& figure, const Image& image) {
   constexpr double left = 58, top = 12, bottom = 46, bar_gap = 16, bar_width = 16, bar_labels = 62;
   const double picture_width = figure.width - left - bar_gap - bar_width - bar_labels;
-  const double picture_height = picture_width * (figure.y_high - figure.y_low) / (figure.x_high - figure.x_low);
+  const double picture_height =
+      picture_width * (figure.y_high - figure.y_low) / (figure.x_high - figure.x_low);
   const double height = top + picture_height + bottom;
   const auto line_to = [](double x1, double y1, double x2, double y2) {
-    return "<line class='frame' x1='" + coordinate(x1) + "' y1='" + coordinate(y1) + "' x2='" + coordinate(x2) + "' y2='" +
-           coordinate(y2) + "'/>";
+    return "<line class='frame' x1='" + coordinate(x1) + "' y1='" + coordinate(y1) + "' x2='" +
+           coordinate(x2) + "' y2='" + coordinate(y2) + "'/>";
   };
   const auto text = [](double x, double y, const std::string& words, const std::string& attributes) {
-    return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) + "</text>";
+    return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) +
+           "</text>";
   };
   const Axis x = make_axis(figure.x_low, figure.x_high, left, left + picture_width, false, 5);
   const Axis y = make_axis(figure.y_low, figure.y_high, top + picture_height, top, false,
                            picture_height < picture_width * 0.7 ? 4 : 5);
-  std::string svg = "<svg class='map' viewBox='0 0 " + std::to_string(figure.width) + " " + coordinate(height) +
-                    "' role='img' aria-label='" + escaped(figure.colour_label) + "'>";
-  svg += "<image x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" + coordinate(picture_width) + "' height='" +
-         coordinate(picture_height) + "' preserveAspectRatio='none' href='" + data_uri(image) + "'/>";
+  std::string svg = "<svg class='map' viewBox='0 0 " + std::to_string(figure.width) + " " +
+                    coordinate(height) + "' role='img' aria-label='" + escaped(figure.colour_label) + "'>";
+  svg += "<image x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" +
+         coordinate(picture_width) + "' height='" + coordinate(picture_height) +
+         "' preserveAspectRatio='none' href='" + data_uri(image) + "'/>";
   for (const double radius : figure.circles)
     svg += "<ellipse cx='" + coordinate(x.pixel(0)) + "' cy='" + coordinate(y.pixel(0)) + "' rx='" +
-           coordinate(std::abs(x.pixel(radius) - x.pixel(0))) + "' ry='" + coordinate(std::abs(y.pixel(radius) - y.pixel(0))) +
-           "' fill='none' stroke='#333' stroke-width='1.3' stroke-dasharray='5 4'><title>" + escaped(figure.circle_label) +
-           "</title></ellipse>";
-  svg += "<rect class='frame' x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" + coordinate(picture_width) +
-         "' height='" + coordinate(picture_height) + "'/>";
+           coordinate(std::abs(x.pixel(radius) - x.pixel(0))) + "' ry='" +
+           coordinate(std::abs(y.pixel(radius) - y.pixel(0))) +
+           "' fill='none' stroke='#333' stroke-width='1.3' stroke-dasharray='5 4'><title>" +
+           escaped(figure.circle_label) + "</title></ellipse>";
+  svg += "<rect class='frame' x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" +
+         coordinate(picture_width) + "' height='" + coordinate(picture_height) + "'/>";
   for (const double tick : x.ticks) {
     svg += line_to(x.pixel(tick), y.pixel_low, x.pixel(tick), y.pixel_low + 4);
     svg += text(x.pixel(tick), y.pixel_low + 17, tick_label(tick, x), "class='tick' text-anchor='middle'");
@@ -101,17 +106,19 @@ std::string to_svg(const MapFigure& figure, const Image& image) {
     const Colour colour = figure.scale->at(1 - (i + 0.5) / bar_pixels);
     std::copy(colour.begin(), colour.end(), shades.pixel(0, i));
   }
-  svg += "<image x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" + coordinate(bar_width) + "' height='" +
-         coordinate(picture_height) + "' preserveAspectRatio='none' href='" + data_uri(shades) + "'/>";
-  svg += "<rect class='frame' x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" + coordinate(bar_width) +
-         "' height='" + coordinate(picture_height) + "'/>";
+  svg += "<image x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" +
+         coordinate(bar_width) + "' height='" + coordinate(picture_height) +
+         "' preserveAspectRatio='none' href='" + data_uri(shades) + "'/>";
+  svg += "<rect class='frame' x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" +
+         coordinate(bar_width) + "' height='" + coordinate(picture_height) + "'/>";
   for (const double tick : bar.ticks) {
     svg += line_to(bar_left + bar_width, bar.pixel(tick), bar_left + bar_width + 4, bar.pixel(tick));
     svg += text(bar_left + bar_width + 7, bar.pixel(tick) + 4, tick_label(tick, bar), "class='tick'");
   }
   const double label_x = figure.width - 7;
   svg += text(label_x, middle, figure.colour_label,
-              "class='label' text-anchor='middle' transform='rotate(-90 " + coordinate(label_x) + " " + coordinate(middle) + ")'");
+              "class='label' text-anchor='middle' transform='rotate(-90 " + coordinate(label_x) + " " +
+                  coordinate(middle) + ")'");
   return svg + "</svg>\n";
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/page/colour_scale.h"
 #include "report/fields/png.h"
+#include "report/page/colour_scale.h"
 
 namespace asperity::report {
 
@@ -29,7 +29,7 @@ struct MapFigure {
   double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
   const ColourScale* scale = &ColourScale::viridis();
   ColourRange range;
-  std::vector<double> circles;   ///< radii around (0, 0), dashed
+  std::vector<double> circles;  ///< radii around (0, 0), dashed
   std::string circle_label;
   int width = 430;
 };

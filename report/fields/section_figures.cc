@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "report/page/axis.h"
 #include "report/fields/case_fields.h"
+#include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
@@ -18,22 +18,26 @@ namespace {
 
 constexpr double one_percent = 0.01;
 
-/// Largest value of a cell array among cells whose first point lies in the window, without the uppermost outliers.
+/// Largest value of a cell array among cells whose first point lies in the window, without the uppermost
+/// outliers.
 ColourRange range_in_window(vtkPolyData& section, const SectionView& view) {
   vtkDataArray* array = section.GetCellData()->GetArray(view.array.c_str());
   std::vector<double> values;
   for (vtkIdType i = 0; array && i < section.GetNumberOfCells(); ++i) {
     const double* bounds = section.GetCell(i)->GetBounds();
-    if (bounds[1] > view.x_low && bounds[0] < view.x_high && bounds[5] > view.z_low && bounds[4] < view.z_high)
+    if (bounds[1] > view.x_low && bounds[0] < view.x_high && bounds[5] > view.z_low &&
+        bounds[4] < view.z_high)
       values.push_back(array->GetComponent(i, 0));
   }
   if (values.empty()) return {0, 0};
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>((1 - outliers) * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>((1 - outliers) * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return {0, *at > 0 ? *at : *std::max_element(values.begin(), values.end())};
 }
 
-/// A window of the given half width and height [m] around (x, 0), its colours from zero to the largest value in it.
+/// A window of the given half width and height [m] around (x, 0), its colours from zero to the largest value
+/// in it.
 SectionView section_view(vtkPolyData& section, const std::string& array, const ColourScale& scale, double x,
                          double half_width, double half_height, double spacing) {
   SectionView view{array, x - half_width, x + half_width, -half_height, half_height, &scale, {}};
@@ -84,7 +88,8 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
   const double a = hertz_radius(solved);
   // Off the symmetry plane by a part of a cell: a cut along cell faces belongs to neither neighbour.
   constexpr double off_faces = 0.3, cells_over_radius = 50;
-  const double spacing = std::isfinite(solved.interface_spacing()) ? solved.interface_spacing() : a / cells_over_radius;
+  const double spacing =
+      std::isfinite(solved.interface_spacing()) ? solved.interface_spacing() : a / cells_over_radius;
   const auto surface = files_at_largest_load(solved, "interface.pvd");
   const InterfaceExtent contact = surface.empty() ? InterfaceExtent{} : interface_extent(surface[0]);
   const double y = contact.peak_y + off_faces * spacing;
@@ -100,18 +105,23 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
   const std::string stress = "von Mises stress [GPa]", strain = "equivalent plastic strain [%]";
   std::vector<SectionFigure> figures{
       {whole("von_mises", ColourScale::viridis()), stress, GPa, "Von Mises stress",
-       "A vertical cut through sphere (above) and plane (below) at the largest load, through the place of the largest pressure (y = " +
+       "A vertical cut through sphere (above) and plane (below) at the largest load, through the place of "
+       "the largest pressure (y = " +
            in_units(y, Dimension::length) +
-           "). This stress decides where material yields. Between smooth bodies it is largest about half a contact radius below the "
+           "). This stress decides where material yields. Between smooth bodies it is largest about half a "
+           "contact radius below the "
            "surface; roughness adds peaks under each asperity that touches."},
       {close("von_mises", ColourScale::viridis()), stress, GPa, "Von Mises stress, close to the interface",
-       "The same cut around the largest pressure, magnified. Lines are the mesh; grey between the bodies is an open gap."}};
+       "The same cut around the largest pressure, magnified. Lines are the mesh; grey between the bodies is "
+       "an open gap."}};
   const SectionView yielded = whole("equivalent_plastic_strain", ColourScale::white_to_red());
   const bool has_yielded = yielded.range.high > 0;
   if (has_yielded) {
-    figures.push_back({yielded, strain, one_percent, "Plastic strain",
-                       "Where material has yielded for good: white is still elastic, grey is outside of the bodies. Spots right at the "
-                       "surface are flattened asperities; a zone deeper down would be yielding of the bulk."});
+    figures.push_back(
+        {yielded, strain, one_percent, "Plastic strain",
+         "Where material has yielded for good: white is still elastic, grey is outside of the bodies. Spots "
+         "right at the "
+         "surface are flattened asperities; a zone deeper down would be yielding of the bulk."});
     figures.push_back({close("equivalent_plastic_strain", ColourScale::white_to_red()), strain, one_percent,
                        "Plastic strain, close to the interface",
                        "The same cut around the largest pressure, magnified, with the mesh."});
@@ -122,8 +132,9 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
     const auto images = painter.draw(*section, views);
     std::vector<std::string> html;
     for (std::size_t i = 0; i < figures.size(); ++i) html.push_back(html_of(figures[i], images[i]));
-    return side_by_side(html) +
-           (has_yielded ? "" : note("No material has yielded anywhere in this section: there is no plastic strain to show."));
+    return side_by_side(html) + (has_yielded ? ""
+                                             : note("No material has yielded anywhere in this section: there "
+                                                    "is no plastic strain to show."));
   } catch (const WorkError& error) {
     return note("The vertical section could not be drawn: " + escaped(error.what()) + ".");
   }

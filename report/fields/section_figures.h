@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "results/solved_case.h"
 #include "report/fields/section_picture.h"
 #include "report/fields/virtual_display.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 

@@ -27,7 +27,8 @@ namespace {
 constexpr unsigned longest_drawing_seconds = 120;
 
 Image empty_image(const SectionView& view) {
-  return {view.width, std::max(1, static_cast<int>(view.width * (view.z_high - view.z_low) / (view.x_high - view.x_low)))};
+  return {view.width, std::max(1, static_cast<int>(view.width * (view.z_high - view.z_low) /
+                                                   (view.x_high - view.x_low)))};
 }
 
 Image draw(vtkPolyData& section, const SectionView& view) {
@@ -83,8 +84,8 @@ Image draw(vtkPolyData& section, const SectionView& view) {
   capture->Update();
   vtkImageData* pixels = capture->GetOutput();
   for (int y = 0; y < image.height; ++y)
-    std::copy_n(static_cast<const std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)), 3 * image.width,
-                image.pixel(0, y));
+    std::copy_n(static_cast<const std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)),
+                3 * image.width, image.pixel(0, y));
   return image;
 }
 
@@ -106,8 +107,8 @@ bool read_all(int file, std::vector<std::uint8_t>& bytes) {
   return true;
 }
 
-[[noreturn]] void draw_in_child(vtkPolyData& section, const std::vector<SectionView>& views, const std::string& display,
-                                int output) {
+[[noreturn]] void draw_in_child(vtkPolyData& section, const std::vector<SectionView>& views,
+                                const std::string& display, int output) {
   setenv("DISPLAY", display.c_str(), 1);
   alarm(longest_drawing_seconds);
   const int silence = open("/dev/null", O_WRONLY);
@@ -119,7 +120,8 @@ bool read_all(int file, std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-std::vector<Image> draw_sections(vtkPolyData& section, const std::vector<SectionView>& views, const std::string& display) {
+std::vector<Image> draw_sections(vtkPolyData& section, const std::vector<SectionView>& views,
+                                 const std::string& display) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw WorkError("no pipe to the drawing process could be opened");
   const pid_t child = fork();
@@ -134,7 +136,8 @@ std::vector<Image> draw_sections(vtkPolyData& section, const std::vector<Section
   close(ends[0]);
   if (child > 0) waitpid(child, nullptr, 0);
   if (!complete)
-    throw WorkError("VTK could not draw on display " + display + "; is software OpenGL (package libgl1-mesa-dri) installed?");
+    throw WorkError("VTK could not draw on display " + display +
+                    "; is software OpenGL (package libgl1-mesa-dri) installed?");
   return images;
 }
 

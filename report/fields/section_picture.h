@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "report/page/colour_scale.h"
 #include "report/fields/map_figure.h"
 #include "report/fields/png.h"
+#include "report/page/colour_scale.h"
 
 namespace asperity::report {
 
@@ -21,8 +21,9 @@ struct SectionView {
   int width = 900;    ///< pixels
 };
 
-/// Each view as an image. The drawing runs in a process of its own, so that a display that fails cannot take the report
-/// with it: throws WorkError then.
-std::vector<Image> draw_sections(vtkPolyData& section, const std::vector<SectionView>& views, const std::string& display);
+/// Each view as an image. The drawing runs in a process of its own, so that a display that fails cannot take
+/// the report with it: throws WorkError then.
+std::vector<Image> draw_sections(vtkPolyData& section, const std::vector<SectionView>& views,
+                                 const std::string& display);
 
 }  // namespace asperity::report

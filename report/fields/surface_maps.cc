@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "report/page/axis.h"
 #include "report/fields/case_fields.h"
+#include "report/page/axis.h"
 #include "report/page/chart.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
@@ -24,7 +24,9 @@ Map scaled(Map map, double unit) {
   return map;
 }
 
-MapFigure map_figure_of(const Map& map) { return figure_in_nm(map.x_low, map.x_high, map.y_low, map.y_high, "y"); }
+MapFigure map_figure_of(const Map& map) {
+  return figure_in_nm(map.x_low, map.x_high, map.y_low, map.y_high, "y");
+}
 
 /// Half width of the square that maps of the contact show [m].
 double map_half_width(const SolvedCase& solved, const fs::path& file) {
@@ -50,7 +52,8 @@ Roughness roughness_of(const SolvedCase& solved, const std::string& section) {
   const HeightSampler sampler = heights_over(solved.entries.topography(section), size);
   Map map{map_pixels, map_pixels, -size / 2, size / 2, -size / 2, size / 2, {}};
   for (int iy = 0; iy < map_pixels; ++iy)
-    for (int ix = 0; ix < map_pixels; ++ix) map.values.push_back(sampler.height((ix + 0.5) * pixel - size / 2, (iy + 0.5) * pixel - size / 2));
+    for (int ix = 0; ix < map_pixels; ++ix)
+      map.values.push_back(sampler.height((ix + 0.5) * pixel - size / 2, (iy + 0.5) * pixel - size / 2));
   return {map, false};
 }
 
@@ -82,12 +85,15 @@ std::string roughness_figure(const SolvedCase& solved, const std::string& sectio
     if (roughness.as_meshed) {
       figure.circles = {hertz_radius(solved) / nm};
       figure.circle_label = "contact of smooth bodies at the largest load";
-      where = "As the solver meshed it, seen along the axis of contact; the dashed circle is the contact that smooth bodies "
-              "would have at the largest load. ";
+      where =
+          "As the solver meshed it, seen along the axis of contact; the dashed circle is the contact that "
+          "smooth bodies "
+          "would have at the largest load. ";
     }
     return figure_html(name + ": " + (spec.generator() ? "generated roughness" : "measured roughness"),
                        to_svg(figure, paint(map, *figure.scale, figure.range)),
-                       where + "Yellow stands out of the material, blue is lower. " + roughness_statistics(roughness.heights));
+                       where + "Yellow stands out of the material, blue is lower. " +
+                           roughness_statistics(roughness.heights));
   } catch (const InputError& error) {
     return note(name + ": the surface cannot be shown: " + escaped(error.what()) + ".");
   }
@@ -127,14 +133,17 @@ std::string pressure_map_figure(const SolvedCase& solved, const Map& pressure) {
   figure.circles = {hertz_radius(solved) / nm};
   figure.circle_label = "contact of smooth bodies";
   return figure_html("Contact pressure", to_svg(figure, paint(pressure, *figure.scale, figure.range)),
-                     "Where the bodies touch and how hard they press, seen from above at the largest load: white is open, red presses. "
+                     "Where the bodies touch and how hard they press, seen from above at the largest load: "
+                     "white is open, red presses. "
                      "Between smooth elastic bodies the pressure would fill the dashed circle, with " +
-                         in_units(solved.hertz().peak_pressure(largest_force(solved)), Dimension::pressure) + " in its middle.");
+                         in_units(solved.hertz().peak_pressure(largest_force(solved)), Dimension::pressure) +
+                         " in its middle.");
 }
 
 /// `gap` in nm; `status` is 1 where the surfaces touch.
 std::string gap_map_figure(const SolvedCase& solved, const Map& gap, const Map& status) {
-  // Gaps grow with the square of the distance outside of the contact: the upper tenth would take most of the colours.
+  // Gaps grow with the square of the distance outside of the contact: the upper tenth would take most of the
+  // colours.
   constexpr double far_share = 0.1;
   const Colour closed{200, 30, 40};
   MapFigure figure = map_figure_of(gap);
@@ -145,9 +154,11 @@ std::string gap_map_figure(const SolvedCase& solved, const Map& gap, const Map& 
   Image image = paint(gap, *figure.scale, figure.range);
   constexpr double touching = 0.5;
   paint_over(image, status, touching, closed);
-  return figure_html("Gap, and what is closed", to_svg(figure, image),
-                     "The distance that is left between the surfaces at the largest load. <b style='color:" + hex(closed) +
-                         "'>Red</b> places touch; dark blue ones nearly do; yellow ones are as far apart as the bar's end, or farther.");
+  return figure_html(
+      "Gap, and what is closed", to_svg(figure, image),
+      "The distance that is left between the surfaces at the largest load. <b style='color:" + hex(closed) +
+          "'>Red</b> places touch; dark blue ones nearly do; yellow ones are as far apart as the bar's end, "
+          "or farther.");
 }
 
 /// `pressure` in GPa.
@@ -173,14 +184,16 @@ std::string pressure_profile_figure(const SolvedCase& solved, const Map& pressur
   chart.series = {computed, hertz};
   chart.width = 520;
   return figure_html("Pressure against distance from the axis", to_svg(chart),
-                     "The map averaged over rings (open places count as zero). Roughness spreads the load over a wider circle "
+                     "The map averaged over rings (open places count as zero). Roughness spreads the load "
+                     "over a wider circle "
                      "and lowers the mean in the middle; yielding flattens the top.");
 }
 
 }  // namespace
 
 std::string roughness_figures(const SolvedCase& solved) {
-  const std::string sphere = roughness_figure(solved, "Particle"), plane = roughness_figure(solved, "Substrate");
+  const std::string sphere = roughness_figure(solved, "Particle"),
+                    plane = roughness_figure(solved, "Substrate");
   const bool both = sphere.rfind("<figure", 0) == 0 && plane.rfind("<figure", 0) == 0;
   return both ? side_by_side({sphere, plane}) : sphere + plane;
 }
@@ -191,7 +204,8 @@ std::string contact_figures(const SolvedCase& solved) {
   const double half_width = map_half_width(solved, files[0]);
   const auto map = [&](const char* array) { return interface_map(files[0], array, half_width, map_pixels); };
   const Map pressure = scaled(map("pressure"), GPa);
-  return side_by_side({pressure_map_figure(solved, pressure), gap_map_figure(solved, scaled(map("gap"), nm), map("status")),
+  return side_by_side({pressure_map_figure(solved, pressure),
+                       gap_map_figure(solved, scaled(map("gap"), nm), map("status")),
                        pressure_profile_figure(solved, pressure)});
 }
 

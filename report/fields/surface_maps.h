@@ -9,7 +9,8 @@ namespace asperity::report {
 
 /// Figures as HTML, or a note that says why there are none.
 std::string roughness_figures(const SolvedCase& solved);
-/// At the largest load, side by side: pressure, gap with the closed places, and the pressure over the distance from the axis.
+/// At the largest load, side by side: pressure, gap with the closed places, and the pressure over the
+/// distance from the axis.
 std::string contact_figures(const SolvedCase& solved);
 
 }  // namespace asperity::report

@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "results/solved_case.h"
 #include "report/page/chart.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 
-/// Lateral force over lateral displacement, and Cattaneo's, Mindlin's and Deresiewicz' law with Masing's rule.
+/// Lateral force over lateral displacement, and Cattaneo's, Mindlin's and Deresiewicz' law with Masing's
+/// rule.
 Chart friction_loop_chart(const SolvedCase& solved);
 /// Torsion moment over angle, and Lubkin's law with Masing's rule.
 Chart torsion_chart(const SolvedCase& solved);

@@ -7,9 +7,9 @@
 #include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/sentences.h"
+#include "report/motion/resistance_section.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
-#include "report/motion/resistance_section.h"
 #include "report/page/words.h"
 
 namespace asperity::report {
@@ -36,8 +36,9 @@ std::string share_text(const Uncertain& part, const Uncertain& whole) {
 std::string mechanisms_sentence(const ResistanceParts& parts) {
   if (!std::isfinite(parts.total.value) || parts.total.value == 0)
     return "Its history does not tell how much of it slip, yielding and bonds take.";
-  return "Of it slip takes " + share_text(parts.friction, parts.total) + ", yielding " + share_text(parts.plastic, parts.total) +
-         " and bonds that form and break " + share_text(parts.adhesion, parts.total) + ".";
+  return "Of it slip takes " + share_text(parts.friction, parts.total) + ", yielding " +
+         share_text(parts.plastic, parts.total) + " and bonds that form and break " +
+         share_text(parts.adhesion, parts.total) + ".";
 }
 
 /// Dimensionless: over the load, or over the load and the particle's radius.
@@ -45,7 +46,8 @@ Uncertain coefficient_of(const MovingCase& moving, const MotionMode& mode, doubl
   return moving.first.resistance() * (1 / (moving.load * (&mode == &sliding_mode() ? 1 : radius)));
 }
 
-std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& moving, const MotionMode& mode) {
+std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& moving,
+                                  const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode();
   const SteadyWay& way = moving.first;
   const Uncertain resistance = way.resistance();
@@ -56,7 +58,8 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
       {resistance_text(resistance, mode), slides ? "lateral resistance" : motion_name(mode) + " resistance",
        "fluctuates along the way by " + resistance_text({way.fluctuation, NAN}, mode)}};
   if (!slides)
-    tiles.push_back({answer_html(lead_number(resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load))))),
+    tiles.push_back({answer_html(lead_number(
+                         resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load))))),
                      "the same over load and contact radius", "that of Hertz"});
   const ResistanceParts& parts = way.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
@@ -67,25 +70,31 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const EffectiveNumber stiffness = solved.effective(mode.stiffness_key);
   constexpr double kN_per_m = 1e3, nN_m = 1e-9;
   if (std::isfinite(stiffness.value))
-    tiles.push_back({answer_html(lead_number(Uncertain{stiffness.value, stiffness.sd} * (1 / (slides ? kN_per_m : nN_m)))) +
+    tiles.push_back({answer_html(lead_number(Uncertain{stiffness.value, stiffness.sd} *
+                                             (1 / (slides ? kN_per_m : nN_m)))) +
                          (slides ? " kN/m" : " nN m/rad"),
                      motion_name(mode) + " stiffness", "without slip"});
   return tiles;
 }
 
-std::string against_local_friction(const SolvedCase& solved, const MovingCase& moving, const MotionMode& mode) {
+std::string against_local_friction(const SolvedCase& solved, const MovingCase& moving,
+                                   const MotionMode& mode) {
   const double mu = solved.entries.quantity("Interface/Friction coefficient", Dimension::none, 0);
   if (!(mu > 0) || &mode == &rolling_mode()) return "";
-  const double full = &mode == &sliding_mode() ? mu * moving.load : 3 * M_PI / 16 * mu * moving.load * solved.hertz().contact_radius(moving.load);
-  return "Smooth elastic bodies with the local friction that went in, " + format_quantity(mu, Dimension::none) + ", resist with " +
-         resistance_text({full, NAN}, mode) + "; this contact with " + answer_html(lead_number(moving.first.resistance() * (1 / full))) +
+  const double full = &mode == &sliding_mode()
+                          ? mu * moving.load
+                          : 3 * M_PI / 16 * mu * moving.load * solved.hertz().contact_radius(moving.load);
+  return "Smooth elastic bodies with the local friction that went in, " +
+         format_quantity(mu, Dimension::none) + ", resist with " + resistance_text({full, NAN}, mode) +
+         "; this contact with " + answer_html(lead_number(moving.first.resistance() * (1 / full))) +
          " times that.";
 }
 
 std::string noise_sentence(const SolvedCase& solved, const MotionMode& mode) {
   const EffectiveNumber floor = solved.effective("rolling_noise_floor");
   return &mode == &rolling_mode() && std::isfinite(floor.value)
-             ? "The mesh itself shows moments of up to " + resistance_text({floor.value, NAN}, mode) + " on smooth elastic bodies, which dissipate nothing."
+             ? "The mesh itself shows moments of up to " + resistance_text({floor.value, NAN}, mode) +
+                   " on smooth elastic bodies, which dissipate nothing."
              : "";
 }
 
@@ -94,21 +103,29 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
   const std::string name = motion_name(mode, true);
   const MovingCase moving = moving_case(solved, mode);
   if (!moving.first.reached()) {
-    lead.headline = name + ": no steady resistance is known, for the way ends before the motion is steady for three steps (" + mode.way_entry +
-                    " must be more)";
+    lead.headline =
+        name +
+        ": no steady resistance is known, for the way ends before the motion is steady for three steps (" +
+        mode.way_entry + " must be more)";
     return lead;
   }
   const bool slides = &mode == &sliding_mode();
-  lead.headline = name + " under " + in_units(moving.load, Dimension::force) + " takes " + resistance_text(moving.first.resistance(), mode) + ", " +
-                  answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))) + " of the load" +
-                  (slides ? "" : " times the particle’s radius") + ". " + mechanisms_sentence(moving.first.dissipated);
+  lead.headline = name + " under " + in_units(moving.load, Dimension::force) + " takes " +
+                  resistance_text(moving.first.resistance(), mode) + ", " +
+                  answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))) +
+                  " of the load" + (slides ? "" : " times the particle’s radius") + ". " +
+                  mechanisms_sentence(moving.first.dissipated);
   for (const auto& sentence : {against_local_friction(solved, moving, mode), noise_sentence(solved, mode)})
     if (!sentence.empty()) lead.sentences.push_back(sentence);
   if (moving.first.still_changes())
-    lead.sentences.push_back("It still changes along the way, by " + percent_text(std::abs(moving.first.drift)) + " from its first half to its second.");
+    lead.sentences.push_back("It still changes along the way, by " +
+                             percent_text(std::abs(moving.first.drift)) +
+                             " from its first half to its second.");
   if (moving.back.reached())
-    lead.sentences.push_back("On the way back, over the own track, it is " +
-                             answer_html(lead_number(ratio(moving.back.resistance(), moving.first.resistance()))) + " times that.");
+    lead.sentences.push_back(
+        "On the way back, over the own track, it is " +
+        answer_html(lead_number(ratio(moving.back.resistance(), moving.first.resistance()))) +
+        " times that.");
   lead.tiles = tiles_of_motion(solved, moving, mode);
   return lead;
 }
@@ -123,16 +140,20 @@ MotionLead lead_of_program(const SolvedCase& solved) {
   const History& h = solved.history;
   const double load = largest(h.normal_force), lateral = largest(h.lateral_force);
   MotionLead lead;
-  lead.headline = "Moved as written under up to " + in_units(load, Dimension::force) + ": at most " + in_units(lateral, Dimension::force) +
-                  " lateral force along, " + resistance_text({largest(h.rolling_moment), NAN}, rolling_mode()) + " rolling and " +
+  lead.headline = "Moved as written under up to " + in_units(load, Dimension::force) + ": at most " +
+                  in_units(lateral, Dimension::force) + " lateral force along, " +
+                  resistance_text({largest(h.rolling_moment), NAN}, rolling_mode()) + " rolling and " +
                   resistance_text({largest(h.torsion_moment), NAN}, torsion_mode()) + " torsion moment";
   const auto last = [](const std::vector<double>& values) { return values.empty() ? NAN : values.back(); };
-  const double slip = last(h.friction_work), plastic = last(h.plastic_work) - last(h.hardening_energy), bonds = last(h.adhesion_loss);
+  const double slip = last(h.friction_work), plastic = last(h.plastic_work) - last(h.hardening_energy),
+               bonds = last(h.adhesion_loss);
   const double sum = slip + plastic + bonds;
-  lead.tiles.push_back({in_units(lateral, Dimension::force), "largest lateral force", percent_text(lateral / load) + " of the largest load"});
+  lead.tiles.push_back({in_units(lateral, Dimension::force), "largest lateral force",
+                        percent_text(lateral / load) + " of the largest load"});
   if (sum > 0) {
-    lead.sentences.push_back("Of what was dissipated, loading included, slip took " + percent_text(slip / sum) + ", yielding " +
-                             percent_text(plastic / sum) + " and bonds " + percent_text(bonds / sum) + ".");
+    lead.sentences.push_back("Of what was dissipated, loading included, slip took " +
+                             percent_text(slip / sum) + ", yielding " + percent_text(plastic / sum) +
+                             " and bonds " + percent_text(bonds / sum) + ".");
     lead.tiles.push_back({percent_text(slip / sum), "of the dissipation is slip", ""});
     lead.tiles.push_back({percent_text(plastic / sum), "is yielding", ""});
     lead.tiles.push_back({percent_text(bonds / sum), "is bonds that form and break", ""});

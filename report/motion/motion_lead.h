@@ -1,12 +1,13 @@
-// What leads the page of a case that slid, rolled, spun or followed a program: friction, moment, and what takes it.
+// What leads the page of a case that slid, rolled, spun or followed a program: friction, moment, and what
+// takes it.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "results/solved_case.h"
 #include "report/page/page.h"
+#include "results/solved_case.h"
 
 namespace asperity::report {
 

@@ -39,7 +39,8 @@ ResistanceUnit own_unit(const MotionMode& mode) {
 
 /// The paper's values, in the unit of the figure.
 void add_measured(const RoughnessTrend& trend, const AgainstPublished& published, Chart& chart) {
-  Series measured{"measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points, {}, {}, {}};
+  Series measured{
+      "measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points, {}, {}, {}};
   for (const auto& one : published.magnitudes) {
     if (one.mode != trend.mode ||
         std::find(trend.contacts.begin(), trend.contacts.end(), one.contact) == trend.contacts.end())
@@ -67,7 +68,8 @@ Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, Res
   chart.y_label = unit_label(mode, unit);
   chart.width = narrow;
   for (const auto& contact : study.contacts) {
-    Series series{contact.label, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{
+        contact.label, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
     for (const auto* state : contact.of(mode)) {
       const double by = divisor(contact, *state, unit);
       if (std::isfinite(by) && by > 0) add(series, state->load / uN, state->resistance * (1 / by));
@@ -107,8 +109,9 @@ Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
     const char* name;
     Uncertain ResistanceParts::*member;
   };
-  for (const auto& part : {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
-                           Part{"bonds", &ResistanceParts::adhesion}}) {
+  for (const auto& part :
+       {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
+        Part{"bonds", &ResistanceParts::adhesion}}) {
     Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
     bool any = false;
     for (const auto* contact : trend.contacts)

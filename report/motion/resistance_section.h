@@ -1,5 +1,5 @@
-// The part of a study's page on moving contacts: what resists sliding, rolling and torsion, and what that says on the
-// paper's open questions.
+// The part of a study's page on moving contacts: what resists sliding, rolling and torsion, and what that
+// says on the paper's open questions.
 #pragma once
 
 #include <string>

@@ -17,7 +17,8 @@ std::string exponent_table(const ResistanceFindings& findings);
 std::string trend_table(const ResistanceFindings& findings);
 /// What switching yielding or adhesion off changes; empty without such pairs.
 std::string contribution_table(const ResistanceFindings& findings);
-/// Powers with which resistance goes with local friction, works of adhesion, yield stresses; empty without such pairs.
+/// Powers with which resistance goes with local friction, works of adhesion, yield stresses; empty without
+/// such pairs.
 std::string input_table(const ResistanceFindings& findings);
 /// Beside the paper; empty where it measured nothing alike.
 std::string measurement_table(const ResistanceFindings& findings);

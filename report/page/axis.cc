@@ -30,7 +30,8 @@ Axis make_axis(double low, double high, double pixel_low, double pixel_high, boo
     high = std::ceil(high / step - rounding) * step;
   }
   Axis axis{low, high, pixel_low, pixel_high, {}};
-  for (double i = std::ceil(low / step - rounding); i * step <= high + rounding * step; ++i) axis.ticks.push_back(i * step);
+  for (double i = std::ceil(low / step - rounding); i * step <= high + rounding * step; ++i)
+    axis.ticks.push_back(i * step);
   return axis;
 }
 
@@ -56,11 +57,16 @@ std::string coordinate(double value) {
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (c == '&') safe += "&amp;";
-    else if (c == '"') safe += "&quot;";
-    else safe += c;
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
   }
   return safe;
 }

@@ -8,7 +8,7 @@ namespace asperity::report {
 
 /// A value range mapped to pixels, with round numbers as ticks (steps of 1, 2 or 5 times a power of ten).
 struct Axis {
-  double low = 0, high = 1;            ///< values
+  double low = 0, high = 1;              ///< values
   double pixel_low = 0, pixel_high = 1;  ///< where they lie
   std::vector<double> ticks;
 

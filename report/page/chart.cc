@@ -32,7 +32,8 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 }
 
 std::string text(double x, double y, const std::string& words, const std::string& attributes) {
-  return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) + "</text>";
+  return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) +
+         "</text>";
 }
 
 std::string frame(const Chart& chart, const Axis& x, const Axis& y) {
@@ -45,9 +46,11 @@ std::string frame(const Chart& chart, const Axis& x, const Axis& y) {
     svg += line(x.pixel_low, y.pixel(tick), x.pixel_high, y.pixel(tick), "class='grid'");
     svg += text(x.pixel_low - 8, y.pixel(tick) + 4.5, tick_label(tick, y), "class='tick' text-anchor='end'");
   }
-  svg += "<rect class='frame' x='" + coordinate(x.pixel_low) + "' y='" + coordinate(y.pixel_high) + "' width='" +
-         coordinate(x.pixel_high - x.pixel_low) + "' height='" + coordinate(y.pixel_low - y.pixel_high) + "'/>";
-  svg += text((x.pixel_low + x.pixel_high) / 2, chart.height - 10, chart.x_label, "class='label' text-anchor='middle'");
+  svg += "<rect class='frame' x='" + coordinate(x.pixel_low) + "' y='" + coordinate(y.pixel_high) +
+         "' width='" + coordinate(x.pixel_high - x.pixel_low) + "' height='" +
+         coordinate(y.pixel_low - y.pixel_high) + "'/>";
+  svg += text((x.pixel_low + x.pixel_high) / 2, chart.height - 10, chart.x_label,
+              "class='label' text-anchor='middle'");
   const double middle = (y.pixel_low + y.pixel_high) / 2;
   svg += text(18, middle, chart.y_label,
               "class='label' text-anchor='middle' transform='rotate(-90 18 " + coordinate(middle) + ")'");
@@ -70,7 +73,8 @@ std::string curve(const Series& series, const Axis& x, const Axis& y) {
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const bool known = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
     if (known)
-      path += (pen_down ? "L" : "M") + coordinate(x.pixel(series.x[i])) + " " + coordinate(y.pixel(series.y[i]));
+      path +=
+          (pen_down ? "L" : "M") + coordinate(x.pixel(series.x[i])) + " " + coordinate(y.pixel(series.y[i]));
     pen_down = known;
   }
   if (series.style != Series::Style::points) svg += "<path d='" + path + "' " + stroke(series) + "/>";
@@ -80,7 +84,8 @@ std::string curve(const Series& series, const Axis& x, const Axis& y) {
     if (error > 0) {
       const double up = y.pixel(series.y[i] + error), down = y.pixel(series.y[i] - error);
       const std::string bar = "stroke='" + series.colour + "' stroke-width='1.4'";
-      svg += line(px, up, px, down, bar) + line(px - 4, up, px + 4, up, bar) + line(px - 4, down, px + 4, down, bar);
+      svg += line(px, up, px, down, bar) + line(px - 4, up, px + 4, up, bar) +
+             line(px - 4, down, px + 4, down, bar);
     }
     if (series.has_points()) svg += dot(px, y.pixel(series.y[i]), series.colour);
   }
@@ -101,30 +106,37 @@ Legend legend_of(const Chart& chart) {
   Legend legend;
   std::size_t longest = 0;
   const auto letters = [](const std::string& label) {  // UTF-8
-    return static_cast<std::size_t>(std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(
+        std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; }));
   };
   for (const auto& series : chart.series)
-    if (!series.label.empty()) legend.shown.push_back(&series), longest = std::max(longest, letters(series.label));
+    if (!series.label.empty())
+      legend.shown.push_back(&series), longest = std::max(longest, letters(series.label));
   legend.has_band = chart.band_high > chart.band_low && !chart.band_label.empty();
   if (legend.has_band) longest = std::max(longest, letters(chart.band_label));
   legend.entry_width = legend_mark + 3 * padding + letter_width * static_cast<double>(longest);
   return legend;
 }
 
-/// Points of curves that lie in a rectangle, those between the given ones and the ends of error bars included.
-int covered_points(const Chart& chart, const Axis& x, const Axis& y, double left, double top, double width, double height) {
+/// Points of curves that lie in a rectangle, those between the given ones and the ends of error bars
+/// included.
+int covered_points(const Chart& chart, const Axis& x, const Axis& y, double left, double top, double width,
+                   double height) {
   constexpr int pieces = 8;
   int covered = 0;
   const auto count = [&](double px, double py) {
-    covered += px > left - padding && px < left + width + padding && py > top - padding && py < top + height + padding;
+    covered += px > left - padding && px < left + width + padding && py > top - padding &&
+               py < top + height + padding;
   };
   for (const auto& series : chart.series)
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      for (const double sign : {-1.0, 1.0}) count(x.pixel(series.x[i]), y.pixel(series.y[i] + sign * error_of(series, i)));
+      for (const double sign : {-1.0, 1.0})
+        count(x.pixel(series.x[i]), y.pixel(series.y[i] + sign * error_of(series, i)));
       for (int piece = 0; piece < (i + 1 < series.x.size() ? pieces : 1); ++piece) {
         const std::size_t next = std::min(i + 1, series.x.size() - 1);
         const double share = static_cast<double>(piece) / pieces;
-        count(x.pixel(series.x[i] + share * (series.x[next] - series.x[i])), y.pixel(series.y[i] + share * (series.y[next] - series.y[i])));
+        count(x.pixel(series.x[i] + share * (series.x[next] - series.x[i])),
+              y.pixel(series.y[i] + share * (series.y[next] - series.y[i])));
       }
     }
   return covered;
@@ -135,7 +147,8 @@ struct Place {
   double left = 0, top = 0;
 };
 std::optional<Place> free_corner(const Chart& chart, const Legend& legend, const Axis& x, const Axis& y) {
-  const double width = legend.entry_width, height = legend_line * static_cast<double>(legend.size()) + padding;
+  const double width = legend.entry_width,
+               height = legend_line * static_cast<double>(legend.size()) + padding;
   for (const double top : {y.pixel_high + padding, y.pixel_low - height - padding})
     for (const double left : {x.pixel_low + padding, x.pixel_high - width - padding})
       if (covered_points(chart, x, y, left, top, width, height) == 0) return Place{left, top};
@@ -145,14 +158,16 @@ std::optional<Place> free_corner(const Chart& chart, const Legend& legend, const
 std::string legend_entry(const Series& series, double left, double middle) {
   std::string svg;
   if (series.style != Series::Style::points)
-    svg += "<path d='M" + coordinate(left) + " " + coordinate(middle) + "h" + coordinate(legend_mark) + "' " + stroke(series) + "/>";
+    svg += "<path d='M" + coordinate(left) + " " + coordinate(middle) + "h" + coordinate(legend_mark) + "' " +
+           stroke(series) + "/>";
   if (series.has_points()) svg += dot(left + legend_mark / 2, middle, series.colour);
   return svg + text(left + legend_mark + padding, middle + 4.5, series.label, "class='tick'");
 }
 
 std::string band_entry(const std::string& label, double left, double middle) {
-  return "<rect class='band' x='" + coordinate(left) + "' y='" + coordinate(middle - 6) + "' width='" + coordinate(legend_mark) +
-         "' height='12'/>" + text(left + legend_mark + padding, middle + 4.5, label, "class='tick'");
+  return "<rect class='band' x='" + coordinate(left) + "' y='" + coordinate(middle - 6) + "' width='" +
+         coordinate(legend_mark) + "' height='12'/>" +
+         text(left + legend_mark + padding, middle + 4.5, label, "class='tick'");
 }
 
 /// In rows of `columns` entries.
@@ -161,7 +176,8 @@ std::string legend_svg(const Chart& chart, const Legend& legend, const Place& pl
   for (std::size_t i = 0; i < legend.size(); ++i) {
     const double left = place.left + padding + legend.entry_width * static_cast<double>(i % columns);
     const double middle = place.top + padding / 2 + legend_line * (0.5 + static_cast<double>(i / columns));
-    svg += i < legend.shown.size() ? legend_entry(*legend.shown[i], left, middle) : band_entry(chart.band_label, left, middle);
+    svg += i < legend.shown.size() ? legend_entry(*legend.shown[i], left, middle)
+                                   : band_entry(chart.band_label, left, middle);
   }
   return svg;
 }
@@ -177,7 +193,8 @@ std::string to_svg(const Chart& chart) {
       y_range.add(series.y[i] - error_of(series, i));
       y_range.add(series.y[i] + error_of(series, i));
     }
-  if (!std::isfinite(x_range.low) || !std::isfinite(y_range.low)) return "<p class='note'>There is nothing to draw yet.</p>";
+  if (!std::isfinite(x_range.low) || !std::isfinite(y_range.low))
+    return "<p class='note'>There is nothing to draw yet.</p>";
   if (chart.x_from_zero) x_range.add(0);
   if (chart.y_from_zero) y_range.add(0);
   const bool has_band = chart.band_high > chart.band_low;
@@ -191,21 +208,24 @@ std::string to_svg(const Chart& chart) {
   // A legend that would hide curves stands below the chart.
   const Legend legend = legend_of(chart);
   const auto corner = legend.size() ? free_corner(chart, legend, x, y) : std::nullopt;
-  const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>((chart.width - 2 * padding) / std::max(1.0, legend.entry_width)));
+  const auto columns = std::max<std::size_t>(
+      1, static_cast<std::size_t>((chart.width - 2 * padding) / std::max(1.0, legend.entry_width)));
   const std::size_t rows_below = legend.size() && !corner ? (legend.size() + columns - 1) / columns : 0;
   const double height = chart.height + legend_line * static_cast<double>(rows_below);
 
-  std::string svg = "<svg class='chart' viewBox='0 0 " + std::to_string(chart.width) + " " + coordinate(height) +
-                    "' role='img' aria-label='" + escaped(chart.y_label + " against " + chart.x_label) + "'>";
+  std::string svg = "<svg class='chart' viewBox='0 0 " + std::to_string(chart.width) + " " +
+                    coordinate(height) + "' role='img' aria-label='" +
+                    escaped(chart.y_label + " against " + chart.x_label) + "'>";
   if (has_band)
-    svg += "<rect class='band' x='" + coordinate(x.pixel_low) + "' y='" + coordinate(y.pixel(chart.band_high)) + "' width='" +
-           coordinate(x.pixel_high - x.pixel_low) + "' height='" +
-           coordinate(y.pixel(chart.band_low) - y.pixel(chart.band_high)) + "'/>";
+    svg += "<rect class='band' x='" + coordinate(x.pixel_low) + "' y='" +
+           coordinate(y.pixel(chart.band_high)) + "' width='" + coordinate(x.pixel_high - x.pixel_low) +
+           "' height='" + coordinate(y.pixel(chart.band_low) - y.pixel(chart.band_high)) + "'/>";
   svg += frame(chart, x, y);
   for (const auto& series : chart.series) svg += curve(series, x, y);
   if (corner) {
-    svg += "<rect class='legend' x='" + coordinate(corner->left) + "' y='" + coordinate(corner->top) + "' width='" +
-           coordinate(legend.entry_width) + "' height='" + coordinate(legend_line * static_cast<double>(legend.size()) + padding) + "' rx='4'/>";
+    svg += "<rect class='legend' x='" + coordinate(corner->left) + "' y='" + coordinate(corner->top) +
+           "' width='" + coordinate(legend.entry_width) + "' height='" +
+           coordinate(legend_line * static_cast<double>(legend.size()) + padding) + "' rx='4'/>";
     svg += legend_svg(chart, legend, *corner, 1);
   } else if (legend.size()) {
     svg += legend_svg(chart, legend, {padding, static_cast<double>(chart.height) - padding / 2}, columns);

@@ -9,7 +9,9 @@ namespace asperity::report {
 /// One entry of the legend. Values that are not finite break the line.
 struct Series {
   enum class Style { line, dashed, line_with_points, dashed_with_points, points };
-  bool has_points() const { return style == Style::line_with_points || style == Style::dashed_with_points || style == Style::points; }
+  bool has_points() const {
+    return style == Style::line_with_points || style == Style::dashed_with_points || style == Style::points;
+  }
   bool is_dashed() const { return style == Style::dashed || style == Style::dashed_with_points; }
   std::string label;  ///< empty: not in the legend
   std::string colour;

@@ -6,10 +6,14 @@ namespace asperity::report {
 namespace {
 
 const char* const style = R"css(
-:root { --ink: #1c2430; --soft: #5b6675; --line: #d9dee5; --accent: #0b5c8a; --paper: #ffffff; --tint: #f4f7fa; }
+:root { --ink: #1c2430; --soft: #5b6675; --line: #d9dee5; --accent: #0b5c8a; --paper: #ffffff;
+  --tint: #f4f7fa; }
 * { box-sizing: border-box; }
-body { margin: 0; background: var(--tint); color: var(--ink); font: 16px/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "Liberation Sans", "DejaVu Sans", sans-serif; }
-main { max-width: 1160px; margin: 0 auto; background: var(--paper); padding: 40px 52px 64px; box-shadow: 0 0 18px rgba(20,40,60,.08); }
+body { margin: 0; background: var(--tint); color: var(--ink);
+  font: 16px/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "Liberation Sans",
+    "DejaVu Sans", sans-serif; }
+main { max-width: 1160px; margin: 0 auto; background: var(--paper); padding: 40px 52px 64px;
+  box-shadow: 0 0 18px rgba(20,40,60,.08); }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 4px; letter-spacing: -.01em; }
 .subtitle { color: var(--soft); margin: 0 0 26px; }
 h2 { font-size: 1.32rem; margin: 44px 0 12px; padding-top: 14px; border-top: 2px solid var(--ink); }
@@ -18,16 +22,20 @@ section > h3 { margin-top: 28px; }
 .wrapped { display: inline-block; white-space: normal; min-width: 13em; text-align: left; }
 p { margin: 0 0 12px; max-width: 52em; }
 .note { color: var(--soft); font-size: .93rem; }
-.verdict { border-left: 6px solid var(--accent); background: #eaf3f9; padding: 18px 24px; border-radius: 0 6px 6px 0; margin: 22px 0; }
-.verdict .headline { font-size: 1.22rem; font-weight: 600; line-height: 1.4; margin: 0 0 8px; max-width: none; }
+.verdict { border-left: 6px solid var(--accent); background: #eaf3f9; padding: 18px 24px;
+  border-radius: 0 6px 6px 0; margin: 22px 0; }
+.verdict .headline { font-size: 1.22rem; font-weight: 600; line-height: 1.4; margin: 0 0 8px;
+  max-width: none; }
 .verdict ul { margin: 0; padding-left: 20px; }
 .verdict li { margin: 4px 0; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(225px, 1fr)); gap: 12px; margin: 20px 0; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(225px, 1fr)); gap: 12px;
+  margin: 20px 0; }
 .tile { border: 1px solid var(--line); border-radius: 6px; padding: 12px 16px; }
 .tile .value { font-size: 1.42rem; font-weight: 600; font-variant-numeric: tabular-nums; line-height: 1.25; }
 .tile .label { font-size: .92rem; }
 .tile .small { font-size: .85rem; color: var(--soft); }
-.pair { display: grid; grid-template-columns: repeat(auto-fill, minmax(410px, 1fr)); gap: 20px 28px; align-items: start; }
+.pair { display: grid; grid-template-columns: repeat(auto-fill, minmax(410px, 1fr)); gap: 20px 28px;
+  align-items: start; }
 figure { margin: 10px 0 22px; break-inside: avoid; }
 figure svg { width: 100%; height: auto; display: block; }
 figure svg.chart { max-width: 760px; }
@@ -45,15 +53,18 @@ table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabu
 td { white-space: nowrap; }
 td.text { white-space: normal; min-width: 9em; }
 details td { white-space: normal; overflow-wrap: anywhere; }
-th { text-align: right; font-weight: 600; border-bottom: 2px solid var(--ink); padding: 6px 10px; vertical-align: bottom; }
+th { text-align: right; font-weight: 600; border-bottom: 2px solid var(--ink); padding: 6px 10px;
+  vertical-align: bottom; }
 td { text-align: right; border-bottom: 1px solid var(--line); padding: 5px 10px; vertical-align: top; }
 th.text, td.text { text-align: left; }
 tr:hover td { background: var(--tint); }
 details { border: 1px solid var(--line); border-radius: 6px; padding: 10px 16px; margin: 10px 0; }
 summary { cursor: pointer; font-weight: 600; }
-.warning { border-left: 6px solid #d55e00; background: #fdf1e8; padding: 12px 20px; border-radius: 0 6px 6px 0; margin: 16px 0; }
+.warning { border-left: 6px solid #d55e00; background: #fdf1e8; padding: 12px 20px;
+  border-radius: 0 6px 6px 0; margin: 16px 0; }
 .warning ul { margin: 4px 0 0; padding-left: 20px; }
-footer { margin-top: 44px; padding-top: 12px; border-top: 1px solid var(--line); color: var(--soft); font-size: .88rem; }
+footer { margin-top: 44px; padding-top: 12px; border-top: 1px solid var(--line); color: var(--soft);
+  font-size: .88rem; }
 @media (max-width: 720px) { main { padding: 22px 18px 40px; } .pair { grid-template-columns: 1fr; } }
 @media print {
   body { background: white; font-size: 10.5pt; }
@@ -87,9 +98,10 @@ std::string table_html(const Table& table) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string figure_html(const std::string& title, const std::string& picture, const std::string& explanation) {
-  return "<figure>" + (title.empty() ? "" : "<h3>" + escaped(title) + "</h3>") + picture + "<figcaption>" + explanation +
-         "</figcaption></figure>\n";
+std::string figure_html(const std::string& title, const std::string& picture,
+                        const std::string& explanation) {
+  return "<figure>" + (title.empty() ? "" : "<h3>" + escaped(title) + "</h3>") + picture + "<figcaption>" +
+         explanation + "</figcaption></figure>\n";
 }
 
 std::string side_by_side(const std::vector<std::string>& figures) {
@@ -125,9 +137,10 @@ std::string note(const std::string& html) { return "<p class='note'>" + html + "
 
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
-         "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<title>" + escaped(title) +
-         "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n<h1>" + escaped(title) +
-         "</h1>\n<p class='subtitle'>" + subtitle + "</p>\n" + body + "</main>\n</body>\n</html>\n";
+         "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<title>" +
+         escaped(title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+         escaped(title) + "</h1>\n<p class='subtitle'>" + subtitle + "</p>\n" + body +
+         "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace asperity::report

@@ -1,4 +1,5 @@
-// The parts a report page is made of: one HTML file that needs nothing from outside, on light paper, printable.
+// The parts a report page is made of: one HTML file that needs nothing from outside, on light paper,
+// printable.
 #pragma once
 
 #include <string>

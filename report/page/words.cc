@@ -22,8 +22,10 @@ std::string printed(const char* format, double value) {
 
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;
-  std::string words = "E = " + in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
-                      ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
+  std::string words =
+      "E = " +
+      in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
+      ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
   const double yield = entries.quantity(section + "/Yield stress", Dimension::pressure, INFINITY);
   if (std::isinf(yield)) return words + ", elastic";
   words += ", yields at " + in_units(yield, Dimension::pressure);
@@ -45,23 +47,28 @@ std::string topography_in_words(const TopographySpec& spec) {
            (scan->outside == Outside::mirror ? ", continued by its mirror images" : "");
   const GeneratorParameters& generator = *spec.generator();
   return "generated roughness, RMS " + in_units(generator.spectrum.rms, Dimension::length) +
-         (generator.window > 0 ? " as measured in scans of " + in_units(generator.window, Dimension::length) : "") + " (Hurst exponent " +
-         printed("%.3g", generator.spectrum.hurst) + ", roll-off " + in_units(generator.spectrum.rolloff, Dimension::length) +
-         ", cut-off " + in_units(generator.spectrum.cutoff, Dimension::length) + ")";
+         (generator.window > 0 ? " as measured in scans of " + in_units(generator.window, Dimension::length)
+                               : "") +
+         " (Hurst exponent " + printed("%.3g", generator.spectrum.hurst) + ", roll-off " +
+         in_units(generator.spectrum.rolloff, Dimension::length) + ", cut-off " +
+         in_units(generator.spectrum.cutoff, Dimension::length) + ")";
 }
 
 std::string what_was_asked(const SolvedCase& solved) {
   const CaseEntries& entries = solved.entries;
-  std::string words = "A sphere of radius " + in_units(entries.quantity("Particle/Radius", Dimension::length), Dimension::length) +
-                      " (" + material_in_words(solved, "Particle") + "; surface: " +
-                      topography_in_words(entries.topography("Particle")) + ") is pressed on a plane (" +
-                      material_in_words(solved, "Substrate") + "; surface: " +
-                      topography_in_words(entries.topography("Substrate")) + ")";
+  std::string words = "A sphere of radius " +
+                      in_units(entries.quantity("Particle/Radius", Dimension::length), Dimension::length) +
+                      " (" + material_in_words(solved, "Particle") +
+                      "; surface: " + topography_in_words(entries.topography("Particle")) +
+                      ") is pressed on a plane (" + material_in_words(solved, "Substrate") +
+                      "; surface: " + topography_in_words(entries.topography("Substrate")) + ")";
   if (entries.text("Experiment/Control", "force") == "force")
-    words += " with a force that grows to " + in_units(entries.quantity("Experiment/Normal load", Dimension::force, NAN), Dimension::force);
+    words += " with a force that grows to " +
+             in_units(entries.quantity("Experiment/Normal load", Dimension::force, NAN), Dimension::force);
   else
-    words += " until they have approached each other by " +
-             in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
+    words +=
+        " until they have approached each other by " +
+        in_units(entries.quantity("Experiment/Normal approach", Dimension::length, NAN), Dimension::length);
   const std::string type = entries.text("Experiment/Type", "normal");
   const std::string back = entries.text("Experiment/Reverse", "true") == "true" ? " and back" : "";
   // 0 stands for a way that the solver derives from the load.
@@ -72,16 +79,20 @@ std::string what_was_asked(const SolvedCase& solved) {
   if (type == "sliding") words += ", slid" + way("Experiment/Distance", Dimension::length);
   if (type == "rolling") words += ", rolled" + way("Experiment/Distance", Dimension::length);
   if (type == "torsion") words += ", spun" + way("Experiment/Angle", Dimension::angle);
-  if (type == "program") words += ", then moved as written (" + escaped(entries.text("Experiment/Program")) + ")";
+  if (type == "program")
+    words += ", then moved as written (" + escaped(entries.text("Experiment/Program")) + ")";
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");
     words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
   }
   if (type != "normal")
     words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
-  if (type != "normal") return words + ". What resists this motion, and which mechanism takes how much of it?";
-  return words + ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), and what stays "
-                 "behind when the load has gone?";
+  if (type != "normal")
+    return words + ". What resists this motion, and which mechanism takes how much of it?";
+  return words +
+         ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), "
+         "and what stays "
+         "behind when the load has gone?";
 }
 
 std::string in_units(double value, Dimension dimension, int digits) {
@@ -98,7 +109,9 @@ std::string in_units(double value, Dimension dimension, int digits) {
 
 std::string imprint_text(double imprint) {
   constexpr double nm = 1e-9, shown_as_zero = 0.005;
-  return std::isfinite(imprint) ? printed("%.2f nm", std::abs(imprint / nm) < shown_as_zero ? 0.0 : imprint / nm) : "–";
+  return std::isfinite(imprint)
+             ? printed("%.2f nm", std::abs(imprint / nm) < shown_as_zero ? 0.0 : imprint / nm)
+             : "–";
 }
 
 std::string readable(const std::string& text) {
@@ -124,7 +137,8 @@ std::string departure_text(double ratio) {
   const double percent = 100 * (ratio - 1);
   constexpr double shown_as_zero = 0.05;
   if (std::abs(percent) < shown_as_zero) return "0.0\u00a0%";
-  return (percent < 0 ? "−" : "+") + printed(std::abs(percent) < 9.95 ? "%.1f\u00a0%%" : "%.0f\u00a0%%", std::abs(percent));
+  return (percent < 0 ? "−" : "+") +
+         printed(std::abs(percent) < 9.95 ? "%.1f\u00a0%%" : "%.0f\u00a0%%", std::abs(percent));
 }
 
 std::string percent_text(double share, int digits) {

@@ -12,7 +12,8 @@ namespace asperity::report {
 std::string effective_table(const SolvedCase& solved);
 /// Forces, moments, energy: relative errors and what they mean.
 std::string balance_table(const SolvedCase& solved);
-/// How far the mesh resolves the roughness of "particle" or "substrate", in one sentence; empty where that is not known or it is smooth.
+/// How far the mesh resolves the roughness of "particle" or "substrate", in one sentence; empty where that is
+/// not known or it is smooth.
 std::string resolved_roughness_sentence(const SolvedCase& solved, const std::string& body);
 /// Mesh, cost, versions and whatever else result.json says, as name and value.
 std::string remaining_tables(const SolvedCase& solved);

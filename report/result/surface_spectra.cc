@@ -10,7 +10,8 @@ namespace {
 
 /// What result.json says of a surface within the contact region [m]; NaN if it does not.
 double meshed_rms_of(const SolvedCase& solved, const std::string& section) {
-  return solved.finished() ? solved.result->rms_in_region[section == "Particle" ? 0 : 1] : std::numeric_limits<double>::quiet_NaN();
+  return solved.finished() ? solved.result->rms_in_region[section == "Particle" ? 0 : 1]
+                           : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace

@@ -4,16 +4,18 @@
 #include <optional>
 #include <string>
 
+#include "core/topography_spec.h"
 #include "dem_compare/cases/case_collection.h"
 #include "dem_compare/numbers/statistics.h"
-#include "core/topography_spec.h"
 
 namespace asperity::report {
 
-/// Of the surface that a section ("Particle", "Substrate") asks to be generated; empty for smooth ones and scans.
+/// Of the surface that a section ("Particle", "Substrate") asks to be generated; empty for smooth ones and
+/// scans.
 std::optional<GeneratorParameters> generator_of(const SolvedCase& solved, const std::string& section);
 
-/// Root mean square height of both surfaces together [m], as given; of a scan, as meshed. NaN where it is not known.
+/// Root mean square height of both surfaces together [m], as given; of a scan, as meshed. NaN where it is not
+/// known.
 double composite_rms(const SolvedCase& solved);
 
 /// RMS height in the contact region over realisations [m], as meshed.

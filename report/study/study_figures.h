@@ -1,11 +1,12 @@
-// Figures of a study: everything against load, against RMS, against the spectrum; and each contact in pictures.
+// Figures of a study: everything against load, against RMS, against the spectrum; and each contact in
+// pictures.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "report/fields/section_figures.h"
 #include "report/curves/study_curves.h"
+#include "report/fields/section_figures.h"
 
 namespace asperity::report {
 

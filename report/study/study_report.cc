@@ -6,15 +6,15 @@
 
 #include "dem_compare/compare/comparison.h"
 #include "dem_compare/resistance/resistance_file.h"
-#include "report/page/axis.h"
 #include "report/case/case_report.h"
-#include "report/page/page.h"
 #include "report/motion/resistance_section.h"
+#include "report/page/axis.h"
+#include "report/page/page.h"
+#include "report/page/words.h"
 #include "report/result/result_tables.h"
 #include "report/study/study_figures.h"
 #include "report/study/study_tables.h"
 #include "report/study/study_verdict.h"
-#include "report/page/words.h"
 
 namespace asperity::report {
 namespace {
@@ -32,12 +32,15 @@ std::string missing_html(const CaseCollection& collection) {
   }
   list += "</ul>";
   std::string counts;
-  for (const auto& [state, count] : states) counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(state);
+  for (const auto& [state, count] : states)
+    counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(state);
   constexpr std::size_t most_in_view = 8;
   if (collection.missing.size() > most_in_view) list = details_html("Which ones", list);
-  return "<div class='warning'><b>" + std::to_string(collection.missing.size()) + " of " + std::to_string(collection.planned) +
-         " cases are not in this report</b> (" + counts +
-         "). Means and scatter are over those that are; <code>asperity study … --resume</code> goes on with the rest." + list + "</div>\n";
+  return "<div class='warning'><b>" + std::to_string(collection.missing.size()) + " of " +
+         std::to_string(collection.planned) + " cases are not in this report</b> (" + counts +
+         "). Means and scatter are over those that are; <code>asperity study … --resume</code> goes on with "
+         "the rest." +
+         list + "</div>\n";
 }
 
 /// Cases whose energy does not balance to a hundredth.
@@ -54,7 +57,8 @@ std::string what_is_varied(const CaseCollection& collection) {
   for (const auto& axis : collection.axes) {
     if (axis.labels.size() < 2) continue;
     varied += (varied.empty() ? "" : "; ") + escaped(axis.name) + ": ";
-    for (std::size_t i = 0; i < axis.labels.size(); ++i) varied += (i ? " | " : "") + readable(axis.labels[i]);
+    for (std::size_t i = 0; i < axis.labels.size(); ++i)
+      varied += (i ? " | " : "") + readable(axis.labels[i]);
   }
   return varied.empty() ? ""
                         : paragraph("That is the first of " + std::to_string(collection.planned) +
@@ -63,15 +67,19 @@ std::string what_is_varied(const CaseCollection& collection) {
 
 std::string which_mesh(const std::vector<StudyCurve>& curves) {
   if (curves.empty() || curves.front().last().other_spacings.empty()) return "";
-  return note("Results are those of the finest mesh (" + in_units(curves.front().last().interface_spacing, Dimension::length) +
+  return note("Results are those of the finest mesh (" +
+              in_units(curves.front().last().interface_spacing, Dimension::length) +
               " at the interface); the coarser ones serve to tell its error.");
 }
 
-/// Groups whose cases were loaded and unloaded only. Loading before a motion has too few steps to be set beside Hertz.
+/// Groups whose cases were loaded and unloaded only. Loading before a motion has too few steps to be set
+/// beside Hertz.
 CaseCollection only_pressed(const CaseCollection& collection) {
   CaseCollection pressed = collection;
   auto& groups = pressed.groups;
-  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const CaseGroup& group) { return mode_of(group.first()) != nullptr; }), groups.end());
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const CaseGroup& group) { return mode_of(group.first()) != nullptr; }),
+               groups.end());
   return pressed;
 }
 
@@ -102,10 +110,12 @@ std::optional<Published> published_numbers() {
 
 StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
   const CaseCollection collection = collect_cases({folder});
-  const std::string title = collection.title.empty() || collection.title == "untitled" ? "Study" : collection.title;
+  const std::string title =
+      collection.title.empty() || collection.title == "untitled" ? "Study" : collection.title;
   StudyReport report;
   std::string body;
-  if (!collection.groups.empty()) body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
+  if (!collection.groups.empty())
+    body += paragraph(what_was_asked(collection.groups.front().first())) + what_is_varied(collection);
   body += missing_html(collection) + doubt_html(collection);
   if (collection.groups.empty()) {
     report.page = page_html(title, subtitle_of(folder, ""), body);
@@ -121,7 +131,8 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
   body += pressed_sections(pressed, painter);
   const SolvedCase& first = collection.groups.front().first();
   body += section_html("How far to trust it, and what it cost",
-                       (pressed.groups.empty() ? note(worst_balance_sentence(collection)) : "") + case_list(collection) +
+                       (pressed.groups.empty() ? note(worst_balance_sentence(collection)) : "") +
+                           case_list(collection) +
                            details_html("First case: mesh, cost, versions", remaining_tables(first)));
   body += section_html("What went in", note("Of the first case:") + inputs_table(first));
   report.page = page_html(title, subtitle_of(folder, first.version()), body);

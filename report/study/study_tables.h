@@ -1,4 +1,5 @@
-// Tables of a study: surfaces, stiffness and contact against load, what stays behind and what a fit would report, cost.
+// Tables of a study: surfaces, stiffness and contact against load, what stays behind and what a fit would
+// report, cost.
 #pragma once
 
 #include <string>

@@ -7,8 +7,8 @@
 #include "dem_compare/compare/hertz_verdict.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"
-#include "report/result/result_tables.h"
 #include "report/page/words.h"
+#include "report/result/result_tables.h"
 #include "results/energy_balance.h"
 
 namespace asperity::report {
@@ -18,14 +18,23 @@ namespace {
 std::string counts_in_words(const std::map<Judged, std::size_t>& counts, std::size_t contacts) {
   const auto count = [&](Judged judged) { return counts.count(judged) ? counts.at(judged) : 0; };
   const std::string within = " as stiff as Hertz within " + percent_text(tolerance) + " at every load";
-  const auto numbered = [](std::size_t n, const char* one, const char* several) { return std::to_string(n) + (n == 1 ? one : several); };
-  if (count(Judged::within) == contacts) return contacts == 1 ? "The contact is" + within : "All " + std::to_string(contacts) + " contacts are" + within;
-  std::string text = contacts == 1 ? "The contact " : numbered(count(Judged::within), " of ", " of ") + std::to_string(contacts) + " contacts ";
+  const auto numbered = [](std::size_t n, const char* one, const char* several) {
+    return std::to_string(n) + (n == 1 ? one : several);
+  };
+  if (count(Judged::within) == contacts)
+    return contacts == 1 ? "The contact is" + within
+                         : "All " + std::to_string(contacts) + " contacts are" + within;
+  std::string text = contacts == 1 ? "The contact "
+                                   : numbered(count(Judged::within), " of ", " of ") +
+                                         std::to_string(contacts) + " contacts ";
   if (contacts == 1)
-    return text + (count(Judged::outside) ? "is not" + within : "is not known to be" + within + ", as far as its errors tell");
+    return text + (count(Judged::outside) ? "is not" + within
+                                          : "is not known to be" + within + ", as far as its errors tell");
   text += (count(Judged::within) == 1 ? "is" : "are") + within;
   if (count(Judged::outside)) text += ", " + numbered(count(Judged::outside), " is not", " are not");
-  if (count(Judged::not_known)) text += ", of " + std::to_string(count(Judged::not_known)) + " it is not known, as far as their errors tell";
+  if (count(Judged::not_known))
+    text +=
+        ", of " + std::to_string(count(Judged::not_known)) + " it is not known, as far as their errors tell";
   return text;
 }
 
@@ -48,11 +57,17 @@ std::string study_headline(const std::vector<StudyCurve>& curves) {
         worst_load = &load;
       }
   }
-  if (!worst) return contacts == 0 && !curves.empty() ? "Only smooth elastic bodies were solved: they judge the computation, not Hertz" : "There is nothing to judge yet.";
-  return counts_in_words(counts, contacts) + "; the largest departure is " + departure_text(worst_load->stiffness_ratio.mean) +
-         interval_words(worst_load->stiffness_ratio.mean - 1, worst_load->stiffness_doubt) + " (" + readable(worst->label) + ", at " +
-         in_units(worst_load->force, Dimension::force) + ")." +
-         (single > 0 ? " Of " + std::to_string(single) + " a single realisation was solved: that surface is judged, others may differ." : "");
+  if (!worst)
+    return contacts == 0 && !curves.empty()
+               ? "Only smooth elastic bodies were solved: they judge the computation, not Hertz"
+               : "There is nothing to judge yet.";
+  return counts_in_words(counts, contacts) + "; the largest departure is " +
+         departure_text(worst_load->stiffness_ratio.mean) +
+         interval_words(worst_load->stiffness_ratio.mean - 1, worst_load->stiffness_doubt) + " (" +
+         readable(worst->label) + ", at " + in_units(worst_load->force, Dimension::force) + ")." +
+         (single > 0 ? " Of " + std::to_string(single) +
+                           " a single realisation was solved: that surface is judged, others may differ."
+                     : "");
 }
 
 std::string numerical_error_sentence(const std::vector<StudyCurve>& curves) {
@@ -60,8 +75,9 @@ std::string numerical_error_sentence(const std::vector<StudyCurve>& curves) {
     const GroupComparison& group = curve.last();
     if (!group.is_control || group.loads.empty()) continue;
     const auto& top = group.loads.back();
-    return "Error of the computation, where the truth is known: the smooth contact (" + readable(curve.label) +
-           ") must follow Hertz and departs by " + departure_text(top.stiffness_ratio.mean) + " in stiffness, " +
+    return "Error of the computation, where the truth is known: the smooth contact (" +
+           readable(curve.label) + ") must follow Hertz and departs by " +
+           departure_text(top.stiffness_ratio.mean) + " in stiffness, " +
            departure_text(top.force_ratio.mean) + " in force and " + departure_text(top.area_ratio.mean) +
            " in contact area at " + in_units(top.force, Dimension::force) + ".";
   }
@@ -78,9 +94,11 @@ std::string mesh_sentence(const std::vector<StudyCurve>& curves) {
       stiffness = std::max(stiffness, std::abs(load.stiffness.mesh->relative_error));
       if (load.area_ratio.mesh) area = std::max(area, std::abs(load.area_ratio.mesh->relative_error));
     }
-  return known ? "Error of the mesh, from several spacings, over all contacts and loads: up to " + percent_text(stiffness) +
-                     " of the stiffness, up to " + percent_text(area) + " of the real contact area (columns of their own below)."
-               : "Mesh error: each contact was solved on one spacing only, so it is not known from this study itself; vary "
+  return known ? "Error of the mesh, from several spacings, over all contacts and loads: up to " +
+                     percent_text(stiffness) + " of the stiffness, up to " + percent_text(area) +
+                     " of the real contact area (columns of their own below)."
+               : "Mesh error: each contact was solved on one spacing only, so it is not known from this "
+                 "study itself; vary "
                  "Mesh/Interface spacing to have it.";
 }
 
@@ -94,7 +112,8 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
         for (const auto& [name, error] : solved.result->balance)
           if (std::isfinite(error)) worst[name] = std::max(worst[name], std::abs(error));
   std::string text;
-  for (const auto& [name, error] : worst) text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
+  for (const auto& [name, error] : worst)
+    text += (text.empty() ? "" : ", ") + escaped(name) + " " + percent_bound(error);
   return text.empty() ? "" : "Largest relative errors of the balances over all cases: " + text + ".";
 }
 
@@ -102,7 +121,8 @@ std::string study_verdict(const CaseCollection& collection, const std::vector<St
   std::vector<std::string> sentences;
   for (const auto& curve : curves)
     sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(curve.last().verdict));
-  for (const auto& sentence : {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
+  for (const auto& sentence :
+       {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
     if (!sentence.empty()) sentences.push_back(sentence);
   return verdict_html(study_headline(curves), sentences);
 }

@@ -49,6 +49,12 @@ struct TopographyFormat {
   Tried tried = Tried::by_mark;
 };
 
+/// Adds a format that stands outside of formats/, before the first file is read.
+class RegisteredFormat {
+ public:
+  explicit RegisteredFormat(TopographyFormat format);
+};
+
 /// What read_topography() makes of a file that is in memory already.
 Topography topography_from(const SourceFile& file, const ReadOptions& options);
 

@@ -89,8 +89,10 @@ std::uint64_t end_of_variables(HeaderCursor cursor) {
     for (std::uint64_t axes = cursor.count(), axis = 0; axis < axes; ++axis) {
       const std::uint64_t dimension = cursor.count();
       const std::uint64_t length = dimension < dimensions.size() ? dimensions[dimension] : 0;
-      if (axis == 0 && length == 0) grows = true;  // one part in each record
-      else points = product(points, length);
+      if (axis == 0 && length == 0)
+        grows = true;  // one part in each record
+      else
+        points = product(points, length);
     }
     skip_attributes(cursor);
     const std::uint64_t size = product(points, type_size(cursor.unsigned_number(4)));

@@ -117,9 +117,10 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
   if (known == 0) throw InputError(file.name() + " holds no valid height; pass a map that was measured");
   if (known < topography.heights.size())
     for (const double height : topography.heights) topography.missing.push_back(std::isnan(height));
-  topography.source = as_utf8(file.path.string() + " (" + format.name + "; " + map.scale +
-                               "; first row stored is the " + (map.first_row == FirstRow::top ? "top" : "bottom") +
-                               " of the image" + (map.note.empty() ? "" : "; " + map.note) + ")");
+  topography.source =
+      as_utf8(file.path.string() + " (" + format.name + "; " + map.scale + "; first row stored is the " +
+              (map.first_row == FirstRow::top ? "top" : "bottom") + " of the image" +
+              (map.note.empty() ? "" : "; " + map.note) + ")");
   return topography;
 }
 

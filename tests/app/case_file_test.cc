@@ -19,7 +19,8 @@ using test::TemporaryFolder;
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 /// The accepted case with one piece of text replaced.
-std::string refusal(const std::string& replaced, const std::string& by, const std::vector<std::string>& overrides = {}) {
+std::string refusal(const std::string& replaced, const std::string& by,
+                    const std::vector<std::string>& overrides = {}) {
   const TemporaryFolder folder;
   std::string text = smooth_case();
   const auto at = text.find(replaced);
@@ -29,7 +30,9 @@ std::string refusal(const std::string& replaced, const std::string& by, const st
   return message_of<InputError>([&] { read_case(file, overrides); });
 }
 
-std::string refusal_of_override(const std::vector<std::string>& overrides) { return refusal("set", "set", overrides); }
+std::string refusal_of_override(const std::vector<std::string>& overrides) {
+  return refusal("set", "set", overrides);
+}
 
 }  // namespace
 
@@ -61,8 +64,9 @@ TEST(CaseFile_behaviour, has_the_defaults_of_the_type_it_is_read_into) {
 
 TEST(CaseFile_behaviour, overrides_replace_entries_and_add_them) {
   const TemporaryFolder folder;
-  const auto input = read_case(folder.write("case.prm", smooth_case()),
-                               {"Experiment/Normal load=300 uN", "Particle/Yield stress=3 GPa", "Particle/Hardening=kinematic"});
+  const auto input = read_case(
+      folder.write("case.prm", smooth_case()),
+      {"Experiment/Normal load=300 uN", "Particle/Yield stress=3 GPa", "Particle/Hardening=kinematic"});
   EXPECT_DOUBLE_EQ(input.experiment.normal_load, 3e-4);
   EXPECT_DOUBLE_EQ(input.particle.parameters.at("Yield stress"), 3e9);
   EXPECT_EQ(input.particle.parameters.at("Hardening"), 1);
@@ -75,9 +79,11 @@ TEST(CaseFile_behaviour, a_wrong_name_is_refused_with_its_line_and_the_nearest_r
   EXPECT_CONTAINS(refusal("set Young modulus", "set Youngs modulus"), "case.prm:3:");
   EXPECT_CONTAINS(refusal("set Young modulus", "set Youngs modulus"), "did you mean 'Young modulus'?");
   EXPECT_CONTAINS(refusal("subsection Substrate", "subsection Substrat"), "did you mean 'Substrate'?");
-  EXPECT_CONTAINS(refusal("set Normal load", "set Friction coefficient = 1\n set Normal load"), "it belongs in subsection Interface");
+  EXPECT_CONTAINS(refusal("set Normal load", "set Friction coefficient = 1\n set Normal load"),
+                  "it belongs in subsection Interface");
   EXPECT_CONTAINS(refusal_of_override({"Experiment/Normal laod=1 mN"}), "did you mean 'Normal load'?");
-  EXPECT_CONTAINS(refusal_of_override({"Experiment/Normal laod=1 mN"}), "--set \"Experiment/Normal laod=1 mN\"");
+  EXPECT_CONTAINS(refusal_of_override({"Experiment/Normal laod=1 mN"}),
+                  "--set \"Experiment/Normal laod=1 mN\"");
 }
 
 TEST(CaseFile_behaviour, a_wrong_unit_or_value_is_refused_with_its_line) {
@@ -93,14 +99,17 @@ TEST(CaseFile_behaviour, a_wrong_unit_or_value_is_refused_with_its_line) {
 }
 
 TEST(CaseFile_behaviour, a_missing_entry_is_named_with_an_example) {
-  EXPECT_CONTAINS(refusal("  set Radius = 8.5 um\n", ""), "Particle/Radius is missing; add 'set Radius = 8.5 um'");
+  EXPECT_CONTAINS(refusal("  set Radius = 8.5 um\n", ""),
+                  "Particle/Radius is missing; add 'set Radius = 8.5 um'");
 }
 
 TEST(CaseFile_behaviour, what_contradicts_physics_is_refused_in_a_sentence) {
   EXPECT_CONTAINS(refusal("1 mN", "0 N"), "case.prm:11: Experiment/Normal load must be above 0");
   EXPECT_CONTAINS(refusal("1 mN", "10 N"), "more than half its radius");
-  EXPECT_CONTAINS(refusal_of_override({"Experiment/Control=displacement"}), "Normal approach must be above 0");
-  EXPECT_CONTAINS(refusal_of_override({"Experiment/Cycles=2", "Experiment/Unload=false"}), "set Unload = true");
+  EXPECT_CONTAINS(refusal_of_override({"Experiment/Control=displacement"}),
+                  "Normal approach must be above 0");
+  EXPECT_CONTAINS(refusal_of_override({"Experiment/Cycles=2", "Experiment/Unload=false"}),
+                  "set Unload = true");
   EXPECT_CONTAINS(refusal_of_override({"Mesh/Contact region=5 um"}), "less than half the Radius");
   // Hertz: a(1 mN) = 0.494 um for borosilicate on silicon.
   EXPECT_CONTAINS(refusal_of_override({"Mesh/Contact region=0.4 um"}), "contact radius of 494 nm");
@@ -124,7 +133,8 @@ TEST(CaseFile_behaviour, a_scan_is_looked_for_beside_the_case_file) {
   const TemporaryFolder folder;
   folder.write("scan.gsf", "x");
   const auto file = folder.write("case.prm", smooth_case());
-  EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography, (folder.path / "scan.gsf").string());
+  EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography,
+            (folder.path / "scan.gsf").string());
 }
 
 TEST(CaseFile_behaviour, completed_it_says_the_same_from_any_folder) {

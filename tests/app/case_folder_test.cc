@@ -23,7 +23,8 @@ class CaseFolder_analytic : public testing::Test {
   FolderedCase now(const std::vector<std::string>& overrides = {}, const std::string& commit = "c1") const {
     return of(folder.path / "case.prm", overrides, commit);
   }
-  FolderedCase of(const fs::path& file, const std::vector<std::string>& overrides = {}, const std::string& commit = "c1") const {
+  FolderedCase of(const fs::path& file, const std::vector<std::string>& overrides = {},
+                  const std::string& commit = "c1") const {
     const Settings settings = read_settings(file, overrides);
     return {settings, file, results, {inputs_sha256(settings, file), commit}};
   }
@@ -31,12 +32,14 @@ class CaseFolder_analytic : public testing::Test {
   void finish(const FolderedCase& done) const {
     claim_folder(done, SolveStart::anew);
     begin(done);
-    folder.write("results/result.json", "{\"format\": \"asperity-result/1\", \"inputs_sha256\": \"" + done.provenance.inputs_sha256 + "\"}");
+    folder.write("results/result.json", "{\"format\": \"asperity-result/1\", \"inputs_sha256\": \"" +
+                                            done.provenance.inputs_sha256 + "\"}");
   }
   void begin(const FolderedCase& begun) const {
     folder.write("results/history.csv", "step\n1\n");
-    folder.write("results/checkpoint/latest.json", "{\"inputs_sha256\": \"" + begun.provenance.inputs_sha256 + "\", \"commit\": \"" +
-                                                       begun.provenance.commit + "\"}");
+    folder.write("results/checkpoint/latest.json", "{\"inputs_sha256\": \"" + begun.provenance.inputs_sha256 +
+                                                       "\", \"commit\": \"" + begun.provenance.commit +
+                                                       "\"}");
   }
   std::string resumed(const FolderedCase& item) const {
     return message_of<InputError>([&] { check_folder(item, IfSolved::resume); });
@@ -51,23 +54,28 @@ class CaseFolder_analytic : public testing::Test {
 TEST_F(CaseFolder_analytic, a_finished_or_begun_solution_is_not_solved_over_unasked) {
   EXPECT_EQ(check_folder(now(), IfSolved::refuse), SolveStart::anew);
   begin(now());
-  EXPECT_SAYS(message_of<InputError>([&] { check_folder(now(), IfSolved::refuse); }), "holds a begun solution already; add --resume to go on");
+  EXPECT_SAYS(message_of<InputError>([&] { check_folder(now(), IfSolved::refuse); }),
+              "holds a begun solution already; add --resume to go on");
   EXPECT_EQ(check_folder(now(), IfSolved::resume), SolveStart::go_on);
   finish(now());
-  EXPECT_SAYS(message_of<InputError>([&] { check_folder(now(), IfSolved::refuse); }), "holds a finished solution already; add --resume");
+  EXPECT_SAYS(message_of<InputError>([&] { check_folder(now(), IfSolved::refuse); }),
+              "holds a finished solution already; add --resume");
   EXPECT_EQ(check_folder(now(), IfSolved::resume), SolveStart::finished);
   EXPECT_EQ(check_folder(now(), IfSolved::overwrite), SolveStart::anew);
   EXPECT_TRUE(fs::exists(results / "result.json")) << "checking writes nothing";
   claim_folder(now(), SolveStart::anew);
-  for (const char* name : {"result.json", "history.csv", "checkpoint"}) EXPECT_FALSE(fs::exists(results / name)) << name;
+  for (const char* name : {"result.json", "history.csv", "checkpoint"})
+    EXPECT_FALSE(fs::exists(results / name)) << name;
 }
 
 TEST_F(CaseFolder_analytic, other_inputs_are_not_resumed_and_the_entry_is_named) {
   begin(now());
   claim_folder(now(), SolveStart::go_on);
-  EXPECT_SAYS(resumed(now({"Experiment/Normal load=2 mN"})), "was solved with Experiment/Normal load = 1 mN, and now it is 2 mN; --overwrite");
+  EXPECT_SAYS(resumed(now({"Experiment/Normal load=2 mN"})),
+              "was solved with Experiment/Normal load = 1 mN, and now it is 2 mN; --overwrite");
   EXPECT_SAYS(resumed(now({"Solver/Tolerance=1e-5"})), "Solver/Tolerance");
-  EXPECT_EQ(check_folder(now({"Solver/Threads=1", "Experiment/Normal load=1000 uN"}), IfSolved::resume), SolveStart::go_on);
+  EXPECT_EQ(check_folder(now({"Solver/Threads=1", "Experiment/Normal load=1000 uN"}), IfSolved::resume),
+            SolveStart::go_on);
   finish(now());
   EXPECT_SAYS(resumed(now({"Experiment/Normal load=2 mN"})), "Experiment/Normal load = 1 mN");
 }
@@ -75,7 +83,8 @@ TEST_F(CaseFolder_analytic, other_inputs_are_not_resumed_and_the_entry_is_named)
 TEST_F(CaseFolder_analytic, nor_are_they_through_the_folders_own_case_file) {
   finish(now());
   const fs::path remembered = results / "case.prm";
-  EXPECT_SAYS(resumed(of(remembered, {"Substrate/Young modulus=100 GPa"})), "Substrate/Young modulus = 179 GPa");
+  EXPECT_SAYS(resumed(of(remembered, {"Substrate/Young modulus=100 GPa"})),
+              "Substrate/Young modulus = 179 GPa");
   EXPECT_EQ(check_folder(of(remembered), IfSolved::resume), SolveStart::finished);
 }
 
@@ -109,7 +118,8 @@ TEST_F(CaseFolder_analytic, case_prm_says_what_is_solved_and_where_from) {
   claim_folder(next, SolveStart::anew);
   EXPECT_DOUBLE_EQ(read_case(remembered).experiment.normal_load, 3e-3);
   const std::string text = read_file(remembered);
-  EXPECT_EQ(text.rfind("# inputs_sha256: " + next.provenance.inputs_sha256 + "\n# commit: c2\n", 0), 0u) << text;
+  EXPECT_EQ(text.rfind("# inputs_sha256: " + next.provenance.inputs_sha256 + "\n# commit: c2\n", 0), 0u)
+      << text;
   EXPECT_EQ(text.find("# commit: c1"), std::string::npos) << text;
   EXPECT_FALSE(fs::exists(results / "case_given.prm"));
 }

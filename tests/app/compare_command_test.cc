@@ -24,7 +24,8 @@ Outcome compare(const std::string& arguments) { return test::call("compare " + a
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-const std::string with_parameters = " --parameters " + std::string(ASPERITY_SOURCE_DIR) + "/runs/paper/parameters_silicon.json";
+const std::string with_parameters =
+    " --parameters " + std::string(ASPERITY_SOURCE_DIR) + "/runs/paper/parameters_silicon.json";
 
 TEST(CompareCommand_behaviour, keeps_the_comparison_with_hertz_and_adds_the_columns) {
   const TemporaryFolder folder;
@@ -32,8 +33,9 @@ TEST(CompareCommand_behaviour, keeps_the_comparison_with_hertz_and_adds_the_colu
   const Outcome outcome = compare(solved.string() + with_parameters);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_CONTAINS(outcome.output, "comparison with Hertz");
-  EXPECT_CONTAINS(outcome.output,
-                  "overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN");
+  EXPECT_CONTAINS(
+      outcome.output,
+      "overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN");
   EXPECT_CONTAINS(outcome.output, "## Where each simplification is good enough");
   for (const char* name : {"comparison.json", "comparison.csv", "comparison.md", "side_by_side.csv"})
     EXPECT_TRUE(std::filesystem::exists(solved / name)) << name;
@@ -58,7 +60,8 @@ TEST(CompareCommand_other_code, sets_lammps_beside_the_laws) {
 TEST(CompareCommand_behaviour, keeps_the_other_columns_where_the_engine_is_missing_and_ends_with_status_1) {
   const TemporaryFolder folder;
   const auto solved = write_solved(folder.path / "case", SolvedFolder{});
-  const Outcome outcome = compare(solved.string() + with_parameters + " --engine lammps --program no-such-lmp");
+  const Outcome outcome =
+      compare(solved.string() + with_parameters + " --engine lammps --program no-such-lmp");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_CONTAINS(outcome.output, "asperity: LAMMPS is missing: there is no program 'no-such-lmp'");
   const auto json = nlohmann::json::parse(read_file(solved / "comparison.json"));
@@ -75,7 +78,9 @@ TEST(CompareCommand_behaviour, refuses_wrong_input_with_status_2) {
   EXPECT_EQ(compare(solved + " --parameters nothing.json").status, 2);
   EXPECT_EQ(compare(solved + " --tolerance -1").status, 2);
   EXPECT_EQ(compare(folder.path.string()).status, 2);
-  EXPECT_EQ(compare(solved + " --indenter " + ASPERITY_SOURCE_DIR + "/runs/paper/parameters_diamond.json").status, 2);
+  EXPECT_EQ(
+      compare(solved + " --indenter " + ASPERITY_SOURCE_DIR + "/runs/paper/parameters_diamond.json").status,
+      2);
 }
 
 }  // namespace

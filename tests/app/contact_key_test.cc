@@ -14,8 +14,12 @@
 namespace asperity {
 namespace {
 
-std::string path_of(const CaseEntry& entry) { return entry.section.empty() ? entry.name : entry.section + "/" + entry.name; }
-std::string text_of(const CaseEntry& entry) { return entry.default_text.empty() ? entry.example : entry.default_text; }
+std::string path_of(const CaseEntry& entry) {
+  return entry.section.empty() ? entry.name : entry.section + "/" + entry.name;
+}
+std::string text_of(const CaseEntry& entry) {
+  return entry.default_text.empty() ? entry.example : entry.default_text;
+}
 
 /// All entries of a case; those that result.json lists too.
 SolvedCase solved_with(const std::string& changed_path, const std::string& changed_text, bool is_listed) {
@@ -24,7 +28,8 @@ SolvedCase solved_with(const std::string& changed_path, const std::string& chang
   solved.result.emplace();
   for (const auto& entry : case_entries()) {
     texts[path_of(entry)] = path_of(entry) == changed_path ? changed_text : text_of(entry);
-    if (entry.is_physical && is_listed) solved.result->physical_entries[path_of(entry)] = texts[path_of(entry)];
+    if (entry.is_physical && is_listed)
+      solved.result->physical_entries[path_of(entry)] = texts[path_of(entry)];
   }
   solved.entries = CaseEntries(texts);
   return solved;
@@ -42,7 +47,8 @@ TEST(ContactKey_behaviour, holds_every_physical_entry_of_the_declaration) {
     const SolvedCase changed = solved_with(path, another(entry), true);
     const bool is_of_contact = entry.is_physical && entry.section != "Experiment";
     EXPECT_EQ(contact_inputs(changed) != contact_inputs(base), is_of_contact) << path;
-    EXPECT_EQ(case_inputs(changed) != case_inputs(base), entry.is_physical || entry.section == "Experiment") << path;
+    EXPECT_EQ(case_inputs(changed) != case_inputs(base), entry.is_physical || entry.section == "Experiment")
+        << path;
   }
 }
 
@@ -58,15 +64,16 @@ TEST(ContactKey_behaviour, of_earlier_results_holds_every_physical_entry_too) {
 TEST(ContactKey_behaviour, leaves_out_title_mesh_solver_output_and_steps_alone) {
   for (const auto& entry : case_entries()) {
     const bool is_of_steps = std::regex_match(entry.name, std::regex(".+ steps|Load step error"));
-    EXPECT_EQ(entry.is_physical, !(entry.section.empty() || entry.section == "Mesh" || entry.section == "Solver" || entry.section == "Output" ||
-                                   is_of_steps))
+    EXPECT_EQ(entry.is_physical, !(entry.section.empty() || entry.section == "Mesh" ||
+                                   entry.section == "Solver" || entry.section == "Output" || is_of_steps))
         << path_of(entry);
   }
 }
 
 TEST(CaseFile_behaviour, remembers_its_physical_entries_for_result_json) {
   const test::TemporaryFolder folder;
-  const CaseInput input = read_case(folder.write("case.prm", test::smooth_case()), {"Interface/Opening work=0.2 J/m^2", "Mesh/Layers=3"});
+  const CaseInput input = read_case(folder.write("case.prm", test::smooth_case()),
+                                    {"Interface/Opening work=0.2 J/m^2", "Mesh/Layers=3"});
   std::size_t physical = 0;
   for (const auto& entry : case_entries()) {
     physical += entry.is_physical;

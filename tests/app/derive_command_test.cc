@@ -82,15 +82,16 @@ TEST(DeriveCommand_analytic, writes_parameters_with_uncertainty_loads_and_proven
 TEST(DeriveCommand_behaviour, says_which_cases_an_engine_still_needs) {
   const TemporaryFolder folder;
   write_sliding_case(folder.path / "sliding", 8.5e-6, 1e-4);
-  const Outcome outcome = call("derive " + (folder.path / "sliding").string() + " --output " + (folder.path / "p.json").string());
+  const Outcome outcome =
+      call("derive " + (folder.path / "sliding").string() + " --output " + (folder.path / "p.json").string());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const auto at = outcome.output.find("What an engine still needs\n");
   ASSERT_NE(at, std::string::npos) << outcome.output;
   const std::string needed = outcome.output.substr(at);
   EXPECT_EQ(needed.find("sliding_friction"), std::string::npos) << needed;
   for (const std::string motion : {"rolling", "torsion"})
-    EXPECT_NE(needed.find(motion + "_friction and " + motion + "_stiffness (a case with Experiment/Type = " + motion +
-                          "): without it engines get no " + motion + " resistance"),
+    EXPECT_NE(needed.find(motion + "_friction and " + motion + "_stiffness (a case with Experiment/Type = " +
+                          motion + "): without it engines get no " + motion + " resistance"),
               std::string::npos)
         << needed;
 }

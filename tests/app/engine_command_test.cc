@@ -26,8 +26,9 @@ const std::string silicon = std::string(ASPERITY_SOURCE_DIR) + "/runs/paper/para
 TEST(EngineCommand_other_code, runs_lammps_and_keeps_input_trace_and_numbers) {
   if (find_program("lmp").empty()) GTEST_SKIP() << "LAMMPS is not installed: apt-get install lammps";
   const TemporaryFolder folder;
-  const Outcome outcome = call("engine " + silicon + " --engine lammps --experiment glued --amplitude '50 nm' --json --output " +
-                               (folder.path / "glued").string());
+  const Outcome outcome =
+      call("engine " + silicon + " --engine lammps --experiment glued --amplitude '50 nm' --json --output " +
+           (folder.path / "glued").string());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   for (const char* name : {"in.asperity", "trace.csv", "engine.json", "engine.log"})
     EXPECT_TRUE(std::filesystem::exists(folder.path / "glued" / name)) << name;
@@ -39,28 +40,40 @@ TEST(EngineCommand_other_code, runs_lammps_and_keeps_input_trace_and_numbers) {
 
 TEST(EngineCommand_behaviour, that_finds_no_engine_ends_with_status_1_and_what_to_install) {
   const TemporaryFolder folder;
-  const Outcome outcome = call("engine " + silicon + " --engine yade --program no-such-yade --experiment glued --output " + folder.path.string());
+  const Outcome outcome =
+      call("engine " + silicon + " --engine yade --program no-such-yade --experiment glued --output " +
+           folder.path.string());
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.output, "asperity: YADE is missing: there is no program 'no-such-yade'; install it with 'apt-get install yade' or "
-                            "'./quickstart --engines', or name it with --program\n");
+  EXPECT_EQ(outcome.output,
+            "asperity: YADE is missing: there is no program 'no-such-yade'; install it with 'apt-get install "
+            "yade' or "
+            "'./quickstart --engines', or name it with --program\n");
 }
 
 TEST(EngineCommand_behaviour, refuses_wrong_input_with_status_2) {
   EXPECT_EQ(call("engine " + silicon + " --engine lamps --experiment glued --output x").status, 2);
-  EXPECT_EQ(call("engine " + silicon + " --engine lammps --experiment glued --amplitude '1 nm' --output x").status, 2);
-  EXPECT_EQ(call("engine " + silicon + " --engine lammps --experiment rail --rail-angle '95 deg' --output x").status, 2);
+  EXPECT_EQ(
+      call("engine " + silicon + " --engine lammps --experiment glued --amplitude '1 nm' --output x").status,
+      2);
+  EXPECT_EQ(call("engine " + silicon + " --engine lammps --experiment rail --rail-angle '95 deg' --output x")
+                .status,
+            2);
   EXPECT_EQ(call("engine-input nothing.json --engine lammps").status, 2);
   const TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\"format\": \"asperity-parameters/1\"}");
-  EXPECT_EQ(call("engine-input " + file.string() + " --engine lammps").output, "asperity: " + file.string() + ": 'particle' is missing\n");
+  EXPECT_EQ(call("engine-input " + file.string() + " --engine lammps").output,
+            "asperity: " + file.string() + ": 'particle' is missing\n");
 }
 
 /// The paper's record without some of its quantities.
-std::filesystem::path record_without(const TemporaryFolder& folder, const std::string& name, const std::vector<std::string>& motions) {
+std::filesystem::path record_without(const TemporaryFolder& folder, const std::string& name,
+                                     const std::vector<std::string>& motions) {
   auto json = nlohmann::ordered_json::parse(read_file(silicon));
   nlohmann::ordered_json kept = nlohmann::ordered_json::object();
   for (const auto& [key, value] : json["quantities"].items())
-    if (std::none_of(motions.begin(), motions.end(), [&, k = key](const std::string& motion) { return k.rfind(motion, 0) == 0; })) kept[key] = value;
+    if (std::none_of(motions.begin(), motions.end(),
+                     [&, k = key](const std::string& motion) { return k.rfind(motion, 0) == 0; }))
+      kept[key] = value;
   json["quantities"] = kept;
   return folder.write(name, json.dump());
 }
@@ -70,17 +83,22 @@ TEST(EngineCommand_behaviour, says_which_cases_an_engine_still_needs) {
   const auto normal = record_without(folder, "normal.json", {"sliding_", "rolling_", "torsion_"});
   const Outcome refused = call("engine-input " + normal.string() + " --engine lammps");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.output,
-            "asperity: " + normal.string() + ": LAMMPS still needs sliding_friction (a case with Experiment/Type = sliding); rolling_friction and "
-            "rolling_stiffness (a case with Experiment/Type = rolling); torsion_friction and torsion_stiffness (a case with Experiment/Type = torsion); "
-            "solve these for the same contact and run 'asperity derive' over their folders and those solved before\n");
-  EXPECT_CONTAINS(call("engine " + normal.string() + " --engine lammps --experiment glued --output x").output,
-                  "a solved case of this contact with Experiment/Type = sliding tells it to 'asperity derive'");
+  EXPECT_EQ(refused.output, "asperity: " + normal.string() +
+                                ": LAMMPS still needs sliding_friction (a case with Experiment/Type = "
+                                "sliding); rolling_friction and "
+                                "rolling_stiffness (a case with Experiment/Type = rolling); torsion_friction "
+                                "and torsion_stiffness (a case with Experiment/Type = torsion); "
+                                "solve these for the same contact and run 'asperity derive' over their "
+                                "folders and those solved before\n");
+  EXPECT_CONTAINS(
+      call("engine " + normal.string() + " --engine lammps --experiment glued --output x").output,
+      "a solved case of this contact with Experiment/Type = sliding tells it to 'asperity derive'");
 
   // What an engine can do without is left out, and said to be: on the terminal and in the file.
   const auto sliding = record_without(folder, "sliding.json", {"rolling_", "torsion_"});
   const auto input = folder.path / "in.contact";
-  const Outcome written = call("engine-input " + sliding.string() + " --engine lammps --output " + input.string());
+  const Outcome written =
+      call("engine-input " + sliding.string() + " --engine lammps --output " + input.string());
   EXPECT_EQ(written.status, 0);
   for (const std::string& text : {written.output, read_file(input)}) {
     EXPECT_CONTAINS(text, "rolling_friction and rolling_stiffness (a case with Experiment/Type = rolling)");
@@ -111,14 +129,16 @@ TEST(EngineCommand_behaviour, unit_is_quoted_on_one_line) {
   json["quantities"]["reduced_modulus"]["unit"] = "G\n\x1b[31mPa";
   const auto file = folder.write("p.json", json.dump());
   EXPECT_EQ(call("engine-input " + file.string() + " --engine lammps").output,
-            "asperity: " + file.string() + ": 'quantities/reduced_modulus' has the unit 'G\\n\\x1b[31mPa'; it must be in SI: 'Pa'\n");
+            "asperity: " + file.string() +
+                ": 'quantities/reduced_modulus' has the unit 'G\\n\\x1b[31mPa'; it must be in SI: 'Pa'\n");
 }
 
 TEST(EngineCommand_behaviour, writes_an_input_for_every_engine) {
   const TemporaryFolder folder;
   for (const std::string engine : {"lammps", "yade", "liggghts", "mercurydpm", "kratos", "musen"}) {
     const auto file = folder.path / engine;
-    EXPECT_EQ(call("engine-input " + silicon + " --engine " + engine + " --output " + file.string()).status, 0);
+    EXPECT_EQ(call("engine-input " + silicon + " --engine " + engine + " --output " + file.string()).status,
+              0);
     EXPECT_CONTAINS(read_file(file), "Written by asperity for");
     EXPECT_CONTAINS(read_file(file), "cannot express");
   }

@@ -35,7 +35,8 @@ TEST(PaperCommand_behaviour, prints_json) {
 
 TEST(PaperCommand_behaviour, fits_a_series_of_ones_own) {
   const TemporaryFolder folder;
-  const auto file = folder.write("series.csv", "normal_force [uN],lateral_force [uN]\n100,0.5304\n1000,1.2414\n3000,2.8214\n");
+  const auto file = folder.write(
+      "series.csv", "normal_force [uN],lateral_force [uN]\n100,0.5304\n1000,1.2414\n3000,2.8214\n");
   const Outcome outcome = call("paper --json --series " + file.string());
   const auto numbers = nlohmann::json::parse(outcome.output)["sections"][0]["numbers"];
   EXPECT_NEAR(numbers[0]["computed"]["value"].get<double>(), 7.9e-4, 1e-7);

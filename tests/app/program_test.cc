@@ -46,13 +46,16 @@ TEST(Program_behaviour, refuses_a_wrong_study_with_status_2_and_one_sentence) {
   const auto file = folder.write("study.prm", "subsection Particle\n set Radus = 1 um\nend\n");
   const Outcome outcome = call("study " + file.string() + " --output " + (folder.path / "results").string());
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.output, "asperity: " + file.string() + ":2: there is no entry 'Radus' in subsection Particle; did you mean 'Radius'?\n");
+  EXPECT_EQ(outcome.output,
+            "asperity: " + file.string() +
+                ":2: there is no entry 'Radus' in subsection Particle; did you mean 'Radius'?\n");
 }
 
 TEST(Program_behaviour, ends_with_status_1_when_a_case_of_a_study_fails) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case());
-  const auto arguments = "study " + file.string() + " --output " + (folder.path / "results").string() + " --solver ";
+  const auto arguments =
+      "study " + file.string() + " --output " + (folder.path / "results").string() + " --solver ";
   const Outcome failed = call(arguments + "/bin/false");
   EXPECT_EQ(failed.status, 1);
   EXPECT_CONTAINS(failed.output, "1 of 1 cases failed");
@@ -61,12 +64,16 @@ TEST(Program_behaviour, ends_with_status_1_when_a_case_of_a_study_fails) {
 
 TEST(Program_behaviour, refuses_a_study_with_a_case_that_the_bodies_have_no_room_for) {
   const TemporaryFolder folder;
-  const auto file = folder.write("study.prm", smooth_case() + "subsection Experiment\n set Type = rolling\nend\nsubsection Study\n subsection Vary\n"
-                                              "  set Experiment/Distance = short: 1 um, long: 40 um\n end\nend\n");
+  const auto file = folder.write(
+      "study.prm", smooth_case() +
+                       "subsection Experiment\n set Type = rolling\nend\nsubsection Study\n subsection Vary\n"
+                       "  set Experiment/Distance = short: 1 um, long: 40 um\n end\nend\n");
   const auto output = folder.path / "results";
   const Outcome outcome = call("study " + file.string() + " --output " + output.string());
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_CONTAINS(outcome.output, file.string() + ": Experiment/Distance of 40 um rolls the contact out of the particle's finely meshed cap; set it to ");
+  EXPECT_CONTAINS(outcome.output, file.string() +
+                                      ": Experiment/Distance of 40 um rolls the contact out of the "
+                                      "particle's finely meshed cap; set it to ");
   EXPECT_CONTAINS(outcome.output, "or less (case long)");
   EXPECT_FALSE(std::filesystem::exists(output));
 }
@@ -75,15 +82,22 @@ TEST(Program_behaviour, solves_over_no_finished_result_unless_told_and_leaves_ca
   const TemporaryFolder folder;
   std::string text = smooth_case();
   text.replace(text.find("1 mN"), 4, "20 uN");
-  const auto file = folder.write("case.prm", text + "subsection Experiment\n set Load steps = 1\n set Unload = false\nend\n"
-                                             "subsection Mesh\n set Interface spacing = 30 nm\n set Layers = 1\nend\nsubsection Output\n set Fields = false\nend\n"
-                                             "subsection Solver\n set Threads = 1\nend\n");
+  const auto file =
+      folder.write("case.prm", text +
+                                   "subsection Experiment\n set Load steps = 1\n set Unload = false\nend\n"
+                                   "subsection Mesh\n set Interface spacing = 30 nm\n set Layers = "
+                                   "1\nend\nsubsection Output\n set Fields = false\nend\n"
+                                   "subsection Solver\n set Threads = 1\nend\n");
   const auto output = folder.path / "out";
-  const auto modulus = [&] { return nlohmann::json::parse(read_file(output / "result.json"))["inputs"]["substrate"]["youngs_modulus"].get<double>(); };
+  const auto modulus = [&] {
+    return nlohmann::json::parse(read_file(output / "result.json"))["inputs"]["substrate"]["youngs_modulus"]
+        .get<double>();
+  };
   const Outcome solved = call("solve " + file.string() + " --output " + output.string());
   ASSERT_EQ(solved.status, 0) << solved.output;
   const std::string first = read_file(output / "result.json");
-  const std::string again = "solve " + (output / "case.prm").string() + " --output " + output.string() + " --set 'Substrate/Young modulus=150 GPa'";
+  const std::string again = "solve " + (output / "case.prm").string() + " --output " + output.string() +
+                            " --set 'Substrate/Young modulus=150 GPa'";
   for (const char* flag : {"", " --resume"}) {
     const Outcome refused = call(again + flag);
     EXPECT_EQ(refused.status, 2) << refused.output;
@@ -103,7 +117,8 @@ TEST(Program_behaviour, solves_over_no_finished_result_unless_told_and_leaves_ca
 TEST(Program_behaviour, checks_a_case_and_a_study_without_solving) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case());
-  const Outcome accepted = call("solve " + file.string() + " --check"), refused = call("solve " + file.string() + " --check --set 'Experiment/Normal load=-1 mN'");
+  const Outcome accepted = call("solve " + file.string() + " --check"),
+                refused = call("solve " + file.string() + " --check --set 'Experiment/Normal load=-1 mN'");
   EXPECT_EQ(accepted.status, 0) << accepted.output;
   EXPECT_CONTAINS(accepted.output, "is accepted; nothing was solved");
   EXPECT_EQ(refused.status, 2);
@@ -116,7 +131,8 @@ TEST(Program_behaviour, says_when_what_it_prints_does_not_arrive) {
   const TemporaryFolder folder;
   const auto device = folder.path / "full";
   constexpr unsigned memory_devices = 1, full = 7;  // a device of this test's own that is as /dev/full
-  if (::mknod(device.c_str(), S_IFCHR | 0666, makedev(memory_devices, full)) != 0) GTEST_SKIP() << "only root may make a device";
+  if (::mknod(device.c_str(), S_IFCHR | 0666, makedev(memory_devices, full)) != 0)
+    GTEST_SKIP() << "only root may make a device";
   for (const char* command : {"case-template", "laws", "--help", "--version"}) {
     const Outcome outcome = call(std::string(command) + " 2>&1 >" + device.string() + " #");
     EXPECT_EQ(outcome.status, 1) << command;
@@ -134,7 +150,10 @@ TEST(Program_behaviour, writes_through_links_and_fifos_and_takes_no_file_for_a_f
   const std::string generate = "surface generate --rms '1 nm' --size '1 um' --pixels 64 --seed 1 --output ";
   EXPECT_EQ(call(generate + link.string()).status, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(link));
-  ASSERT_EQ(call(generate + fifo.string() + " & cat " + fifo.string() + " > " + (folder.path / "read.gsf").string() + "; wait #").status, 0);
+  ASSERT_EQ(call(generate + fifo.string() + " & cat " + fifo.string() + " > " +
+                 (folder.path / "read.gsf").string() + "; wait #")
+                .status,
+            0);
   EXPECT_EQ(read_file(folder.path / "read.gsf"), read_file(target));
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
   EXPECT_EQ(call("paper --output " + fifo.string()).status, 2);
@@ -143,16 +162,22 @@ TEST(Program_behaviour, writes_through_links_and_fifos_and_takes_no_file_for_a_f
 
 TEST(Program_behaviour, solves_chosen_cases_of_a_study) {
   const TemporaryFolder folder;
-  const auto file = folder.write("study.prm", smooth_case() + "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
+  const auto file = folder.write(
+      "study.prm",
+      smooth_case() +
+          "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
   const auto output = folder.path / "results";
   const auto study = [&](const std::string& only) {
-    return call("study " + file.string() + " --output " + output.string() + " --solver /bin/false --only '" + only + "'");
+    return call("study " + file.string() + " --output " + output.string() + " --solver /bin/false --only '" +
+                only + "'");
   };
   const Outcome unreadable = study("[2"), none = study("3_mN");
   EXPECT_EQ(unreadable.status, 2);
-  EXPECT_CONTAINS(unreadable.output, "--only '[2' is not a regular expression; write part of a case's name, such as '1_mN'");
+  EXPECT_CONTAINS(unreadable.output,
+                  "--only '[2' is not a regular expression; write part of a case's name, such as '1_mN'");
   EXPECT_EQ(none.status, 2);
-  EXPECT_CONTAINS(none.output, "--only '3_mN' chooses none of the study's 2 cases; their names are like '1_mN'");
+  EXPECT_CONTAINS(none.output,
+                  "--only '3_mN' chooses none of the study's 2 cases; their names are like '1_mN'");
   EXPECT_FALSE(std::filesystem::exists(output / "study.json"));
   const Outcome one = study("2_mn");
   EXPECT_EQ(one.status, 1);

@@ -17,7 +17,8 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// Heights in nm as a bare matrix, without lateral scale: two crossed waves of 1 nm and eight periods, Sq = 1/2 nm.
+/// Heights in nm as a bare matrix, without lateral scale: two crossed waves of 1 nm and eight periods, Sq =
+/// 1/2 nm.
 std::string wavy_matrix() {
   constexpr int pixels = 128, periods = 8;
   std::ostringstream text;
@@ -34,13 +35,19 @@ class ScanCase_behaviour : public testing::Test {
   /// Solves the case with this topography of the substrate; returns the exit status.
   int solve(const std::string& topography, const std::string& spacing = "30 nm") {
     folder.write("scans/wavy.txt", wavy_matrix());
-    const std::string text = "subsection Substrate\n set Topography = " + topography + "\n set Young modulus = 179 GPa\n"
-                             " set Poisson ratio = 0.25\nend\nsubsection Particle\n set Radius = 8.5 um\n set Young modulus = 71 GPa\n"
-                             " set Poisson ratio = 0.17\nend\nsubsection Experiment\n set Normal load = 30 uN\n set Load steps = 2\n"
-                             " set Unload = false\nend\nsubsection Mesh\n set Interface spacing = " + spacing + "\n set Layers = 1\nend\n";
+    const std::string text = "subsection Substrate\n set Topography = " + topography +
+                             "\n set Young modulus = 179 GPa\n"
+                             " set Poisson ratio = 0.25\nend\nsubsection Particle\n set Radius = 8.5 um\n "
+                             "set Young modulus = 71 GPa\n"
+                             " set Poisson ratio = 0.17\nend\nsubsection Experiment\n set Normal load = 30 "
+                             "uN\n set Load steps = 2\n"
+                             " set Unload = false\nend\nsubsection Mesh\n set Interface spacing = " +
+                             spacing + "\n set Layers = 1\nend\n";
     const auto file = folder.write("case.prm", text);
-    const int status = std::system((std::string(ASPERITY_EXECUTABLE) + " solve " + file.string() + " --output " +
-                                    (folder.path / "result").string() + " --overwrite > " + (folder.path / "log").string() + " 2>&1").c_str());
+    const int status = std::system((std::string(ASPERITY_EXECUTABLE) + " solve " + file.string() +
+                                    " --output " + (folder.path / "result").string() + " --overwrite > " +
+                                    (folder.path / "log").string() + " 2>&1")
+                                       .c_str());
     log = read_file(folder.path / "log");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -71,10 +78,12 @@ TEST_F(ScanCase_behaviour, one_smaller_than_the_contact_is_refused_by_line_and_s
   EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean)"), 2);
   EXPECT_NE(log.find("case.prm:2: Substrate/Topography: "), std::string::npos) << log;
   EXPECT_NE(log.find("outside=mirror"), std::string::npos) << log;
-  EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean, outside=mirror)", "15 nm"), 0) << log;
+  EXPECT_EQ(solve("scan(scans/wavy.txt, size=0.8 um, unit=nm, level=mean, outside=mirror)", "15 nm"), 0)
+      << log;
 }
 
-/// Eight periods over 400 nm, crossed, are waves of 35 nm; a twelfth of Hertz' contact radius is 13 nm whatever the roughness.
+/// Eight periods over 400 nm, crossed, are waves of 35 nm; a twelfth of Hertz' contact radius is 13 nm
+/// whatever the roughness.
 TEST_F(ScanCase_behaviour, without_a_spacing_is_meshed_by_its_own_waves_and_says_what_is_resolved) {
   ASSERT_EQ(solve("scan(scans/wavy.txt, size=0.4 um, unit=nm, outside=mirror)", "0 m"), 0) << log;
   const auto result = nlohmann::json::parse(read_file(folder.path / "result" / "result.json"));

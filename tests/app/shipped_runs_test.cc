@@ -16,7 +16,9 @@ const std::filesystem::path runs = std::filesystem::path(ASPERITY_SOURCE_DIR) / 
 
 }  // namespace
 
-TEST(ShippedRuns_behaviour, the_quick_case_is_accepted) { EXPECT_GT(read_case(runs / "quick" / "case.prm").experiment.normal_load, 0); }
+TEST(ShippedRuns_behaviour, the_quick_case_is_accepted) {
+  EXPECT_GT(read_case(runs / "quick" / "case.prm").experiment.normal_load, 0);
+}
 
 TEST(ShippedRuns_behaviour, the_main_job_holds_three_surfaces_two_more_spectra_and_the_smooth_yardstick) {
   const Study study = read_study(runs / "paper" / "surfaces.prm");
@@ -26,15 +28,19 @@ TEST(ShippedRuns_behaviour, the_main_job_holds_three_surfaces_two_more_spectra_a
   std::size_t settings = 1;  // loads and spacings
   for (std::size_t axis = 0; axis + 1 < study.axes.size(); ++axis) settings *= study.axes[axis].labels.size();
   const std::size_t rough_surfaces = 5;
-  EXPECT_EQ(study.cases.size(), settings * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
+  EXPECT_EQ(study.cases.size(),
+            settings * (1 + rough_surfaces * static_cast<std::size_t>(study.realisations)));
 }
 
-TEST(ShippedRuns_behaviour, the_study_of_motions_varies_roughness_load_and_radius_and_switches_yielding_and_adhesion_off) {
+TEST(ShippedRuns_behaviour,
+     the_study_of_motions_varies_roughness_load_and_radius_and_switches_yielding_and_adhesion_off) {
   const Study study = read_study(runs / "paper" / "motions.prm");
   ASSERT_EQ(study.axes.size(), 2u);
   EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"rolling", "sliding", "torsion"}));
-  EXPECT_EQ(study.cases.size(), study.axes[0].labels.size() * study.axes[1].labels.size() * static_cast<std::size_t>(study.realisations));
-  for (const std::string contact : {"2.7 nm elastic", "2.7 nm without adhesion", "1.5 nm R 2.5 um", "1.5 nm R 50 um", "1.5 nm 200 uN", "1.5 nm finer mesh"})
+  EXPECT_EQ(study.cases.size(), study.axes[0].labels.size() * study.axes[1].labels.size() *
+                                    static_cast<std::size_t>(study.realisations));
+  for (const std::string contact : {"2.7 nm elastic", "2.7 nm without adhesion", "1.5 nm R 2.5 um",
+                                    "1.5 nm R 50 um", "1.5 nm 200 uN", "1.5 nm finer mesh"})
     EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), contact), 1) << contact;
 }
 
@@ -43,7 +49,9 @@ TEST(ShippedRuns_behaviour, the_study_of_motions_has_every_load_with_every_rough
   for (const std::string rms : {"0.3 nm", "1.5 nm", "2.7 nm"})
     for (const std::string spectrum : {"", " long waves"})
       for (const std::string load : {"", " 30 uN", " 200 uN"})
-        EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), rms + spectrum + load), 1) << rms << spectrum << load;
+        EXPECT_EQ(std::count(study.axes[1].labels.begin(), study.axes[1].labels.end(), rms + spectrum + load),
+                  1)
+            << rms << spectrum << load;
   EXPECT_GE(study.realisations, 2);
 }
 
@@ -54,7 +62,8 @@ TEST(ShippedRuns_behaviour, the_papers_rolling_and_rails_roll_wafers_and_indente
   EXPECT_EQ(rolling.axes[1].labels, (std::vector<std::string>{"0.3 nm", "1.5 nm", "2.7 nm", "diamond"}));
   const Study rails = read_study(runs / "paper" / "rails.prm");
   ASSERT_EQ(rails.axes.size(), 2u);
-  EXPECT_EQ(rails.axes[0].labels, (std::vector<std::string>{"rolling", "torsion", "25 degrees", "45 degrees", "60 degrees"}));
+  EXPECT_EQ(rails.axes[0].labels,
+            (std::vector<std::string>{"rolling", "torsion", "25 degrees", "45 degrees", "60 degrees"}));
   EXPECT_EQ(rails.cases.size(), 15u);
 }
 

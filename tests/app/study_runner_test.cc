@@ -25,14 +25,17 @@ using test::smooth_case;
 using test::TemporaryFolder;
 using State = CaseProgress::State;
 
-/// Writes a result whose stiffness is the seed of the case, says how often it was called, and fails for 2 mN while
-/// there is no file `mended` beside it. With a file `slow` beside it, it never ends.
+/// Writes a result whose stiffness is the seed of the case, says how often it was called, and fails for 2 mN
+/// while there is no file `mended` beside it. With a file `slow` beside it, it never ends.
 const char* const stand_in_solver = R"(#!/bin/sh
 here=$(dirname "$0")
 case_file=$2; output=$4
 echo "$@" >> "$output/calls"
 if [ -e "$here/slow" ]; then echo $$ > "$output/begun"; exec sleep 1000; fi
-if grep -q '2 mN' "$case_file" && ! [ -e "$here/mended" ]; then printf "the step did not converge\n" >&2; exit 1; fi
+if grep -q '2 mN' "$case_file" && ! [ -e "$here/mended" ]; then
+  printf "the step did not converge\n" >&2
+  exit 1
+fi
 inputs=$(sed -n 's/^# inputs_sha256: //p' "$case_file")
 seed=$(sed -n '/set Topography/s/.*seed=\([0-9]*\).*/\1/p' "$case_file")
 cat > "$output/result.json" <<END
@@ -112,7 +115,8 @@ TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on_be
   EXPECT_EQ(progress[1].state, State::waiting);
   EXPECT_EQ(summary()["cases"][1]["state"], "waiting");
   EXPECT_FALSE(fs::exists(options_.output / "2_mN" / "calls"));
-  EXPECT_NE(said_.front().find("2 cases, 0 of them done already; 1 of the others chosen"), std::string::npos) << said_.front();
+  EXPECT_NE(said_.front().find("2 cases, 0 of them done already; 1 of the others chosen"), std::string::npos)
+      << said_.front();
   folder_.write("mended", "");
   options_.resume = true, options_.chosen = [](const std::string&) { return true; };
   progress = run_study(two_loads(), options_);
@@ -124,12 +128,15 @@ TEST_F(StudyRunner, cases_that_are_not_chosen_wait_and_are_solved_by_going_on_be
 TEST_F(StudyRunner, a_case_whose_checkpoint_cannot_be_gone_on_with_is_solved_anew_behaviour) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
-  options_.objection_to_resume = [](const fs::path& folder, const std::string&) { return folder.filename() == "2_mN" ? "is damaged" : ""; };
+  options_.objection_to_resume = [](const fs::path& folder, const std::string&) {
+    return folder.filename() == "2_mN" ? "is damaged" : "";
+  };
   options_.resume = true;
   EXPECT_EQ(run_study(two_loads(), options_)[1].state, State::done);
   EXPECT_EQ(calls("2_mN").find("--resume"), std::string::npos);
   EXPECT_NE(calls("2_mN").find("--overwrite"), std::string::npos);
-  EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: solved anew, for its checkpoint is damaged"), said_.end());
+  EXPECT_NE(std::find(said_.begin(), said_.end(), "2_mN: solved anew, for its checkpoint is damaged"),
+            said_.end());
 }
 
 TEST_F(StudyRunner, a_result_cut_off_in_writing_is_not_taken_for_complete_behaviour) {
@@ -147,8 +154,10 @@ TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_aske
   const Study changed = study("subsection Mesh\n set Layers = 6\nend\n");
   const std::string message = message_of<InputError>([&] { run_study(changed, options_); });
   EXPECT_NE(message.find("case case: "), std::string::npos) << message;
-  EXPECT_NE(message.find("was solved with Mesh/Layers = 4, and now it is 6; --overwrite"), std::string::npos) << message;
-  EXPECT_NE(read_file(options_.output / "case" / "case.prm").find("Layers = 4"), std::string::npos) << "nothing is written before";
+  EXPECT_NE(message.find("was solved with Mesh/Layers = 4, and now it is 6; --overwrite"), std::string::npos)
+      << message;
+  EXPECT_NE(read_file(options_.output / "case" / "case.prm").find("Layers = 4"), std::string::npos)
+      << "nothing is written before";
   options_.overwrite = true;
   run_study(changed, options_);
   const std::string only = calls("case");
@@ -156,20 +165,24 @@ TEST_F(StudyRunner, a_complete_case_whose_input_changed_is_solved_anew_when_aske
   EXPECT_EQ(only.find("--resume"), std::string::npos);
   EXPECT_NE(read_file(options_.output / "case" / "case.prm").find("Layers = 6"), std::string::npos);
   // What was solved before is not lost.
-  EXPECT_NE(read_file(options_.output / "earlier" / "case" / "case.prm").find("Layers = 4"), std::string::npos);
+  EXPECT_NE(read_file(options_.output / "earlier" / "case" / "case.prm").find("Layers = 4"),
+            std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(options_.output / "earlier" / "case" / "result.json"));
 }
 
 TEST_F(StudyRunner, a_complete_case_is_not_kept_if_its_scan_changed_or_it_does_not_say_its_inputs_behaviour) {
   folder_.write("scan.txt", "0 1\n1 0\n");
-  const Study rough = study("subsection Substrate\n set Topography = scan(scan.txt, size=1 um, unit=nm)\nend\n");
+  const Study rough =
+      study("subsection Substrate\n set Topography = scan(scan.txt, size=1 um, unit=nm)\nend\n");
   run_study(rough, options_);
   options_.resume = true;
   EXPECT_EQ(run_study(rough, options_)[0].state, State::done);
   folder_.write("scan.txt", "0 1\n1 2\n");
-  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("another content of the scan"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("another content of the scan"),
+            std::string::npos);
   folder_.write("results/case/result.json", "{\"format\": \"asperity-result/1\"}");
-  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("did not record its inputs"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { run_study(rough, options_); }).find("did not record its inputs"),
+            std::string::npos);
   // Other cases can be solved meanwhile; this one's result is then not among the study's.
   options_.overwrite = true, options_.chosen = [](const std::string&) { return false; };
   EXPECT_EQ(run_study(rough, options_)[0].state, State::waiting);
@@ -191,7 +204,8 @@ TEST_F(StudyRunner, a_case_of_a_program_that_knew_fewer_entries_is_kept_behaviou
 
 TEST_F(StudyRunner, an_earlier_study_is_not_overwritten_unasked_behaviour) {
   run_study(two_loads(), options_);
-  EXPECT_NE(message_of<InputError>([&] { run_study(two_loads(), options_); }).find("add --resume"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { run_study(two_loads(), options_); }).find("add --resume"),
+            std::string::npos);
 }
 
 TEST_F(StudyRunner, the_scatter_over_realisations_is_the_sample_standard_deviation_analytic) {
@@ -209,7 +223,8 @@ TEST_F(StudyRunner, each_case_runs_from_a_complete_case_file_with_its_share_of_t
   options_.cores = 4;
   run_study(two_loads(), options_);
   EXPECT_NE(calls("1_mN").find("Solver/Threads=2"), std::string::npos);
-  EXPECT_NE(read_file(options_.output / "2_mN" / "case.prm").find("set Normal load = 2 mN"), std::string::npos);
+  EXPECT_NE(read_file(options_.output / "2_mN" / "case.prm").find("set Normal load = 2 mN"),
+            std::string::npos);
 }
 
 TEST_F(StudyRunner, a_signal_stops_the_running_cases_and_resuming_finishes_them_behaviour) {
@@ -222,7 +237,8 @@ TEST_F(StudyRunner, a_signal_stops_the_running_cases_and_resuming_finishes_them_
   }
   ASSERT_TRUE(waits_for(options_.output / "1_mN" / "begun"));
   ASSERT_TRUE(waits_for(options_.output / "2_mN" / "begun"));
-  EXPECT_NE(message_of<InputError>([&] { run_study(both, options_); }).find("another study is running"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { run_study(both, options_); }).find("another study is running"),
+            std::string::npos);
   ::kill(child, SIGINT);
   int status = -1;
   ::waitpid(child, &status, 0);
@@ -248,7 +264,8 @@ TEST_F(StudyRunner, a_killed_study_leaves_valid_files_and_no_running_solver_beha
   const fs::path cut_off = folder_.write("results/study.json.tmp123", "{");
   EXPECT_EQ(summary()["cases"].size(), 2u);
   const pid_t solver = std::stoi(read_file(options_.output / "2_mN" / "begun"));
-  for (int i = 0; i < 100 && is_running(solver); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int i = 0; i < 100 && is_running(solver); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_FALSE(is_running(solver));
 
   fs::remove(slow);

@@ -49,7 +49,8 @@ TEST(Study_behaviour, is_every_combination_of_the_varied_values) {
   EXPECT_EQ(names.size(), 6u);
   EXPECT_EQ(study.cases[3].name, "1_mN-rough");
   EXPECT_EQ(value_of(study.cases[3], "Experiment/Normal load"), "1 mN");
-  EXPECT_EQ(value_of(study.cases[3], "Substrate/Topography"), "generated(rms=1.5 nm, rolloff=200 nm, seed=3)");
+  EXPECT_EQ(value_of(study.cases[3], "Substrate/Topography"),
+            "generated(rms=1.5 nm, rolloff=200 nm, seed=3)");
 }
 
 TEST(Study_behaviour, realisations_differ_by_the_seeds_of_generated_surfaces_only) {
@@ -88,7 +89,8 @@ TEST(Study_behaviour, variants_set_several_entries_together) {
 TEST(Study_behaviour, a_varied_value_may_bring_further_entries) {
   const Study study = study_of(
       "subsection Study\n subsection Vary\n"
-      "  set Experiment/Type = sliding, turned: torsion; Experiment/Reverse = false; Experiment/Load steps=3\n"
+      "  set Experiment/Type = sliding, turned: torsion; Experiment/Reverse = false; Experiment/Load "
+      "steps=3\n"
       " end\nend\n");
   ASSERT_EQ(study.cases.size(), 2u);
   EXPECT_EQ(study.axes[0].labels, (std::vector<std::string>{"sliding", "turned"}));
@@ -100,8 +102,12 @@ TEST(Study_behaviour, a_varied_value_may_bring_further_entries) {
 
 TEST(Study_behaviour, an_entry_set_on_the_command_line_replaces_it_or_the_values_it_is_varied_by) {
   const TemporaryFolder folder;
-  const auto file = folder.write("study.prm", smooth_case() + "subsection Study\n subsection Vary\n  set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
-  const Study study = read_study(file, {"Experiment/Normal load=10 uN", "Mesh/Layers=2", "Study/Parallel cases=3"});
+  const auto file = folder.write(
+      "study.prm",
+      smooth_case() +
+          "subsection Study\n subsection Vary\n  set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
+  const Study study =
+      read_study(file, {"Experiment/Normal load=10 uN", "Mesh/Layers=2", "Study/Parallel cases=3"});
   ASSERT_EQ(study.cases.size(), 1u);
   EXPECT_EQ(study.cases[0].name, "10_uN");
   EXPECT_EQ(value_of(study.cases[0], "Experiment/Normal load"), "10 uN");
@@ -113,10 +119,11 @@ TEST(Study_behaviour, takes_a_base_case_from_another_file_and_overrides_it) {
   const TemporaryFolder folder;
   folder.write("cases/scan.gsf", "x");
   folder.write("cases/base.prm", smooth_case() + "subsection Mesh\n set Layers = 6\nend\n");
-  const Study study = read_study(folder.write("study.prm",
-                                              "subsection Study\n set Base case = cases/base.prm\n"
-                                              " subsection Vary\n set Substrate/Topography = smooth, cases/scan.gsf\n end\nend\n"
-                                              "subsection Experiment\n set Normal load = 2 mN\nend\n"));
+  const Study study = read_study(
+      folder.write("study.prm",
+                   "subsection Study\n set Base case = cases/base.prm\n"
+                   " subsection Vary\n set Substrate/Topography = smooth, cases/scan.gsf\n end\nend\n"
+                   "subsection Experiment\n set Normal load = 2 mN\nend\n"));
   ASSERT_EQ(study.cases.size(), 2u);
   EXPECT_EQ(value_of(study.cases[0], "Mesh/Layers"), "6");
   EXPECT_EQ(value_of(study.cases[0], "Experiment/Normal load"), "2 mN");
@@ -125,15 +132,32 @@ TEST(Study_behaviour, takes_a_base_case_from_another_file_and_overrides_it) {
 
 TEST(Study_behaviour, what_it_cannot_mean_is_refused_with_its_line) {
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "study.prm:14:");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"), "did you mean 'Realisations'?");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisation = 3\nend\n"),
+                  "did you mean 'Realisations'?");
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Realisations = 0\nend\n"), "whole number, 1 or more");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal laod = 1 mN\n end\nend\n"), "did you mean 'Normal load'?");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"), "study.prm:15:");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"), "remove the comma");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"), "write a label");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN; sideways\n end\nend\n"), "lacks '='");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"), "Vary and Variants");
-  EXPECT_CONTAINS(study_refusal("subsection Study\n set Base case = none.prm\nend\n"), "there is no base case");
+  EXPECT_CONTAINS(
+      study_refusal("subsection Study\n subsection Vary\n set Experiment/Normal laod = 1 mN\n end\nend\n"),
+      "did you mean 'Normal load'?");
+  EXPECT_CONTAINS(
+      study_refusal(
+          "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mm\n end\nend\n"),
+      "study.prm:15:");
+  EXPECT_CONTAINS(
+      study_refusal(
+          "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, , 2 mN\n end\nend\n"),
+      "remove the comma");
+  EXPECT_CONTAINS(
+      study_refusal(
+          "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN, 1 mN\n end\nend\n"),
+      "write a label");
+  EXPECT_CONTAINS(
+      study_refusal(
+          "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN; sideways\n end\nend\n"),
+      "lacks '='");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"),
+                  "Vary and Variants");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n set Base case = none.prm\nend\n"),
+                  "there is no base case");
 }
 
 }  // namespace asperity

@@ -48,7 +48,8 @@ TEST(AtomicFile_analytic, replaces_a_file_and_leaves_nothing_beside_it) {
 
 TEST(AtomicFile_analytic, a_link_stays_a_link_and_what_it_names_is_written) {
   const TemporaryFolder folder;
-  const fs::path file = folder.write("elsewhere/file", "before"), link = folder.path / "link", dangling = folder.path / "dangling";
+  const fs::path file = folder.write("elsewhere/file", "before"), link = folder.path / "link",
+                 dangling = folder.path / "dangling";
   fs::create_symlink("elsewhere/file", link);
   fs::create_symlink("elsewhere/new", dangling);
   write_file_atomically(link, "after");
@@ -59,7 +60,8 @@ TEST(AtomicFile_analytic, a_link_stays_a_link_and_what_it_names_is_written) {
   EXPECT_EQ(read_file(folder.path / "elsewhere" / "new"), "made");
   const fs::path loop = folder.path / "loop";
   fs::create_symlink("loop", loop);
-  EXPECT_NE(message_of<InputError>([&] { write_file_atomically(loop, "x"); }).find("leads to itself"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { write_file_atomically(loop, "x"); }).find("leads to itself"),
+            std::string::npos);
 }
 
 TEST(AtomicFile_analytic, a_fifo_is_written_through) {
@@ -79,9 +81,14 @@ TEST(AtomicFile_analytic, a_fifo_whose_reader_goes_away_is_an_error_and_not_the_
   const fs::path fifo = folder.path / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   auto reader = std::async(std::launch::async, [&] { ::close(::open(fifo.c_str(), O_RDONLY)); });
-  EXPECT_NE(message_of<WorkError>([&] { write_file_atomically(fifo, std::string(1 << 20, 'x')); }).find("cannot write"), std::string::npos);
+  EXPECT_NE(message_of<WorkError>([&] {
+              write_file_atomically(fifo, std::string(1 << 20, 'x'));
+            }).find("cannot write"),
+            std::string::npos);
   reader.get();
-  EXPECT_NE(message_of<WorkError>([&] { write_file_atomically(fifo, "x"); }).find("no program reads from the FIFO"), std::string::npos);
+  EXPECT_NE(
+      message_of<WorkError>([&] { write_file_atomically(fifo, "x"); }).find("no program reads from the FIFO"),
+      std::string::npos);
   EXPECT_TRUE(fs::is_fifo(fifo));
 }
 
@@ -92,7 +99,9 @@ TEST(AtomicFile_analytic, a_device_is_written_through_and_stays_one) {
   if (::open(device.c_str(), O_WRONLY) < 0) GTEST_SKIP() << "this file system opens no devices";
   fs::create_symlink(device, link);
   for (const fs::path& target : {device, link}) {
-    EXPECT_NE(message_of<WorkError>([&] { write_file_atomically(target, "x"); }).find("No space left on device"), std::string::npos);
+    EXPECT_NE(
+        message_of<WorkError>([&] { write_file_atomically(target, "x"); }).find("No space left on device"),
+        std::string::npos);
     EXPECT_TRUE(fs::is_character_file(device));
   }
   EXPECT_TRUE(fs::is_symlink(link));
@@ -123,7 +132,8 @@ TEST(AtomicFile_analytic, a_file_that_cannot_be_completed_leaves_the_one_before_
 
 TEST(AtomicFile_analytic, a_folder_is_refused_as_a_file_and_a_file_as_a_folder) {
   const TemporaryFolder folder;
-  EXPECT_NE(message_of<InputError>([&] { write_file_atomically(folder.path, "x"); }).find("is a folder"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { write_file_atomically(folder.path, "x"); }).find("is a folder"),
+            std::string::npos);
   const fs::path file = folder.write("file", "");
   EXPECT_NE(message_of<InputError>([&] { make_folder(file); }).find("is no folder"), std::string::npos);
   const fs::path link = folder.path / "link";

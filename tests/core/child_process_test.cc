@@ -51,7 +51,8 @@ TEST(ChildProcess_behaviour, gets_the_replaced_environment_without_what_an_mpi_l
   const TemporaryFolder folder;
   ::setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   ::setenv("ASPERITY_TEST_ENTRY", "old", 1);
-  ChildProcess process(shell("echo \"$ASPERITY_TEST_ENTRY,$OMPI_COMM_WORLD_RANK,\""), folder.path / "log", {"ASPERITY_TEST_ENTRY=new"});
+  ChildProcess process(shell("echo \"$ASPERITY_TEST_ENTRY,$OMPI_COMM_WORLD_RANK,\""), folder.path / "log",
+                       {"ASPERITY_TEST_ENTRY=new"});
   EXPECT_EQ(status_of(process), 0);
   EXPECT_EQ(content(folder.path / "log"), "new,,\n");
   ::unsetenv("OMPI_COMM_WORLD_RANK");

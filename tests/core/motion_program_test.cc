@@ -10,7 +10,8 @@ namespace {
 using namespace asperity;
 
 TEST(MotionProgram_behaviour, parts_follow_each_other_and_motions_of_a_part_go_together) {
-  const auto parts = parse_motion_program("slide 200 nm and spin 20 mrad; press 50 uN in 3 steps; roll -30 mrad in 1 step; slide across 1e-7 ;");
+  const auto parts = parse_motion_program(
+      "slide 200 nm and spin 20 mrad; press 50 uN in 3 steps; roll -30 mrad in 1 step; slide across 1e-7 ;");
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_DOUBLE_EQ(parts[0].slide, 200e-9);
   EXPECT_DOUBLE_EQ(parts[0].spin, 20e-3);
@@ -25,7 +26,8 @@ TEST(MotionProgram_behaviour, parts_follow_each_other_and_motions_of_a_part_go_t
 }
 
 TEST(MotionProgram_behaviour, a_length_that_is_pressed_is_an_approach_and_one_that_is_rolled_an_arc) {
-  const auto parts = parse_motion_program("press 5 nm; roll 100 nm; indenter 400 nm; roll 1 mrad and slide 1 nm");
+  const auto parts =
+      parse_motion_program("press 5 nm; roll 100 nm; indenter 400 nm; roll 1 mrad and slide 1 nm");
   EXPECT_DOUBLE_EQ(*parts[0].approach, 5e-9);
   EXPECT_FALSE(parts[0].load);
   EXPECT_DOUBLE_EQ(parts[1].rolled_arc, 100e-9);
@@ -45,7 +47,9 @@ TEST(MotionProgram_behaviour, says_what_is_not_a_motion) {
     }
     return std::string();
   };
-  EXPECT_NE(message("slide 5 nm; rol 3 mrad").find("'rol 3 mrad' is not a motion; did you mean 'roll'?"), std::string::npos) << message("slide 5 nm; rol 3 mrad");
+  EXPECT_NE(message("slide 5 nm; rol 3 mrad").find("'rol 3 mrad' is not a motion; did you mean 'roll'?"),
+            std::string::npos)
+      << message("slide 5 nm; rol 3 mrad");
   EXPECT_NE(message("roll 3 N").find("neither in rad nor in m"), std::string::npos) << message("roll 3 N");
   EXPECT_NE(message("slide").find("is not a motion"), std::string::npos);
   EXPECT_NE(message("slide 3 mrad").find("3 mrad"), std::string::npos);

@@ -21,9 +21,10 @@ std::string refusal(const std::string& text) {
 
 TEST(ParameterFile_behaviour, reads_nested_subsections_comments_and_continued_lines) {
   const TemporaryFolder folder;
-  const auto settings = read_settings(folder.write("case.prm",
-                                                   "# a case\nset Title = two words # and a comment\n\nsubsection Study\r\n"
-                                                   "  subsection Vary\n    set Experiment/Normal load = 1 mN, \\\n 2 mN\n  end\nend\n"));
+  const auto settings = read_settings(
+      folder.write("case.prm",
+                   "# a case\nset Title = two words # and a comment\n\nsubsection Study\r\n"
+                   "  subsection Vary\n    set Experiment/Normal load = 1 mN, \\\n 2 mN\n  end\nend\n"));
   ASSERT_EQ(settings.size(), 2u);
   EXPECT_EQ(settings[0].path(), "Title");
   EXPECT_EQ(settings[0].value, "two words");
@@ -35,8 +36,9 @@ TEST(ParameterFile_behaviour, reads_nested_subsections_comments_and_continued_li
 
 TEST(ParameterFile_behaviour, reads_the_same_from_JSON_with_the_line_of_each_entry) {
   const TemporaryFolder folder;
-  const auto settings = read_settings(folder.write(
-      "case.json", "{\n \"Particle\": {\"Radius\": \"8.5 um\",\n  \"Poisson ratio\": 0.17},\n \"Output\": {\"Fields\": true}}\n"));
+  const auto settings = read_settings(folder.write("case.json",
+                                                   "{\n \"Particle\": {\"Radius\": \"8.5 um\",\n  \"Poisson "
+                                                   "ratio\": 0.17},\n \"Output\": {\"Fields\": true}}\n"));
   ASSERT_EQ(settings.size(), 3u);
   EXPECT_EQ(settings[0].path(), "Particle/Radius");
   EXPECT_EQ(settings[1].value, "0.17");
@@ -46,8 +48,10 @@ TEST(ParameterFile_behaviour, reads_the_same_from_JSON_with_the_line_of_each_ent
 
 TEST(ParameterFile_behaviour, reads_the_JSON_that_deal_II_writes) {
   const TemporaryFolder folder;
-  const auto settings = read_settings(folder.write(
-      "case.json", R"({"Particle": {"Young_20modulus": {"value": "70 GPa", "default_value": "71 GPa", "pattern": "0"}}})"));
+  const auto settings = read_settings(
+      folder.write("case.json",
+                   R"({"Particle": {"Young_20modulus": {"value": "70 GPa", "default_value": "71 GPa",
+          "pattern": "0"}}})"));
   ASSERT_EQ(settings.size(), 1u);
   EXPECT_EQ(settings[0].path(), "Particle/Young modulus");
   EXPECT_EQ(settings[0].value, "70 GPa");
@@ -56,27 +60,31 @@ TEST(ParameterFile_behaviour, reads_the_JSON_that_deal_II_writes) {
 TEST(ParameterFile_behaviour, an_included_file_can_be_overridden_where_it_is_included) {
   const TemporaryFolder folder;
   folder.write("base.prm", "subsection Particle\n set Radius = 8.5 um\nend\n");
-  const auto settings =
-      read_settings(folder.write("case.prm", "include base.prm\nsubsection Particle\n set Radius = 9 um\nend\n"));
+  const auto settings = read_settings(
+      folder.write("case.prm", "include base.prm\nsubsection Particle\n set Radius = 9 um\nend\n"));
   ASSERT_EQ(settings.size(), 1u);
   EXPECT_EQ(settings[0].value, "9 um");
 }
 
 TEST(ParameterFile_behaviour, is_written_so_that_it_reads_back_the_same) {
   const TemporaryFolder folder;
-  const Settings written{{"Particle", "Radius", "8.5 um", ""}, {"", "Title", "x", ""}, {"Study/Vary", "A/B", "1, 2", ""}};
+  const Settings written{
+      {"Particle", "Radius", "8.5 um", ""}, {"", "Title", "x", ""}, {"Study/Vary", "A/B", "1, 2", ""}};
   const auto read = read_settings(folder.write("case.prm", format_settings(written)));
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].path() + read[1].path() + read[2].path(), "TitleParticle/RadiusStudy/Vary/A/B");
   EXPECT_EQ(format_settings(written),
-            "set Title = x\nsubsection Particle\n  set Radius = 8.5 um\nend\nsubsection Study\n  subsection Vary\n    set A/B = 1, 2\n  end\nend\n");
+            "set Title = x\nsubsection Particle\n  set Radius = 8.5 um\nend\nsubsection Study\n  subsection "
+            "Vary\n    set A/B = 1, 2\n  end\nend\n");
 }
 
 TEST(ParameterFile_behaviour, names_the_line_of_what_it_cannot_read) {
-  EXPECT_CONTAINS(refusal("subsection Particle\n sett Radius = 1 um\nend\n"), "case.prm:2: a line begins with");
+  EXPECT_CONTAINS(refusal("subsection Particle\n sett Radius = 1 um\nend\n"),
+                  "case.prm:2: a line begins with");
   EXPECT_CONTAINS(refusal("subsection Particle\n sett Radius = 1 um\nend\n"), "did you mean 'set'?");
   EXPECT_CONTAINS(refusal("\nset Title\n"), "case.prm:2: 'set Title' lacks '='");
-  EXPECT_CONTAINS(refusal("subsection Particle\nset Radius = 1 um\n"), "inside subsection Particle, opened at");
+  EXPECT_CONTAINS(refusal("subsection Particle\nset Radius = 1 um\n"),
+                  "inside subsection Particle, opened at");
   EXPECT_CONTAINS(refusal("end\n"), "case.prm:1: this 'end' closes no subsection");
   EXPECT_CONTAINS(refusal("set Title = a\nset Title = b\n"), "case.prm:2: Title is set in line 1 already");
   EXPECT_CONTAINS(refusal("include nothing.prm\n"), "case.prm:1: there is no file");

@@ -15,10 +15,10 @@ TEST(Printable_analytic, leaves_visible_ascii_and_escapes_the_rest) {
 
 TEST(Printable_analytic, escapes_byte_by_byte_what_is_no_utf_8) {
   EXPECT_EQ(printable("\xff"), "\\xff");
-  EXPECT_EQ(printable("\xc2"), "\\xc2");                        // cut off
-  EXPECT_EQ(printable("\xc0\x8a"), "\\xc0\\x8a");                // overlong line break
+  EXPECT_EQ(printable("\xc2"), "\\xc2");           // cut off
+  EXPECT_EQ(printable("\xc0\x8a"), "\\xc0\\x8a");  // overlong line break
   EXPECT_EQ(printable("\xe0\x80\x8a"), "\\xe0\\x80\\x8a");
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");       // surrogate
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // surrogate
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond U+10FFFF
   EXPECT_EQ(printable("\xe2\x80\n"), "\\xe2\\x80\\n");
 }

@@ -23,17 +23,28 @@ TEST(Quantity_analytic, reads_a_number_with_its_unit_into_SI) {
 TEST(Quantity_analytic, each_unit_has_its_factor) {
   const std::vector<std::pair<Dimension, std::vector<std::pair<const char*, double>>>> units{
       {Dimension::none, {{"1", 1}, {"1 %", 0.01}}},
-      {Dimension::length, {{"1 m", 1}, {"1 cm", 1e-2}, {"1 mm", 1e-3}, {"1 um", 1e-6}, {"1 nm", 1e-9}, {"1 A", 1e-10}, {"1 pm", 1e-12}, {"1 km", 1e3}}},
-      {Dimension::force, {{"1 N", 1}, {"1 mN", 1e-3}, {"1 uN", 1e-6}, {"1 nN", 1e-9}, {"1 pN", 1e-12}, {"1 kN", 1e3}}},
+      {Dimension::length,
+       {{"1 m", 1},
+        {"1 cm", 1e-2},
+        {"1 mm", 1e-3},
+        {"1 um", 1e-6},
+        {"1 nm", 1e-9},
+        {"1 A", 1e-10},
+        {"1 pm", 1e-12},
+        {"1 km", 1e3}}},
+      {Dimension::force,
+       {{"1 N", 1}, {"1 mN", 1e-3}, {"1 uN", 1e-6}, {"1 nN", 1e-9}, {"1 pN", 1e-12}, {"1 kN", 1e3}}},
       {Dimension::pressure, {{"1 Pa", 1}, {"1 kPa", 1e3}, {"1 MPa", 1e6}, {"1 GPa", 1e9}, {"1 TPa", 1e12}}},
       {Dimension::time, {{"1 s", 1}, {"1 ms", 1e-3}, {"1 us", 1e-6}, {"1 min", 60}, {"1 h", 3600}}},
       {Dimension::angle, {{"1 rad", 1}, {"1 mrad", 1e-3}, {"1 urad", 1e-6}, {"1 deg", M_PI / 180}}},
       {Dimension::speed, {{"1 m/s", 1}, {"1 mm/s", 1e-3}, {"1 um/s", 1e-6}, {"1 nm/s", 1e-9}}},
       {Dimension::surface_energy, {{"1 J/m^2", 1}, {"1 mJ/m^2", 1e-3}, {"1 N/m", 1}, {"1 mN/m", 1e-3}}},
       {Dimension::area, {{"1 m^2", 1}, {"1 mm^2", 1e-6}, {"1 um^2", 1e-12}, {"1 nm^2", 1e-18}}},
-      {Dimension::stiffness, {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}}};
+      {Dimension::stiffness,
+       {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}}};
   for (const auto& [dimension, list] : units)
-    for (const auto& [text, value] : list) EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
+    for (const auto& [text, value] : list)
+      EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
 }
 
 const std::vector<std::pair<Dimension, std::string>>& si_symbols() {
@@ -132,10 +143,12 @@ TEST(Quantity_behaviour, hundreds_in_two_digits_have_no_exponent) {
 }
 
 TEST(Quantity_analytic, is_read_as_it_is_written_whatever_its_magnitude) {
-  for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
-                                    Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness})
+  for (const Dimension dimension :
+       {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
+        Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness})
     for (double value = 1.5e-15; value < 1e16; value *= 10)
-      EXPECT_NEAR(parse_quantity(format_quantity(value, dimension), dimension), value, 1e-12 * value) << format_quantity(value, dimension);
+      EXPECT_NEAR(parse_quantity(format_quantity(value, dimension), dimension), value, 1e-12 * value)
+          << format_quantity(value, dimension);
 }
 
 TEST(Quantity_analytic, what_follows_a_nul_is_no_blank) {

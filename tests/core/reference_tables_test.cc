@@ -17,7 +17,8 @@ TEST(ReferenceTables_behaviour, each_is_readable_and_has_a_line_with_its_source)
   for (const auto& entry : std::filesystem::directory_iterator(test::reference_folder())) {
     if (entry.path().extension() != ".csv") continue;
     ++tables;
-    EXPECT_NE(sources.find("| `" + entry.path().filename().string() + "`"), std::string::npos) << entry.path();
+    EXPECT_NE(sources.find("| `" + entry.path().filename().string() + "`"), std::string::npos)
+        << entry.path();
     EXPECT_FALSE(read_csv(entry.path()).rows.empty()) << entry.path();
   }
   EXPECT_GE(tables, 25);

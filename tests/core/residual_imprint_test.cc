@@ -34,7 +34,8 @@ TEST(ResidualImprint_analytic, tells_how_far_an_extrapolated_loading_is_from_Her
   EXPECT_EQ(residual_imprint(up, force, {1.5, 1.2}, {2.0, 1.1}).error, 0);
   // Steeper than Hertz' the extrapolation lies below it; the error is a size.
   const double steep = std::log(1.8) / std::log(2.0);
-  EXPECT_NEAR(residual_imprint({1.0, 1.8}, force, {1.8, 0.05}, {2.0, low}).error, std::pow(low, 2.0 / 3) - std::pow(low, steep), 1e-12);
+  EXPECT_NEAR(residual_imprint({1.0, 1.8}, force, {1.8, 0.05}, {2.0, low}).error,
+              std::pow(low, 2.0 / 3) - std::pow(low, steep), 1e-12);
 }
 
 TEST(ResidualImprint_analytic, there_is_none_where_nothing_was_unloaded) {

@@ -22,7 +22,8 @@ TEST(Utf8_other_code, is_judged_as_a_JSON_library_does) {
     for (int second = 0; second < 256; ++second)
       for (const char* rest : {"", "\x80", "\x80\x80", "\xBF\xBF", "a"}) {
         const std::string text = std::string{static_cast<char>(first), static_cast<char>(second)} + rest;
-        ASSERT_EQ(is_utf8(text), json_takes(text)) << first << " " << second << " and " << std::string(rest).size();
+        ASSERT_EQ(is_utf8(text), json_takes(text))
+            << first << " " << second << " and " << std::string(rest).size();
       }
 }
 

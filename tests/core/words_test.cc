@@ -14,9 +14,9 @@ TEST(EditDistance_analytic, counts_insertions_deletions_replacements_and_swaps_o
   EXPECT_EQ(edit_distance("load", "lead"), 1);
   EXPECT_EQ(edit_distance("load", "laod"), 1);
   EXPECT_EQ(edit_distance("abcd", "badc"), 2);  // two swaps
-  EXPECT_EQ(edit_distance("abc", "ca"), 3);     // optimal string alignment: what was swapped is not edited again
+  EXPECT_EQ(edit_distance("abc", "ca"), 3);  // optimal string alignment: what was swapped is not edited again
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-  EXPECT_EQ(edit_distance("aab", "bba"), 2);    // a swap counts only where both letters change places
+  EXPECT_EQ(edit_distance("aab", "bba"), 2);  // a swap counts only where both letters change places
   EXPECT_EQ(edit_distance("xay", "zby"), 2);
 }
 

@@ -12,11 +12,32 @@ namespace asperity {
 namespace {
 
 TEST(Catalogue_behaviour, holds_every_effect_of_the_format_by_its_name) {
-  for (const auto& id : {"instrument_compliance", "contact_point_offset", "thermal_drift", "adhesion", "effective_radius", "bulk_plasticity",
-                         "roughness_compliance", "creep", "lateral_compliance", "adhesion_offset", "static_friction_peak",
-                         "velocity_dependence", "partial_slip", "surface_tilt", "lateral_zero_offset", "area_proportional_friction",
-                         "run_in", "stick_slip", "rolling_adhesion_offset", "contact_radius_scaling", "roughness_dependent_rolling",
-                         "viscous_rolling", "torsion_resistance", "adhesion_hysteresis", "baseline_tilt", "rate_and_state"})
+  for (const auto& id : {"instrument_compliance",
+                         "contact_point_offset",
+                         "thermal_drift",
+                         "adhesion",
+                         "effective_radius",
+                         "bulk_plasticity",
+                         "roughness_compliance",
+                         "creep",
+                         "lateral_compliance",
+                         "adhesion_offset",
+                         "static_friction_peak",
+                         "velocity_dependence",
+                         "partial_slip",
+                         "surface_tilt",
+                         "lateral_zero_offset",
+                         "area_proportional_friction",
+                         "run_in",
+                         "stick_slip",
+                         "rolling_adhesion_offset",
+                         "contact_radius_scaling",
+                         "roughness_dependent_rolling",
+                         "viscous_rolling",
+                         "torsion_resistance",
+                         "adhesion_hysteresis",
+                         "baseline_tilt",
+                         "rate_and_state"})
     EXPECT_EQ(effect_of(id).id(), id);
 }
 
@@ -25,7 +46,9 @@ TEST(Catalogue_behaviour, every_effect_says_what_it_is_and_keeps_its_starts_with
   for (const auto& effect : effect_catalogue()) {
     const EffectDescription& d = effect->description();
     EXPECT_TRUE(ids.insert(d.id).second) << d.id;
-    EXPECT_FALSE(d.title.empty() || d.equation.empty() || d.source.empty() || d.meaning.empty() || d.modes.empty()) << d.id;
+    EXPECT_FALSE(d.title.empty() || d.equation.empty() || d.source.empty() || d.meaning.empty() ||
+                 d.modes.empty())
+        << d.id;
     for (const Motion mode : d.modes) {
       Experiment e = test::experiment(mode);
       e.hold_duration = 20;
@@ -33,7 +56,8 @@ TEST(Catalogue_behaviour, every_effect_says_what_it_is_and_keeps_its_starts_with
         EXPECT_LT(p.low, p.high) << d.id << " " << p.name;
         EXPECT_FALSE(p.starts.empty()) << d.id << " " << p.name;
         EXPECT_FALSE(p.logarithmic && p.low <= 0) << d.id << " " << p.name;
-        for (const double start : p.starts) EXPECT_TRUE(start >= p.low && start <= p.high) << d.id << " " << p.name;
+        for (const double start : p.starts)
+          EXPECT_TRUE(start >= p.low && start <= p.high) << d.id << " " << p.name;
       }
     }
   }

@@ -1,4 +1,5 @@
-// The referee of the proof: what counts as right, what is left to be done after an interruption, and the user's own attempts.
+// The referee of the proof: what counts as right, what is left to be done after an interruption, and the
+// user's own attempts.
 #include "diagnosis/challenge/challenge.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ TEST(Challenge_behaviour, has_every_effect_at_three_levels_of_noise_and_all_fami
   for (const auto& item : challenge_matrix(false)) {
     ++families[item.family];
     EXPECT_TRUE(names.insert(item.name).second) << item.name;
-    if (item.family == "single") noise[name_of(item.options.mode) + "/" + item.options.effects[0]].insert(item.options.noise);
+    if (item.family == "single")
+      noise[name_of(item.options.mode) + "/" + item.options.effects[0]].insert(item.options.noise);
   }
   std::size_t concealed = 0;
   for (const Motion mode : all_modes())
@@ -33,7 +35,9 @@ TEST(Challenge_behaviour, has_every_effect_at_three_levels_of_noise_and_all_fami
       EXPECT_EQ(noise[name_of(mode) + "/" + effect].size(), 3u) << effect;
     }
   EXPECT_EQ(noise.size(), concealed);
-  for (const char* family : {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"}) EXPECT_GT(families[family], 5) << family;
+  for (const char* family :
+       {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"})
+    EXPECT_GT(families[family], 5) << family;
   EXPECT_LT(challenge_matrix(true).size(), challenge_matrix(false).size() / 2);
 }
 
@@ -49,12 +53,14 @@ TEST(Challenge_behaviour, histories_of_finite_elements_are_the_truth_of_their_ow
     EXPECT_GE(concealed.recording.tables[0].rows(), 20u) << item.name;
     for (const auto& effect : concealed.truth.effects) {
       EXPECT_EQ(effect.model, "finite elements");
-      for (const auto& [name, parameter] : effect.parameters) EXPECT_GT(parameter.value, 0) << item.name << " " << name;
+      for (const auto& [name, parameter] : effect.parameters)
+        EXPECT_GT(parameter.value, 0) << item.name << " " << name;
     }
   }
 }
 
-ChallengeScore scored(const std::string& family, const std::vector<std::string>& truth, const std::string& verdict, const std::vector<std::string>& named) {
+ChallengeScore scored(const std::string& family, const std::vector<std::string>& truth,
+                      const std::string& verdict, const std::vector<std::string>& named) {
   ChallengeScore score;
   score.family = family, score.truth = truth, score.verdict = verdict, score.named = named;
   return score;
@@ -92,13 +98,16 @@ TEST(Challenge_analytic, location_agrees_fully_where_the_region_is_the_effects_o
   double visible = 0;
   for (const double value : concealed.truth.contributions[0].in_noise) visible += std::abs(value) > 0.5;
   const double rows = static_cast<double>(concealed.recording.tables[0].rows());
-  EXPECT_NEAR(location_overlap(concealed.recording, concealed.truth, diagnosis), 2 * visible / (visible + rows), 1e-12);
+  EXPECT_NEAR(location_overlap(concealed.recording, concealed.truth, diagnosis),
+              2 * visible / (visible + rows), 1e-12);
   const ConcealedRecording null = conceal({Motion::normal, {}, 0.01, 2, ""});
   EXPECT_EQ(location_overlap(null.recording, null.truth, diagnosis), -1);
 }
 
-TEST(Challenge_behaviour, users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_and_leave_noise_alone) {
-  const UserBaselines offset = user_baselines(conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 3, ""}).recording);
+TEST(Challenge_behaviour,
+     users_own_attempts_lower_the_residual_of_a_smooth_discrepancy_and_leave_noise_alone) {
+  const UserBaselines offset =
+      user_baselines(conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 3, ""}).recording);
   EXPECT_LT(offset.sparse_regression, 0.5 * offset.simulation);
   EXPECT_LT(offset.gaussian_process, 0.5 * offset.simulation);
   EXPECT_FALSE(offset.terms.empty());
@@ -127,7 +136,9 @@ TEST(Challenge_behaviour, goes_on_where_it_was_interrupted_and_begins_anew_for_a
   run_challenge(options);
   EXPECT_NE(read_file(file).find("\"second\""), std::string::npos);
   options.only = "no such thing";
-  EXPECT_NE(test::message_of<InputError>([&] { run_challenge(options); }).find("has 'no such thing' in its name"), std::string::npos);
+  EXPECT_NE(
+      test::message_of<InputError>([&] { run_challenge(options); }).find("has 'no such thing' in its name"),
+      std::string::npos);
 }
 
 TEST(Challenge_behaviour, text_tells_rates_confusion_and_wrong_answers) {
@@ -138,8 +149,11 @@ TEST(Challenge_behaviour, text_tells_rates_confusion_and_wrong_answers) {
   ChallengeScore wrong = scored("null", {}, "explained", {"adhesion"});
   wrong.name = "002-wrong";
   const std::string text = challenge_text({right, wrong});
-  for (const char* part : {"single effects named exactly | 100.0 % (1 of 1)", "nulls kept clean | 0.0 % (0 of 1)", "coverage of the 95 % intervals | 100.0 % (1 of 1)",
-                           "| single: lateral_compliance | 1 |", "- 002-wrong, noise 0: explained, adhesion", "| lateral_compliance/compliance | 1 | 5 % | 5 % | 1 of 1 |"})
+  for (const char* part :
+       {"single effects named exactly | 100.0 % (1 of 1)", "nulls kept clean | 0.0 % (0 of 1)",
+        "coverage of the 95 % intervals | 100.0 % (1 of 1)", "| single: lateral_compliance | 1 |",
+        "- 002-wrong, noise 0: explained, adhesion",
+        "| lateral_compliance/compliance | 1 | 5 % | 5 % | 1 of 1 |"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 

@@ -1,4 +1,5 @@
-// Which sets of effects are fitted, and which experiment would tell two explanations apart, where both can be done by hand.
+// Which sets of effects are fitted, and which experiment would tell two explanations apart, where both can be
+// done by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,13 +37,15 @@ FitProblem rows_of_rolling(double offset) {
   problem.noise.sd.assign(problem.samples.list.size(), noise);
   problem.noise.shared.assign(1, {});
   problem.thin = problem.samples;
-  problem.baseline_residual = FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
+  problem.baseline_residual =
+      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
   return problem;
 }
 
 std::size_t largest_set(const SearchResult& found) {
   std::size_t most = 0;
-  for (const Candidate& candidate : found.candidates) most = std::max(most, candidate.fit.explanation->effects().size());
+  for (const Candidate& candidate : found.candidates)
+    most = std::max(most, candidate.fit.explanation->effects().size());
   return most;
 }
 
@@ -52,8 +55,10 @@ SearchResult searched(const FitProblem& problem, const IsNoise& is_noise) {
 
 TEST(SearchEffects_behaviour, stops_where_noise_is_left_and_goes_on_to_three_where_it_is_not) {
   const IsNoise always = [](const ModelFit&) { return true; }, never = [](const ModelFit&) { return false; };
-  EXPECT_EQ(largest_set(searched(rows_of_rolling(0), always)), 1u) << "noise of which no effect takes anything away";
-  EXPECT_EQ(largest_set(searched(rows_of_rolling(5 * noise), always)), 2u) << "an effect shows in what would pass for noise";
+  EXPECT_EQ(largest_set(searched(rows_of_rolling(0), always)), 1u)
+      << "noise of which no effect takes anything away";
+  EXPECT_EQ(largest_set(searched(rows_of_rolling(5 * noise), always)), 2u)
+      << "an effect shows in what would pass for noise";
   EXPECT_EQ(largest_set(searched(rows_of_rolling(5 * noise), never)), 3u);
 }
 
@@ -64,7 +69,9 @@ TEST(SearchEffects_analytic, scores_by_schwarz_with_a_prior_for_each_effect) {
   EXPECT_EQ(best.fit.explanation->name(), "lateral_zero_offset");
   EXPECT_EQ(found.overdispersion, std::max(1.0, best.cost / static_cast<double>(found.alone.fit.count)));
   EXPECT_NEAR(best.score,
-              -0.5 * best.cost / found.overdispersion - 0.5 * std::log(problem.samples.list.size()) - std::log(found.admissible), 1e-9);
+              -0.5 * best.cost / found.overdispersion - 0.5 * std::log(problem.samples.list.size()) -
+                  std::log(found.admissible),
+              1e-9);
   EXPECT_NEAR(found.alone.score, -0.5 * found.alone.cost / found.overdispersion, 1e-9);
 }
 
@@ -79,7 +86,8 @@ ModelFit with_values(const FitProblem& problem, const char* effect, std::vector<
 }
 
 std::string between(const std::string& experiment, const char* there, const char* here) {
-  return experiment + ": there the two differ by up to " + there + " times the noise of a sample, in these data by " + here;
+  return experiment + ": there the two differ by up to " + there +
+         " times the noise of a sample, in these data by " + here;
 }
 
 FitProblem one_row(Motion mode, double load, const char* coefficient, double value) {
@@ -94,7 +102,8 @@ FitProblem one_row(Motion mode, double load, const char* coefficient, double val
 }
 
 TEST(TellApart_analytic, a_series_is_measured_where_two_laws_that_agree_part_most) {
-  // Torsion: a zero that is off by what 1 % of friction is at this load. At ten times the largest load, 30 mN, they part by 29 times that.
+  // Torsion: a zero that is off by what 1 % of friction is at this load. At ten times the largest load, 30
+  // mN, they part by 29 times that.
   FitProblem problem = one_row(Motion::torsion, 3e-3, "torsion_friction", 0.01);
   problem.choice.torsion = "constant";
   ModelFit offset = with_values(problem, "lateral_zero_offset", {3e-6});
@@ -103,7 +112,8 @@ TEST(TellApart_analytic, a_series_is_measured_where_two_laws_that_agree_part_mos
   const ModelFit friction = with_values(more, nullptr, {});
   EXPECT_EQ(experiment_that_tells_apart(problem, offset, friction),
             between("measure at a higher load of 30 mN (largest so far 3 mN)", "270", "0.0"));
-  // The other way round: at a tenth of the smallest load, 10 uN, a hundredth of the friction is left, but all of the offset.
+  // The other way round: at a tenth of the smallest load, 10 uN, a hundredth of the friction is left, but all
+  // of the offset.
   problem.experiment.largest_force = 1e-4;
   EXPECT_EQ(experiment_that_tells_apart(problem, offset, friction),
             between("measure at a lower load of 10 uN (smallest so far 100 uN)", "30", "0.0"));
@@ -112,16 +122,23 @@ TEST(TellApart_analytic, a_series_is_measured_where_two_laws_that_agree_part_mos
 TEST(TellApart_analytic, a_series_is_measured_at_another_speed_where_that_counts) {
   FitProblem problem = one_row(Motion::rolling, 1e-3, "rolling_friction", 6e-4);
   problem.experiment.largest_force = 1e-4;
-  const ModelFit alone = with_values(problem, nullptr, {}), faster = with_values(problem, "velocity_dependence", {1e-3});
-  // mu changes by b ln(v/v0), v0 of 1 and 10 um/s their geometric mean: 4.605 uN at a hundred times v0, 1.151 uN at 10 um/s.
-  EXPECT_EQ(experiment_that_tells_apart(problem, alone, faster), between("measure at 320 um/s", "46", "11.5"));
+  const ModelFit alone = with_values(problem, nullptr, {}),
+                 faster = with_values(problem, "velocity_dependence", {1e-3});
+  // mu changes by b ln(v/v0), v0 of 1 and 10 um/s their geometric mean: 4.605 uN at a hundred times v0, 1.151
+  // uN at 10 um/s.
+  EXPECT_EQ(experiment_that_tells_apart(problem, alone, faster),
+            between("measure at 320 um/s", "46", "11.5"));
 }
 
 TEST(TellApart_analytic, says_so_where_nothing_within_reach_would_tell) {
   const FitProblem problem = one_row(Motion::rolling, 1e-3, "rolling_friction", 6e-4);
-  const ModelFit alone = with_values(problem, nullptr, {}), hardly = with_values(problem, "lateral_zero_offset", {0.5 * noise});
+  const ModelFit alone = with_values(problem, nullptr, {}),
+                 hardly = with_values(problem, "lateral_zero_offset", {0.5 * noise});
   const std::string said = experiment_that_tells_apart(problem, alone, hardly);
-  EXPECT_EQ(said.find("no change of load, path, speed, radius or roughness within reach separates the two by more than 0.5 times"), 0u) << said;
+  EXPECT_EQ(said.find("no change of load, path, speed, radius or roughness within reach separates the two by "
+                      "more than 0.5 times"),
+            0u)
+      << said;
 }
 
 /// Loading over 100 s; a drift by `rate` against none.
@@ -141,18 +158,22 @@ FitProblem loading() {
 TEST(TellApart_analytic, a_drift_shows_where_the_contact_is_held_for_longer) {
   const FitProblem problem = loading();
   const double rate = 1e-3 * nm;
-  const ModelFit alone = with_values(problem, nullptr, {}), drift = with_values(problem, "thermal_drift", {rate});
-  // A hold of 10 hold durations, 60 s at least, comes after 50 s; ten times more slowly the largest load is reached after 500 s, and back
-  // at d the drift of up to 1000 s shows. There d + rate t differs most from d in force where F(d) - F(d - rate t) is largest.
+  const ModelFit alone = with_values(problem, nullptr, {}),
+                 drift = with_values(problem, "thermal_drift", {rate});
+  // A hold of 10 hold durations, 60 s at least, comes after 50 s; ten times more slowly the largest load is
+  // reached after 500 s, and back at d the drift of up to 1000 s shows. There d + rate t differs most from d
+  // in force where F(d) - F(d - rate t) is largest.
   const std::string said = experiment_that_tells_apart(problem, alone, drift);
   const Hertz& hertz = problem.experiment.hertz();
   double most = 0, here = 0;
   for (int i = 0; i <= 60; ++i) {
-    const double d = 20 * nm * (1 - i / 60.0), t = 1000.0 * (60 + 1 + i) / 120;  // the turn is recorded on both ways
+    const double d = 20 * nm * (1 - i / 60.0),
+                 t = 1000.0 * (60 + 1 + i) / 120;  // the turn is recorded on both ways
     most = std::max(most, hertz.force(d) - hertz.force(std::max(0.0, d - rate * t)));
   }
   for (const Sample& s : problem.samples.list)
-    here = std::max(here, hertz.force(s.normal_displacement) - hertz.force(std::max(0.0, s.normal_displacement - rate * s.time)));
+    here = std::max(here, hertz.force(s.normal_displacement) -
+                              hertz.force(std::max(0.0, s.normal_displacement - rate * s.time)));
   char there[32], in_these[32];
   std::snprintf(there, sizeof there, "%.0f", most / uN);
   std::snprintf(in_these, sizeof in_these, "%.1f", here / uN);
@@ -167,7 +188,8 @@ TEST(TellApart_analytic, a_small_radius_shows_under_large_loads) {
   char there[32], here[32];
   std::snprintf(there, sizeof there, "%.0f", most);
   std::snprintf(here, sizeof here, "%.1f", most / std::pow(3, 1.5));
-  EXPECT_EQ(experiment_that_tells_apart(problem, alone, blunter), between("load and unload to 60 nm, beyond what was recorded", there, here));
+  EXPECT_EQ(experiment_that_tells_apart(problem, alone, blunter),
+            between("load and unload to 60 nm, beyond what was recorded", there, here));
 }
 
 /// Loops of 100 nm at one load and 3.2 um/s.
@@ -188,10 +210,13 @@ TEST(TellApart_analytic, a_speed_shows_at_another_speed) {
   EXPECT_DOUBLE_EQ(std::sqrt(problem.experiment.slowest * problem.experiment.fastest), std::sqrt(1e-11));
   const Effect& effect = effect_of("velocity_dependence");
   std::vector<double> values;
-  for (const auto& parameter : effect.parameters(problem.experiment)) values.push_back(parameter.starts.back());
-  const ModelFit alone = with_values(problem, nullptr, {}), faster = with_values(problem, "velocity_dependence", values);
+  for (const auto& parameter : effect.parameters(problem.experiment))
+    values.push_back(parameter.starts.back());
+  const ModelFit alone = with_values(problem, nullptr, {}),
+                 faster = with_values(problem, "velocity_dependence", values);
   const std::string said = experiment_that_tells_apart(problem, alone, faster);
-  // mu changes by b ln(v/v0), b a twentieth of 1/3: at 1 mN 4.605 b mN at a hundred times v0, 1.151 b mN as recorded.
+  // mu changes by b ln(v/v0), b a twentieth of 1/3: at 1 mN 4.605 b mN at a hundred times v0, 1.151 b mN as
+  // recorded.
   EXPECT_EQ(said, between("record loops at 320 um/s", "77", "19.2"));
 }
 

@@ -18,14 +18,16 @@ using test::TemporaryFolder;
 TEST(ConcealedRecording_behaviour, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
   for (const Motion mode : all_modes())
     for (const auto* list : {"catalogue", "outsiders"})
-      for (const auto& effect : list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
+      for (const auto& effect :
+           list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
         for (const unsigned seed : {1u, 2u, 3u}) {
           const ConcealedRecording concealed = conceal({mode, {effect}, 0.01, seed, ""});
           ASSERT_EQ(concealed.truth.effects.size(), 1u);
           EXPECT_EQ(concealed.truth.effects[0].in_catalogue, list == std::string("catalogue")) << effect;
           double squares = 0;
           for (const double value : concealed.truth.contributions.at(0).in_noise) squares += value * value;
-          EXPECT_GT(squares, 200) << effect << " seed " << seed;  // chi2 of 200 is fourteen standard deviations
+          EXPECT_GT(squares, 200) << effect << " seed "
+                                  << seed;  // chi2 of 200 is fourteen standard deviations
         }
 }
 
@@ -42,17 +44,22 @@ TEST(ConcealedRecording_behaviour, is_the_same_for_the_same_seed_and_another_for
   const ConcealOptions options{Motion::sliding, {"surface_tilt"}, 0.02, 7, ""};
   ConcealOptions other = options;
   other.seed = 8;
-  const auto force = [](const ConcealOptions& o) { return conceal(o).recording.tables[0].column("lateral_force"); };
+  const auto force = [](const ConcealOptions& o) {
+    return conceal(o).recording.tables[0].column("lateral_force");
+  };
   EXPECT_EQ(force(options), force(options));
   EXPECT_NE(force(options), force(other));
 }
 
 TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_file) {
   const TemporaryFolder folder;
-  const ConcealedRecording concealed = conceal({Motion::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
+  const ConcealedRecording concealed =
+      conceal({Motion::normal, {"instrument_compliance", "thermal_drift"}, 0.01, 2, ""});
   write_concealed(concealed, folder.path);
-  const std::string visible = read_file(folder.path / "recording.json") + read_file(folder.path / "loading.csv").substr(0, 200);
-  for (const char* word : {"compliance", "drift", "truth", "effect"}) EXPECT_EQ(visible.find(word), std::string::npos) << word;
+  const std::string visible =
+      read_file(folder.path / "recording.json") + read_file(folder.path / "loading.csv").substr(0, 200);
+  for (const char* word : {"compliance", "drift", "truth", "effect"})
+    EXPECT_EQ(visible.find(word), std::string::npos) << word;
   const Truth truth = read_truth(folder.path);
   EXPECT_EQ(truth.family, "pair");
   ASSERT_EQ(truth.effects.size(), 2u);
@@ -64,18 +71,27 @@ TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_f
 }
 
 TEST(ConcealedRecording_behaviour, settings_that_cannot_tell_effects_apart_say_so) {
-  EXPECT_EQ(conceal({Motion::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from, std::vector<std::string>{"lateral_zero_offset"});
-  EXPECT_EQ(conceal({Motion::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from, std::vector<std::string>{"instrument_compliance"});
+  EXPECT_EQ(conceal({Motion::sliding, {"surface_tilt"}, 0.01, 1, "one_load"}).truth.cannot_be_told_from,
+            std::vector<std::string>{"lateral_zero_offset"});
+  EXPECT_EQ(conceal({Motion::normal, {"thermal_drift"}, 0.01, 1, "ramp_only"}).truth.cannot_be_told_from,
+            std::vector<std::string>{"instrument_compliance"});
   EXPECT_TRUE(conceal({Motion::sliding, {"surface_tilt"}, 0.01, 1, ""}).truth.cannot_be_told_from.empty());
 }
 
 TEST(ConcealedRecording_behaviour, refuses_what_is_unknown_or_excludes_each_other) {
-  const auto message = [](const ConcealOptions& options) { return message_of<InputError>([&] { conceal(options); }); };
-  EXPECT_NE(message({Motion::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"), std::string::npos);
-  EXPECT_NE(message({Motion::normal, {"surface_tilt"}, 0.01, 1, ""}).find("no effect 'surface_tilt' can be concealed in mode normal"), std::string::npos);
-  EXPECT_NE(message({Motion::normal, {"adhesion", "creep"}, 0.01, 1, ""}).find("two laws for one place"), std::string::npos);
+  const auto message = [](const ConcealOptions& options) {
+    return message_of<InputError>([&] { conceal(options); });
+  };
+  EXPECT_NE(message({Motion::normal, {"adhesio"}, 0.01, 1, ""}).find("did you mean 'adhesion'?"),
+            std::string::npos);
+  EXPECT_NE(message({Motion::normal, {"surface_tilt"}, 0.01, 1, ""})
+                .find("no effect 'surface_tilt' can be concealed in mode normal"),
+            std::string::npos);
+  EXPECT_NE(message({Motion::normal, {"adhesion", "creep"}, 0.01, 1, ""}).find("two laws for one place"),
+            std::string::npos);
   EXPECT_NE(message({Motion::normal, {}, 2, 1, ""}).find("noise"), std::string::npos);
-  EXPECT_NE(message({Motion::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"), std::string::npos);
+  EXPECT_NE(message({Motion::normal, {}, 0.01, 1, "no_load"}).find("there is no setting 'no_load'"),
+            std::string::npos);
 }
 
 TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_its_first_step_of_sliding) {
@@ -91,7 +107,8 @@ TEST(ConcealedRecording_behaviour, of_a_case_that_slides_backwards_begins_with_i
   write_file_atomically(folder.path / "history.csv", format_history(history));
   const auto backwards = conceal_case(folder.path, options).recording.tables[0];
   ASSERT_EQ(backwards.rows(), forwards.rows());
-  for (std::size_t i = 0; i < forwards.rows(); ++i) EXPECT_EQ(backwards.column("lateral_force")[i], -forwards.column("lateral_force")[i]);
+  for (std::size_t i = 0; i < forwards.rows(); ++i)
+    EXPECT_EQ(backwards.column("lateral_force")[i], -forwards.column("lateral_force")[i]);
 }
 
 TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accepted_steps) {
@@ -108,7 +125,8 @@ TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accep
   EXPECT_GE(table.rows(), 240u);
   EXPECT_EQ(table.column("normal_force").front(), solved.load);
   options.mode = Motion::rolling;
-  EXPECT_NE(message_of<InputError>([&] { conceal_case(folder.path, options); }).find("not rolling"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { conceal_case(folder.path, options); }).find("not rolling"),
+            std::string::npos);
   options.mode = Motion::normal;
   solved.experiment = "normal";
   test::write_solved(folder.path, solved);

@@ -28,7 +28,8 @@ TEST(ConcealedTruth_analytic, a_small_contact_of_a_true_sphere_is_hertz) {
   EXPECT_EQ(sphere.force(-1e-9), 0);
 }
 
-TEST(ConcealedTruth_analytic, even_pressure_on_a_disc_dents_its_middle_by_2_p_a_over_E_and_its_edge_by_2_over_pi_of_that) {
+TEST(ConcealedTruth_analytic,
+     even_pressure_on_a_disc_dents_its_middle_by_2_p_a_over_E_and_its_edge_by_2_over_pi_of_that) {
   const RoughLayer layer(sphere, 1e-9, 1e9, 1e-6, 60);
   const Eigen::VectorXd dent = layer.influence() * Eigen::VectorXd::Ones(60);
   const double middle = 2 * 1e-6 / E;
@@ -37,7 +38,8 @@ TEST(ConcealedTruth_analytic, even_pressure_on_a_disc_dents_its_middle_by_2_p_a_
 }
 
 TEST(ConcealedTruth_analytic, a_thin_layer_of_asperities_leaves_hertz) {
-  // First touch lies some decay lengths before the mean planes meet; stiffness at the same force is that of Hertz.
+  // First touch lies some decay lengths before the mean planes meet; stiffness at the same force is that of
+  // Hertz.
   const double d = 40e-9;
   RoughLayer layer(sphere, 0.02e-9, 0.02 * E, 1.6 * sphere.contact_radius(d), 120);
   const double f = layer.force(d), step = 0.5e-9, stiffness = (layer.force(d + step) - f) / step;
@@ -70,7 +72,8 @@ TEST(ConcealedTruth_analytic, a_held_load_creeps_by_its_share_with_its_time_cons
   CreepingTruth creeping(sphere, share, tau);
   const auto approach_at = [&](double time) {  // under the load, by bisection
     double low = 5e-9, high = 20e-9;
-    for (int i = 0; i < 60; ++i) (creeping.force((low + high) / 2, time) < load ? low : high) = (low + high) / 2;
+    for (int i = 0; i < 60; ++i)
+      (creeping.force((low + high) / 2, time) < load ? low : high) = (low + high) / 2;
     return (low + high) / 2;
   };
   constexpr double step = 0.05;
@@ -111,7 +114,8 @@ TEST(ConcealedTruth_analytic, noise_has_its_standard_deviation_and_correlation) 
   noise.correlated_share = 0.5;
   noise.add_to(signal, random);
   double square = 0, next = 0;
-  for (std::size_t i = 1; i < signal.size(); ++i) square += signal[i] * signal[i], next += signal[i] * signal[i - 1];
+  for (std::size_t i = 1; i < signal.size(); ++i)
+    square += signal[i] * signal[i], next += signal[i] * signal[i - 1];
   EXPECT_NEAR(std::sqrt(square / signal.size()), 2, 0.03);
   EXPECT_NEAR(next / square, 0.5 * std::exp(-1.0 / 3), 0.03);
 }

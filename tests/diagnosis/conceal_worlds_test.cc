@@ -237,7 +237,8 @@ TEST(SeriesWorld_analytic, rolling_follows_the_formulas_of_its_effects) {
 }
 
 TEST(SeriesWorld_other_code, rail_is_the_papers_balance) {
-  const Silent torsion(Motion::rail, {"torsion_resistance"}), adhesive(Motion::rail, {"rolling_adhesion_offset"});
+  const Silent torsion(Motion::rail, {"torsion_resistance"}),
+      adhesive(Motion::rail, {"rolling_adhesion_offset"});
   for (std::size_t i = 0; i < torsion.table.rows(); ++i) {
     const double angle = torsion.of("rail_angle")[i], f = torsion.of("normal_force")[i];
     // At the plate: both slopes' forces.

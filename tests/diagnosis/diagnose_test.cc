@@ -47,9 +47,10 @@ Recording indentation(const std::function<double(double d, double t)>& force, do
   return r;
 }
 
-/// Friction loops at three loads. `force_change` of position, load and direction is added to an elastic-sliding loop whose spring
-/// is `compliance` + Mindlin's.
-Recording loops(double compliance, const std::function<double(double x, double load, int way)>& force_change, double noise, unsigned seed) {
+/// Friction loops at three loads. `force_change` of position, load and direction is added to an
+/// elastic-sliding loop whose spring is `compliance` + Mindlin's.
+Recording loops(double compliance, const std::function<double(double x, double load, int way)>& force_change,
+                double noise, unsigned seed) {
   Recording r;
   r.mode = Motion::sliding;
   r.particle = borosilicate();
@@ -106,7 +107,8 @@ TEST(Diagnose_analytic, friction_loops_of_mindlin_and_coulomb_are_no_mismatch) {
 }
 
 TEST(Diagnose_analytic, a_drift_is_named_with_its_rate) {
-  const Diagnosis d = diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
+  const Diagnosis d =
+      diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
   ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
   ASSERT_EQ(d.left_out.size(), 1u);
   EXPECT_EQ(d.left_out[0].id, "thermal_drift");
@@ -120,7 +122,8 @@ TEST(Diagnose_analytic, a_drift_is_named_with_its_rate) {
 TEST(Diagnose_analytic, a_constant_attraction_in_contact_is_adhesion_and_nothing_more) {
   // Derjaguin, Muller & Toporov: Hertz less the pull-off force, which is 2 % of the load here.
   const double pull_off = 60 * uN;
-  const Diagnosis d = diagnose(indentation([&](double x, double) { return x >= 0 ? hertz(x) - pull_off : 0; }, 12 * uN, 10));
+  const Diagnosis d =
+      diagnose(indentation([&](double x, double) { return x >= 0 ? hertz(x) - pull_off : 0; }, 12 * uN, 10));
   ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "adhesion");
@@ -160,7 +163,9 @@ TEST(Diagnose_analytic, a_pair_is_named_as_a_pair) {
 }
 
 TEST(Diagnose_analytic, what_no_effect_can_do_stays_unexplained_and_is_located) {
-  const auto ripple = [](double x, double load, int way) { return way * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1); };
+  const auto ripple = [](double x, double load, int way) {
+    return way * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1);
+  };
   const Diagnosis d = diagnose(loops(0, ripple, 4 * uN, 6));
   EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
   EXPECT_TRUE(d.left_out.empty());
@@ -194,7 +199,8 @@ TEST(Diagnose_analytic, what_the_data_cannot_separate_is_ambiguous_and_an_experi
   for (const auto& a : d.alternatives) ids.push_back(a.effects.front().id);
   EXPECT_NE(std::find(ids.begin(), ids.end(), "rolling_adhesion_offset"), ids.end());
   EXPECT_NE(std::find(ids.begin(), ids.end(), "lateral_zero_offset"), ids.end());
-  EXPECT_NE(d.alternatives[0].told_apart_by.find("opposite direction"), std::string::npos) << d.alternatives[0].told_apart_by;
+  EXPECT_NE(d.alternatives[0].told_apart_by.find("opposite direction"), std::string::npos)
+      << d.alternatives[0].told_apart_by;
 }
 
 /// Rolling on substrates of these roughnesses, friction by the law of three constants.
@@ -238,7 +244,9 @@ TEST(Diagnose_analytic, a_law_of_three_constants_is_not_named_from_three_roughne
   EXPECT_EQ(std::count(named.begin(), named.end(), "roughness_dependent_rolling"), 0);
   EXPECT_NE(three.verdict, Verdict::no_mismatch);
   ASSERT_FALSE(three.remarks.empty());
-  EXPECT_EQ(three.remarks.back(), "roughness_dependent_rolling was not tried: 3 different values of rms_roughness cannot test its law, 4 or more would");
+  EXPECT_EQ(three.remarks.back(),
+            "roughness_dependent_rolling was not tried: 3 different values of rms_roughness cannot test its "
+            "law, 4 or more would");
   const auto four = diagnose(rolling_on({0.3 * nm, 0.9 * nm, 1.5 * nm, 2.7 * nm}));
   EXPECT_EQ(four.verdict, Verdict::explained) << diagnosis_json(four);
   EXPECT_EQ(names(four), std::vector<std::string>{"roughness_dependent_rolling"});
@@ -246,7 +254,8 @@ TEST(Diagnose_analytic, a_law_of_three_constants_is_not_named_from_three_roughne
 
 TEST(Diagnose_behaviour, outliers_are_left_out_and_said) {
   Recording r = indentation([](double x, double) { return hertz(x); }, 20 * uN, 8);
-  for (const int i : {100, 333, 555, 777}) r.tables[0].columns["normal_force"][static_cast<std::size_t>(i)] += 800 * uN;
+  for (const int i : {100, 333, 555, 777})
+    r.tables[0].columns["normal_force"][static_cast<std::size_t>(i)] += 800 * uN;
   const Diagnosis d = diagnose(r);
   EXPECT_EQ(d.verdict, Verdict::no_mismatch);
   ASSERT_FALSE(d.remarks.empty());
@@ -254,7 +263,8 @@ TEST(Diagnose_behaviour, outliers_are_left_out_and_said) {
 }
 
 TEST(Diagnose_behaviour, json_has_the_formats_entries) {
-  const Diagnosis d = diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
+  const Diagnosis d =
+      diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));
   const auto json = nlohmann::json::parse(diagnosis_json(d));
   EXPECT_EQ(json["format"], "asperity-diagnosis/1");
   EXPECT_EQ(json["verdict"], "explained");
@@ -265,14 +275,16 @@ TEST(Diagnose_behaviour, json_has_the_formats_entries) {
   EXPECT_EQ(json["left_out"][0]["kind"], "instrument");
   EXPECT_EQ(json["left_out"][0]["parameters"]["rate"]["unit"], "m/s");
   EXPECT_EQ(json["left_out"][0]["parameters"]["rate"]["ci95"].size(), 2u);
-  for (const auto& key : {"table", "channel", "segment", "variable", "from", "to", "unit", "p_value", "share"})
+  for (const auto& key :
+       {"table", "channel", "segment", "variable", "from", "to", "unit", "p_value", "share"})
     EXPECT_TRUE(json["mismatch"][0].contains(key)) << key;
   EXPECT_TRUE(json["alternatives"].is_array() && json["remaining"].is_array());
 }
 
 TEST(Diagnose_behaviour, refuses_a_recording_in_which_nothing_presses) {
   Recording r = indentation([](double x, double) { return -hertz(x); }, 0, 1);
-  EXPECT_NE(test::message_of<InputError>([&] { diagnose(r); }).find("compression is positive"), std::string::npos);
+  EXPECT_NE(test::message_of<InputError>([&] { diagnose(r); }).find("compression is positive"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -30,24 +30,29 @@ TEST(BoundedFit_analytic, a_line_is_found_with_its_covariance) {
   };
   BoundedFitOptions options;
   options.covariance = true;
-  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Zero(2), VectorXd::Constant(2, -100), VectorXd::Constant(2, 100), options);
+  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Zero(2), VectorXd::Constant(2, -100),
+                                           VectorXd::Constant(2, 100), options);
   EXPECT_NEAR(fit.x[0], 2, 1e-3);
   EXPECT_NEAR(fit.x[1], 3, 1e-3);
-  EXPECT_NEAR(fit.covariance(1, 1), 1 / 82.5, 1e-6);           // sum (t - 4.5)^2 = 82.5
+  EXPECT_NEAR(fit.covariance(1, 1), 1 / 82.5, 1e-6);  // sum (t - 4.5)^2 = 82.5
   EXPECT_NEAR(fit.covariance(0, 0), 0.1 + 4.5 * 4.5 / 82.5, 1e-6);
 }
 
 TEST(BoundedFit_analytic, stays_at_a_bound_that_the_optimum_lies_beyond) {
   const auto residuals = [](const VectorXd& p) { return VectorXd::Constant(3, p[0] - 5).eval(); };
-  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Constant(1, 0.0), VectorXd::Constant(1, -1), VectorXd::Constant(1, 2));
+  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Constant(1, 0.0), VectorXd::Constant(1, -1),
+                                           VectorXd::Constant(1, 2));
   EXPECT_EQ(fit.x[0], 2);
 }
 
 TEST(RandomSearch_analytic, crosses_a_flat_stretch_to_a_step_that_no_slope_tells_of) {
-  const auto residuals = [](const VectorXd& p) { return VectorXd::Constant(3, p[0] < 0.3 ? 1.0 : 0.0).eval(); };
+  const auto residuals = [](const VectorXd& p) {
+    return VectorXd::Constant(3, p[0] < 0.3 ? 1.0 : 0.0).eval();
+  };
   BoundedFit start;
   start.x = VectorXd::Constant(1, -0.5);
-  const BoundedFit fit = search_at_random(residuals, start, VectorXd::Constant(1, -1), VectorXd::Constant(1, 1));
+  const BoundedFit fit =
+      search_at_random(residuals, start, VectorXd::Constant(1, -1), VectorXd::Constant(1, 1));
   EXPECT_GE(fit.x[0], 0.3);
   EXPECT_LE(fit.x[0], 1);
   EXPECT_EQ(fit.cost, 0);
@@ -59,7 +64,8 @@ TEST(BoundedFit_analytic, one_wild_residual_moves_the_mean_by_no_more_than_its_b
     r[10] = p[0] - 1000;
     return r;
   };
-  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Constant(1, 1.0), VectorXd::Constant(1, -2000), VectorXd::Constant(1, 2000));
+  const BoundedFit fit = fit_within_bounds(residuals, VectorXd::Constant(1, 1.0),
+                                           VectorXd::Constant(1, -2000), VectorXd::Constant(1, 2000));
   EXPECT_NEAR(fit.x[0], huber_bend / 10, 0.02);
 }
 
@@ -82,7 +88,8 @@ TEST(Noise_analytic, whitening_makes_independent_samples_of_unit_variance) {
   noise.shared = {{1, 0.6}};
   const auto white = whitened(samples, ar1(samples.list.size(), 0.5, 0.6, random), noise);
   double square = 0, product = 0;
-  for (std::size_t i = 1; i < white.size(); ++i) square += white[i] * white[i], product += white[i] * white[i - 1];
+  for (std::size_t i = 1; i < white.size(); ++i)
+    square += white[i] * white[i], product += white[i] * white[i - 1];
   EXPECT_NEAR(square / static_cast<double>(white.size()), 1, 0.03);
   EXPECT_NEAR(product / square, 0, 0.03);
 }
@@ -116,7 +123,8 @@ TEST(Scan_analytic, finds_the_stretch_that_was_shifted) {
   std::mt19937 random(4);
   auto residual = ar1(1200, 1.0, 0.3, random);
   for (std::size_t i = 0; i < 600; ++i)
-    if (c.samples.list[i].normal_displacement > 2e-8 && c.samples.list[i].normal_displacement < 3e-8) residual[i] += 2;
+    if (c.samples.list[i].normal_displacement > 2e-8 && c.samples.list[i].normal_displacement < 3e-8)
+      residual[i] += 2;
   const ScanResult found = scanner.scan(residual);
   EXPECT_LT(found.p_value, 1e-3);
   ASSERT_EQ(found.regions.size(), 1u);
@@ -126,7 +134,8 @@ TEST(Scan_analytic, finds_the_stretch_that_was_shifted) {
   EXPECT_GT(found.regions[0].share, 0.8);
 }
 
-/// Data of an effect's own law, with noise; the fit must find its parameters within four of the standard deviations it states.
+/// Data of an effect's own law, with noise; the fit must find its parameters within four of the standard
+/// deviations it states.
 struct OwnLaw {
   std::string id;
   Motion mode;
@@ -148,8 +157,12 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
     e.has_trace = e.has_time = e.has_unloading = true;
     e.largest_displacement = 5e-8;
     e.largest_force = e.hertz().force(5e-8);
-    for (std::size_t i = 200; i < 300; ++i) samples.list[i].normal_displacement = 5e-8, samples.list[i].hold = 1, samples.list[i].hold_time = static_cast<double>(i - 200);
-    for (std::size_t i = 300; i < 400; ++i) samples.list[i].hold = 1, samples.list[i].normal_displacement = 5e-8 - 6e-8 * static_cast<double>(i - 300) / 100;
+    for (std::size_t i = 200; i < 300; ++i)
+      samples.list[i].normal_displacement = 5e-8, samples.list[i].hold = 1,
+      samples.list[i].hold_time = static_cast<double>(i - 200);
+    for (std::size_t i = 300; i < 400; ++i)
+      samples.list[i].hold = 1,
+      samples.list[i].normal_displacement = 5e-8 - 6e-8 * static_cast<double>(i - 300) / 100;
   } else if (own.mode == Motion::sliding) {
     for (const double load : {2e-4, 1e-3}) {
       const Samples part = test::lateral_path(load, {0, 1e-7, 0, 1e-7, 0, 1e-7, 0}, 150);
@@ -204,42 +217,56 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
   problem.thin = samples;
   const ModelFit alone = fit_explanation(problem, {});
   problem.baseline_residual = FitProblem::residual(samples, alone.simulate(samples));
-  const ModelFit fit = with_intervals(problem, refitted(problem, fit_explanation(problem, {&effect}), samples, true, 5));
+  const ModelFit fit =
+      with_intervals(problem, refitted(problem, fit_explanation(problem, {&effect}), samples, true, 5));
   EXPECT_LT(fit.cost, alone.cost - 30);
   EXPECT_LT(fit.cost / static_cast<double>(fit.count), 1.2);
   std::size_t k = 0;
   for (std::size_t i = 0; i < fit.values.size(); ++i) {
     const FreeParameter& p = fit.explanation->parameters()[i];
     if (p.effect < 0) continue;
-    // Set by the one sample at which the contact snaps: between two samples there is nothing to tell it, and no interval to test.
+    // Set by the one sample at which the contact snaps: between two samples there is nothing to tell it, and
+    // no interval to test.
     if (p.name == "transition" || p.name == "phase") {
       ++k;
       continue;
     }
     const DiagnosedParameter found = fit.parameter(i, 1);
-    const double truth = p.coordinate(own.values[k]), low = p.coordinate(found.low), high = p.coordinate(found.high);
+    const double truth = p.coordinate(own.values[k]), low = p.coordinate(found.low),
+                 high = p.coordinate(found.high);
     EXPECT_TRUE(truth > low - (high - low) / 2 && truth < high + (high - low) / 2)  // twice the 95 % interval
-        << p.name << " " << own.values[k] << ": " << found.value << " in " << found.low << " to " << found.high;
+        << p.name << " " << own.values[k] << ": " << found.value << " in " << found.low << " to "
+        << found.high;
     ++k;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Effects, OwnLaw_regression,
-    testing::Values(OwnLaw{"instrument_compliance", Motion::normal, {6e-6}}, OwnLaw{"contact_point_offset", Motion::normal, {5e-9}},
-                    OwnLaw{"thermal_drift", Motion::normal, {3e-11}}, OwnLaw{"adhesion", Motion::normal, {2e-4, 0.6}},
-                    OwnLaw{"effective_radius", Motion::normal, {0.8}}, OwnLaw{"bulk_plasticity", Motion::normal, {6e8, 2.84}},
-                    OwnLaw{"roughness_compliance", Motion::normal, {3e-9, 0.3}}, OwnLaw{"creep", Motion::normal, {5e-9, 20}},
-                    OwnLaw{"adhesion_hysteresis", Motion::normal, {0.5, 5}}, OwnLaw{"baseline_tilt", Motion::normal, {2000}},
-                    OwnLaw{"lateral_compliance", Motion::sliding, {5e-5}}, OwnLaw{"adhesion_offset", Motion::sliding, {1e-4}},
-                    OwnLaw{"static_friction_peak", Motion::sliding, {1.4, 1e-8}}, OwnLaw{"velocity_dependence", Motion::sliding, {0.01}},
-                    OwnLaw{"surface_tilt", Motion::sliding, {0.03}}, OwnLaw{"lateral_zero_offset", Motion::sliding, {1e-5}},
-                    OwnLaw{"area_proportional_friction", Motion::sliding, {4e8}}, OwnLaw{"run_in", Motion::sliding, {0.4, 1.5}},
-                    OwnLaw{"stick_slip", Motion::sliding, {3e-5, 1.7e-8, 0.2}}, OwnLaw{"rate_and_state", Motion::sliding, {0.01, 0.02, 5e-9}},
-                    OwnLaw{"rolling_adhesion_offset", Motion::rolling, {4e-4}}, OwnLaw{"contact_radius_scaling", Motion::rolling, {0.02}},
-                    OwnLaw{"roughness_dependent_rolling", Motion::rolling, {3e-4, 6e-4, 1e-9}},
-                    OwnLaw{"viscous_rolling", Motion::rolling, {30}}, OwnLaw{"torsion_resistance", Motion::rail, {5e-3}},
-                    OwnLaw{"contact_radius_scaling", Motion::torsion, {0.064}}),
+    testing::Values(
+        OwnLaw{"instrument_compliance", Motion::normal, {6e-6}},
+        OwnLaw{"contact_point_offset", Motion::normal, {5e-9}},
+        OwnLaw{"thermal_drift", Motion::normal, {3e-11}}, OwnLaw{"adhesion", Motion::normal, {2e-4, 0.6}},
+        OwnLaw{"effective_radius", Motion::normal, {0.8}},
+        OwnLaw{"bulk_plasticity", Motion::normal, {6e8, 2.84}},
+        OwnLaw{"roughness_compliance", Motion::normal, {3e-9, 0.3}},
+        OwnLaw{"creep", Motion::normal, {5e-9, 20}}, OwnLaw{"adhesion_hysteresis", Motion::normal, {0.5, 5}},
+        OwnLaw{"baseline_tilt", Motion::normal, {2000}},
+        OwnLaw{"lateral_compliance", Motion::sliding, {5e-5}},
+        OwnLaw{"adhesion_offset", Motion::sliding, {1e-4}},
+        OwnLaw{"static_friction_peak", Motion::sliding, {1.4, 1e-8}},
+        OwnLaw{"velocity_dependence", Motion::sliding, {0.01}},
+        OwnLaw{"surface_tilt", Motion::sliding, {0.03}},
+        OwnLaw{"lateral_zero_offset", Motion::sliding, {1e-5}},
+        OwnLaw{"area_proportional_friction", Motion::sliding, {4e8}},
+        OwnLaw{"run_in", Motion::sliding, {0.4, 1.5}},
+        OwnLaw{"stick_slip", Motion::sliding, {3e-5, 1.7e-8, 0.2}},
+        OwnLaw{"rate_and_state", Motion::sliding, {0.01, 0.02, 5e-9}},
+        OwnLaw{"rolling_adhesion_offset", Motion::rolling, {4e-4}},
+        OwnLaw{"contact_radius_scaling", Motion::rolling, {0.02}},
+        OwnLaw{"roughness_dependent_rolling", Motion::rolling, {3e-4, 6e-4, 1e-9}},
+        OwnLaw{"viscous_rolling", Motion::rolling, {30}}, OwnLaw{"torsion_resistance", Motion::rail, {5e-3}},
+        OwnLaw{"contact_radius_scaling", Motion::torsion, {0.064}}),
     [](const auto& info) { return info.param.id + "_" + name_of(info.param.mode); });
 
 }  // namespace

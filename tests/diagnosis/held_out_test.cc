@@ -15,8 +15,8 @@ namespace {
 constexpr double noise_of_row = 1e-7;
 constexpr int row_count = 20;
 
-/// Independent rows of rolling under one load: a known friction and the zero of the sensor, which alone is fitted. Within Huber's bend, so
-/// that the fit is the mean of what is recorded less the friction.
+/// Independent rows of rolling under one load: a known friction and the zero of the sensor, which alone is
+/// fitted. Within Huber's bend, so that the fit is the mean of what is recorded less the friction.
 FitProblem rows_with(const std::vector<double>& deviations) {
   FitProblem problem;
   problem.experiment = test::experiment(Motion::rolling);
@@ -34,10 +34,12 @@ FitProblem rows_with(const std::vector<double>& deviations) {
   return problem;
 }
 
-/// Two standard deviations up in every fifth row, which is one of the five blocks, and a little of everything elsewhere.
+/// Two standard deviations up in every fifth row, which is one of the five blocks, and a little of everything
+/// elsewhere.
 std::vector<double> one_block_apart() {
   std::vector<double> deviations;
-  for (int i = 0; i < row_count; ++i) deviations.push_back(noise_of_row * (i % 5 == 2 ? 2 : 0.3 * std::sin(3.0 * i)));
+  for (int i = 0; i < row_count; ++i)
+    deviations.push_back(noise_of_row * (i % 5 == 2 ? 2 : 0.3 * std::sin(3.0 * i)));
   return deviations;
 }
 
@@ -57,25 +59,32 @@ TEST(HeldOut_analytic, each_block_is_predicted_by_the_mean_of_the_others) {
   EXPECT_EQ(blocks.name, "rows");
   double expected = 0;
   for (int i = 0; i < row_count; ++i)
-    expected += std::pow((deviations[static_cast<std::size_t>(i)] - mean_of_others(deviations, i % 5)) / noise_of_row, 2) / row_count;
+    expected +=
+        std::pow((deviations[static_cast<std::size_t>(i)] - mean_of_others(deviations, i % 5)) / noise_of_row,
+                 2) /
+        row_count;
   const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
   const HeldOut held_out = predict_held_out(problem, fit, blocks);
   EXPECT_NEAR(held_out.chi2_reduced, expected, 1e-3 * expected);
   EXPECT_NEAR(held_out.cost, expected, 1e-3 * expected) << "no residual lies beyond Huber's bend";
-  EXPECT_GT(held_out.chi2_reduced, 1.3 * fit.cost / row_count) << "what was not seen is predicted worse than what was";
+  EXPECT_GT(held_out.chi2_reduced, 1.3 * fit.cost / row_count)
+      << "what was not seen is predicted worse than what was";
 }
 
 TEST(HeldOut_analytic, what_is_recorded_in_a_block_changes_its_own_prediction_by_nothing) {
-  // Were a block part of the fit that predicts it, its residual would follow the deviation by less than one for one.
+  // Were a block part of the fit that predicts it, its residual would follow the deviation by less than one
+  // for one.
   const auto held_out_cost = [](double deviation) {
     auto deviations = one_block_apart();
-    for (int i = 0; i < row_count; ++i) deviations[static_cast<std::size_t>(i)] = i % 5 == 2 ? deviation * noise_of_row : 0;
+    for (int i = 0; i < row_count; ++i)
+      deviations[static_cast<std::size_t>(i)] = i % 5 == 2 ? deviation * noise_of_row : 0;
     const FitProblem problem = rows_with(deviations);
     const ModelFit fit = fit_explanation(problem, {&effect_of("lateral_zero_offset")});
     return predict_held_out(problem, fit, blocks_of(problem.samples)).chi2_reduced;
   };
   // The block itself is off by d; each of the other four is predicted by three blocks of zero and one of d.
-  for (const double d : {1.0, 2.0}) EXPECT_NEAR(held_out_cost(d), (d * d + 4 * d * d / 16) / 5, 1e-3 * d * d) << d;
+  for (const double d : {1.0, 2.0})
+    EXPECT_NEAR(held_out_cost(d), (d * d + 4 * d * d / 16) / 5, 1e-3 * d * d) << d;
 }
 
 TEST(HeldOut_analytic, an_effect_that_one_block_alone_shows_is_not_consistent) {

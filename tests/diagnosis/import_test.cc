@@ -67,8 +67,12 @@ TEST(Import_behaviour, a_file_is_fischers_with_a_block_and_its_table_alone) {
 TEST(Import_behaviour, reads_latin_1_decimal_commas_and_units_of_fischer_blocks) {
   const TemporaryFolder folder;
   std::string text = "FS1.hap\tName\r\nBlock : 1   Value : 1\nHIT\t[N/mm\xB2]\t8553,6\n\nF\th\tt\r\n";
-  for (int i = 0; i <= 40; ++i) text += std::to_string(i) + ",5\t0,0" + std::to_string(10 + i) + "\t0," + std::to_string(100 + i) + "\r\n";
-  text += "\nFS1.hap again\nBlock : 1   Value : 2\nF\th\tt\r\n1,5\t0,01\t0,1\r\n2,5\t0,02\t0,2\r\n3,5\t0,03\t0,3\r\n";
+  for (int i = 0; i <= 40; ++i)
+    text +=
+        std::to_string(i) + ",5\t0,0" + std::to_string(10 + i) + "\t0," + std::to_string(100 + i) + "\r\n";
+  text +=
+      "\nFS1.hap again\nBlock : 1   Value : "
+      "2\nF\th\tt\r\n1,5\t0,01\t0,1\r\n2,5\t0,02\t0,2\r\n3,5\t0,03\t0,3\r\n";
   const Recording recording = import_recording(folder.write("FS.txt", text), with_bodies());
   const RecordingTable& table = recording.tables[0];
   ASSERT_EQ(table.rows(), 44u);
@@ -79,7 +83,10 @@ TEST(Import_behaviour, reads_latin_1_decimal_commas_and_units_of_fischer_blocks)
   first.run = 1;
   EXPECT_EQ(import_recording(folder.path / "FS.txt", first).tables[0].rows(), 41u);
   first.run = 5;
-  EXPECT_NE(message_of<InputError>([&] { import_recording(folder.path / "FS.txt", first); }).find("has no run 5; there are 2"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] {
+              import_recording(folder.path / "FS.txt", first);
+            }).find("has no run 5; there are 2"),
+            std::string::npos);
 }
 
 TEST(Import_behaviour, maps_columns_with_factors_products_and_constants) {
@@ -89,28 +96,39 @@ TEST(Import_behaviour, maps_columns_with_factors_products_and_constants) {
   const auto file = folder.write("friction.csv", text);
   ImportOptions options = with_bodies();
   options.mode = Motion::sliding;
-  options.columns = {"time [s] = t", "lateral_displacement [\xC2\xB5m] = x", "lateral_force [N] = mu * stress * 1e6", "normal_force [mN] = 20"};
+  options.columns = {"time [s] = t", "lateral_displacement [\xC2\xB5m] = x",
+                     "lateral_force [N] = mu * stress * 1e6", "normal_force [mN] = 20"};
   const RecordingTable table = import_recording(file, options).tables[0];
   EXPECT_NEAR(table.column("lateral_displacement")[3], 6.5e-6, 1e-15);
   EXPECT_NEAR(table.column("lateral_force")[3], 12e6, 1e-3);
   EXPECT_NEAR(table.column("normal_force")[3], 0.02, 1e-15);
   options.columns[0] = "time [s] = tt";
-  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("there is no column 'tt' among t, x, mu, stress"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] {
+              import_recording(file, options);
+            }).find("there is no column 'tt' among t, x, mu, stress"),
+            std::string::npos);
   options.columns[0] = "time [nm] = t";
-  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("unit 'nm' does not fit"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("unit 'nm' does not fit"),
+            std::string::npos);
   options.columns[0] = "tim [s] = t";
-  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("did you mean 'time'?"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("did you mean 'time'?"),
+            std::string::npos);
   options.columns.clear();
-  EXPECT_NE(message_of<InputError>([&] { import_recording(file, options); }).find("there are t, x, mu, stress"), std::string::npos);
+  EXPECT_NE(
+      message_of<InputError>([&] { import_recording(file, options); }).find("there are t, x, mu, stress"),
+      std::string::npos);
 }
 
 TEST(Import_analytic, zeros_that_a_hysitron_header_states_are_taken_off) {
   const TemporaryFolder folder;
   std::string rows = "Disp_nm\tForce_\xB5N\tTime_s\n";
-  for (int i = 0; i < 40; ++i) rows += std::to_string(100 + 2 * i) + "\t" + std::to_string(50 + 10 * i) + "\t" + std::to_string(i) + "\n";
+  for (int i = 0; i < 40; ++i)
+    rows +=
+        std::to_string(100 + 2 * i) + "\t" + std::to_string(50 + 10 * i) + "\t" + std::to_string(i) + "\n";
   const std::string points = "Test Data Points:\t40\n", version = "File Version:\tHysitron 8\n";
   const auto table = [&](const std::string& header) {
-    return import_recording(folder.write("test.hld", version + header + points + rows), with_bodies()).tables[0];
+    return import_recording(folder.write("test.hld", version + header + points + rows), with_bodies())
+        .tables[0];
   };
   const RecordingTable plain = table(""), shifted = table("Disp Shift:\t30\nForce Shift:\t12.5\n");
   ASSERT_EQ(plain.rows(), 40u);
@@ -118,7 +136,8 @@ TEST(Import_analytic, zeros_that_a_hysitron_header_states_are_taken_off) {
   EXPECT_NEAR(plain.column("normal_displacement")[3], 106e-9, 1e-18);
   EXPECT_NEAR(plain.column("normal_force")[3], 80e-6, 1e-15);
   for (std::size_t i = 0; i < 40; ++i) {
-    EXPECT_NEAR(shifted.column("normal_displacement")[i], plain.column("normal_displacement")[i] - 30e-9, 1e-18);
+    EXPECT_NEAR(shifted.column("normal_displacement")[i], plain.column("normal_displacement")[i] - 30e-9,
+                1e-18);
     EXPECT_NEAR(shifted.column("normal_force")[i], plain.column("normal_force")[i] - 12.5e-6, 1e-15);
   }
 }
@@ -127,10 +146,13 @@ TEST(Import_behaviour, puts_both_ways_of_a_scan_line_together_as_a_loop) {
   const TemporaryFolder folder;
   std::string text = "line,x,fwd,bwd\n";
   for (int line = 1; line <= 2; ++line)
-    for (int i = 0; i < 12; ++i) text += std::to_string(line) + "," + std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(-i) + "\n";
+    for (int i = 0; i < 12; ++i)
+      text += std::to_string(line) + "," + std::to_string(i) + "," + std::to_string(i) + "," +
+              std::to_string(-i) + "\n";
   ImportOptions options = with_bodies();
   options.mode = Motion::sliding;
-  options.columns = {"run = line", "lateral_displacement [um] = x", "lateral_force:forward [nN] = fwd", "lateral_force:backward [nN] = bwd", "normal_force [nN] = 20"};
+  options.columns = {"run = line", "lateral_displacement [um] = x", "lateral_force:forward [nN] = fwd",
+                     "lateral_force:backward [nN] = bwd", "normal_force [nN] = 20"};
   const RecordingTable table = import_recording(folder.write("scan.csv", text), options).tables[0];
   ASSERT_EQ(table.rows(), 48u);
   EXPECT_EQ(table.segment[11], "forward");
@@ -143,23 +165,37 @@ TEST(Import_behaviour, puts_both_ways_of_a_scan_line_together_as_a_loop) {
 TEST(Import_behaviour, refuses_with_one_sentence) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text, const ImportOptions& options) {
-    const std::string message = message_of<InputError>([&] { import_recording(folder.write("file.txt", text), options); });
+    const std::string message =
+        message_of<InputError>([&] { import_recording(folder.write("file.txt", text), options); });
     EXPECT_EQ(message.find('\n'), std::string::npos);
     return message;
   };
   EXPECT_NE(refusal("no table here\n", with_bodies()).find("there is no row of names"), std::string::npos);
   EXPECT_NE(refusal(std::string("a\0b", 3), with_bodies()).find("is binary, not text"), std::string::npos);
-  EXPECT_NE(refusal("Mon\n\nNumber of Points = 5\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n", with_bodies()).find("announces 5 points and holds 1"), std::string::npos);
-  EXPECT_NE(refusal("Mon\n\nNumber of Points = 2\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n1\t2\n", with_bodies()).find(":6: 2 cells where the header has 3"), std::string::npos);
-  EXPECT_NE(refusal("Mon\n\nNumber of Points = 2\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n1\tx\t4\n", with_bodies()).find(":6: 'x' in column"), std::string::npos);
+  EXPECT_NE(
+      refusal("Mon\n\nNumber of Points = 5\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n", with_bodies())
+          .find("announces 5 points and holds 1"),
+      std::string::npos);
+  EXPECT_NE(refusal("Mon\n\nNumber of Points = 2\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n1\t2\n",
+                    with_bodies())
+                .find(":6: 2 cells where the header has 3"),
+            std::string::npos);
+  EXPECT_NE(refusal("Mon\n\nNumber of Points = 2\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n1\tx\t4\n",
+                    with_bodies())
+                .find(":6: 'x' in column"),
+            std::string::npos);
   ImportOptions options;
-  EXPECT_NE(refusal("Mon\n\nNumber of Points = 1\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n", options).find("give it with --radius"), std::string::npos);
+  EXPECT_NE(refusal("Mon\n\nNumber of Points = 1\nDepth (nm)\tLoad (\xB5N)\tTime (s)\n1\t2\t3\n", options)
+                .find("give it with --radius"),
+            std::string::npos);
   options.format = "hysitorn";
   EXPECT_NE(refusal("x\n", options).find("did you mean 'hysitron'?"), std::string::npos);
-  EXPECT_NE(message_of<InputError>([&] { import_recording(folder.path / "none.txt", {}); }).find("none.txt"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { import_recording(folder.path / "none.txt", {}); }).find("none.txt"),
+            std::string::npos);
 }
 
-// ---- what real instruments wrote ------------------------------------------------------------------------------------------------
+// ---- what real instruments wrote
+// ------------------------------------------------------------------------------------------------
 
 TEST(ImportedFiles_other_code, hysitron_hld_has_its_test_table_and_four_stretches) {
   ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/hysitron_50mN.hld");
@@ -201,14 +237,16 @@ TEST(ImportedFiles_other_code, optics11_says_radius_modulus_and_pulls_off) {
     // Half as stiff a cantilever, half the force.
     ImportOptions softer;
     softer.spring_constant = 0.016;
-    EXPECT_NEAR(import_recording(file, softer).tables[0].column("normal_force")[3000] / force[3000], 0.5, 1e-9);
+    EXPECT_NEAR(import_recording(file, softer).tables[0].column("normal_force")[3000] / force[3000], 0.5,
+                1e-9);
   }
 }
 
 TEST(ImportedFiles_other_code, fischerscope_has_ten_runs_of_eight_cycles) {
   ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/fischerscope_fusedsilica_8cycles.txt");
   const RecordingTable table = import_recording(file, with_bodies()).tables[0];
-  const auto &run = table.column("run"), &cycle = table.column("cycle"), &force = table.column("normal_force");
+  const auto &run = table.column("run"), &cycle = table.column("cycle"),
+             &force = table.column("normal_force");
   EXPECT_EQ(*std::max_element(run.begin(), run.end()), 10);
   EXPECT_EQ(*std::max_element(cycle.begin(), cycle.end()), 7);
   EXPECT_NEAR(*std::max_element(force.begin(), force.end()), 0.3, 0.003);
@@ -221,17 +259,26 @@ TEST(ImportedFiles_other_code, tables_of_other_programs_come_in_by_a_map_of_thei
     std::vector<std::string> columns;
     std::size_t rows;
   };
-  const std::vector<std::string> probe{"time [s] = time_s", "normal_displacement [nm] = displacement_nm", "normal_force [uN] = load_uN"};
-  for (const Table& t : {Table{"csm_popin_Test012.csv", Motion::normal,
-                               {"time [s] = time_s", "normal_displacement [nm] = displacement_nm", "normal_force [mN] = load_mN"}, 375},
-                         Table{"flat_probe_Gold_00000_avg10.csv", Motion::normal, probe, 5100},
-                         Table{"flat_probe_AIR_reference_avg10.csv", Motion::normal, probe, 5101},
-                         Table{"rsf_velstep_basalt_BRAVA_b819.txt", Motion::sliding,
-                               {"time [s] = Time(s)", "lateral_displacement [um] = Displ(microns)", "lateral_force [N] = Friction * Normal_stress(MPa)",
-                                "normal_force [N] = Normal_stress(MPa)"}, 5849},
-                         Table{"lfm_SBS-PMMA_loops_32lines.csv", Motion::sliding,
-                               {"run = line", "lateral_displacement [um] = x_um", "lateral_force:forward [nN] = lateral_fwd_V",
-                                "lateral_force:backward [nN] = lateral_bwd_V", "normal_force [nN] = 20"}, 16384}}) {
+  const std::vector<std::string> probe{"time [s] = time_s", "normal_displacement [nm] = displacement_nm",
+                                       "normal_force [uN] = load_uN"};
+  for (const Table& t :
+       {Table{"csm_popin_Test012.csv",
+              Motion::normal,
+              {"time [s] = time_s", "normal_displacement [nm] = displacement_nm",
+               "normal_force [mN] = load_mN"},
+              375},
+        Table{"flat_probe_Gold_00000_avg10.csv", Motion::normal, probe, 5100},
+        Table{"flat_probe_AIR_reference_avg10.csv", Motion::normal, probe, 5101},
+        Table{"rsf_velstep_basalt_BRAVA_b819.txt",
+              Motion::sliding,
+              {"time [s] = Time(s)", "lateral_displacement [um] = Displ(microns)",
+               "lateral_force [N] = Friction * Normal_stress(MPa)", "normal_force [N] = Normal_stress(MPa)"},
+              5849},
+        Table{"lfm_SBS-PMMA_loops_32lines.csv",
+              Motion::sliding,
+              {"run = line", "lateral_displacement [um] = x_um", "lateral_force:forward [nN] = lateral_fwd_V",
+               "lateral_force:backward [nN] = lateral_bwd_V", "normal_force [nN] = 20"},
+              16384}}) {
     ASPERITY_SHARED_FILE_OR_SKIP(file, std::string("recordings/") + t.name);
     ImportOptions options = with_bodies();
     options.mode = t.mode;

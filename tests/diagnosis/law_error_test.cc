@@ -16,13 +16,15 @@ struct Made {
   Noise noise;
   std::vector<double> white, error;
   Made() {
-    for (std::size_t i = 0; i < 400; ++i) samples.list[i].segment = i < 200 ? 0 : 1, samples.list[i].part = i < 200 ? 0 : 1;
+    for (std::size_t i = 0; i < 400; ++i)
+      samples.list[i].segment = i < 200 ? 0 : 1, samples.list[i].part = i < 200 ? 0 : 1;
     samples.segment_names = {"load", "unload"};
     noise.sd.assign(400, 1.0);
     noise.shared = {{}};
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
-    for (std::size_t i = 0; i < 400; ++i) white.push_back(normal(random)), error.push_back(5);  // a law off by five deviations
+    for (std::size_t i = 0; i < 400; ++i)
+      white.push_back(normal(random)), error.push_back(5);  // a law off by five deviations
   }
   double cost(const std::vector<double>& residual, const std::vector<LawError>& errors) const {
     return LawErrors(samples).cost(samples, noise, residual, errors);

@@ -22,7 +22,9 @@ TEST(LimitsOfRecordings_analytic, json_nested_300000_deep_is_refused) {
   nested += "0" + std::string(300000, '}');
   folder.write("recording.json", nested);
   EXPECT_EQ(test::in_child([&] { read_recording(folder.path); }).end, ChildOutcome::End::refused);
-  EXPECT_NE(message_of<InputError>([&] { read_recording(folder.path); }).find("recording.json:1: objects and lists are nested"),
+  EXPECT_NE(message_of<InputError>([&] {
+              read_recording(folder.path);
+            }).find("recording.json:1: objects and lists are nested"),
             std::string::npos);
 }
 
@@ -34,7 +36,8 @@ TEST(LimitsOfRecordings_analytic, a_line_of_a_million_commas_is_refused) {
     read_table_file(file, table);
   };
   test::expect_refused_within(test::measured_in_child(read), most_bytes);
-  EXPECT_NE(message_of<InputError>(read).find("loading.csv:1: this line is longer than 262144 characters"), std::string::npos);
+  EXPECT_NE(message_of<InputError>(read).find("loading.csv:1: this line is longer than 262144 characters"),
+            std::string::npos);
 }
 
 TEST(LimitsOfImport_analytic, a_megabyte_of_empty_lines_or_of_commas_stays_within_the_stated_multiple) {
@@ -53,7 +56,8 @@ TEST(LimitsOfImport_analytic, a_format_that_is_asked_for_and_not_there_is_refuse
   for (const std::string& format : import_formats()) {
     ImportOptions options;
     options.format = format;
-    EXPECT_EQ(test::in_child([&] { import_recording(empty, options); }).end, ChildOutcome::End::refused) << format;
+    EXPECT_EQ(test::in_child([&] { import_recording(empty, options); }).end, ChildOutcome::End::refused)
+        << format;
   }
 }
 

@@ -24,9 +24,11 @@ using test::nm;
 using test::row;
 using test::uN;
 
-Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std::vector<double>>>& effects, double friction = 0.2) {
+Mechanics with(const Experiment& e, const std::vector<std::pair<std::string, std::vector<double>>>& effects,
+               double friction = 0.2) {
   SimulationChoice choice;
-  for (const auto& name : {"sliding_friction", "rolling_friction", "torsion_friction"}) choice.parameters[name] = {friction, true};
+  for (const auto& name : {"sliding_friction", "rolling_friction", "torsion_friction"})
+    choice.parameters[name] = {friction, true};
   Mechanics m = baseline_mechanics(e, choice);
   for (const auto& [id, values] : effects) effect_of(id).assemble(m, values.data());
   return m;
@@ -50,7 +52,8 @@ TEST(Mechanics_analytic, series_compliance_takes_its_part_of_the_displacement) {
 
 TEST(Mechanics_analytic, force_control_gives_the_displacement_that_displacement_control_would_turn_back) {
   const Experiment e = experiment(Motion::normal);
-  const Mechanics m = with(e, {{"instrument_compliance", {5e-6}}, {"contact_point_offset", {3 * nm}}, {"baseline_tilt", {200}}});
+  const Mechanics m = with(
+      e, {{"instrument_compliance", {5e-6}}, {"contact_point_offset", {3 * nm}}, {"baseline_tilt", {200}}});
   Samples path = approach_and_back(5 * nm, 50 * nm, 40);
   const auto f = simulate(m, path);
   for (std::size_t i = 0; i < f.size(); ++i) path.list[i].normal_force = f[i];
@@ -69,7 +72,8 @@ TEST(Mechanics_analytic, drift_and_offset_shift_the_displacement) {
 TEST(Mechanics_analytic, creep_under_a_held_load_reaches_63_per_cent_after_its_time_constant) {
   const Experiment e = experiment(Motion::normal);
   Samples path = approach_and_back(0, 40 * nm, 2);
-  for (std::size_t i = 0; i < path.list.size(); ++i) path.list[i].normal_force = e.largest_force, path.list[i].time = 7.0 * static_cast<double>(i);
+  for (std::size_t i = 0; i < path.list.size(); ++i)
+    path.list[i].normal_force = e.largest_force, path.list[i].time = 7.0 * static_cast<double>(i);
   path.runs[0].response_is_displacement = true;
   const auto d = simulate(with(e, {{"creep", {2 * nm, 7.0}}}), path);
   EXPECT_NEAR(d[0], e.largest_displacement, 1e-13);
@@ -102,7 +106,8 @@ TEST(Mechanics_analytic, creep_driven_by_displacement_gives_the_force_that_drive
   back.runs[0].response_is_displacement = true;
   for (std::size_t i = 0; i < back.list.size(); ++i) back.list[i].normal_force = force[i];
   const auto displacement = simulate(with(e, {{"creep", {5 * nm, 12}}}), back);
-  for (std::size_t i = 1; i < 50; ++i) EXPECT_NEAR(displacement[i], path.list[i].normal_displacement, 1e-3 * nm) << i;
+  for (std::size_t i = 1; i < 50; ++i)
+    EXPECT_NEAR(displacement[i], path.list[i].normal_displacement, 1e-3 * nm) << i;
 }
 
 TEST(Mechanics_analytic, a_radius_ratio_of_four_doubles_the_force) {
@@ -136,7 +141,8 @@ TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transi
   for (const double transition : {0.0, 0.1, 0.3, 0.6, 0.88, 1.0}) {
     const auto f = simulate(with(e, {{"adhesion", {1e-12, transition}}}), path);
     for (std::size_t i = 0; i < 40; ++i)
-      EXPECT_NEAR(f[i] / e.hertz().force(path.list[i].normal_displacement), 1, 1e-3) << transition << " " << i;
+      EXPECT_NEAR(f[i] / e.hertz().force(path.list[i].normal_displacement), 1, 1e-3)
+          << transition << " " << i;
   }
 }
 
@@ -149,15 +155,19 @@ TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_ce
   NormalState state;
   for (std::size_t i = 0; i < f.size(); ++i) {
     state = law.advance(state, path.list[i].normal_displacement);
-    if (std::abs(path.list[i].normal_displacement) < 1e-15 || path.list[i].normal_displacement < 0.9 * law.smallest_approach()) continue;
-    EXPECT_NEAR(f[i], state.force, 0.01 * h + 0.01 * std::abs(state.force)) << path.list[i].normal_displacement;
+    if (std::abs(path.list[i].normal_displacement) < 1e-15 ||
+        path.list[i].normal_displacement < 0.9 * law.smallest_approach())
+      continue;
+    EXPECT_NEAR(f[i], state.force, 0.01 * h + 0.01 * std::abs(state.force))
+        << path.list[i].normal_displacement;
   }
 }
 
 /// Maugis (1992), solved, against the fit of Carpick et al. (1999) to it: lambda = -0.924 ln(1 - 1.02 alpha).
 TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_per_cent) {
   const Experiment e = experiment(Motion::normal);
-  const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(), pi = boost::math::double_constants::pi;
+  const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(),
+               pi = boost::math::double_constants::pi;
   for (const double alpha : {0.3, 0.6, 0.9}) {
     const double lambda = -0.924 * std::log(1 - 1.02 * alpha);
     // The work that has this pull-off force.
@@ -172,7 +182,9 @@ TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_p
     contact->accept(5 * nm);
     const double unit = law.approach(h);
     for (const double force : {-0.5 * h, 0.0, h, 5 * h, 20 * h})
-      EXPECT_NEAR(contact->displacement(force), law.approach(force), 0.02 * std::max(unit, law.approach(force))) << alpha << " " << force / h;
+      EXPECT_NEAR(contact->displacement(force), law.approach(force),
+                  0.02 * std::max(unit, law.approach(force)))
+          << alpha << " " << force / h;
   }
 }
 
@@ -193,13 +205,15 @@ TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
   const Samples path = approach_and_back(0, 40 * nm, 401);
   const auto f = simulate(with(e, {{"adhesion_hysteresis", {1e-6, 1.0}}}), path);
   const double a = std::sqrt(e.radius * 40 * nm), step = 40 * nm / 400;
-  EXPECT_NEAR((f[400] - f[405]) / (4 * step), 2 * e.reduced_modulus() * a, 0.01 * 2 * e.reduced_modulus() * a);  // f[401] repeats the turn
+  EXPECT_NEAR((f[400] - f[405]) / (4 * step), 2 * e.reduced_modulus() * a,
+              0.01 * 2 * e.reduced_modulus() * a);  // f[401] repeats the turn
 }
 
 TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint_of_Etsion) {
   const Experiment e = experiment(Motion::normal);
   const double Y = 0.5e9, C = 1.295 * std::exp(0.736 * e.particle.poisson_ratio);
-  const double critical = std::pow(boost::math::double_constants::pi * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
+  const double critical =
+      std::pow(boost::math::double_constants::pi * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
   const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
   const auto elastic = simulate(m, approach_and_back(0, 1.5 * critical, 11));
   EXPECT_NEAR(elastic[10], e.hertz().force(1.5 * critical), 1e-3 * elastic[10]);
@@ -215,7 +229,8 @@ TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint
 
 TEST(Mechanics_analytic, lateral_stiffness_is_mindlins_with_the_compliance_in_series) {
   const Experiment e = experiment(Motion::sliding);
-  const double load = 1e-3, a = e.hertz().contact_radius(load), k = 8 * sliding_modulus(e.particle, e.substrate) * a, C = 3e-5;
+  const double load = 1e-3, a = e.hertz().contact_radius(load),
+               k = 8 * sliding_modulus(e.particle, e.substrate) * a, C = 3e-5;
   const auto alone = simulate(with(e, {}), lateral_path(load, {0, 1 * nm}, 11));
   const auto soft = simulate(with(e, {{"lateral_compliance", {C}}}), lateral_path(load, {0, 1 * nm}, 11));
   EXPECT_NEAR(alone[10], k * nm, 1e-9 * k * nm);
@@ -233,12 +248,16 @@ TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
   const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load);
   const Samples way = lateral_path(load, {0, 200 * nm}, 2001);
-  const auto end = [&](const std::vector<std::pair<std::string, std::vector<double>>>& effects) { return simulate(with(e, effects), way).back(); };
+  const auto end = [&](const std::vector<std::pair<std::string, std::vector<double>>>& effects) {
+    return simulate(with(e, effects), way).back();
+  };
   EXPECT_NEAR(end({{"adhesion_offset", {0.2e-3}}}), 0.2 * 1.2e-3, 1e-12);
-  EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * boost::math::double_constants::pi * a * a, 1e-12);
+  EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * boost::math::double_constants::pi * a * a,
+              1e-12);
   EXPECT_NEAR(end({{"surface_tilt", {0.02}}}), 0.2e-3 + std::tan(0.02) * load, 1e-12);
   EXPECT_NEAR(end({{"lateral_zero_offset", {5 * uN}}}), 0.2e-3 + 5 * uN, 1e-12);
-  EXPECT_NEAR(end({{"velocity_dependence", {0.01}}}), (0.2 + 0.01 * std::log(way.list[9].speed / std::sqrt(e.slowest * e.fastest))) * load, 1e-12);
+  EXPECT_NEAR(end({{"velocity_dependence", {0.01}}}),
+              (0.2 + 0.01 * std::log(way.list[9].speed / std::sqrt(e.slowest * e.fastest))) * load, 1e-12);
 }
 
 TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
@@ -255,7 +274,8 @@ TEST(Mechanics_analytic, running_in_fades_over_the_cycles) {
   const Experiment e = experiment(Motion::sliding);
   Samples way = lateral_path(1e-3, {0, 100 * nm}, 101);
   for (auto& s : way.list) s.cycle = 4;
-  EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), way).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)), 1e-12);
+  EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), way).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)),
+              1e-12);
 }
 
 TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_its_period) {
@@ -285,7 +305,8 @@ TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
   }
   const double a = 0.01, b = 0.015, L = 50 * nm, ratio = std::log(e.fastest / e.slowest);
   const auto f = simulate(with(e, {{"rate_and_state", {a, b, L}}}), way);
-  EXPECT_NEAR((f[2000] - f[1999]) / 1e-3, a * ratio, 0.05 * a * ratio);  // within a step of 1 nm some of the decay
+  EXPECT_NEAR((f[2000] - f[1999]) / 1e-3, a * ratio,
+              0.05 * a * ratio);  // within a step of 1 nm some of the decay
   EXPECT_NEAR((f[4000] - f[1999]) / 1e-3, (a - b) * ratio, 1e-6);
 }
 
@@ -311,7 +332,8 @@ TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_an
 
 TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
   const Experiment e = experiment(Motion::sliding);
-  const double load = 1e-3, a = e.hertz().contact_radius(load), G = sliding_modulus(e.particle, e.substrate), x = 1.5 * nm;
+  const double load = 1e-3, a = e.hertz().contact_radius(load), G = sliding_modulus(e.particle, e.substrate),
+               x = 1.5 * nm;
   const auto f = simulate(with(e, {{"partial_slip", {}}}), lateral_path(load, {0, x}, 51));
   const double gross = 3 * 0.2 * load / (16 * G * a);
   EXPECT_NEAR(f.back(), 0.2 * load * (1 - std::pow(1 - x / gross, 1.5)), 0.001 * 0.2 * load);
@@ -321,7 +343,8 @@ TEST(Mechanics_analytic, rolling_resistance_is_mu_times_load_with_an_offset) {
   const Experiment e = experiment(Motion::rolling);
   EXPECT_NEAR(simulate(with(e, {}, 5e-4), row(e, 2e-3))[0], 1e-6, 1e-15);
   EXPECT_NEAR(simulate(with(e, {{"rolling_adhesion_offset", {1e-3}}}, 5e-4), row(e, 2e-3))[0], 1.5e-6, 1e-15);
-  EXPECT_NEAR(simulate(with(e, {{"viscous_rolling", {3.0}}}, 5e-4), row(e, 2e-3))[0], (5e-4 + 3 * 1e-5) * 2e-3, 1e-15);
+  EXPECT_NEAR(simulate(with(e, {{"viscous_rolling", {3.0}}}, 5e-4), row(e, 2e-3))[0],
+              (5e-4 + 3 * 1e-5) * 2e-3, 1e-15);
 }
 
 TEST(Mechanics_analytic, rolling_over_the_contact_radius_sums_both_contacts) {
@@ -336,7 +359,8 @@ TEST(Mechanics_analytic, rolling_friction_falls_with_roughness) {
   const Experiment e = experiment(Motion::rolling);
   Samples one = row(e, 2e-3);
   one.list[0].rms_roughness = 2 * nm;
-  EXPECT_NEAR(simulate(with(e, {{"roughness_dependent_rolling", {3e-4, 6e-4, 1 * nm}}}), one)[0], (3e-4 + 6e-4 * std::exp(-2)) * 2e-3, 1e-15);
+  EXPECT_NEAR(simulate(with(e, {{"roughness_dependent_rolling", {3e-4, 6e-4, 1 * nm}}}), one)[0],
+              (3e-4 + 6e-4 * std::exp(-2)) * 2e-3, 1e-15);
 }
 
 TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
@@ -347,11 +371,15 @@ TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
     one.list[0].rail_angle = angle;
     one.runs[0].at = ForcePlace::substrate;
     const double mu = rail_friction(angle, {4e-4, 5e-3, 0, 0});
-    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], mu * slope_force, 1e-12 * mu) << degrees;
+    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], mu * slope_force,
+                1e-12 * mu)
+        << degrees;
     // At the plate: both slopes' lateral forces, and the load that stands on them.
     one.runs[0].at = ForcePlace::indenter;
     one.list[0].normal_force = 2 * std::cos(angle) * slope_force;
-    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], 2 * mu * slope_force, 1e-12 * mu) << degrees;
+    EXPECT_NEAR(simulate(with(e, {{"torsion_resistance", {5e-3}}}, 4e-4), one)[0], 2 * mu * slope_force,
+                1e-12 * mu)
+        << degrees;
   }
 }
 

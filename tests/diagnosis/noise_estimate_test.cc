@@ -137,7 +137,8 @@ TEST(NoiseEstimate_analytic, of_each_table_is_its_own) {
   std::vector<double> residual(6000);
   for (std::size_t i = 0; i < 6000; ++i) residual[i] = normal(random) * (i < 2000 ? 1 : i < 4000 ? 5 : 25);
   const Noise noise = noise_of(recording, residual);
-  EXPECT_EQ(noise.from, (std::vector<std::string>{"high frequencies", "high frequencies", "neighbouring rows"}));
+  EXPECT_EQ(noise.from,
+            (std::vector<std::string>{"high frequencies", "high frequencies", "neighbouring rows"}));
   EXPECT_NEAR(noise.sd[100], 1, 0.07);
   EXPECT_NEAR(noise.sd[2100], 5, 0.35);
   EXPECT_NEAR(noise.sd[4100], 25, 2);

@@ -19,7 +19,8 @@ std::vector<double> shared_noise(std::size_t count, const SharedNoise& shared, u
   double slow = std::sqrt(shared.share) * normal(random);
   for (std::size_t i = 0; i < count; ++i) {
     values.push_back(slow + std::sqrt(1 - shared.share) * normal(random));
-    slow = shared.memory * slow + std::sqrt(shared.share * (1 - shared.memory * shared.memory)) * normal(random);
+    slow =
+        shared.memory * slow + std::sqrt(shared.share * (1 - shared.memory * shared.memory)) * normal(random);
   }
   return values;
 }
@@ -29,7 +30,8 @@ constexpr std::size_t count = 20000;
 TEST(SharedNoise_analytic, whitening_leaves_nothing_that_neighbours_share) {
   const Samples samples = test::approach_and_back(0, 1e-8, count / 2);
   const SharedNoise shared{0.4, 0.7};
-  const auto white = NoiseFilter(samples, std::vector<double>(count, 1.0), {shared}).whitened(shared_noise(count, shared, 1));
+  const auto white = NoiseFilter(samples, std::vector<double>(count, 1.0), {shared})
+                         .whitened(shared_noise(count, shared, 1));
   double square = 0;
   for (const double value : white) square += value * value;
   EXPECT_NEAR(square / count, 1, 0.03);
@@ -47,7 +49,8 @@ TEST(SharedNoise_analytic, columns_are_whitened_as_residuals_are) {
   std::vector<std::size_t> all(100);
   for (std::size_t i = 0; i < 100; ++i) all[i] = i;
   Eigen::MatrixXd columns(100, 2);
-  for (Eigen::Index i = 0; i < 100; ++i) columns(i, 0) = noise[static_cast<std::size_t>(i)], columns(i, 1) = -2 * columns(i, 0);
+  for (Eigen::Index i = 0; i < 100; ++i)
+    columns(i, 0) = noise[static_cast<std::size_t>(i)], columns(i, 1) = -2 * columns(i, 0);
   filter.whiten(all, columns);
   const auto white = filter.whitened(noise);
   for (Eigen::Index i = 0; i < 100; ++i) {

@@ -66,7 +66,8 @@ TEST(RecordingRules_behaviour, ask_for_bodies_that_can_be) {
   EXPECT_SAID("'particle' needs its 'radius'", r.particle.radius = 0);
   EXPECT_SAID("'particle' needs its 'radius'", r.particle.radius = NAN);
   EXPECT_SAID("needs the 'indenter'", r.mode = Motion::rolling);
-  EXPECT_SAID("'indenter' needs its 'youngs_modulus'", (r.mode = Motion::rolling, r.indenter = RecordedBody{}));
+  EXPECT_SAID("'indenter' needs its 'youngs_modulus'",
+              (r.mode = Motion::rolling, r.indenter = RecordedBody{}));
   EXPECT_TAKEN((r.mode = Motion::rolling, r.indenter = test::diamond()));
   EXPECT_SAID("needs the 'rail_angle'", (r.mode = Motion::rail, r.indenter = test::diamond()));
   EXPECT_TAKEN((r.mode = Motion::rail, r.indenter = test::diamond(), r.rail_angle = 0.8));

@@ -14,15 +14,20 @@ namespace {
 
 std::string head(const std::string& extra = "") {
   return R"json({"format": "asperity-recording/1", "title": "loops", "mode": "sliding",
- "particle": {"material": "borosilicate", "youngs_modulus": "71 GPa", "poissons_ratio": 0.17, "radius": "8.5 um", "rms_roughness": "0.7 nm"},
- "substrate": {"material": "Si(100)", "youngs_modulus": "179 GPa", "poissons_ratio": 0.25},)json" + extra + R"json(
- "tables": [{"file": "loops.csv", "kind": "trace", "control": ["lateral_displacement", "normal_force"], "response": "lateral_force"}]})json";
+ "particle": {"material": "borosilicate", "youngs_modulus": "71 GPa", "poissons_ratio": 0.17,
+     "radius": "8.5 um", "rms_roughness": "0.7 nm"},
+ "substrate": {"material": "Si(100)", "youngs_modulus": "179 GPa", "poissons_ratio": 0.25},)json" +
+         extra + R"json(
+ "tables": [{"file": "loops.csv", "kind": "trace", "control": ["lateral_displacement", "normal_force"],
+     "response": "lateral_force"}]})json";
 }
 
 std::string rows(const std::string& header, const std::string& odd_row = "", int odd_at = -1) {
   std::string text = header + "\n";
   for (int i = 0; i < 30; ++i)
-    text += i == odd_at ? odd_row + "\n" : std::to_string(0.1 * i) + "," + std::to_string(i) + ",100," + std::to_string(0.5 * i) + ",forward\n";
+    text += i == odd_at ? odd_row + "\n"
+                        : std::to_string(0.1 * i) + "," + std::to_string(i) + ",100," +
+                              std::to_string(0.5 * i) + ",forward\n";
   return text;
 }
 
@@ -39,7 +44,9 @@ std::string refusal(const std::string& json, const std::string& csv) {
 
 TEST(Recording_behaviour, is_read_in_SI_units_with_missing_cells_as_nan) {
   const test::TemporaryFolder folder;
-  folder.write("recording.json", head(R"("noise": {"lateral_force": "0.2 uN"}, "simulation": {"parameters": {"sliding_friction": {"value": 0.23, "calibrate": true}}},)"));
+  folder.write("recording.json", head(
+                                     R"("noise": {"lateral_force": "0.2 uN"},
+              "simulation": {"parameters": {"sliding_friction": {"value": 0.23, "calibrate": true}}},)"));
   folder.write("loops.csv", "# a remark\n" + rows(header, "0.45,4.5,100,,hold", 5));
   const Recording recording = read_recording(folder.path);
   EXPECT_EQ(recording.mode, Motion::sliding);
@@ -69,8 +76,10 @@ TEST(Recording_behaviour, comes_back_from_its_file_as_it_was) {
   EXPECT_EQ(second.tables[0].segment, first.tables[0].segment);
   for (const auto& [channel, values] : first.tables[0].columns)
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isnan(values[i])) EXPECT_TRUE(std::isnan(second.tables[0].column(channel)[i]));
-      else EXPECT_NEAR(second.tables[0].column(channel)[i], values[i], 1e-9 * std::abs(values[i]));
+      if (std::isnan(values[i]))
+        EXPECT_TRUE(std::isnan(second.tables[0].column(channel)[i]));
+      else
+        EXPECT_NEAR(second.tables[0].column(channel)[i], values[i], 1e-9 * std::abs(values[i]));
     }
 }
 
@@ -95,23 +104,28 @@ TEST(Recording_behaviour, takes_time_that_starts_again_in_another_run) {
   folder.write("recording.json", head());
   std::string text = "run," + header + "\n";
   for (int run = 1; run <= 2; ++run)
-    for (int i = 0; i < 12; ++i) text += std::to_string(run) + "," + std::to_string(i) + "," + std::to_string(i) + ",100,1,forward\n";
+    for (int i = 0; i < 12; ++i)
+      text += std::to_string(run) + "," + std::to_string(i) + "," + std::to_string(i) + ",100,1,forward\n";
   folder.write("loops.csv", text);
   EXPECT_EQ(read_recording(folder.path).tables[0].rows(), 24u);
 }
 
 TEST(Recording_behaviour, refuses_a_unit_that_does_not_fit) {
-  const std::string message = refusal(head(), rows("time [s],lateral_displacement [nm],normal_force [nm],lateral_force [uN],segment"));
+  const std::string message = refusal(
+      head(), rows("time [s],lateral_displacement [nm],normal_force [nm],lateral_force [uN],segment"));
   EXPECT_IN("normal_force [nm]", message);
   EXPECT_IN("uN", message);
 }
 
 TEST(Recording_behaviour, refuses_a_misspelt_column_with_the_nearest_name) {
-  EXPECT_IN("did you mean 'normal_force'", refusal(head(), rows("time [s],lateral_displacement [nm],normal_foce [uN],lateral_force [uN],segment")));
+  EXPECT_IN("did you mean 'normal_force'",
+            refusal(head(),
+                    rows("time [s],lateral_displacement [nm],normal_foce [uN],lateral_force [uN],segment")));
 }
 
 TEST(Recording_behaviour, refuses_a_missing_response) {
-  const std::string message = refusal(head(), rows("time [s],lateral_displacement [nm],normal_force [uN],normal_displacement [nm],segment"));
+  const std::string message = refusal(
+      head(), rows("time [s],lateral_displacement [nm],normal_force [uN],normal_displacement [nm],segment"));
   EXPECT_IN("no column 'lateral_force'", message);
 }
 
@@ -132,7 +146,8 @@ TEST(Recording_behaviour, refuses_rows_of_another_length_and_files_of_another_fo
 TEST(Recording_behaviour, refuses_a_file_of_a_gigabyte_without_reading_it) {
   const test::TemporaryFolder folder;
   folder.write("recording.json", head());
-  std::filesystem::resize_file(folder.write("loops.csv", header + "\n"), std::uintmax_t(1) << 30);  // sparse: no space is taken
+  std::filesystem::resize_file(folder.write("loops.csv", header + "\n"),
+                               std::uintmax_t(1) << 30);  // sparse: no space is taken
   EXPECT_IN("1024 MB", test::message_of<InputError>([&] { read_recording(folder.path); }));
 }
 

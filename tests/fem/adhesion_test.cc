@@ -36,16 +36,19 @@ double width_of_contact(const FrictionalContact& contact) {
   return widest;
 }
 
-/// Kendall (1975), Wear 33:351: the rim in front gives back the closing work, the rim behind takes the opening work, over the
-/// width of contact: M = R 2a (w_opening - w_closing). Steady once what was bonded at the start has left the attraction's range: after
-/// `transient` contact radii. Attraction reaches over `region` contact radii.
-void expect_hysteresis_resists(double closing, double opening, double range, double transient, double region) {
+/// Kendall (1975), Wear 33:351: the rim in front gives back the closing work, the rim behind takes the
+/// opening work, over the width of contact: M = R 2a (w_opening - w_closing). Steady once what was bonded at
+/// the start has left the attraction's range: after `transient` contact radii. Attraction reaches over
+/// `region` contact radii.
+void expect_hysteresis_resists(double closing, double opening, double range, double transient,
+                               double region) {
   FrictionalContactOptions o;
   o.friction = 0;
   o.cells_per_radius = 8;
   o.region = region;
   o.way = 2 * (transient + 1) * 260e-9;
-  o.adhesion = {std::make_shared<fem::Dugdale>(closing, range), std::make_shared<fem::Dugdale>(opening, range)};
+  o.adhesion = {std::make_shared<fem::Dugdale>(closing, range),
+                std::make_shared<fem::Dugdale>(opening, range)};
   FrictionalContact contact(o);
   const double a = contact.contact_radius, h = a / o.cells_per_radius;
   double moment = 0, lost = 0, width = 0;
@@ -57,7 +60,8 @@ void expect_hysteresis_resists(double closing, double opening, double range, dou
     ++steps;
   }
   const double expected = o.radius * (opening - closing) * width / steps;
-  std::printf("moment %.4g, lost per angle %.4g, R times width times dw %.4g N m\n", moment / steps, lost / (steps * h / o.radius), expected);
+  std::printf("moment %.4g, lost per angle %.4g, R times width times dw %.4g N m\n", moment / steps,
+              lost / (steps * h / o.radius), expected);
   char place[96];
   std::snprintf(place, sizeof place, "rolling, w %g closing and %g J/m2 opening over %g nm, a/h 8: ", closing,
                 opening, 1e9 * range);
@@ -78,26 +82,32 @@ TEST(AdhesiveRollingNightly_analytic, in_the_limit_of_DMT_hysteresis_of_adhesion
   expect_hysteresis_resists(0.02, 0.05, 10e-9, 4, 2.4);  // 0.02 and 0.03
 }
 
-/// Dominik & Tielens (1995), Phil. Mag. A 72, 783, eq. 32: while its rim is pinned, a contact of radius a resists a roll that brings
-/// the particle's centre ahead by xi with M = 4 F_c (a/a0)^(3/2) xi. That is (P_a - P) xi, P_a = 4 E* a^3 / (3 R): what tilting a bonded
-/// circle takes, less what the load gives. Krijt, Dominik & Tielens (2014), J. Phys. D 47, 175302: the rim moves where its energy
-/// release G (1 -+ e)^2, e = 3 P_a xi / ((P_a - P) a), falls below the closing or rises above the opening work.
+/// Dominik & Tielens (1995), Phil. Mag. A 72, 783, eq. 32: while its rim is pinned, a contact of radius a
+/// resists a roll that brings the particle's centre ahead by xi with M = 4 F_c (a/a0)^(3/2) xi. That is (P_a
+/// - P) xi, P_a = 4 E* a^3 / (3 R): what tilting a bonded circle takes, less what the load gives. Krijt,
+/// Dominik & Tielens (2014), J. Phys. D 47, 175302: the rim moves where its energy release G (1 -+ e)^2, e =
+/// 3 P_a xi / ((P_a - P) a), falls below the closing or rises above the opening work.
 struct PinnedContact {
   FrictionalContact contact;
-  double surplus, critical, unrolled;  ///< P_a - P [N], xi at which the rim moves [m], moment before rolling [N m]
-  bool has_lost = false;               ///< bonds have formed or broken since
+  double surplus, critical,
+      unrolled;           ///< P_a - P [N], xi at which the rim moves [m], moment before rolling [N m]
+  bool has_lost = false;  ///< bonds have formed or broken since
 
-  static FrictionalContactOptions options(double cells, double closing, double opening, double closing_range) {
+  static FrictionalContactOptions options(double cells, double closing, double opening,
+                                          double closing_range) {
     FrictionalContactOptions o;
     o.friction = 0;
     o.way = 140e-9;
     o.cells_per_radius = cells;
-    o.adhesion = {std::make_shared<fem::Dugdale>(closing, closing_range), std::make_shared<fem::Dugdale>(opening, 1e-9)};
+    o.adhesion = {std::make_shared<fem::Dugdale>(closing, closing_range),
+                  std::make_shared<fem::Dugdale>(opening, 1e-9)};
     return o;
   }
 
-  PinnedContact(double cells, double closing, double opening, double closing_range) : contact(options(cells, closing, opening, closing_range)) {
-    const double R = contact.options.radius, load = contact.options.load, far_field = contact.solver.far_field_compliance(0.9 * contact.contact_radius);
+  PinnedContact(double cells, double closing, double opening, double closing_range)
+      : contact(options(cells, closing, opening, closing_range)) {
+    const double R = contact.options.radius, load = contact.options.load,
+                 far_field = contact.solver.far_field_compliance(0.9 * contact.contact_radius);
     const double P = 0.4 * load;
     for (const double share : {0.85, 0.7, 0.55, 0.4}) contact.step({}, share * load);
     // The radius of the pinned contact from its stiffness 2 E* a.
@@ -105,7 +115,8 @@ struct PinnedContact {
     contact.step({}, 0.97 * P);
     const double stiffness = 1 / ((before - contact.state.approach) / (0.03 * P) - far_field);
     contact.step({}, P);
-    const double modulus = contact.reduced_modulus, a = stiffness / (2 * modulus), Pa = 4 * modulus * a * a * a / (3 * R);
+    const double modulus = contact.reduced_modulus, a = stiffness / (2 * modulus),
+                 Pa = 4 * modulus * a * a * a / (3 * R);
     const double G = (Pa - P) * (Pa - P) / (6 * M_PI * R * Pa);
     surplus = Pa - P;
     critical = surplus * a / (3 * Pa) * std::min(1 - std::sqrt(closing / G), std::sqrt(opening / G) - 1);
@@ -118,7 +129,8 @@ struct PinnedContact {
   double moment(double share) {
     const double xi = share * critical;
     const double moment = contact.roll(xi / contact.options.radius).rolling_moment - unrolled;
-    has_lost = has_lost || std::abs(contact.adhesion_loss) > 1e-3 * surplus * xi * xi / contact.options.radius;
+    has_lost =
+        has_lost || std::abs(contact.adhesion_loss) > 1e-3 * surplus * xi * xi / contact.options.radius;
     std::printf("xi %.2f nm: M / ((P_a - P) xi) %.4f\n", 1e9 * xi, moment / (surplus * xi));
     return moment / (surplus * xi);
   }
@@ -137,8 +149,9 @@ TEST(AdhesiveRolling_analytic, a_pinned_contact_resists_as_Dominik_and_Tielens_f
   EXPECT_FALSE(pinned.has_lost);
 }
 
-/// Attraction that closes over a short range, Maugis' parameter 2: the rim is that of fracture mechanics. It is held by cells, so that it
-/// moves by whole ones, and the moment leaves the pinned one's line some of a spacing later than the theory's.
+/// Attraction that closes over a short range, Maugis' parameter 2: the rim is that of fracture mechanics. It
+/// is held by cells, so that it moves by whole ones, and the moment leaves the pinned one's line some of a
+/// spacing later than the theory's.
 TEST(AdhesiveRollingNightly_analytic, the_rim_of_a_pinned_contact_moves_from_Krijts_critical_roll_on) {
   PinnedContact pinned(20, 0.15, 1, 0.3e-9);
   for (const double share : {0.5, 0.75, 1.0}) EXPECT_TRUE(pinned.resists_as_pinned(share));

@@ -24,12 +24,14 @@ asperity::test::Verified backends(const std::string& what) {
   return {"Solver", "assembled against matrix-free: " + what, "the other backend"};
 }
 
-/// Response to a load on the driven plane (force control) or on an interface node with half of the contacts closed.
+/// Response to a load on the driven plane (force control) or on an interface node with half of the contacts
+/// closed.
 Vector<double> response(ContactSystem& system, int& iterations) {
   std::vector<RowStiffness> stiffness;
   for (std::size_t r = 0; r < system.rows().size(); ++r) {
     const auto& p = system.interface_points()[system.rows()[r].node];
-    stiffness.push_back(std::hypot(p[0], p[1]) < 150e-9 ? system.areas()[r] * system.reduced_modulus() / 20e-9 : 0.0);
+    stiffness.push_back(std::hypot(p[0], p[1]) < 150e-9 ? system.areas()[r] * system.reduced_modulus() / 20e-9
+                                                        : 0.0);
   }
   system.linear().update(stiffness, nullptr, 0.0);
   Vector<double> x, load;

@@ -1,5 +1,5 @@
-// A ball shifted on a plane by seven eighths of full friction: CONTACT's example (Kalker 1990, sec. 5.2.1.1; eve70a/CONTACT), with the
-// traction across the shift that Cattaneo's solution leaves out.
+// A ball shifted on a plane by seven eighths of full friction: CONTACT's example (Kalker 1990, sec. 5.2.1.1;
+// eve70a/CONTACT), with the traction across the shift that Cattaneo's solution leaves out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,14 +35,16 @@ std::vector<Element> elements_of(const std::filesystem::path& path, double unit)
     double x, penetration, pressure, bound, size, angle;
     if (!(numbers >> x >> penetration >> pressure >> bound >> size >> angle) || std::isnan(y)) continue;
     // The angle is that of the traction on the ball, which resists a shift along x.
-    elements.push_back({x, y, -size * std::cos(angle * M_PI / 180) / unit, -size * std::sin(angle * M_PI / 180) / unit});
+    elements.push_back(
+        {x, y, -size * std::cos(angle * M_PI / 180) / unit, -size * std::sin(angle * M_PI / 180) / unit});
   }
   return elements;
 }
 
 TEST(Cattaneo_other_code, tractions_and_shift_at_seven_eighths_of_friction_meet_CONTACT) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "contact_references/cattaneo.ref_out");
-  constexpr double friction = 0.4, force = 0.875, shift = 8.155e-3, modulus = 200, load = 9.195;  // mm, N, MPa; a = 1
+  constexpr double friction = 0.4, force = 0.875, shift = 8.155e-3, modulus = 200,
+                   load = 9.195;  // mm, N, MPa; a = 1
   FrictionalContactOptions o;
   o.load = 100e-9, o.layers = 8, o.slip_tolerance = 1e-3, o.cells_per_radius = 18;  // nearly half-spaces
   o.poisson[0] = o.poisson[1] = 0.42, o.friction = friction;
@@ -70,8 +72,11 @@ TEST(Cattaneo_other_code, tractions_and_shift_at_seven_eighths_of_friction_meet_
     across_difference += std::pow(across - e.across, 2), across_size += e.across * e.across;
   }
   const double off = std::sqrt(difference / size), off_across = std::sqrt(across_difference / across_size);
-  std::printf("Q/muP %.4f (%.4f), sticking %.3f of the contact (%.3f), traction along differs by %.2f %% in the 2-norm, across by %.1f %% of its %.2f %%\n",
-              reached, force, double(r.sticking) / r.active, 45.0 / 177, 100 * off, 100 * off_across, 100 * std::sqrt(across_size / size));
+  std::printf(
+      "Q/muP %.4f (%.4f), sticking %.3f of the contact (%.3f), traction along differs by %.2f %% in the "
+      "2-norm, across by %.1f %% of its %.2f %%\n",
+      reached, force, double(r.sticking) / r.active, 45.0 / 177, 100 * off, 100 * off_across,
+      100 * std::sqrt(across_size / size));
   const auto verified = [](const std::string& what) {
     return asperity::test::Verified{
         "Sliding", "CONTACT's ball (nu 0.42, mu 0.4) at 7/8 of full friction, a/h 18: " + what, "CONTACT"};

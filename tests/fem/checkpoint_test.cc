@@ -70,14 +70,19 @@ TEST_F(CheckpointFile_analytic, a_flipped_bit_of_it_is_found) {
 TEST_F(CheckpointFile_analytic, a_part_that_is_cut_off_or_missing_is_named) {
   const auto size = fs::file_size(part);
   fs::resize_file(part, size - 8);
-  EXPECT_NE(refusal().find("step_1_rank_0.bin' has " + std::to_string(size - 8) + " bytes of " + std::to_string(size)), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("step_1_rank_0.bin' has " + std::to_string(size - 8) + " bytes of " +
+                           std::to_string(size)),
+            std::string::npos)
+      << refusal();
   fs::remove(part);
   EXPECT_NE(objection().find("has 0 bytes of"), std::string::npos) << objection();
 }
 
 TEST_F(CheckpointFile_analytic, of_other_inputs_or_another_program_is_refused) {
   EXPECT_EQ(objection({"other", "c1"}), "is of other inputs");
-  EXPECT_NE(refusal({ours.inputs_sha256, "c2"}).find("was written by the build of commit c1, and this one is of c2"), std::string::npos);
+  EXPECT_NE(refusal({ours.inputs_sha256, "c2"})
+                .find("was written by the build of commit c1, and this one is of c2"),
+            std::string::npos);
   auto json = nlohmann::json::parse(read_file(manifest));
   json["format"] = "asperity-checkpoint/2";
   std::ofstream(manifest) << json.dump();

@@ -32,7 +32,8 @@ CaseInput program_case(const std::string& substrate, double spacing, const std::
   return input;
 }
 
-CsvTable run(const CaseInput& input, const std::filesystem::path& folder, bool resume = false, int stop_after = 0) {
+CsvTable run(const CaseInput& input, const std::filesystem::path& folder, bool resume = false,
+             int stop_after = 0) {
   SolveOptions options;
   options.output = folder;
   options.resume = resume;
@@ -56,7 +57,8 @@ double largest_of(const std::vector<double>& errors) {
 
 fem::MotionScales scales() {
   fem::MotionScales s;
-  s.full_slip_shift = 4, s.full_slip_angle = 0.02, s.largest_shift = 8, s.largest_angle = 0.05, s.rolling_radius = 1000;
+  s.full_slip_shift = 4, s.full_slip_angle = 0.02, s.largest_shift = 8, s.largest_angle = 0.05,
+  s.rolling_radius = 1000;
   return s;
 }
 
@@ -68,7 +70,8 @@ TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_thos
   const auto program = fem::make_program(e, scales());
   double widest = 0;
   for (std::size_t k = 1; k < program.size(); ++k)
-    widest = std::max(widest, std::hypot(program[k].motion.x - program[k - 1].motion.x, program[k].motion.y - program[k - 1].motion.y));
+    widest = std::max(widest, std::hypot(program[k].motion.x - program[k - 1].motion.x,
+                                         program[k].motion.y - program[k - 1].motion.y));
   EXPECT_LE(widest, 1.5 * 8 + 1e-9);
   const auto& first = program.front().motion;
   const auto& last = program.back();
@@ -81,7 +84,8 @@ TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_thos
   // The contact's way lies evenly about the axis of the meshes: x from -x0 to 200 - x0.
   EXPECT_NEAR(first.x, -0.5 * (100 + 100 * std::cos(0.05)), 1e-9);
   EXPECT_NEAR(first.roll, -0.05, 1e-12);
-  const auto free = std::count_if(program.begin(), program.end(), [](const auto& s) { return s.rolls_freely; });
+  const auto free =
+      std::count_if(program.begin(), program.end(), [](const auto& s) { return s.rolls_freely; });
   EXPECT_GE(free, 12);
   EXPECT_FALSE(last.rolls_freely);
 }
@@ -96,19 +100,22 @@ TEST(CombinedProgram_behaviour, unloads_from_the_load_it_ends_with) {
   EXPECT_DOUBLE_EQ(program[3].load, 0.5 * std::pow(0.5, 1.5));
 }
 
-/// Far beyond full slip the past is forgotten: friction mu P against the way across, and nothing along the way before.
+/// Far beyond full slip the past is forgotten: friction mu P against the way across, and nothing along the
+/// way before.
 TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_against_its_last_way) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 24e-9, "slide 60 nm; slide across 100 nm");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const auto history = run(input, folder.path);
-  const auto along = history.numbers("lateral_force [N]"), across = history.numbers("lateral_force_across [N]");
+  const auto along = history.numbers("lateral_force [N]"),
+             across = history.numbers("lateral_force_across [N]");
   const auto y = history.numbers("shift_across [m]"), energy = history.numbers("energy_error");
   std::size_t turn = 0;
   while (y[turn + 1] == 0) ++turn;
   const double friction = 0.3 * 100e-6;
-  std::printf("along %+.2f %%, across %+.2f %%, left along %.4f, open %.2g\n", 100 * (along[turn] / friction - 1),
-              100 * (across.back() / friction - 1), along.back() / friction, *std::max_element(energy.begin(), energy.end()));
+  std::printf("along %+.2f %%, across %+.2f %%, left along %.4f, open %.2g\n",
+              100 * (along[turn] / friction - 1), 100 * (across.back() / friction - 1),
+              along.back() / friction, *std::max_element(energy.begin(), energy.end()));
   const auto verified = [](const std::string& what) {
     return test::Verified{"Sliding", "program: slid along, then across, smooth, a/h 10: " + what, "mu P"};
   };
@@ -119,33 +126,45 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
   EXPECT_TRUE(verified("energy left open").below(100 * largest_of(energy), 1, "%"));
 }
 
-/// A sphere that rolls along a rail spins on its flanks: no more than full slip, and less the shallower the rail, for rolling brings fresh
-/// surface that has not slipped. Smooth equal bodies; the way between the flanks is held, as symmetry does on a rail.
-/// `largest_across`: relative error of the force across; it falls with the first power of the spacing, here and in the reference.
+/// A sphere that rolls along a rail spins on its flanks: no more than full slip, and less the shallower the
+/// rail, for rolling brings fresh surface that has not slipped. Smooth equal bodies; the way between the
+/// flanks is held, as symmetry does on a rail. `largest_across`: relative error of the force across; it falls
+/// with the first power of the spacing, here and in the reference.
 void expect_steady_spin(double spin_number, double largest_across) {
   const auto path = asperity::test::reference_table("05_rolling_table_spin.csv");
   const auto table = read_csv(path);
   const auto nu = table.numbers("nu"), numbers = table.numbers("G*a^3*phi/(mu*P)");
   std::size_t row = 0;
   while (nu[row] != 0.17 || numbers[row] != spin_number) ++row;
-  const double across_expected = table.numbers("Fy/muP_extrap")[row], moment_expected = table.numbers("Mz/muPa_extrap")[row];
+  const double across_expected = table.numbers("Fy/muP_extrap")[row],
+               moment_expected = table.numbers("Mz/muPa_extrap")[row];
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 36e-9, "");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const double G = 71e9 / 2 / 1.17, E = 71e9 / 2 / (1 - 0.17 * 0.17), R = input.radius, P = 100e-6,
                mu = input.interface.parameters["Friction coefficient"];
-  const double a = std::cbrt(0.75 * P * R / E), spin_per_way = spin_number * mu * P / (G * a * a * a), way = 5 * a;
-  input.experiment.program = "roll " + format_quantity(way, Dimension::length, 8) + " and spin " + format_quantity(spin_per_way * way, Dimension::angle, 8);
+  const double a = std::cbrt(0.75 * P * R / E), spin_per_way = spin_number * mu * P / (G * a * a * a),
+               way = 5 * a;
+  input.experiment.program = "roll " + format_quantity(way, Dimension::length, 8) + " and spin " +
+                             format_quantity(spin_per_way * way, Dimension::angle, 8);
   const auto history = run(input, folder.path);
-  const auto along = history.numbers("lateral_force [N]"), across = history.numbers("lateral_force_across [N]"), heading = history.numbers("torsion_angle [rad]"),
-             moment = history.numbers("torsion_moment [N m]"), slip = history.numbers("friction_work [J]"), rolled = history.numbers("rolling_angle [rad]"),
-             energy = history.numbers("energy_error");
+  const auto along = history.numbers("lateral_force [N]"),
+             across = history.numbers("lateral_force_across [N]"),
+             heading = history.numbers("torsion_angle [rad]"),
+             moment = history.numbers("torsion_moment [N m]"), slip = history.numbers("friction_work [J]"),
+             rolled = history.numbers("rolling_angle [rad]"), energy = history.numbers("energy_error");
   const std::size_t last = heading.size() - 1;
   const double c = std::cos(heading[last]), s = std::sin(heading[last]);
-  const double forward = (c * along[last] + s * across[last]) / (mu * P), sideways = std::abs(c * across[last] - s * along[last]) / (mu * P);
-  const double spun_back = moment[last] / (mu * P * a), lost = (slip[last] - slip[last - 2]) / (rolled[last] - rolled[last - 2]) / R / spin_per_way / (mu * P * a);
-  std::printf("G a^3 phi/(mu P) %.2f, spun by %.3f rad: forward %.4f, across %.4f (%.4f), moment %.4f (%.4f), slip per angle of spin %.4f, open %.2g\n",
-              spin_number, heading[last], forward, sideways, across_expected, spun_back, moment_expected, lost, *std::max_element(energy.begin(), energy.end()));
+  const double forward = (c * along[last] + s * across[last]) / (mu * P),
+               sideways = std::abs(c * across[last] - s * along[last]) / (mu * P);
+  const double spun_back = moment[last] / (mu * P * a), lost = (slip[last] - slip[last - 2]) /
+                                                               (rolled[last] - rolled[last - 2]) / R /
+                                                               spin_per_way / (mu * P * a);
+  std::printf(
+      "G a^3 phi/(mu P) %.2f, spun by %.3f rad: forward %.4f, across %.4f (%.4f), moment %.4f (%.4f), slip "
+      "per angle of spin %.4f, open %.2g\n",
+      spin_number, heading[last], forward, sideways, across_expected, spun_back, moment_expected, lost,
+      *std::max_element(energy.begin(), energy.end()));
   char place[96];
   std::snprintf(place, sizeof place,
                 "rolled freely while it spins, G a^3 phi/(mu P) %g, a/h 7: ", spin_number);
@@ -160,37 +179,48 @@ void expect_steady_spin(double spin_number, double largest_across) {
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * largest_of(energy), 1, "%"));
 }
 
-TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_meets_steady_rolling_with_spin) { expect_steady_spin(0.7, 0.05); }
-TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_full_slip) { expect_steady_spin(2, 0.15); }
+TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_meets_steady_rolling_with_spin) {
+  expect_steady_spin(0.7, 0.05);
+}
+TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_full_slip) {
+  expect_steady_spin(2, 0.15);
+}
 
-/// From Cattaneo's shift to Carter's rolling with creep: friction takes all the work that shift and roll put in. A moment whose lever arm is
-/// not that of the centre the roll turns about would leave Q times approach over radius per way: an eighth of it.
+/// From Cattaneo's shift to Carter's rolling with creep: friction takes all the work that shift and roll put
+/// in. A moment whose lever arm is not that of the centre the roll turns about would leave Q times approach
+/// over radius per way: an eighth of it.
 TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_shifted_and_then_rolled) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 24e-9, "slide 3 nm; slide 2 nm and roll 400 nm");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const auto history = run(input, folder.path);
-  const auto force = history.numbers("lateral_force [N]"), roll = history.numbers("rolling_angle [rad]"), work = history.numbers("work [J]"),
-             stored = history.numbers("elastic_energy [J]"), slip = history.numbers("friction_work [J]"), approach = history.numbers("normal_displacement [m]");
+  const auto force = history.numbers("lateral_force [N]"), roll = history.numbers("rolling_angle [rad]"),
+             work = history.numbers("work [J]"), stored = history.numbers("elastic_energy [J]"),
+             slip = history.numbers("friction_work [J]"),
+             approach = history.numbers("normal_displacement [m]");
   std::size_t begin = 0;
   while (roll[begin + 1] == 0) ++begin;
   const std::size_t last = roll.size() - 1;
-  const double into_friction = slip[last] - slip[begin], put_in = work[last] - work[begin] - (stored[last] - stored[begin]);
+  const double into_friction = slip[last] - slip[begin],
+               put_in = work[last] - work[begin] - (stored[last] - stored[begin]);
   const double lever = force[last] * approach[last] * (roll[last] - roll[begin]);
-  std::printf("Q/(mu P) %.3f, put in over friction's work %.4f, force times approach times angle %.3f of it\n", force[last] / (0.3 * 100e-6),
-              put_in / into_friction, lever / into_friction);
+  std::printf(
+      "Q/(mu P) %.3f, put in over friction's work %.4f, force times approach times angle %.3f of it\n",
+      force[last] / (0.3 * 100e-6), put_in / into_friction, lever / into_friction);
   EXPECT_GT(std::abs(lever), 0.05 * into_friction);  // else the case would not tell
   EXPECT_TRUE(
       (test::Verified{"Rolling", "shifted, then rolled with creep: work put in", "friction's work"}.within(
           put_in, into_friction, 0.01)));
 }
 
-/// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle without drive could hold.
+/// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle
+/// without drive could hold.
 TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
   const test::TemporaryFolder folder;
-  CaseInput input = program_case(test::generated(1.0, 160, 3), 34e-9,
-                                 "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
-                                 "roll 1 mrad and slide -6 nm and slide across 6 nm; press 100 uN in 2 steps");
+  CaseInput input =
+      program_case(test::generated(1.0, 160, 3), 34e-9,
+                   "slide 8 nm and spin 8 mrad; press 60 uN in 2 steps; indenter 200 nm in 4 steps; "
+                   "roll 1 mrad and slide -6 nm and slide across 6 nm; press 100 uN in 2 steps");
   input.particle.parameters["Yield stress"] = 2e9;
   const auto whole = run(input, folder.path / "whole");
   const auto result = nlohmann::json::parse(read_file(folder.path / "whole" / "result.json"));
@@ -201,7 +231,8 @@ TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_
   EXPECT_TRUE(verified("force left open, of the load", "balance").below(result["balance"]["force"], 1e-5));
   EXPECT_TRUE(
       verified("energy left open", "balance").below(100 * result["balance"]["energy"].get<double>(), 1, "%"));
-  const auto angle = whole.numbers("rolling_angle [rad]"), force = whole.numbers("lateral_force [N]"), load = whole.numbers("normal_force [N]");
+  const auto angle = whole.numbers("rolling_angle [rad]"), force = whole.numbers("lateral_force [N]"),
+             load = whole.numbers("normal_force [N]");
   std::size_t rolled = 0;
   while (angle[rolled] * input.radius < 99e-9) ++rolled;
   EXPECT_NEAR(angle[rolled] * input.radius, 100e-9, 1e-12);
@@ -238,14 +269,17 @@ TEST(CombinedProgram_behaviour, is_refused_with_what_would_do) {
     return std::string();
   };
   const auto as_it_is = [](CaseInput&) {};
-  const auto expect = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
+  const auto expect = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
   expect(message("", as_it_is), "needs Experiment/Program");
   expect(message("press 200 uN", as_it_is), "at most the 100 uN");
   expect(message("press 5 nm", as_it_is), "Control is force");
   expect(message("roll 1", as_it_is), "cap; let the contact move by");
   expect(message("slide 1 mm", as_it_is), "middle half");
   expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.cycles = 2; }), "Cycles = 1");
-  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.type = Motion::sliding; }), "set Type = program");
+  expect(message("slide 1 nm", [](CaseInput& input) { input.experiment.type = Motion::sliding; }),
+         "set Type = program");
 }
 
 }  // namespace

@@ -26,7 +26,9 @@ ContactSolverOptions accurate() {
 
 struct Driver {
   explicit Driver(Control control, double yield_stress = std::numeric_limits<double>::infinity())
-      : system(MPI_COMM_WORLD, options_under_control(control, yield_stress)), solver(system, accurate()), state(solver.first_touch()) {}
+      : system(MPI_COMM_WORLD, options_under_control(control, yield_stress)),
+        solver(system, accurate()),
+        state(solver.first_touch()) {}
   ContactResultants to(double target) {
     const Vector<double> before = state.displacement;
     EXPECT_TRUE(solver.solve(state, target).converged);
@@ -57,7 +59,8 @@ TEST(DisplacementControl_analytic, an_elastic_contact_unloads_on_its_loading_pat
 
 TEST(DisplacementControl_behaviour, gives_the_states_of_force_control_of_yielding_bodies) {
   Driver given(Control::force, 2e9), driven(Control::displacement, 2e9);
-  EXPECT_NEAR(driven.solver.far_field_compliance(150e-9) / given.solver.far_field_compliance(150e-9), 1, 1e-4);
+  EXPECT_NEAR(driven.solver.far_field_compliance(150e-9) / given.solver.far_field_compliance(150e-9), 1,
+              1e-4);
   given.solver.push_rigidly(given.state, 2e-9);
   asperity::test::Largest force, pressure, stiffness;
   for (const double load : {40e-6, 100e-6, 30e-6}) {

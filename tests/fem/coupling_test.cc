@@ -29,13 +29,15 @@ TEST(MeanSurfaceDisplacement_analytic, finds_a_shift_and_a_turn_about_the_axis_u
 
 TEST(MeanSurfaceDisplacement_analytic, leaves_of_other_displacements_no_mean_and_no_turn) {
   auto along = displaced(0.1, 0.2, -0.03);
-  for (std::size_t k = 0; k < places.size(); ++k) along[0][k] += 0.05 * std::sin(5.0 * k), along[1][k] -= 0.04 * k * k;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    along[0][k] += 0.05 * std::sin(5.0 * k), along[1][k] -= 0.04 * k * k;
   const auto mean = mean_surface_displacement(places, weights, along);
   const auto fitted = displaced(mean.x, mean.y, mean.turn);
   double x = 0, y = 0, turning = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double rx = along[0][k] - fitted[0][k], ry = along[1][k] - fitted[1][k];
-    x += weights[k] * rx, y += weights[k] * ry, turning += weights[k] * (places[k][0] * ry - places[k][1] * rx);
+    x += weights[k] * rx, y += weights[k] * ry,
+        turning += weights[k] * (places[k][0] * ry - places[k][1] * rx);
   }
   EXPECT_NEAR(x, 0, 1e-13);
   EXPECT_NEAR(y, 0, 1e-13);

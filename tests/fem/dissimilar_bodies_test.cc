@@ -1,4 +1,5 @@
-// Friction in the normal contact of bodies that differ (Spence 1968, 1975): the softer one is held back from spreading.
+// Friction in the normal contact of bodies that differ (Spence 1968, 1975): the softer one is held back from
+// spreading.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,16 +14,19 @@ namespace {
 using namespace asperity;
 
 struct Spence {
-  double friction, stick_radius, radius, approach, peak;  ///< stick radius over contact radius; the others over Hertz' at the same load
+  double friction, stick_radius, radius, approach,
+      peak;  ///< stick radius over contact radius; the others over Hertz' at the same load
 };
 
 Spence reference(const std::filesystem::path& path, const std::string& pair, double stick_radius) {
   const auto table = read_csv(path);
-  const auto number = [&](const std::vector<std::string>& row, const std::string& name) { return std::stod(row[table.column(name)]); };
+  const auto number = [&](const std::vector<std::string>& row, const std::string& name) {
+    return std::stod(row[table.column(name)]);
+  };
   for (const auto& row : table.rows)
     if (row[0] == pair && std::abs(number(row, "c_over_a") - stick_radius) < 1e-9)
-      return {number(row, "mu_coupled_own"), stick_radius, number(row, "a/a_Hertz_same_P"), number(row, "delta/delta_Hertz_same_P"),
-              number(row, "p(0)/p0_Hertz_same_P")};
+      return {number(row, "mu_coupled_own"), stick_radius, number(row, "a/a_Hertz_same_P"),
+              number(row, "delta/delta_Hertz_same_P"), number(row, "p(0)/p0_Hertz_same_P")};
   throw std::runtime_error("no such pair in " + path.string());
 }
 
@@ -38,7 +42,8 @@ void expect_spence(const Spence& expected) {
   fem::ContactResultants r;
   constexpr int steps = 10;
   for (int k = 2; k <= steps; ++k) r = c.step({}, o.load * std::pow(k / static_cast<double>(steps), 1.5));
-  // The largest: p0 (1 - r^2 / a^2)^(1/2) is flat in the middle, where one node's place in the lattice does not matter.
+  // The largest: p0 (1 - r^2 / a^2)^(1/2) is flat in the middle, where one node's place in the lattice does
+  // not matter.
   double peak = 0;
   int misplaced = 0;
   const double contact = expected.radius * a, stick = expected.stick_radius * contact;
@@ -52,9 +57,11 @@ void expect_spence(const Spence& expected) {
     const bool slips = std::hypot(c.state.shear[0][k], c.state.shear[1][k]) > 0.995 * o.friction * p;
     misplaced += (radius < stick - 1.5 * h && slips) || (radius > stick + 1.5 * h && !slips);
   }
-  const double radius = std::sqrt(r.area / M_PI) / a, approach = (c.state.approach - far_field * r.force) * o.radius / (a * a);
-  std::printf("stick radius %.1f: peak %.4f (%.4f), radius %.4f (%.4f), approach %.4f (%.4f), %d misplaced\n", expected.stick_radius, peak / p0,
-              expected.peak, radius, expected.radius, approach, expected.approach, misplaced);
+  const double radius = std::sqrt(r.area / M_PI) / a,
+               approach = (c.state.approach - far_field * r.force) * o.radius / (a * a);
+  std::printf("stick radius %.1f: peak %.4f (%.4f), radius %.4f (%.4f), approach %.4f (%.4f), %d misplaced\n",
+              expected.stick_radius, peak / p0, expected.peak, radius, expected.radius, approach,
+              expected.approach, misplaced);
   char place[96] = "borosilicate on diamond without friction, a/h 16: ";
   if (expected.friction > 0)
     std::snprintf(place, sizeof place,

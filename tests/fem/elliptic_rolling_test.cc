@@ -1,4 +1,5 @@
-// A smooth elastic body with two radii that rolls with longitudinal creep: CONTACT's wheel, and towards Carter's cylinder.
+// A smooth elastic body with two radii that rolls with longitudinal creep: CONTACT's wheel, and towards
+// Carter's cylinder.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,24 +29,29 @@ std::vector<CreepForce> contact_series(const std::filesystem::path& path, std::s
   std::ifstream stream(path);
   double creep = 0;
   for (std::string line; series.size() < points && std::getline(stream, line);) {
-    const bool creeps = line.find("VELOC       CKSI") != std::string::npos, forces = line.find("FX/FSTAT/FN") != std::string::npos;
+    const bool creeps = line.find("VELOC       CKSI") != std::string::npos,
+               forces = line.find("FX/FSTAT/FN") != std::string::npos;
     if (!creeps && !forces) continue;
     std::getline(stream, line);
     std::istringstream numbers(line);
     double first, second, third;
     numbers >> first >> second >> third;
-    if (creeps) numbers >> creep;
-    else series.push_back({creep, -second});
+    if (creeps)
+      numbers >> creep;
+    else
+      series.push_back({creep, -second});
   }
   return series;
 }
 
-/// Rolled over `way` contact lengths with the shift lagging by `creep`, from a first shift that makes `guess` of mu P.
+/// Rolled over `way` contact lengths with the shift lagging by `creep`, from a first shift that makes `guess`
+/// of mu P.
 fem::ContactResultants roll_steadily(FrictionalContact& c, double creep, double guess, double way) {
   const double a = c.contact_radius, h = a / c.options.cells_per_radius, R = c.options.radius;
   const double mean = a * std::sqrt(c.options.semi_axis_across);
   fem::RigidMotion motion;
-  motion.x = guess * c.friction_force * (1 / (8 * c.system.reduced_shear_modulus() * mean) + c.lateral_far_field);
+  motion.x =
+      guess * c.friction_force * (1 / (8 * c.system.reduced_shear_modulus() * mean) + c.lateral_far_field);
   auto r = c.step(motion);
   for (double x = h; x < way * a * (1 + 1e-9); x += h) {
     motion.roll = x / R, motion.x += h * (1 + creep);
@@ -95,10 +101,11 @@ TEST(EllipticRollingNightly_other_code, creep_force_curve_of_a_wheel_meets_CONTA
     if (point.creep > 1e-4) expect_creep_force(point, 6);
 }
 
-/// Traction of a steadily rolling cylinder over friction times its largest pressure, by place over half the contact's width, from behind to
-/// the front: CONTACT's example of Carter's problem at a creep of 0.4.
+/// Traction of a steadily rolling cylinder over friction times its largest pressure, by place over half the
+/// contact's width, from behind to the front: CONTACT's example of Carter's problem at a creep of 0.4.
 std::vector<std::pair<double, double>> contact_profile(const std::filesystem::path& path) {
-  constexpr double load_per_width = 35780.0 / 200, friction = 0.3, largest = friction * 2 * load_per_width / M_PI;  // N/mm, a = 1 mm
+  constexpr double load_per_width = 35780.0 / 200, friction = 0.3,
+                   largest = friction * 2 * load_per_width / M_PI;  // N/mm, a = 1 mm
   std::vector<std::pair<double, double>> profile;
   std::ifstream stream(path);
   bool reads = false;
@@ -120,8 +127,9 @@ std::vector<std::pair<double, double>> contact_profile(const std::filesystem::pa
   return profile;
 }
 
-/// The middle strip of a contact four times as wide as long. Carter (1926), Proc. R. Soc. A 112, 151; Johnson (1985), eq. 8.31: force
-/// per width over mu P' is 1 - (1 - creep / (mu a/R))^2, where a/R = 2 p0 / E*. `profile`: tractions to compare with, or none.
+/// The middle strip of a contact four times as wide as long. Carter (1926), Proc. R. Soc. A 112, 151; Johnson
+/// (1985), eq. 8.31: force per width over mu P' is 1 - (1 - creep / (mu a/R))^2, where a/R = 2 p0 / E*.
+/// `profile`: tractions to compare with, or none.
 void expect_carter(double share, const std::vector<std::pair<double, double>>& profile) {
   auto o = elliptic(4, 0.3, 0.28, 0.005);
   FrictionalContact c(o);
@@ -168,7 +176,8 @@ TEST(EllipticRollingNightly_analytic, the_middle_of_a_wide_contact_follows_Carte
   for (const double share : {0.15, 0.7}) expect_carter(share, {});
 }
 
-TEST(EllipticRollingNightly_other_code, tractions_in_the_middle_of_a_wide_contact_meet_those_of_CONTACTs_cylinder) {
+TEST(EllipticRollingNightly_other_code,
+     tractions_in_the_middle_of_a_wide_contact_meet_those_of_CONTACTs_cylinder) {
   ASPERITY_SHARED_FILE_OR_SKIP(path, "contact_references/carter2d.ref_out");
   const auto profile = contact_profile(path);
   ASSERT_EQ(profile.size(), 50u);

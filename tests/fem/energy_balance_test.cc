@@ -39,15 +39,19 @@ TEST(EnergyBalance_analytic, counts_friction_along_both_ways_and_in_spin) {
   for (int k = 1; k <= 3; ++k) {
     r.lateral_force = force, r.lateral_force_across = across, r.torsion_moment = moment;
     r.shift = k * 5e-9, r.shift_across = k * 2e-9, r.torsion_angle = k * 1e-3;
-    if (k > 1) r.friction_work += force * 5e-9 + across * 2e-9 + moment * 1e-3;
-    else r.friction_work += 0.5 * (force * 5e-9 + across * 2e-9 + moment * 1e-3);  // the forces rise along the first step
+    if (k > 1)
+      r.friction_work += force * 5e-9 + across * 2e-9 + moment * 1e-3;
+    else
+      r.friction_work +=
+          0.5 * (force * 5e-9 + across * 2e-9 + moment * 1e-3);  // the forces rise along the first step
     records.push_back(r);
   }
   balance_energy(records, false, 1e-6);
   for (const auto& at : records) EXPECT_NEAR(at.energy_error, 0, 1e-6);
 }
 
-/// A lateral force at the contact does no work on a particle whose lowest point stands still, whatever axis it rolls about.
+/// A lateral force at the contact does no work on a particle whose lowest point stands still, whatever axis
+/// it rolls about.
 TEST(EnergyBalance_analytic, rolling_without_slip_takes_no_work_from_a_lateral_force) {
   constexpr double radius = 8e-6, force = 3e-5, angle = 0.01, heading = 0.7;
   auto records = pressed_along_hertz(4);
@@ -73,7 +77,8 @@ TEST(EnergyBalance_analytic, rolling_without_slip_takes_no_work_from_a_lateral_f
 }
 
 TEST(EnergyBalance_analytic, of_attraction_is_not_taken_for_the_load_s) {
-  // A constant attraction, there before first touch: it stores -A delta and adds to the pressure that the bodies feel.
+  // A constant attraction, there before first touch: it stores -A delta and adds to the pressure that the
+  // bodies feel.
   constexpr double attraction = 5e-5;
   auto records = pressed_along_hertz(6);
   for (auto& r : records) {

@@ -42,9 +42,12 @@ TEST(ExternalWork_analytic, unloading_from_an_imprint_returns_the_integral_of_it
   Path p;
   for (int i = 1; i <= 4; ++i) p.to(i * 2e-9, std::pow(0.25 * i, 1.2));
   const double imprint = 3e-9, peak = 8e-9;
-  for (const double d : {7e-9, 6e-9, 4.5e-9, 3.2e-9}) p.to(d, std::pow((d - imprint) / (peak - imprint), 1.9));
+  for (const double d : {7e-9, 6e-9, 4.5e-9, 3.2e-9})
+    p.to(d, std::pow((d - imprint) / (peak - imprint), 1.9));
   const auto work = external_work(p.delta, p.force);
-  const auto stored = [&](double d) { return (peak - imprint) * std::pow((d - imprint) / (peak - imprint), 2.9) / 2.9; };
+  const auto stored = [&](double d) {
+    return (peak - imprint) * std::pow((d - imprint) / (peak - imprint), 2.9) / 2.9;
+  };
   EXPECT_TRUE(work_along("the unloading from an imprint", "its integral")
                   .below((work[3] - work[7]) / (stored(peak) - stored(3.2e-9)) - 1, 1e-6));
 }

@@ -35,7 +35,8 @@ long unknowns_with_a_cell(const MeshLevel& level) {
   return dealii::Utilities::MPI::sum(3 * static_cast<long>(seen.size()), level.communicator());
 }
 
-/// A neighbour that p4est misses leaves unknowns that no cell of their rank has: the mesh is torn between ranks.
+/// A neighbour that p4est misses leaves unknowns that no cell of their rank has: the mesh is torn between
+/// ranks.
 TEST(ParallelForest_behaviour, of_every_level_has_the_cells_and_unknowns_of_one_rank) {
   int levels = 0, other = 0;
   for (const bool full : {false, true})
@@ -60,7 +61,8 @@ TEST(ParallelForest_behaviour, of_every_level_has_the_cells_and_unknowns_of_one_
 
 /// Cells of a forest that are neither cells of the next coarser one nor children of these.
 int torn_cells(const ContactMeshOptions& options, int coarsenings) {
-  const auto fine = make_forest(MPI_COMM_SELF, options, coarsenings - 1), coarse = make_forest(MPI_COMM_SELF, options, coarsenings);
+  const auto fine = make_forest(MPI_COMM_SELF, options, coarsenings - 1),
+             coarse = make_forest(MPI_COMM_SELF, options, coarsenings);
   std::set<dealii::CellId> known;
   for (const auto& cell : coarse->active_cell_iterators()) known.insert(cell->id());
   int torn = 0;

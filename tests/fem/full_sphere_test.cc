@@ -1,4 +1,5 @@
-// A full sphere, glued at its top, against a hemisphere driven at its equator: the contact must not know the difference.
+// A full sphere, glued at its top, against a hemisphere driven at its equator: the contact must not know the
+// difference.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +37,8 @@ Pressed press(bool full) {
   const auto c = solver.resultants(state);
   p.approach = state.approach - p.far_field * load;
   p.radius = std::sqrt(c.area / M_PI), p.peak = c.largest_pressure, p.reaction = c.reaction_driven;
-  p.smallest_jacobian = hex_mesh_quality(system.level(), system.positions(), o.mesh).smallest_scaled_jacobian[0];
+  p.smallest_jacobian =
+      hex_mesh_quality(system.level(), system.positions(), o.mesh).smallest_scaled_jacobian[0];
   return p;
 }
 
@@ -52,8 +54,8 @@ TEST(FullSphere_behaviour, contact_is_that_of_the_hemisphere_once_the_far_field_
   EXPECT_TRUE(verified("contact radius").within(full.radius, half.radius, 1e-3));
   EXPECT_NEAR(full.reaction / 100e-6, 1, 1e-6);
   EXPECT_GT(full.smallest_jacobian, 0.2);
-  std::printf("far field: hemisphere %.3g, full sphere %.3g m/N; approach %.5g against %.5g nm\n", half.far_field, full.far_field,
-              1e9 * half.approach, 1e9 * full.approach);
+  std::printf("far field: hemisphere %.3g, full sphere %.3g m/N; approach %.5g against %.5g nm\n",
+              half.far_field, full.far_field, 1e9 * half.approach, 1e9 * full.approach);
 }
 
 }  // namespace

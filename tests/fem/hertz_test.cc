@@ -1,4 +1,5 @@
-// Hertz' contact of the sphere on a plane: force, approach, radius, pressure and the stress below the surface.
+// Hertz' contact of the sphere on a plane: force, approach, radius, pressure and the stress below the
+// surface.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +23,8 @@ SmoothContact contact(const J2Material& substrate, double largest_force, double 
   o.particle = borosilicate;
   o.substrate = substrate;
   const auto compliance = [](const J2Material& m) {
-    const double nu = (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
+    const double nu =
+        (3 * m.bulk_modulus - 2 * m.shear_modulus) / (2 * (3 * m.bulk_modulus + m.shear_modulus));
     return (1 - nu) / (2 * m.shear_modulus);
   };
   const LoadedHertz hertz{o.radius, 1 / (compliance(borosilicate) + compliance(substrate)), largest_force};
@@ -37,8 +39,10 @@ struct HertzErrors {
 };
 
 HertzErrors errors(const ContactStep& step, const LoadedHertz& hertz, double spacing) {
-  // At given approach the force follows delta^(3/2): a relative error of approach counts 3/2 times as one of force.
-  return {std::pow(step.approach / hertz.approach(), -1.5) - 1, (step.contact_radius - hertz.contact_radius()) / spacing,
+  // At given approach the force follows delta^(3/2): a relative error of approach counts 3/2 times as one of
+  // force.
+  return {std::pow(step.approach / hertz.approach(), -1.5) - 1,
+          (step.contact_radius - hertz.contact_radius()) / spacing,
           step.peak_pressure / hertz.peak_pressure() - 1};
 }
 
@@ -49,11 +53,16 @@ void expect_hertz(const char* pair, const J2Material& substrate, double force, d
   ASSERT_TRUE(step.converged);
   ASSERT_FALSE(step.reaches_rim);
   const auto e = errors(step, hertz, hertz.contact_radius() / cells);
-  std::printf("%-8s %6.0f uN  a/h %4.0f  unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%  newton %d cg %d\n", pair,
-              force * 1e6, cells, c.unknowns(), 100 * e.force, e.radius_in_spacings, 100 * e.pressure, step.newton, step.linear);
+  std::printf(
+      "%-8s %6.0f uN  a/h %4.0f  unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%  newton %d "
+      "cg %d\n",
+      pair, force * 1e6, cells, c.unknowns(), 100 * e.force, e.radius_in_spacings, 100 * e.pressure,
+      step.newton, step.linear);
   char mesh[64];
   std::snprintf(mesh, sizeof mesh, ", %s, %g uN, a/h %g", pair, force * 1e6, cells);
-  const auto verified = [&](const char* what) { return Verified{"Hertz", what + std::string(mesh), "Hertz (1882)"}; };
+  const auto verified = [&](const char* what) {
+    return Verified{"Hertz", what + std::string(mesh), "Hertz (1882)"};
+  };
   EXPECT_TRUE(verified("force").within(1 + e.force, 1, 0.01));
   EXPECT_TRUE(verified("contact radius").below(e.radius_in_spacings, 0.2, "h"));
   EXPECT_TRUE(verified("largest pressure").within(1 + e.pressure, 1, 0.02));
@@ -71,14 +80,15 @@ TEST(HertzNightly_analytic, all_pairs_from_10_to_3000_uN) {
   }
 }
 
-TEST(HertzNightly_analytic, force_converges_and_the_radius_error_stays_below_half_a_spacing_under_refinement) {
+TEST(HertzNightly_analytic,
+     force_converges_and_the_radius_error_stays_below_half_a_spacing_under_refinement) {
   double force_before = 0;
   for (const double cells : {6.0, 12.0, 24.0}) {
     auto c = contact(silicon, 100e-6, cells, 4 * std::max(1.0, cells / 12));
     const LoadedHertz hertz = c.hertz(100e-6);
     const auto e = errors(c.load(100e-6), hertz, hertz.contact_radius() / cells);
-    std::printf("a/h %4.0f unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%\n", cells, c.unknowns(), 100 * e.force,
-                e.radius_in_spacings, 100 * e.pressure);
+    std::printf("a/h %4.0f unknowns %8ld  force %+.3f %%  radius %+.3f h  pressure %+.3f %%\n", cells,
+                c.unknowns(), 100 * e.force, e.radius_in_spacings, 100 * e.pressure);
     char mesh[64];
     std::snprintf(mesh, sizeof mesh, ", silicon, 100 uN, refined to a/h %g", cells);
     const auto verified = [&](const char* what) {
@@ -99,7 +109,9 @@ TEST(Hertz_analytic, force_follows_the_three_halves_law_of_approach) {
   auto c = contact(silicon, 400e-6, 12);
   const auto low = c.load(200e-6), high = c.load(400e-6);
   const double exponent = std::log(2.0) / std::log(high.approach / low.approach);
-  EXPECT_TRUE((Verified{"Hertz", "exponent of force over approach, silicon, 200 to 400 uN", "3/2, Hertz (1882)"}.within(exponent, 1.5, 0.01)));
+  EXPECT_TRUE(
+      (Verified{"Hertz", "exponent of force over approach, silicon, 200 to 400 uN", "3/2, Hertz (1882)"}
+           .within(exponent, 1.5, 0.01)));
 }
 
 TEST(Hertz_analytic, tractions_and_reactions_agree) {
@@ -119,9 +131,11 @@ TEST(Hertz_analytic, elastic_energy_is_the_work_of_the_force) {
   // Work of a force that grows as delta^(3/2) is 2/5 P delta; bodies that are linear add 1/2 P times theirs.
   auto c = contact(silicon, 100e-6, 12);
   const auto step = c.load(100e-6);
-  const double work = 0.4 * step.force * step.approach + 0.5 * step.force * (step.raw_approach - step.approach);
+  const double work =
+      0.4 * step.force * step.approach + 0.5 * step.force * (step.raw_approach - step.approach);
   std::printf("elastic energy / work %.5f\n", step.elastic_energy / work);
-  EXPECT_TRUE((Verified{"Hertz", "elastic energy, silicon, a/h 12", "2/5 P delta"}.within(step.elastic_energy, work, 0.01)));
+  EXPECT_TRUE((Verified{"Hertz", "elastic energy, silicon, a/h 12", "2/5 P delta"}.within(step.elastic_energy,
+                                                                                          work, 0.01)));
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ TEST(FrictionLaws_behaviour, are_chosen_by_the_entries_of_a_case) {
   EXPECT_EQ(limit(0, 3), 3);
   EXPECT_EQ(limit(0.5, 3), 3);
   EXPECT_EQ(limit(0.5, 30), 5);
-  for (const auto& law : friction_laws()) EXPECT_FALSE(law.equation.empty() || law.source.empty() || law.parameters.empty() || law.validity.empty());
+  for (const auto& law : friction_laws())
+    EXPECT_FALSE(law.equation.empty() || law.source.empty() || law.parameters.empty() ||
+                 law.validity.empty());
 }
 
 /// Of all that a law takes; a cap of Coulomb's limit lies at a pressure of 1 GPa.
@@ -102,7 +104,8 @@ TEST(Slip_analytic, tangent_is_the_derivative_of_the_traction_and_never_negative
       const auto derivative = [&](int i, int j) {
         PlaneVector up = trial, down = trial;
         up[j] += step, down[j] -= step;
-        return (return_to_limit(up, limit).traction[i] - return_to_limit(down, limit).traction[i]) / (2 * step);
+        return (return_to_limit(up, limit).traction[i] - return_to_limit(down, limit).traction[i]) /
+               (2 * step);
       };
       error.count(here.xx - derivative(0, 0));
       error.count(here.xy - derivative(0, 1));

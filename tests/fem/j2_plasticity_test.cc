@@ -65,7 +65,9 @@ struct Point {
 };
 
 /// Deviatoric part of the axial strain that belongs to a uniaxial stress and plastic strain.
-double axial_deviator(const J2Material& m, double stress, double plastic) { return stress / (3 * m.shear_modulus) + plastic; }
+double axial_deviator(const J2Material& m, double stress, double plastic) {
+  return stress / (3 * m.shear_modulus) + plastic;
+}
 
 Verified at_a_point(const std::string& quantity, const std::string& source) {
   return {"Material law", quantity, source};
@@ -262,8 +264,10 @@ TEST(J2_analytic, energy_stored_by_hardening_is_the_integral_of_the_flow_stress_
       for (const double alpha : {0.0, 0.01, 0.1}) {
         constexpr int n = 2000;
         double integral = 0;
-        for (int i = 0; i < n; ++i) integral += (m.flow_stress((i + 0.5) * alpha / n) - m.yield_stress) * alpha / n;
-        EXPECT_NEAR(m.isotropic_energy(alpha), integral, 1e-6 * integral + 1e-9) << rate << " " << saturation << " " << alpha;
+        for (int i = 0; i < n; ++i)
+          integral += (m.flow_stress((i + 0.5) * alpha / n) - m.yield_stress) * alpha / n;
+        EXPECT_NEAR(m.isotropic_energy(alpha), integral, 1e-6 * integral + 1e-9)
+            << rate << " " << saturation << " " << alpha;
       }
     }
 }
@@ -275,7 +279,8 @@ TEST(J2_other_code, krieg_and_krieg_angles_agree_with_the_stored_ones) {
   Largest error;
   for (const auto& row : table.rows) {
     if (row[table.column("id")].rfind("F-KK-", 0) != 0) continue;
-    const double strain = std::stod(row[table.column("id")].substr(5)), degrees = std::stod(row[table.column("value")]);
+    const double strain = std::stod(row[table.column("id")].substr(5)),
+                 degrees = std::stod(row[table.column("value")]);
     error.count(angle_after(strain, 4000) * 180 / M_PI / degrees - 1);
     ++found;
   }
@@ -320,7 +325,8 @@ TEST(J2_analytic, consistent_tangent_is_the_derivative_of_the_stress) {
     for (int c = 0; c < 6; ++c) normal[c] = here.tangent.normal[c][0];
     const double along = here.tangent.theta_bar[0] * contract(normal, direction);
     for (int c = 0; c < 6; ++c) {
-      const double tangent = 2 * here.law.shear_modulus * (here.tangent.theta[0] * direction[c] - along * normal[c]);
+      const double tangent =
+          2 * here.law.shear_modulus * (here.tangent.theta[0] * direction[c] - along * normal[c]);
       const double difference = (ahead.stress[c][0] - behind.stress[c][0]) / (2 * h);
       error.count((tangent - difference) / (2 * here.law.shear_modulus));
     }

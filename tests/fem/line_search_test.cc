@@ -34,7 +34,9 @@ TEST(LineSearch_analytic, goes_on_where_a_whole_step_leads_far_short_of_the_lowe
   Energy far{6};
   EXPECT_EQ(LineSearch(1, 0).step(36, [&](double s) { return far(s); }), 2);
   EXPECT_EQ(far.asked, 2);
-  const auto falls_late = [&](double s) { return s < 4 ? 4.0 : Energy{2}(s); };  // gone past the lowest energy it comes back by a quarter
+  const auto falls_late = [&](double s) {
+    return s < 4 ? 4.0 : Energy{2}(s);
+  };  // gone past the lowest energy it comes back by a quarter
   EXPECT_EQ(LineSearch(1, 3).step(4, falls_late), 3);
   Energy endless{1e6};
   EXPECT_EQ(LineSearch(1, 3).step(1e12, [&](double s) { return endless(s); }), 32);

@@ -1,4 +1,5 @@
-// What a single point says of finite load steps, by closed forms; whole contacts are in normal_experiment_test.cc.
+// What a single point says of finite load steps, by closed forms; whole contacts are in
+// normal_experiment_test.cc.
 #include "fem/solver/load_step_error.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ Tensor deviator(double size, double angle) {
   return result;
 }
 
-/// A step that flows by `flow` in the direction at `angle`, from the yield surface of radius `limit` at angle 0.
+/// A step that flows by `flow` in the direction at `angle`, from the yield surface of radius `limit` at angle
+/// 0.
 FlowTurn turned_by(double angle, double limit, double flow, double stiffness) {
   const Tensor start = deviator(limit, 0), end = deviator(limit, angle), increment = deviator(flow, angle);
   Tensor change{}, trial{};
@@ -28,15 +30,17 @@ FlowTurn turned_by(double angle, double limit, double flow, double stiffness) {
 }
 
 TEST(LoadStepError_analytic, a_point_that_turns_leaves_half_its_flow_times_the_chord_squared) {
-  // (n - n0) : (limit n - limit n0) = limit |n - n0|^2 = 2 limit (1 - cos angle). Flow is large enough that the straight way to the trial
-  // stress leaves the yield surface at once: (limit + stiffness flow) cos angle > limit.
+  // (n - n0) : (limit n - limit n0) = limit |n - n0|^2 = 2 limit (1 - cos angle). Flow is large enough that
+  // the straight way to the trial stress leaves the yield surface at once: (limit + stiffness flow) cos angle
+  // > limit.
   const double limit = 0.7e9, flow = 6e-3;
   for (const double angle : {0.1, -0.1, 0.8}) {
     const FlowTurn turn = turned_by(angle, limit, flow, 60e9);
     EXPECT_NEAR(turn.energy, flow * limit * (1 - std::cos(angle)), 1e-9 * flow * limit) << angle;
     // e = flow (n - n0) / 2, n and n0 `angle` apart.
     const Tensor expected = deviator(0.5 * flow, angle), onset = deviator(0.5 * flow, 0);
-    for (int c = 0; c < 6; ++c) EXPECT_NEAR(turn.strain[c], expected[c][0] - onset[c][0], 1e-9 * flow) << angle;
+    for (int c = 0; c < 6; ++c)
+      EXPECT_NEAR(turn.strain[c], expected[c][0] - onset[c][0], 1e-9 * flow) << angle;
   }
   EXPECT_NEAR(turned_by(0, limit, flow, 60e9).energy, 0, 1e-9 * flow * limit) << "a straight way";
 }

@@ -1,5 +1,5 @@
-// A sphere pressed and then shifted: Cattaneo (1938), Mindlin (1949), Mindlin & Deresiewicz (1953); Johnson (1985), ch. 7.
-// Equal bodies: pressure and shear do not couple.
+// A sphere pressed and then shifted: Cattaneo (1938), Mindlin (1949), Mindlin & Deresiewicz (1953); Johnson
+// (1985), ch. 7. Equal bodies: pressure and shear do not couple.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -32,7 +32,8 @@ Point shift_to(FrictionalContact& contact, double ratio) {
       r.lateral_force[0] / contact.friction_force,
       (contact.state.motion.x - contact.lateral_far_field * r.lateral_force[0]) / full_slip(contact),
       (r.lateral_reaction[0] - r.lateral_force[0]) / contact.friction_force};
-  std::printf("Q/muP %+.4f  shift %+.4f  sticking %d of %d  newton %d cg %d\n", p.force, p.shift, r.sticking, r.active, contact.newton, contact.linear);
+  std::printf("Q/muP %+.4f  shift %+.4f  sticking %d of %d  newton %d cg %d\n", p.force, p.shift, r.sticking,
+              r.active, contact.newton, contact.linear);
   return p;
 }
 
@@ -41,7 +42,8 @@ void expect_glued_stiffness(double cells) {
   o.cells_per_radius = cells;
   FrictionalContact contact(o);
   const double expected = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
-  const double measured = 1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
+  const double measured =
+      1 / (1 / contact.solver.lateral_stiffness(contact.state) - contact.lateral_far_field);
   // Glued nodes make the contact wider by part of a spacing: first order in the spacing, 2 % at 12 cells.
   const std::string place = "a/h " + std::to_string(std::lround(cells)) +
                             (cells < 12 ? " (2 % wanted, which finer meshes meet)" : "");
@@ -54,9 +56,9 @@ TEST(Mindlin_analytic, stiffness_without_slip_approaches_8_G_a) {
   for (const double cells : {8.0, 12.0, 18.0}) expect_glued_stiffness(cells);
 }
 
-/// Cattaneo's and Mindlin's bodies are half-spaces. Of a sphere of which the contact is 0.03 radii wide, part of the traction is not
-/// theirs, of the order of these 0.03, on any mesh; this one's is 0.003. Cells that grow fast away from the contact add another part that
-/// does not fall with the spacing.
+/// Cattaneo's and Mindlin's bodies are half-spaces. Of a sphere of which the contact is 0.03 radii wide, part
+/// of the traction is not theirs, of the order of these 0.03, on any mesh; this one's is 0.003. Cells that
+/// grow fast away from the contact add another part that does not fall with the spacing.
 asperity::test::FrictionalContactOptions nearly_half_spaces(double cells) {
   asperity::test::FrictionalContactOptions o;
   o.load = 100e-9;
@@ -66,8 +68,9 @@ asperity::test::FrictionalContactOptions nearly_half_spaces(double cells) {
   return o;
 }
 
-/// Shifts in parts of full slip's. The traction peaks at the border of sticking, in a ring of which some spacings must fit between that
-/// and the rim: it is compared where the stick radius is below `traction_below` contact radii.
+/// Shifts in parts of full slip's. The traction peaks at the border of sticking, in a ring of which some
+/// spacings must fit between that and the rim: it is compared where the stick radius is below
+/// `traction_below` contact radii.
 void expect_cattaneo(double cells, const std::vector<double>& ratios, double traction_below) {
   FrictionalContact contact(nearly_half_spaces(cells));
   const double a = contact.contact_radius, h = contact.system.options().mesh.sizes.spacing_particle;
@@ -75,7 +78,9 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
     const Point p = shift_to(contact, ratio);
     char place[64];
     std::snprintf(place, sizeof place, ", shift %g of full slip's, a/h %g", ratio, cells);
-    const auto verified = [&](const char* what) { return asperity::test::Verified{"Sliding", what + std::string(place), "Cattaneo (1938)"}; };
+    const auto verified = [&](const char* what) {
+      return asperity::test::Verified{"Sliding", what + std::string(place), "Cattaneo (1938)"};
+    };
     EXPECT_TRUE(verified("shift").within(p.shift, cattaneo_shift(p.force), 0.02));
     const double stick_radius = a * std::cbrt(1 - p.force), p0 = 1.5 * contact.options.load / (M_PI * a * a);
     double difference = 0, size = 0;
@@ -83,19 +88,27 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
     for (std::size_t r = 0; r < contact.system.rows().size(); ++r) {
       const auto& x = contact.system.interface_points()[contact.system.rows()[r].node];
       const double radius = std::hypot(x[0], x[1]), area = contact.system.areas()[r];
-      const auto dome = [&](double outer) { return radius < outer ? std::sqrt(1 - radius * radius / (outer * outer)) : 0.0; };
-      const double expected = contact.options.friction * p0 * (dome(a) - stick_radius / a * dome(stick_radius));
+      const auto dome = [&](double outer) {
+        return radius < outer ? std::sqrt(1 - radius * radius / (outer * outer)) : 0.0;
+      };
+      const double expected =
+          contact.options.friction * p0 * (dome(a) - stick_radius / a * dome(stick_radius));
       const double measured = -contact.state.shear[0][r];
       difference += area * std::pow(measured - expected, 2), size += area * expected * expected;
-      if (radius > a - 0.5 * h) continue;  // the rim, where pressures are a small fraction of what they are one node further in
-      const double used = std::hypot(measured, contact.state.shear[1][r]) / (contact.options.friction * contact.state.multiplier[r]);
+      if (radius > a - 0.5 * h)
+        continue;  // the rim, where pressures are a small fraction of what they are one node further in
+      const double used = std::hypot(measured, contact.state.shear[1][r]) /
+                          (contact.options.friction * contact.state.multiplier[r]);
       const bool slips = used > 0.995;
       const bool is_misplaced = (radius < stick_radius - h && slips) || (radius > stick_radius + h && !slips);
       misplaced += is_misplaced;
-      if (is_misplaced) std::printf("  a node %.2f spacings outside the border of sticking uses %.4f of its friction\n", (radius - stick_radius) / h, used);
+      if (is_misplaced)
+        std::printf("  a node %.2f spacings outside the border of sticking uses %.4f of its friction\n",
+                    (radius - stick_radius) / h, used);
     }
     EXPECT_TRUE(verified("nodes more than a spacing on the wrong side of sticking").below(misplaced, 0));
-    std::printf("  stick radius %.3f a: traction differs by %.2f %% in the 2-norm\n", stick_radius / a, 100 * std::sqrt(difference / size));
+    std::printf("  stick radius %.3f a: traction differs by %.2f %% in the 2-norm\n", stick_radius / a,
+                100 * std::sqrt(difference / size));
     if (stick_radius < traction_below * a) {
       EXPECT_TRUE(verified("traction in the 2-norm").below(100 * std::sqrt(difference / size), 3, "%"));
     }
@@ -104,12 +117,18 @@ void expect_cattaneo(double cells, const std::vector<double>& ratios, double tra
   EXPECT_NEAR(p.force, 1, 1e-3);
 }
 
-TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) { expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.7); }
-TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) { expect_cattaneo(36, {0.3, 0.55}, 0.85); }
-TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_fortieth_of_the_radius_nears_Cattaneo) { expect_cattaneo(72, {0.05, 0.3}, 0.85); }
+TEST(Mindlin_analytic, force_stick_radius_and_traction_follow_Cattaneo_to_full_slip) {
+  expect_cattaneo(18, {0.05, 0.3, 0.55, 0.8}, 0.7);
+}
+TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_seventh_of_the_radius_follows_Cattaneo) {
+  expect_cattaneo(36, {0.3, 0.55}, 0.85);
+}
+TEST(MindlinNightly_analytic, traction_of_a_slip_ring_of_a_fortieth_of_the_radius_nears_Cattaneo) {
+  expect_cattaneo(72, {0.05, 0.3}, 0.85);
+}
 
-/// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own, between them stress is locked in
-/// (Mindlin & Deresiewicz 1953; Johnson 1985, eq. 7.47).
+/// Loaded to Q* and unloaded to no force: what slipped one way now slips the other in a ring of its own,
+/// between them stress is locked in (Mindlin & Deresiewicz 1953; Johnson 1985, eq. 7.47).
 double error_of_unloaded_traction(double cells) {
   const auto o = nearly_half_spaces(cells);
   FrictionalContact contact(o);
@@ -120,18 +139,23 @@ double error_of_unloaded_traction(double cells) {
   const Point end = shift_to(contact, shift_of(0));
   EXPECT_NEAR(end.force, 0, 0.01);
   EXPECT_NEAR(end.shift, shift_of(end.force), 0.01);
-  const double stuck = a * std::cbrt(1 - top.force), stuck_since = a * std::cbrt(1 - (top.force - end.force) / 2);
+  const double stuck = a * std::cbrt(1 - top.force),
+               stuck_since = a * std::cbrt(1 - (top.force - end.force) / 2);
   const double limit = o.friction * 1.5 * o.load / (M_PI * a * a);
   double difference = 0, size = 0;
   for (std::size_t r = 0; r < contact.system.rows().size(); ++r) {
     const auto& x = contact.system.interface_points()[contact.system.rows()[r].node];
     const double radius = std::hypot(x[0], x[1]), area = contact.system.areas()[r];
-    const auto dome = [&](double outer) { return radius < outer ? outer / a * std::sqrt(1 - radius * radius / (outer * outer)) : 0.0; };
+    const auto dome = [&](double outer) {
+      return radius < outer ? outer / a * std::sqrt(1 - radius * radius / (outer * outer)) : 0.0;
+    };
     const double expected = limit * (dome(a) - dome(stuck) - 2 * (dome(a) - dome(stuck_since)));
-    difference += area * std::pow(-contact.state.shear[0][r] - expected, 2), size += area * expected * expected;
+    difference += area * std::pow(-contact.state.shear[0][r] - expected, 2),
+        size += area * expected * expected;
   }
-  std::printf("%g cells: unloaded traction differs by %.2f %% in the 2-norm (stuck %.3f a, since the turn %.3f a)\n", cells,
-              100 * std::sqrt(difference / size), stuck / a, stuck_since / a);
+  std::printf(
+      "%g cells: unloaded traction differs by %.2f %% in the 2-norm (stuck %.3f a, since the turn %.3f a)\n",
+      cells, 100 * std::sqrt(difference / size), stuck / a, stuck_since / a);
   return std::sqrt(difference / size);
 }
 
@@ -178,8 +202,8 @@ TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and
   const double x = top.force, mp = contact.friction_force;
   const double expected = 0.9 * mp * mp / (contact.system.reduced_shear_modulus() * contact.contact_radius) *
                           (1 - std::pow(1 - x, 5.0 / 3) - 5 * x / 6 * (1 + std::pow(1 - x, 2.0 / 3)));
-  std::printf("loop energy %.5g J dissipated by slip, %.5g J work of the shift; expected %.5g J (%+.2f %%)\n", dissipated, work, expected,
-              100 * (dissipated / expected - 1));
+  std::printf("loop energy %.5g J dissipated by slip, %.5g J work of the shift; expected %.5g J (%+.2f %%)\n",
+              dissipated, work, expected, 100 * (dissipated / expected - 1));
   EXPECT_TRUE(verified("energy of a loop between +-0.68 mu P, a/h 12", "Mindlin & Deresiewicz (1953)")
                   .within(dissipated, expected, 0.03));
   EXPECT_TRUE(verified("lateral reaction against tractions along that loop", "balance")

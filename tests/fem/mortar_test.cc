@@ -1,4 +1,5 @@
-// The coupling of two non-matching interfaces: what it must reproduce for forces, moments and a uniform pressure.
+// The coupling of two non-matching interfaces: what it must reproduce for forces, moments and a uniform
+// pressure.
 #include "fem/contact/mortar.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ struct Lattice {
   std::vector<std::array<double, 2>> points;
   int first;
 
-  Lattice(int nx, int ny, double x0, double x1, double y0, double y1, double grading, int first_node) : first(first_node) {
+  Lattice(int nx, int ny, double x0, double x1, double y0, double y1, double grading, int first_node)
+      : first(first_node) {
     const auto at = [&](int i, int n, double low, double high) {
       const double t = static_cast<double>(i) / n;
       return low + (high - low) * (t + grading * std::sin(2 * M_PI * t) / (2 * M_PI));
@@ -34,7 +36,11 @@ struct Lattice {
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
         const int a = j * (nx + 1) + i, d = a + nx + 2;
-        faces.push_back({points[a][0], points[d][0], points[a][1], points[d][1], {first + a, first + a + 1, first + d - 1, first + d}});
+        faces.push_back({points[a][0],
+                         points[d][0],
+                         points[a][1],
+                         points[d][1],
+                         {first + a, first + a + 1, first + d - 1, first + d}});
       }
   }
 };
@@ -44,7 +50,9 @@ struct Pair {
   Lattice substrate{13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000};
   std::vector<GapRow> rows = couple_interfaces(quads(particle.faces), substrate.faces);
 
-  std::array<double, 2> at(int node) const { return node < 1000 ? particle.points[node] : substrate.points[node - 1000]; }
+  std::array<double, 2> at(int node) const {
+    return node < 1000 ? particle.points[node] : substrate.points[node - 1000];
+  }
   template <typename Height>
   double gap(const GapRow& row, const Height& height) const {
     double sum = 0;
@@ -72,13 +80,16 @@ TEST(Mortar_analytic, two_equal_planes_at_any_height_and_tilt_have_no_gap) {
   EXPECT_TRUE(of_mortar("gap of two equal tilted planes, of a micrometre", "none").below(tilted, 1e-12));
 }
 
-/// The particle's lattice turned in the plane and foreshortened unevenly, as a rolled and spun surface is seen.
+/// The particle's lattice turned in the plane and foreshortened unevenly, as a rolled and spun surface is
+/// seen.
 TEST(Mortar_analytic, turned_and_distorted_faces_balance_forces_and_moments_and_reproduce_planes) {
-  const Lattice particle(9, 7, -0.4e-6, 0.4e-6, -0.3e-6, 0.3e-6, 0.0, 0), substrate(13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000);
+  const Lattice particle(9, 7, -0.4e-6, 0.4e-6, -0.3e-6, 0.3e-6, 0.0, 0),
+      substrate(13, 10, -0.83e-6, 0.71e-6, -0.62e-6, 0.66e-6, 0.4, 1000);
   const auto place = [&](int node) {
     if (node >= 1000) return substrate.points[node - 1000];
     const auto& p = particle.points[node];
-    const double x = p[0] * (1 - 0.1 * p[1] / 1e-6), y = p[1] * (1 + 0.1 * p[0] / 1e-6), c = std::cos(0.3), s = std::sin(0.3);
+    const double x = p[0] * (1 - 0.1 * p[1] / 1e-6), y = p[1] * (1 + 0.1 * p[0] / 1e-6), c = std::cos(0.3),
+                 s = std::sin(0.3);
     return std::array<double, 2>{c * x - s * y, s * x + c * y};
   };
   std::vector<PlaneQuad> turned = quads(particle.faces);
@@ -143,7 +154,8 @@ TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_noda
     for (const auto& [node, weight] : row.entries) load[node] += weight * row.area;
   for (const auto* side : {&top, &bottom})
     for (const auto& f : side->faces)
-      for (const int node : f.node) expected[node] += (node < 1000 ? 0.25 : -0.25) * (f.x1 - f.x0) * (f.y1 - f.y0);
+      for (const int node : f.node)
+        expected[node] += (node < 1000 ? 0.25 : -0.25) * (f.x1 - f.x0) * (f.y1 - f.y0);
   Largest error;
   for (int node = 0; node < 2000; ++node) error.count((load[node] - expected[node]) / 1e-12);
   EXPECT_TRUE(of_mortar("nodal forces of a uniform pressure on both sides, of a square micrometre's",
@@ -154,7 +166,8 @@ TEST(Mortar_analytic, uniform_pressure_loads_both_sides_with_its_consistent_noda
 TEST(Mortar_analytic, gap_of_a_paraboloid_converges_with_the_square_of_the_spacing) {
   double before = 0;
   for (const int n : {8, 16, 32}) {
-    const Lattice fine(n, n, -1e-6, 1e-6, -1e-6, 1e-6, 0.0, 0), flat(n / 8 * 11, n / 8 * 11, -1.3e-6, 1.3e-6, -1.3e-6, 1.3e-6, 0.0, 100000);
+    const Lattice fine(n, n, -1e-6, 1e-6, -1e-6, 1e-6, 0.0, 0),
+        flat(n / 8 * 11, n / 8 * 11, -1.3e-6, 1.3e-6, -1.3e-6, 1.3e-6, 0.0, 100000);
     double largest = 0;
     for (const auto& row : couple_interfaces(quads(fine.faces), flat.faces)) {
       double opposite = 0;

@@ -45,8 +45,9 @@ CaseInput coarse_case() {
 void expect_same(const SolvedExperiment& a, const SolvedExperiment& b, double tolerance) {
   ASSERT_EQ(a.history.rows.size(), b.history.rows.size());
   test::Largest difference;
-  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]", "plastic_work [J]",
-                                   "elastic_energy [J]", "work [J]", "plastic_volume [m^3]", "load_step_error [m]"})
+  for (const std::string column :
+       {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "max_pressure [Pa]",
+        "plastic_work [J]", "elastic_energy [J]", "work [J]", "plastic_volume [m^3]", "load_step_error [m]"})
     for (std::size_t k = 0; k < a.history.rows.size(); ++k) {
       const double before = a.at(column, k), after = b.at(column, k);
       difference.count(before == after ? 0 : (after - before) / before);
@@ -75,9 +76,11 @@ TEST(NormalExperiment_analytic, rough_yielding_contact_balances_energy_force_and
   EXPECT_GT(s.at("plastic_work [J]", 3), 0);
   for (std::size_t k = 0; k + 1 < s.history.rows.size(); ++k) {
     const double real_area = s.at("contact_area [m^2]", k);
-    EXPECT_NEAR(s.at("mean_pressure [Pa]", k) * real_area / s.at("normal_force [N]", k), 1, 1e-8) << "step " << k + 1;
+    EXPECT_NEAR(s.at("mean_pressure [Pa]", k) * real_area / s.at("normal_force [N]", k), 1, 1e-8)
+        << "step " << k + 1;
   }
-  EXPECT_NEAR(s.result["effective"]["mean_pressure"]["value"].get<double>() / s.at("mean_pressure [Pa]", 3), 1, 1e-8);
+  EXPECT_NEAR(s.result["effective"]["mean_pressure"]["value"].get<double>() / s.at("mean_pressure [Pa]", 3),
+              1, 1e-8);
   double before = 0;
   for (const double dissipated : s.history.numbers("dissipated_energy [J]")) {
     EXPECT_GE(dissipated, before);
@@ -92,20 +95,27 @@ TEST(NormalExperiment_analytic, history_and_result_say_area_approach_imprint_and
   const auto& effective = s.result["effective"];
   const auto value = [&](const char* name) { return effective[name]["value"].get<double>(); };
   constexpr std::size_t peak = 3, last = 6;
-  EXPECT_NEAR(s.at("contact_radius [m]", peak) / std::sqrt(s.at("contact_area [m^2]", peak) / M_PI), 1, 1e-8) << "nine digits are written";
-  EXPECT_GT(s.at("pressure_radius [m]", peak), s.at("contact_radius [m]", peak)) << "a rough contact spreads further than its area";
+  EXPECT_NEAR(s.at("contact_radius [m]", peak) / std::sqrt(s.at("contact_area [m^2]", peak) / M_PI), 1, 1e-8)
+      << "nine digits are written";
+  EXPECT_GT(s.at("pressure_radius [m]", peak), s.at("contact_radius [m]", peak))
+      << "a rough contact spreads further than its area";
   // Asperities meet before the mean planes do.
   EXPECT_LT(value("first_touch"), 0);
   EXPECT_NEAR(value("approach_from_first_touch") - value("approach"), -value("first_touch"), 1e-15);
-  EXPECT_NEAR(s.at("mean_plane_approach [m]", 0) - s.at("normal_displacement [m]", 0), value("first_touch"), 1e-15);
+  EXPECT_NEAR(s.at("mean_plane_approach [m]", 0) - s.at("normal_displacement [m]", 0), value("first_touch"),
+              1e-15);
   EXPECT_GT(value("residual_imprint"), 0);
-  EXPECT_LT(value("residual_imprint"), s.at("normal_displacement [m]", last)) << "what elastic bodies would keep of the last load is not of the imprint";
+  EXPECT_LT(value("residual_imprint"), s.at("normal_displacement [m]", last))
+      << "what elastic bodies would keep of the last load is not of the imprint";
   EXPECT_GE(s.at("spots", peak), 1);
   EXPECT_GT(s.at("contact_perimeter [m]", peak), 2 * M_PI * s.at("contact_radius [m]", peak));
-  EXPECT_LT(std::hypot(s.at("load_centre_x [m]", peak), s.at("load_centre_y [m]", peak)), s.at("contact_radius [m]", peak));
+  EXPECT_LT(std::hypot(s.at("load_centre_x [m]", peak), s.at("load_centre_y [m]", peak)),
+            s.at("contact_radius [m]", peak));
   // The particle yields at 1.2 GPa, the substrate at 2.5: each says its own.
   EXPECT_NEAR(s.at("particle_von_mises [Pa]", peak), 1.2e9, 1e-3 * 1.2e9);
-  EXPECT_NEAR(std::max(s.at("particle_von_mises [Pa]", peak), s.at("substrate_von_mises [Pa]", peak)) / s.at("largest_von_mises [Pa]", peak), 1, 1e-8);
+  EXPECT_NEAR(std::max(s.at("particle_von_mises [Pa]", peak), s.at("substrate_von_mises [Pa]", peak)) /
+                  s.at("largest_von_mises [Pa]", peak),
+              1, 1e-8);
   EXPECT_GT(s.at("particle_plastic_strain", peak), s.at("substrate_plastic_strain", peak));
   EXPECT_GT(s.at("load_step_error [m]", peak), 0);
 }
@@ -123,7 +133,8 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
   // The iterations of a step count those of the attempt that failed.
   EXPECT_GT(*std::max_element(made.begin(), made.end()), c.solver.newton_steps);
   ASSERT_EQ(halved.history.rows.size(), whole.history.rows.size());
-  for (const std::string column : {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "elastic_energy [J]"})
+  for (const std::string column :
+       {"normal_force [N]", "normal_displacement [m]", "contact_area [m^2]", "elastic_energy [J]"})
     EXPECT_NEAR(halved.at(column, 3) / whole.at(column, 3), 1, 0.005) << column;
   // Where yielding is followed in smaller steps, a little more of it is seen.
   EXPECT_NEAR(halved.at("plastic_work [J]", 3) / whole.at("plastic_work [J]", 3), 1, 0.05);
@@ -144,7 +155,8 @@ TEST(NormalExperiment_behaviour, a_step_whose_material_has_no_answer_is_halved_a
   EXPECT_NE(message.find("after halving the step six times"), std::string::npos) << message;
 }
 
-TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
+TEST(LoadStepChoice_analytic,
+     steps_of_a_perfectly_plastic_contact_state_what_they_leave_and_are_divided_until_it_is_what_is_asked) {
   // A substrate of 0.4 GPa under a sphere that stays elastic: 29 times the load of first yield.
   CaseInput c = coarse_case();
   c.particle.topography = c.substrate.topography = "smooth";
@@ -157,23 +169,31 @@ TEST(LoadStepChoice_analytic, steps_of_a_perfectly_plastic_contact_state_what_th
     c.experiment.load_steps = steps, c.experiment.load_step_error = share;
     return solve_experiment(c, folder.path);
   };
-  const SolvedExperiment few = solved(3, 0), more = solved(6, 0), many = solved(12, 0), divided = solved(3, 0.005);
+  const SolvedExperiment few = solved(3, 0), more = solved(6, 0), many = solved(12, 0),
+                         divided = solved(3, 0.005);
   ASSERT_EQ(divided.history.rows.size(), 3u) << "what lies between recorded steps is not recorded";
-  const auto approach = [](const SolvedExperiment& s) { return s.at("normal_displacement [m]", s.history.rows.size() - 1); };
+  const auto approach = [](const SolvedExperiment& s) {
+    return s.at("normal_displacement [m]", s.history.rows.size() - 1);
+  };
   // Of first order, so that twice as many steps tell how far they still are.
   const double limit = 2 * approach(many) - approach(more);
   const auto error = [&](const SolvedExperiment& s) { return approach(s) / limit - 1; };
-  const auto stated = [](const SolvedExperiment& s) { return s.result["effective"]["load_step_error"]["value"].get<double>(); };
-  for (const auto* s : {&few, &more, &many, &divided}) std::printf("error of the approach %.5f, stated %.5f\n", error(*s), stated(*s));
+  const auto stated = [](const SolvedExperiment& s) {
+    return s.result["effective"]["load_step_error"]["value"].get<double>();
+  };
+  for (const auto* s : {&few, &more, &many, &divided})
+    std::printf("error of the approach %.5f, stated %.5f\n", error(*s), stated(*s));
   EXPECT_GT(error(few), 0.01) << "else nothing had to be divided";
   const auto verified = [](const std::string& what) {
-    return test::Verified{"Stated errors", what + ", perfectly plastic, 29 times the load of first yield, a/h 5",
+    return test::Verified{"Stated errors",
+                          what + ", perfectly plastic, 29 times the load of first yield, a/h 5",
                           "twice as many load steps, extrapolated"};
   };
   for (const auto* s : {&few, &more, &many}) {
     const std::string steps = std::to_string(s->history.rows.size());
     const double share = stated(*s) / error(*s);
-    EXPECT_TRUE(verified("error of the approach by " + steps + " load steps, stated over true").between(share, 0.8, 2));
+    EXPECT_TRUE(verified("error of the approach by " + steps + " load steps, stated over true")
+                    .between(share, 0.8, 2));
   }
   EXPECT_LT(stated(divided), 0.0055);
   EXPECT_TRUE(verified("approach, 3 load steps that were divided").within(approach(divided), limit, 0.005));
@@ -213,7 +233,8 @@ TEST(NormalExperiment_behaviour, under_displacement_control_passes_through_the_s
   // Yielding depends on the path a little: four steps against two.
   EXPECT_NEAR(displacement.at("normal_force [N]", 3) / force.at("normal_force [N]", 1), 1, 0.01);
   EXPECT_NEAR(displacement.result["effective"]["normal_stiffness"]["value"].get<double>() /
-                  force.result["effective"]["normal_stiffness"]["value"].get<double>(), 1, 0.02);
+                  force.result["effective"]["normal_stiffness"]["value"].get<double>(),
+              1, 0.02);
 }
 
 TEST(NormalExperiment_behaviour, stopped_after_any_step_resumes_to_the_same_answer) {

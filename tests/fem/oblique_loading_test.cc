@@ -1,4 +1,5 @@
-// Normal load and shear that change together: Mindlin & Deresiewicz (1953), Trans. ASME 75, 327; Jaeger (1995). Equal bodies.
+// Normal load and shear that change together: Mindlin & Deresiewicz (1953), Trans. ASME 75, 327; Jaeger
+// (1995). Equal bodies.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,9 +13,11 @@ using namespace asperity;
 using test::FrictionalContact;
 using test::FrictionalContactOptions;
 
-/// Shift of a first loading to shear Q under load P, 3 mu P / (16 G* a) (1 - (1 - Q / mu P)^(2/3)) (Cattaneo 1938).
+/// Shift of a first loading to shear Q under load P, 3 mu P / (16 G* a) (1 - (1 - Q / mu P)^(2/3)) (Cattaneo
+/// 1938).
 double cattaneo_shift(const FrictionalContact& c, double P, double Q) {
-  const double limit = c.options.friction * P, a = std::cbrt(3 * P * c.options.radius / (4 * c.reduced_modulus));
+  const double limit = c.options.friction * P,
+               a = std::cbrt(3 * P * c.options.radius / (4 * c.reduced_modulus));
   return 3 * limit / (16 * c.system.reduced_shear_modulus() * a) * (1 - std::pow(1 - Q / limit, 2.0 / 3));
 }
 
@@ -33,8 +36,8 @@ FrictionalContactOptions in_steps(double largest_load) {
   return o;
 }
 
-/// Shear over alpha P at the end of a loading in proportion, alpha = 0.25 < mu, in so many steps. All that closes sticks: the shift over
-/// D0 = 3 mu P / (16 G* a) is alpha / mu.
+/// Shear over alpha P at the end of a loading in proportion, alpha = 0.25 < mu, in so many steps. All that
+/// closes sticks: the shift over D0 = 3 mu P / (16 G* a) is alpha / mu.
 double shear_of_proportional_loading(int steps) {
   constexpr double P0 = 100e-6, alpha = 0.25;
   auto o = in_steps(P0);
@@ -63,7 +66,8 @@ TEST(Oblique_analytic, load_that_grows_at_constant_shear_leaves_the_shift_and_it
   // Histories H3 and H3b: Q = 0.5 mu P0 at P0, then 2 P0 at the same Q (the shift stays), then more shear.
   constexpr double P0 = 50e-6;
   FrictionalContact c(in_steps(2 * P0));
-  const double limit = c.options.friction * P0, a0 = std::cbrt(3 * P0 * c.options.radius / (4 * c.reduced_modulus));
+  const double limit = c.options.friction * P0,
+               a0 = std::cbrt(3 * P0 * c.options.radius / (4 * c.reduced_modulus));
   const double D0 = 3 * limit / (16 * c.system.reduced_shear_modulus() * a0);
   c.step({}, P0);
   auto r = go(c, P0, cattaneo_shift(c, P0, 0.5 * limit), 0.5 * limit);

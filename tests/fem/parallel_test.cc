@@ -19,7 +19,8 @@ ContactSystemOptions wavy_options() { return asperity::test::wavy_contact(2e9); 
 Vector<double> wavy_displacement(const ContactSystem& system) {
   Vector<double> x = system.positions();
   x.zero_out_ghost_values();
-  for (unsigned i = 0; i < x.locally_owned_size(); ++i) x.local_element(i) = std::sin(1e7 * x.local_element(i));
+  for (unsigned i = 0; i < x.locally_owned_size(); ++i)
+    x.local_element(i) = std::sin(1e7 * x.local_element(i));
   for (const int c : system.level().constrained())
     if (c < static_cast<int>(x.locally_owned_size())) x.local_element(c) = 0;
   return x;
@@ -56,7 +57,8 @@ Products products(MPI_Comm communicator) {
   p.diagonal = diagonal.l1_norm();
   p.constrained = 0;
   for (const int c : system.level().constrained())
-    if (c < static_cast<int>(ax.locally_owned_size())) p.constrained = std::max(p.constrained, std::abs(ax.local_element(c)));
+    if (c < static_cast<int>(ax.locally_owned_size()))
+      p.constrained = std::max(p.constrained, std::abs(ax.local_element(c)));
   p.constrained = dealii::Utilities::MPI::max(p.constrained, communicator) / ax.linfty_norm();
   solver.multigrid().vmult(bx, ax);
   p.cycled = bx * ax;
@@ -140,7 +142,8 @@ TEST(Parallel_behaviour, sliding_with_friction_gives_the_states_of_one_rank) {
     }
     const auto r = solver.resultants(state);
     outcome.shear = r.lateral_force[0], outcome.reaction = r.lateral_reaction[0];
-    for (std::size_t k = 0; k < state.shear[0].size(); ++k) outcome.spread += std::pow(state.shear[0][k] * system.areas()[k], 2);
+    for (std::size_t k = 0; k < state.shear[0].size(); ++k)
+      outcome.spread += std::pow(state.shear[0][k] * system.areas()[k], 2);
     return outcome;
   };
   const Outcome one = run(MPI_COMM_SELF), all = run(MPI_COMM_WORLD);

@@ -1,4 +1,5 @@
-// A yielding substrate under a nearly rigid sphere: first yield, the way to full plasticity, imprint, unloading, energy.
+// A yielding substrate under a nearly rigid sphere: first yield, the way to full plasticity, imprint,
+// unloading, energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,12 +15,13 @@ using namespace asperity::test;
 using asperity::CsvTable;
 using asperity::fem::J2Material;
 
-constexpr double poisson_ratio = 0.3, first_yield = 1.6128;  ///< p0 / Y at first yield for nu = 0.3 (Johnson 1985, eq. 6.9)
+constexpr double poisson_ratio = 0.3,
+                 first_yield = 1.6128;  ///< p0 / Y at first yield for nu = 0.3 (Johnson 1985, eq. 6.9)
 
 const char* const axisymmetric = "axisymmetric finite elements";
 
-/// Substrate with nu = 0.3 and the yield stress at which the contact radius is `radius_at_yield` at first yield,
-/// under a sphere a thousand times stiffer that does not yield.
+/// Substrate with nu = 0.3 and the yield stress at which the contact radius is `radius_at_yield` at first
+/// yield, under a sphere a thousand times stiffer that does not yield.
 struct YieldingHalfSpace {
   static constexpr double sphere_radius = 8.5e-6, youngs = 100e9;
   double modulus = 1 / ((1 - poisson_ratio * poisson_ratio) / youngs * 1.001);
@@ -30,7 +32,9 @@ struct YieldingHalfSpace {
     yield = 2 * modulus * radius / (M_PI * sphere_radius) / first_yield;
   }
   double critical_approach() const { return radius_at_yield * radius_at_yield / sphere_radius; }
-  double critical_force() const { return 4.0 / 3 * modulus * std::sqrt(sphere_radius) * std::pow(critical_approach(), 1.5); }
+  double critical_force() const {
+    return 4.0 / 3 * modulus * std::sqrt(sphere_radius) * std::pow(critical_approach(), 1.5);
+  }
   SmoothContactOptions options(double largest_radius, double spacing) const {
     SmoothContactOptions o;
     o.particle = J2Material::elastic(1000 * youngs, poisson_ratio);
@@ -48,7 +52,8 @@ double interpolate(const CsvTable& table, const std::string& key, const std::str
   const auto x = table.numbers(key), y = table.numbers(column);
   for (std::size_t i = 1; i < x.size(); ++i)
     if (x[i - 1] <= value && value <= x[i])
-      return std::exp(std::log(y[i - 1]) + (std::log(y[i]) - std::log(y[i - 1])) * (std::log(value) - std::log(x[i - 1])) /
+      return std::exp(std::log(y[i - 1]) + (std::log(y[i]) - std::log(y[i - 1])) *
+                                               (std::log(value) - std::log(x[i - 1])) /
                                                (std::log(x[i]) - std::log(x[i - 1])));
   ADD_FAILURE() << "the table does not reach " << key << " = " << value;
   return 0;
@@ -68,7 +73,8 @@ LoadedStep reach(SmoothContact& contact, const YieldingHalfSpace& body, double f
           step.force / (M_PI * a * a * body.yield), step};
 }
 
-void expect_table(const YieldingHalfSpace& body, const std::vector<double>& forces, double cells_at_largest, double largest_area) {
+void expect_table(const YieldingHalfSpace& body, const std::vector<double>& forces, double cells_at_largest,
+                  double largest_area) {
   const auto path = asperity::test::reference_table("02_elastoplastic_table_ownFE.csv");
   const auto table = asperity::read_csv(path);
   const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
@@ -77,10 +83,12 @@ void expect_table(const YieldingHalfSpace& body, const std::vector<double>& forc
   Largest force, radii, pressures;
   for (const double f : forces) {
     const auto s = reach(contact, body, f);
-    const double expected = interpolate(table, "w/wc", "F/Fc_nu0.3", s.w), pressure = interpolate(table, "w/wc", "pm/Y_nu0.3", s.w);
-    std::printf("w/wc %7.3f  F/Fc %8.3f (reference %8.3f, %+.2f %%)  pm/Y %.4f (%.4f, %+.2f %%)  newton %d cg %d\n", s.w, s.f, expected,
-                100 * (s.f / expected - 1), s.mean_pressure, pressure, 100 * (s.mean_pressure / pressure - 1), s.step.newton,
-                s.step.linear);
+    const double expected = interpolate(table, "w/wc", "F/Fc_nu0.3", s.w),
+                 pressure = interpolate(table, "w/wc", "pm/Y_nu0.3", s.w);
+    std::printf(
+        "w/wc %7.3f  F/Fc %8.3f (reference %8.3f, %+.2f %%)  pm/Y %.4f (%.4f, %+.2f %%)  newton %d cg %d\n",
+        s.w, s.f, expected, 100 * (s.f / expected - 1), s.mean_pressure, pressure,
+        100 * (s.mean_pressure / pressure - 1), s.step.newton, s.step.linear);
     force.count(s.f / expected - 1);
     const double radius = std::sqrt(interpolate(table, "w/wc", "A/Ac_nu0.3", s.w)) * body.radius_at_yield;
     const double off = std::abs(s.step.contact_radius - radius) - 0.0075 * radius;
@@ -106,16 +114,18 @@ TEST(ElastoPlasticSphere_other_code, force_follows_the_axisymmetric_solution_fro
 }
 
 TEST(ElastoPlasticSphereNightly_other_code, force_follows_the_axisymmetric_solution_towards_full_plasticity) {
-  // Loads below 4 F_c, where this mesh has less than five spacings in the contact radius, are in the test above.
-  // The reference is the limit a/R -> 0; here a/R stays below 0.033. Steps of a tenth: plastic strain is taken in the direction
-  // at the end of each step, which lowers the force, by 1 % where steps are 1.3 times each other.
+  // Loads below 4 F_c, where this mesh has less than five spacings in the contact radius, are in the test
+  // above. The reference is the limit a/R -> 0; here a/R stays below 0.033. Steps of a tenth: plastic strain
+  // is taken in the direction at the end of each step, which lowers the force, by 1 % where steps are 1.3
+  // times each other.
   std::vector<double> forces;
   for (double f = 4; f < 195; f *= 1.1) forces.push_back(f);
   expect_table(YieldingHalfSpace(0.03e-6), forces, 27, 84);
 }
 
 TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_plasticity) {
-  // To w/w_c = 110, where Kogut & Etsion's (2002) fit ends; steps of a tenth as above, wider where the mesh is too coarse to be judged anyway.
+  // To w/w_c = 110, where Kogut & Etsion's (2002) fit ends; steps of a tenth as above, wider where the mesh
+  // is too coarse to be judged anyway.
   const YieldingHalfSpace body(0.03e-6);
   constexpr double largest_area = 202, cells = 24;
   const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
@@ -126,9 +136,12 @@ TEST(ElastoPlasticSphereNightly_other_code, mean_pressure_reaches_that_of_full_p
   for (double f = 4; f < 510; f *= f < 60 ? 1.3 : 1.1) {
     const auto s = reach(contact, body, f);
     if (f < 60) continue;
-    const double expected = interpolate(table, "w/wc", "F/Fc_nu0.3", s.w), pressure = interpolate(table, "w/wc", "pm/Y_nu0.3", s.w);
-    std::printf("w/wc %7.3f  F/Fc %8.3f (reference %8.3f, %+.2f %%)  pm/Y %.4f (%.4f, %+.2f %%)  newton %d cg %d\n", s.w, s.f, expected,
-                100 * (s.f / expected - 1), s.mean_pressure, pressure, 100 * (s.mean_pressure / pressure - 1), s.step.newton, s.step.linear);
+    const double expected = interpolate(table, "w/wc", "F/Fc_nu0.3", s.w),
+                 pressure = interpolate(table, "w/wc", "pm/Y_nu0.3", s.w);
+    std::printf(
+        "w/wc %7.3f  F/Fc %8.3f (reference %8.3f, %+.2f %%)  pm/Y %.4f (%.4f, %+.2f %%)  newton %d cg %d\n",
+        s.w, s.f, expected, 100 * (s.f / expected - 1), s.mean_pressure, pressure,
+        100 * (s.mean_pressure / pressure - 1), s.step.newton, s.step.linear);
     std::fflush(stdout);
     force.count(s.f / expected - 1);
     pressures.count(s.mean_pressure / pressure - 1);
@@ -146,8 +159,10 @@ TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load
   o.layers = 8;  // cells fine enough at the depth where yield begins
   SmoothContact contact(o);
   const auto below = reach(contact, body, 0.95).step, above = reach(contact, body, 1.05).step;
-  std::printf("unknowns %ld  von Mises / Y %.4f at 0.95 F_c; plastic strain %.2e at 1.05 F_c; first yield at %.3f F_c\n",
-              contact.unknowns(), below.yield_ratio, above.plastic_strain, 0.95 / std::pow(below.yield_ratio, 3));
+  std::printf(
+      "unknowns %ld  von Mises / Y %.4f at 0.95 F_c; plastic strain %.2e at 1.05 F_c; first yield at %.3f "
+      "F_c\n",
+      contact.unknowns(), below.yield_ratio, above.plastic_strain, 0.95 / std::pow(below.yield_ratio, 3));
   EXPECT_EQ(below.plastic_strain, 0);
   EXPECT_GT(above.plastic_strain, 0);
   const double first =
@@ -158,7 +173,8 @@ TEST(FirstYield_analytic, yield_begins_within_five_percent_of_the_predicted_load
 }
 
 /// Approach [m] and its stated error of load steps after `steps` equal ones to `f` F_c.
-std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f, int steps, double largest_area, double cells) {
+std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f, int steps,
+                                         double largest_area, double cells) {
   const double largest_radius = body.radius_at_yield * std::sqrt(largest_area);
   SmoothContact contact(body.options(largest_radius, largest_radius / cells));
   ContactStep last;
@@ -166,15 +182,19 @@ std::pair<double, double> approach_after(const YieldingHalfSpace& body, double f
   return {last.approach, last.load_step_error};
 }
 
-/// The stated error of few steps against what `many` and half as many on the same mesh say by extrapolation of first order.
+/// The stated error of few steps against what `many` and half as many on the same mesh say by extrapolation
+/// of first order.
 void expect_load_step_error(double f, double largest_area, double cells, std::vector<int> few, int many) {
   const YieldingHalfSpace body(0.03e-6);
-  const double half = approach_after(body, f, many / 2, largest_area, cells).first, all = approach_after(body, f, many, largest_area, cells).first;
+  const double half = approach_after(body, f, many / 2, largest_area, cells).first,
+               all = approach_after(body, f, many, largest_area, cells).first;
   const double limit = 2 * all - half;
-  std::printf("%d steps: error of the approach %+.3f %%, %d: %+.3f %%\n", many / 2, 100 * (half / limit - 1), many, 100 * (all / limit - 1));
+  std::printf("%d steps: error of the approach %+.3f %%, %d: %+.3f %%\n", many / 2, 100 * (half / limit - 1),
+              many, 100 * (all / limit - 1));
   for (const int steps : few) {
     const auto [approach, stated] = approach_after(body, f, steps, largest_area, cells);
-    std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps, 100 * (approach / limit - 1), 100 * stated / limit);
+    std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps,
+                100 * (approach / limit - 1), 100 * stated / limit);
     char what[96];
     std::snprintf(what, sizeof what,
                   "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f,
@@ -185,15 +205,20 @@ void expect_load_step_error(double f, double largest_area, double cells, std::ve
 }
 
 // In every run: LoadStepChoice (normal_experiment_test.cc).
-TEST(LoadStepsNightly_analytic, stated_error_holds_and_errs_to_the_safe_side) { expect_load_step_error(30, 17, 5, {3, 6}, 24); }
-TEST(LoadStepsNightly_analytic, stated_error_holds_on_a_finer_mesh) { expect_load_step_error(30, 17, 12, {5, 10, 20}, 80); }
+TEST(LoadStepsNightly_analytic, stated_error_holds_and_errs_to_the_safe_side) {
+  expect_load_step_error(30, 17, 5, {3, 6}, 24);
+}
+TEST(LoadStepsNightly_analytic, stated_error_holds_on_a_finer_mesh) {
+  expect_load_step_error(30, 17, 12, {5, 10, 20}, 80);
+}
 
-/// Largest von Mises stress over p0 below Hertz' contact on the axis, and its depth over a, from the stresses on the axis
-/// (Johnson 1985 eq. 3.45).
+/// Largest von Mises stress over p0 below Hertz' contact on the axis, and its depth over a, from the stresses
+/// on the axis (Johnson 1985 eq. 3.45).
 std::pair<double, double> largest_von_mises(double poisson) {
   std::pair<double, double> best{0, 0};
   for (double z = 0.2; z < 0.8; z += 1e-4) {
-    const double radial = -(1 + poisson) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z), axial = -1 / (1 + z * z);
+    const double radial = -(1 + poisson) * (1 - z * std::atan(1 / z)) + 0.5 / (1 + z * z),
+                 axial = -1 / (1 + z * z);
     best = std::max(best, {std::abs(radial - axial), z});
   }
   return best;
@@ -212,9 +237,10 @@ void expect_subsurface_stress(double layers) {
   const auto step = contact.load(100e-6);
   const auto substrate = largest_von_mises(0.25), particle = largest_von_mises(0.17);
   const double p0 = hertz.peak_pressure(), a = hertz.contact_radius();
-  std::printf("unknowns %ld  substrate %.4f (%.4f) at %.4f a (%.4f)  particle %.4f (%.4f) at %.4f a (%.4f)\n", contact.unknowns(),
-              step.von_mises / p0, substrate.first, step.von_mises_depth / a, substrate.second, step.particle_von_mises / p0,
-              particle.first, step.particle_von_mises_depth / a, particle.second);
+  std::printf("unknowns %ld  substrate %.4f (%.4f) at %.4f a (%.4f)  particle %.4f (%.4f) at %.4f a (%.4f)\n",
+              contact.unknowns(), step.von_mises / p0, substrate.first, step.von_mises_depth / a,
+              substrate.second, step.particle_von_mises / p0, particle.first,
+              step.particle_von_mises_depth / a, particle.second);
   char mesh[32];
   std::snprintf(mesh, sizeof mesh, ", a/h 16, `layers` %g", layers);
   const auto verified = [&](const std::string& what) {
@@ -226,10 +252,15 @@ void expect_subsurface_stress(double layers) {
   EXPECT_TRUE(verified("sphere: its depth").within(step.particle_von_mises_depth / a, particle.second, 0.03));
 }
 
-TEST(SubsurfaceStress_analytic, size_and_place_are_within_3_percent_in_both_bodies) { expect_subsurface_stress(10); }
-TEST(SubsurfaceStressNightly_analytic, size_and_place_are_within_3_percent_on_a_finer_mesh) { expect_subsurface_stress(14); }
+TEST(SubsurfaceStress_analytic, size_and_place_are_within_3_percent_in_both_bodies) {
+  expect_subsurface_stress(10);
+}
+TEST(SubsurfaceStressNightly_analytic, size_and_place_are_within_3_percent_on_a_finer_mesh) {
+  expect_subsurface_stress(14);
+}
 
-// Moved as a whole, a body a million times stiffer turns the rounding of its displacements into forces above 1e-6 of a light load.
+// Moved as a whole, a body a million times stiffer turns the rounding of its displacements into forces above
+// 1e-6 of a light load.
 TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
   SmoothContactOptions o;
   o.particle = J2Material::elastic(71e15, 0.17);
@@ -259,10 +290,10 @@ TEST(NearlyRigidSphere_analytic, follows_Hertz_to_what_rounding_leaves) {
 }
 
 struct Cycle {
-  double balance;        ///< (elastic + plastic work) / work done at the largest load
-  double dissipated;     ///< plastic work / work not returned by unloading
-  double residual;       ///< depth of the imprint / largest approach
-  double reload_error;   ///< largest departure of reloading from unloading, relative to the largest approach
+  double balance;       ///< (elastic + plastic work) / work done at the largest load
+  double dissipated;    ///< plastic work / work not returned by unloading
+  double residual;      ///< depth of the imprint / largest approach
+  double reload_error;  ///< largest departure of reloading from unloading, relative to the largest approach
   double w;
 };
 
@@ -302,8 +333,10 @@ Cycle cycle(double largest_f, int steps, double cells, double largest_area) {
   result.residual = bottom.w / top.w;
   for (int i = static_cast<int>(down_f.size()) - 1; i >= 0; --i)
     result.reload_error = std::max(result.reload_error, std::abs(go(down_f[i]).w - down_w[i]) / top.w);
-  std::printf("w/wc %.3f  (stored + plastic) / work %.5f  plastic / work left %.5f  residual / largest %.4f  reload %.2e\n", result.w,
-              result.balance, result.dissipated, result.residual, result.reload_error);
+  std::printf(
+      "w/wc %.3f  (stored + plastic) / work %.5f  plastic / work left %.5f  residual / largest %.4f  reload "
+      "%.2e\n",
+      result.w, result.balance, result.dissipated, result.residual, result.reload_error);
   return result;
 }
 
@@ -331,6 +364,8 @@ void expect_cycle(int steps, double cells) {
 }
 
 TEST(Unloading_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) { expect_cycle(6, 7); }
-TEST(UnloadingNightly_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) { expect_cycle(16, 14); }
+TEST(UnloadingNightly_other_code, energy_closes_imprint_stays_and_reloading_is_elastic) {
+  expect_cycle(16, 14);
+}
 
 }  // namespace

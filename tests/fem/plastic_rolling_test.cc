@@ -1,5 +1,6 @@
-// An elastic sphere that rolls over a yielding block, or a yielding sphere over an elastic one: the first pass ploughs, later ones run in
-// the track of the first, which lies on the body that has yielded and goes where it goes.
+// An elastic sphere that rolls over a yielding block, or a yielding sphere over an elastic one: the first
+// pass ploughs, later ones run in the track of the first, which lies on the body that has yielded and goes
+// where it goes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -20,12 +21,15 @@ struct Pass {
   double plastic_work;  ///< of the pass but for pressing in and lifting [J]
 };
 
-/// Rolls forward by `way` contact radii under load, lifts off but for a thousandth, goes back and presses down again.
+/// Rolls forward by `way` contact radii under load, lifts off but for a thousandth, goes back and presses
+/// down again.
 std::vector<Pass> passes(int yielding_body, int count, double cells, double way) {
   FrictionalContactOptions o;
   o.friction = 0, o.cells_per_radius = cells, o.loaded = false, o.tilted_normals = true;
-  // Hertz' p0 is 2.6 Y: yielding spreads below the contact, and repeated passes shake down (Johnson 1985, ch. 9).
-  const double E = o.youngs[0] / (2 * (1 - o.poisson[0] * o.poisson[0])), a = std::cbrt(3 * o.load * o.radius / (4 * E));
+  // Hertz' p0 is 2.6 Y: yielding spreads below the contact, and repeated passes shake down (Johnson 1985, ch.
+  // 9).
+  const double E = o.youngs[0] / (2 * (1 - o.poisson[0] * o.poisson[0])),
+               a = std::cbrt(3 * o.load * o.radius / (4 * E));
   o.yield_stress = 1.5 * o.load / (M_PI * a * a) / 2.6;
   o.yielding_body = yielding_body;
   o.way = 1.2 * way * a;
@@ -53,7 +57,8 @@ std::vector<Pass> passes(int yielding_body, int count, double cells, double way)
     p.moment /= counted;
     p.plastic_work = c.plastic_work - pressed;
     c.step(motion, 1e-3 * o.load);
-    std::printf("pass %d: moment %.4f of load times contact radius, work %.4g J, plastic %.4g J\n", pass + 1, p.moment / (o.load * a), p.work, p.plastic_work);
+    std::printf("pass %d: moment %.4f of load times contact radius, work %.4g J, plastic %.4g J\n", pass + 1,
+                p.moment / (o.load * a), p.work, p.plastic_work);
     result.push_back(p);
   }
   return result;

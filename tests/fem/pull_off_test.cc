@@ -1,4 +1,5 @@
-// A smooth elastic sphere that attracts a block: the contact jumps in on approach and is pulled off, between DMT's and JKR's limits.
+// A smooth elastic sphere that attracts a block: the contact jumps in on approach and is pulled off, between
+// DMT's and JKR's limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 
 using namespace asperity;
 
-/// Attraction that may be left out, so that a contact can be made by pressing: a jump into contact takes a fine mesh many iterations,
-/// for the contact then grows by a ring of cells in each.
+/// Attraction that may be left out, so that a contact can be made by pressing: a jump into contact takes a
+/// fine mesh many iterations, for the contact then grows by a ring of cells in each.
 class SwitchedAttraction : public fem::AdhesionLaw {
  public:
   explicit SwitchedAttraction(const fem::Dugdale& law) : law_(law) {}
@@ -27,7 +28,8 @@ class SwitchedAttraction : public fem::AdhesionLaw {
   fem::Dugdale law_;
 };
 
-/// Sphere and block of equal elastic constants under displacement control; `cells`: spacings in Maugis' unit of contact radius.
+/// Sphere and block of equal elastic constants under displacement control; `cells`: spacings in Maugis' unit
+/// of contact radius.
 struct AdhesiveSphere {
   static constexpr double youngs = 71e9, poisson = 0.17, radius = 8.5e-6, work = 0.1;
   static constexpr double K = 4.0 / 3 * youngs / (2 * (1 - poisson * poisson));  ///< Maugis' modulus
@@ -63,7 +65,8 @@ struct AdhesiveSphere {
     s.spacing_particle = unit_radius / cells;
     s.spacing_substrate = 1.1 * s.spacing_particle;
     s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
-    s.region_particle = std::max(2 * unit_radius, 1.2 * std::sqrt(2 * radius * range));  // to where a rigid sphere's gap is the range
+    s.region_particle = std::max(
+        2 * unit_radius, 1.2 * std::sqrt(2 * radius * range));  // to where a rigid sphere's gap is the range
     s.region_substrate = s.region_particle + 3 * s.spacing_particle;
     return o;
   }
@@ -87,13 +90,16 @@ struct AdhesiveSphere {
     return false;
   }
   /// Approach of half-spaces, without the finite bodies' own compliance, in Maugis' unit.
-  double approach(const fem::ContactResultants& r) const { return (state.approach - far_field * r.force) / unit_approach; }
+  double approach(const fem::ContactResultants& r) const {
+    return (state.approach - far_field * r.force) / unit_approach;
+  }
 };
 
-/// Approach at which the contact forms [Maugis' unit], from Dugdale's stress over a circle of radius c without contact, whose gap at its
-/// border is the range (Maugis 1992 at a = 0; Johnson & Greenwood 1997, J. Colloid Interface Sci. 192, 326). Attraction sets in where
-/// the gap is the range, and pulls at once to a finite c. That closes the gap in the middle if lambda > (9/32)^(1/3); if not, the
-/// middle touches when the approach is the bulge 4/3 lambda c.
+/// Approach at which the contact forms [Maugis' unit], from Dugdale's stress over a circle of radius c
+/// without contact, whose gap at its border is the range (Maugis 1992 at a = 0; Johnson & Greenwood 1997, J.
+/// Colloid Interface Sci. 192, 326). Attraction sets in where the gap is the range, and pulls at once to a
+/// finite c. That closes the gap in the middle if lambda > (9/32)^(1/3); if not, the middle touches when the
+/// approach is the bulge 4/3 lambda c.
 double jump_in(double lambda) {
   const double square = M_PI / 4 * lambda, linear = 4.0 / 3 * lambda * lambda * (M_PI / 2 - 1);
   const double c = (-linear + std::sqrt(linear * linear + 4 * square)) / (2 * square);
@@ -108,7 +114,8 @@ void expect_pull_off(double lambda, double cells, double step) {
   s.go_to(0.98 * jump_in(lambda));  // a jump from far to a pressed contact is a long one
   s.go_to(0.2);
   double tension = 0;
-  for (double approach = 0.2 - step; s.touches() && (largest == 0 || tension > 0.9 * largest) && approach > -3; approach -= step) {
+  for (double approach = 0.2 - step;
+       s.touches() && (largest == 0 || tension > 0.9 * largest) && approach > -3; approach -= step) {
     tension = -s.go_to(approach).force;
     largest = std::max(largest, tension);
   }
@@ -126,9 +133,9 @@ TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_on_a_finer_mesh) {
   for (const double lambda : {0.1, 0.3, 0.7, 1.0}) expect_pull_off(lambda, 16, 0.05);
 }
 
-/// Towards JKR the ring of attraction is narrow and asks for fine cells. A contact made by pressing is led past JKR's approach at pull-off,
-/// a^2 - (8a/3)^(1/2) at a^3 = 3/2 in Maugis' units; the tension is flat there.
-/// Returns it in units of pi w R.
+/// Towards JKR the ring of attraction is narrow and asks for fine cells. A contact made by pressing is led
+/// past JKR's approach at pull-off, a^2 - (8a/3)^(1/2) at a^3 = 3/2 in Maugis' units; the tension is flat
+/// there. Returns it in units of pi w R.
 double expect_pull_off_towards_jkr(double lambda, double cells) {
   constexpr double approach_of_jkr = -0.437;
   AdhesiveSphere s(lambda, cells, fem::Dugdale::usual_half_ramp);
@@ -138,7 +145,8 @@ double expect_pull_off_towards_jkr(double lambda, double cells) {
   double largest = 0;
   for (const double beyond : {0.09, 0.04, -0.01, -0.06, -0.11}) {
     const double tension = -s.go_to(approach_of_jkr + beyond).force;
-    std::printf("  approach %.3f: %.4f\n", approach_of_jkr + beyond, tension / (M_PI * s.work * s.radius)), std::fflush(stdout);
+    std::printf("  approach %.3f: %.4f\n", approach_of_jkr + beyond, tension / (M_PI * s.work * s.radius)),
+        std::fflush(stdout);
     largest = std::max(largest, tension);
   }
   const double expected = s.law.pull_off_force(), unit = M_PI * s.work * s.radius;
@@ -177,34 +185,41 @@ struct MaugisContact {
       (a * a * a - lambda * a * a * (u + m * m * std::atan(u)) < force ? low : high) = a;
     }
   }
-  /// m where the gap at m a is the attraction's range: what is on the right of the law's first equation grows with it.
+  /// m where the gap at m a is the attraction's range: what is on the right of the law's first equation grows
+  /// with it.
   static double reach(double lambda, double a) {
     double low = 1, high = 100;
     for (int k = 0; k < 60; ++k) {
       const double m = 0.5 * (low + high), u = std::sqrt(m * m - 1), t = std::atan(u);
-      (0.5 * lambda * a * a * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * a * (u * t - m + 1) < 1 ? low : high) = m;
+      (0.5 * lambda * a * a * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * a * (u * t - m + 1) < 1
+           ? low
+           : high) = m;
     }
     return 0.5 * (low + high);
   }
 };
 
-/// The pressure that a sensor between the surfaces would read: contact less attraction. Largest in the middle, by Maugis (1992)
-/// 3 a K/(2 pi R) - (2 s0/pi) arctan((m^2 - 1)^(1/2)).
+/// The pressure that a sensor between the surfaces would read: contact less attraction. Largest in the
+/// middle, by Maugis (1992) 3 a K/(2 pi R) - (2 s0/pi) arctan((m^2 - 1)^(1/2)).
 TEST(AdhesivePressure_analytic, the_largest_is_that_of_contact_less_attraction) {
   AdhesiveSphere s(1.0, 8, fem::Dugdale::usual_half_ramp);
   s.go_to(0.98 * jump_in(1.0));
   s.go_to(0.2);
   const auto r = s.go_to(1.0);
   const MaugisContact contact(1.0, r.force / (M_PI * s.work * s.radius));
-  const double s0 = s.law.cohesive_stress, hertzian = 1.5 * contact.a * s.unit_radius * s.K / (M_PI * s.radius);
+  const double s0 = s.law.cohesive_stress,
+               hertzian = 1.5 * contact.a * s.unit_radius * s.K / (M_PI * s.radius);
   const double expected = hertzian - 2 * s0 / M_PI * std::atan(std::sqrt(contact.m * contact.m - 1));
   std::printf("largest pressure %.4g, Maugis %.4g, attraction %.4g Pa\n", r.largest_pressure, expected, s0);
-  EXPECT_TRUE((test::Verified{"Adhesion", "largest pressure, lambda 1, 8 cells in Maugis' unit", "Maugis (1992)"}.within(r.largest_pressure, expected, 0.03)));
+  EXPECT_TRUE(
+      (test::Verified{"Adhesion", "largest pressure, lambda 1, 8 cells in Maugis' unit", "Maugis (1992)"}
+           .within(r.largest_pressure, expected, 0.03)));
   EXPECT_GT(s0, 0.2 * expected) << "attraction left out would be seen";
 }
 
 void expect_jump_in(double lambda, double cells, double step) {
-  AdhesiveSphere s(lambda, cells, 0.02);  // an end of the attraction as sharp as Dugdale's: where it begins is the answer
+  AdhesiveSphere s(lambda, cells,
+                   0.02);  // an end of the attraction as sharp as Dugdale's: where it begins is the answer
   const double expected = jump_in(lambda);
   double before = 0;
   fem::ContactResultants r;
@@ -215,10 +230,12 @@ void expect_jump_in(double lambda, double cells, double step) {
   ASSERT_TRUE(s.touches());
   // Where it jumped the finite bodies had no force on them yet, or the force before the step.
   const double found = 0.5 * (before + s.state.approach / s.unit_approach);
-  std::printf("lambda %g: contact forms at %.4f to %.4f (%.4f)\n", lambda, before, s.state.approach / s.unit_approach, expected);
+  std::printf("lambda %g: contact forms at %.4f to %.4f (%.4f)\n", lambda, before,
+              s.state.approach / s.unit_approach, expected);
   char what[64];
   std::snprintf(what, sizeof what, "approach at which the contact forms, lambda %g, %g cells", lambda, cells);
-  EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992), Johnson & Greenwood (1997)"}.within(found, expected, 0.03)));
+  EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992), Johnson & Greenwood (1997)"}.within(
+      found, expected, 0.03)));
 }
 
 TEST(JumpIn_analytic, contact_forms_where_Maugis_has_it) {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double load = 300e-6, work_of_adhesion = 0.05;
 
-/// A circular contact of this radius at the largest load, moved in torsion at a moment that does not fluctuate, then drawn off.
+/// A circular contact of this radius at the largest load, moved in torsion at a moment that does not
+/// fluctuate, then drawn off.
 nlohmann::json effective_of(double spacing, double contact_radius) {
   CaseSetup setup;
   setup.system.mesh.sizes.spacing_particle = spacing;
@@ -34,7 +35,8 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
   peak.work = peak.elastic_energy = 1e-12;
   peak.spots = 3;
   std::vector<HistoryRow> records{peak};
-  for (int k = 1; k < 5; ++k) records.push_back(peak), records.back().torsion_angle = 1e-3 * k, records.back().torsion_moment = 2e-12;
+  for (int k = 1; k < 5; ++k)
+    records.push_back(peak), records.back().torsion_angle = 1e-3 * k, records.back().torsion_moment = 2e-12;
   records.push_back(records.back());
   records.back().normal_force = -1e-6;
   ResultSummary summary;
@@ -43,14 +45,17 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
   return nlohmann::json::parse(result_json(input, setup, records, summary))["effective"];
 }
 
-double relative(const nlohmann::json& quantity) { return quantity["sd"].get<double>() / std::abs(quantity["value"].get<double>()); }
+double relative(const nlohmann::json& quantity) {
+  return quantity["sd"].get<double>() / std::abs(quantity["value"].get<double>());
+}
 
 }  // namespace
 
 TEST(ResultFile_analytic, every_effective_value_states_what_the_mesh_leaves_in_doubt) {
   const auto effective = effective_of(12e-9, 0.33e-6);
-  for (const char* name : {"normal_stiffness", "torsion_stiffness", "torsion_moment", "pull_off_force", "contact_radius", "contact_area", "mean_pressure",
-                           "max_pressure", "approach", "first_touch", "plastic_volume", "dissipated_energy"})
+  for (const char* name : {"normal_stiffness", "torsion_stiffness", "torsion_moment", "pull_off_force",
+                           "contact_radius", "contact_area", "mean_pressure", "max_pressure", "approach",
+                           "first_touch", "plastic_volume", "dissipated_energy"})
     ASSERT_TRUE(effective.contains(name)) << name;
   for (const auto& [name, quantity] : effective.items()) {
     ASSERT_TRUE(quantity["sd"].is_number()) << name;
@@ -61,9 +66,11 @@ TEST(ResultFile_analytic, every_effective_value_states_what_the_mesh_leaves_in_d
 }
 
 TEST(ResultFile_behaviour, names_are_those_of_the_manual) {
-  const std::string manual = read_file(test::reference_folder().parent_path().parent_path().parent_path() / "docs" / "result.md");
+  const std::string manual =
+      read_file(test::reference_folder().parent_path().parent_path().parent_path() / "docs" / "result.md");
   const auto effective = effective_of(12e-9, 0.33e-6);
-  for (const auto& [name, quantity] : effective.items()) EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
+  for (const auto& [name, quantity] : effective.items())
+    EXPECT_NE(manual.find("`" + name + "`"), std::string::npos) << name;
 }
 
 TEST(ResultFile_analytic, area_and_its_radius_and_mean_pressure_share_one_doubt) {
@@ -77,7 +84,8 @@ TEST(ResultFile_analytic, area_and_its_radius_and_mean_pressure_share_one_doubt)
 
 TEST(ResultFile_behaviour, the_doubt_shrinks_with_the_spacing) {
   const auto coarse = effective_of(24e-9, 0.33e-6), fine = effective_of(12e-9, 0.33e-6);
-  for (const char* name : {"normal_stiffness", "contact_area", "max_pressure", "approach"}) EXPECT_GT(relative(coarse[name]), 1.9 * relative(fine[name])) << name;
+  for (const char* name : {"normal_stiffness", "contact_area", "max_pressure", "approach"})
+    EXPECT_GT(relative(coarse[name]), 1.9 * relative(fine[name])) << name;
 }
 
 }  // namespace asperity::fem

@@ -1,5 +1,6 @@
-// A sphere that is pressed under displacement control and drawn back beyond first touch, with the exponential attraction of the shipped
-// studies, in Derjaguin's limit: soft attraction of a long range between stiff bodies.
+// A sphere that is pressed under displacement control and drawn back beyond first touch, with the exponential
+// attraction of the shipped studies, in Derjaguin's limit: soft attraction of a long range between stiff
+// bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,8 +42,10 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
   const test::TemporaryFolder folder;
   const CaseInput input = drawn_back(0.02);
   const auto history = run(input, folder.path);
-  const auto force = history.numbers("normal_force [N]"), approach = history.numbers("normal_displacement [m]"), area = history.numbers("contact_area [m^2]"),
-             energy = history.numbers("energy_error"), work = history.numbers("work [J]");
+  const auto force = history.numbers("normal_force [N]"),
+             approach = history.numbers("normal_displacement [m]"),
+             area = history.numbers("contact_area [m^2]"), energy = history.numbers("energy_error"),
+             work = history.numbers("work [J]");
   const double unit = 2 * M_PI * input.radius * input.interface.work_of_adhesion;
   int apart = 0;
   test::Largest attraction, open;
@@ -73,11 +76,13 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
 TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
   const test::TemporaryFolder folder;
   const auto history = run(drawn_back(0.04), folder.path);
-  const auto energy = history.numbers("energy_error"), loss = history.numbers("adhesion_loss [J]"), area = history.numbers("contact_area [m^2]");
+  const auto energy = history.numbers("energy_error"), loss = history.numbers("adhesion_loss [J]"),
+             area = history.numbers("contact_area [m^2]");
   test::Largest open;
   for (const double e : energy) open.count(e);
   const double largest = *std::max_element(area.begin(), area.end());
-  std::printf("lost %.4f of the area times the difference, open at most %.2g\n", loss.back() / (0.02 * largest), *std::max_element(energy.begin(), energy.end()));
+  std::printf("lost %.4f of the area times the difference, open at most %.2g\n",
+              loss.back() / (0.02 * largest), *std::max_element(energy.begin(), energy.end()));
   const auto verified = [](const std::string& what, const char* source) {
     return test::Verified{"Adhesion", "drawn back with twice the opening work: " + what, source};
   };

@@ -38,7 +38,8 @@ std::array<double, 2> frictionless_moment(double cells) {
     EXPECT_NEAR(r.reaction_driven, r.force, 1e-6 * r.force);
     EXPECT_NEAR(r.reaction_fixed, r.force, 1e-6 * r.force);
   }
-  std::printf("%g cells: moment over load and contact radius: largest %.1e, mean %.1e\n", cells, largest, sum / steps);
+  std::printf("%g cells: moment over load and contact radius: largest %.1e, mean %.1e\n", cells, largest,
+              sum / steps);
   return {largest, sum / steps};
 }
 
@@ -61,8 +62,9 @@ TEST(Rolling_analytic, a_smooth_elastic_sphere_without_friction_meets_no_resista
 
 TEST(RollingNightly_analytic, nor_does_it_on_a_finer_mesh) { expect_no_resistance(12); }
 
-/// Six contact radii of a small sphere are a fifth of a radian to both sides. There a load leans on a hemisphere that is held at its
-/// equator, which gives way a little more: a moment that is given back on the other side, and no resistance.
+/// Six contact radii of a small sphere are a fifth of a radian to both sides. There a load leans on a
+/// hemisphere that is held at its equator, which gives way a little more: a moment that is given back on the
+/// other side, and no resistance.
 TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
   FrictionalContactOptions o;
   o.radius = 2.5e-6;
@@ -75,11 +77,13 @@ TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
   const auto mean_moment = [&](double side) {
     constexpr int steps = 6;
     double sum = 0;
-    for (int i = 0; i < steps; ++i) sum += contact.roll(side * (far - 0.37 * i * h / o.radius)).rolling_moment / unit / steps;
+    for (int i = 0; i < steps; ++i)
+      sum += contact.roll(side * (far - 0.37 * i * h / o.radius)).rolling_moment / unit / steps;
     return sum;
   };
   const double before = mean_moment(-1), after = mean_moment(1);
-  std::printf("moment over load and contact radius: %.1e and %.1e, mean of both sides %.1e\n", before, after, (before + after) / 2);
+  std::printf("moment over load and contact radius: %.1e and %.1e, mean of both sides %.1e\n", before, after,
+              (before + after) / 2);
   const auto verified = [](const std::string& what) {
     return test::Verified{"Rolling", "R 2.5 um at -0.185 and 0.185 rad, a/h 8: " + what, "none"};
   };
@@ -100,37 +104,44 @@ struct Reaction {
 
 FrictionalContactOptions rolling_contact(double friction) {
   FrictionalContactOptions o;
-  // a/R = 0.01: the way rolled per angle differs from R by a quarter of (a/R)^2, which would be a creep of its own.
+  // a/R = 0.01: the way rolled per angle differs from R by a quarter of (a/R)^2, which would be a creep of
+  // its own.
   o.load = 100e-6 / 27;
   o.friction = friction;
   o.cells_per_radius = 8;
   return o;
 }
 
-/// Shear at the end of a way of 3.5 contact radii, started from `guess`, which the transient forgets over about a radius.
+/// Shear at the end of a way of 3.5 contact radii, started from `guess`, which the transient forgets over
+/// about a radius.
 Reaction steady_reaction(FrictionalContactOptions o, const Creep& creep, const Reaction& guess) {
   const double nu = o.poisson[0], G = o.youngs[0] / (2 * (1 + nu)), R = o.radius;
-  const double a = std::cbrt(3 * o.load * R * (1 - nu * nu) / (2 * o.youngs[0])), h = a / o.cells_per_radius, way = 3.5 * a;
+  const double a = std::cbrt(3 * o.load * R * (1 - nu * nu) / (2 * o.youngs[0])), h = a / o.cells_per_radius,
+               way = 3.5 * a;
   o.way = 2 * way;
   FrictionalContact contact(o);
   fem::RigidMotion start;
-  start.x = guess.x * (2 - nu) / 4 * a, start.y = guess.y * (2 - nu) / 4 * a, start.spin = guess.torsion * 3 / 8;
+  start.x = guess.x * (2 - nu) / 4 * a, start.y = guess.y * (2 - nu) / 4 * a,
+  start.spin = guess.torsion * 3 / 8;
   contact.step(start);
   Reaction reaction{};
   for (double x = h; x < way * (1 + 1e-9); x += h) {
     fem::RigidMotion m = start;
     // Along the direction in which it heads: the axis that it rolls about turns with it.
-    const double turn = x / a * creep.spin, heading = start.spin + 0.5 * turn, chord = turn == 0 ? x : 2 * std::sin(0.5 * turn) * a / creep.spin;
+    const double turn = x / a * creep.spin, heading = start.spin + 0.5 * turn,
+                 chord = turn == 0 ? x : 2 * std::sin(0.5 * turn) * a / creep.spin;
     m.roll = x / R, m.spin += turn;
     m.x += chord * std::cos(heading) + x * creep.along, m.y += chord * std::sin(heading) + x * creep.across;
     const auto r = contact.step(m);
-    reaction = {r.lateral_force[0] / (G * a * a), r.lateral_force[1] / (G * a * a), r.torsion_moment / (G * a * a * a)};
+    reaction = {r.lateral_force[0] / (G * a * a), r.lateral_force[1] / (G * a * a),
+                r.torsion_moment / (G * a * a * a)};
   }
   return reaction;
 }
 
-/// Small enough for full stick (G a^2 creep = 0.02 mu P), and large where the way rolled per angle, which differs from the radius by
-/// 3e-5 of it, would count: along x, where friction has to be larger for that; a spin makes the rim slip first.
+/// Small enough for full stick (G a^2 creep = 0.02 mu P), and large where the way rolled per angle, which
+/// differs from the radius by 3e-5 of it, would count: along x, where friction has to be larger for that; a
+/// spin makes the rim slip first.
 constexpr double small = 1e-3, small_along = 5e-3, friction = 3, friction_along = 15, friction_spin = 6;
 
 /// Coefficient of a circular contact at nu = 0.17.
@@ -152,7 +163,8 @@ test::Verified kalkers(const char* what) { return {"Rolling", what, "Kalker (199
 TEST(RollingNightly_other_code, longitudinal_creep_meets_Kalkers_C11) {
   const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c11 = kalker(path, "C11_own");
-  const auto r = steady_reaction(rolling_contact(friction_along), {small_along, 0, 0}, {c11 * small_along, 0, 0});
+  const auto r =
+      steady_reaction(rolling_contact(friction_along), {small_along, 0, 0}, {c11 * small_along, 0, 0});
   EXPECT_TRUE(kalkers("C11, longitudinal creep, a/h 8").within(r.x / small_along, c11, 0.05));
 }
 
@@ -166,7 +178,8 @@ TEST(RollingNightly_other_code, lateral_creep_meets_Kalkers_C22) {
 TEST(RollingNightly_other_code, spin_creep_meets_Kalkers_C23_and_C33) {
   const auto path = asperity::test::reference_table("05_rolling_table_kalker_circle.csv");
   const double c23 = kalker(path, "C23_own"), c33 = kalker(path, "C33_own");
-  const auto r = steady_reaction(rolling_contact(friction_spin), {0, 0, small}, {0, c23 * small, c33 * small});
+  const auto r =
+      steady_reaction(rolling_contact(friction_spin), {0, 0, small}, {0, c23 * small, c33 * small});
   EXPECT_TRUE(kalkers("C23, force of spin creep, a/h 8").within(r.y / small, c23, 0.05));
   EXPECT_TRUE(kalkers("C33, moment of spin creep, a/h 8").within(r.torsion / small, c33, 0.05));
 }
@@ -176,7 +189,8 @@ TEST(RollingNightly_other_code, creep_force_with_partial_slip) {
   const auto path = asperity::test::reference_table("05_rolling.csv");
   const double expected = reference_value(path, "R-creep-longitudinal-0.17-0.2");
   FrictionalContactOptions o = rolling_contact(0);
-  const double nu = o.poisson[0], G = o.youngs[0] / (2 * (1 + nu)), a = std::cbrt(3 * o.load * o.radius * (1 - nu * nu) / (2 * o.youngs[0]));
+  const double nu = o.poisson[0], G = o.youngs[0] / (2 * (1 + nu)),
+               a = std::cbrt(3 * o.load * o.radius * (1 - nu * nu) / (2 * o.youngs[0]));
   o.friction = G * a * a * small_along / (0.2 * o.load);
   const double unit = o.friction * o.load / (G * a * a);
   const auto r = steady_reaction(o, {small_along, 0, 0}, {0.6 * unit, 0, 0});

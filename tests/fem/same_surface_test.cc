@@ -21,7 +21,8 @@ CasesOfSurface rough_cases(const std::filesystem::path& file) {
   for (const auto& item : read_study(file).cases) {
     if (item.realisation > 1) continue;
     const CaseInput input = fem::with_derived_way(case_from_settings(item.settings, file));
-    const double region = std::cbrt(input.experiment.normal_load) + input.experiment.distance;  // grows with what is meshed
+    const double region =
+        std::cbrt(input.experiment.normal_load) + input.experiment.distance;  // grows with what is meshed
     for (int body = 0; body < 2; ++body) {
       const std::string& entry = (body == 0 ? input.particle : input.substrate).topography;
       if (entry != "smooth") found[entry].insert({region, {input, body}});
@@ -38,17 +39,20 @@ double height(const fem::CaseSetup& setup, int body, double x, double y) {
 class ShippedStudy : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedStudy, has_the_same_heights_wherever_it_has_the_same_entry_analytic) {
-  const auto surfaces = rough_cases(std::filesystem::path(ASPERITY_SOURCE_DIR) / "runs" / "paper" / GetParam());
+  const auto surfaces =
+      rough_cases(std::filesystem::path(ASPERITY_SOURCE_DIR) / "runs" / "paper" / GetParam());
   ASSERT_FALSE(surfaces.empty());
   for (const auto& [entry, cases] : surfaces) {
     const auto& [smallest, body] = cases.begin()->second;
     const auto& [largest, other_body] = cases.rbegin()->second;
     const fem::CaseSetup one = fem::set_up(smallest), other = fem::set_up(largest);
-    const double half = 0.5 * std::min(one.system.mesh.sizes.region_particle, other.system.mesh.sizes.region_particle);
+    const double half =
+        0.5 * std::min(one.system.mesh.sizes.region_particle, other.system.mesh.sizes.region_particle);
     double product = 0, square = 0, other_square = 0;
     for (int i = -10; i <= 10; ++i)
       for (int j = -10; j <= 10; ++j) {
-        const double h = height(one, body, i * half / 10, j * half / 10), g = height(other, other_body, i * half / 10, j * half / 10);
+        const double h = height(one, body, i * half / 10, j * half / 10),
+                     g = height(other, other_body, i * half / 10, j * half / 10);
         product += h * g, square += h * h, other_square += g * g;
       }
     EXPECT_NEAR(product / std::sqrt(square * other_square), 1, 1e-12) << entry;
@@ -56,7 +60,8 @@ TEST_P(ShippedStudy, has_the_same_heights_wherever_it_has_the_same_entry_analyti
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Runs, ShippedStudy, testing::Values("surfaces.prm", "motions.prm", "rails.prm", "rolling_loads.prm"),
+INSTANTIATE_TEST_SUITE_P(Runs, ShippedStudy,
+                         testing::Values("surfaces.prm", "motions.prm", "rails.prm", "rolling_loads.prm"),
                          [](const auto& info) { return info.param.substr(0, info.param.find('.')); });
 
 }  // namespace

@@ -64,12 +64,14 @@ void solve_and_stop(const CaseInput& input, const std::filesystem::path& folder,
   EXPECT_THROW(solve_case(input, options), Stop);
 }
 
-/// Dissipated energy of each mechanism, but for what the solver's tolerance leaves: nodes that stick creep by it, either way.
+/// Dissipated energy of each mechanism, but for what the solver's tolerance leaves: nodes that stick creep by
+/// it, either way.
 void expect_never_to_fall(const CsvTable& history, const std::vector<std::string>& columns) {
   const double left = 1e-5 * history.numbers("dissipated_energy [J]").back();
   for (const auto& column : columns) {
     const auto values = history.numbers(column);
-    for (std::size_t k = 1; k < values.size(); ++k) EXPECT_GE(values[k], values[k - 1] - left) << column << " in row " << k;
+    for (std::size_t k = 1; k < values.size(); ++k)
+      EXPECT_GE(values[k], values[k - 1] - left) << column << " in row " << k;
     EXPECT_GT(values.back(), 0) << column;
   }
 }
@@ -98,7 +100,8 @@ TEST(Program_behaviour, of_sliding_begins_finely_and_comes_back) {
   for (std::size_t k = 0; program[k].motion.x < 100; ++k) EXPECT_EQ(shorter[k].motion, program[k].motion);
 }
 
-/// Friction tilts the interface by a strain, mu p / E = 3e-3, and pressure acts along its normal: mu P is met to that order.
+/// Friction tilts the interface by a strain, mu p / E = 3e-3, and pressure acts along its normal: mu P is met
+/// to that order.
 TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("smooth", 24e-9);
@@ -130,7 +133,8 @@ TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_afte
   const std::string what = "rough yielding sliding, half a loop";
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_TRUE(balances_energy("Sliding", what, whole, 1));
-  const auto friction = whole.history.numbers("friction_work [J]"), plastic = whole.history.numbers("plastic_work [J]");
+  const auto friction = whole.history.numbers("friction_work [J]"),
+             plastic = whole.history.numbers("plastic_work [J]");
   int falls = 0;
   for (std::size_t k = 1; k < friction.size(); ++k)
     falls += !(friction[k] >= friction[k - 1] * (1 - 1e-9)) + !(plastic[k] >= plastic[k - 1] * (1 - 1e-9));
@@ -166,7 +170,8 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   input.experiment.angle = 0.04;
   input.experiment.reverse = false;
   const auto s = solve_experiment(input, folder.path);
-  const double a = 0.2593e-6, full = 3 * M_PI / 16 * 0.3 * 100e-6 * a, stiffness = 16.0 / 3 * 15.171e9 * a * a * a;
+  const double a = 0.2593e-6, full = 3 * M_PI / 16 * 0.3 * 100e-6 * a,
+               stiffness = 16.0 / 3 * 15.171e9 * a * a * a;
   const std::string what = "smooth sphere turned by 40 mrad, a/h 13";
   const auto verified = [&](const char* quantity, const char* source) {
     return test::Verified{"Torsion", what + ": " + quantity, source};
@@ -179,10 +184,12 @@ TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   EXPECT_TRUE(balances_energy("Torsion", what, s, 1));
 }
 
-/// The surfaces are coupled where they have turned elastically; 0.3 % is open then, and 0.9 % where only their frames turn.
+/// The surfaces are coupled where they have turned elastically; 0.3 % is open then, and 0.9 % where only
+/// their frames turn.
 TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_balances_its_energy) {
   const test::TemporaryFolder folder;
-  CaseInput input = sliding("generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
+  CaseInput input = sliding(
+      "generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=128 nm, seed=1002)", 40e-9);
   input.substrate.parameters["Yield stress"] = 4e9;
   input.particle.parameters["Yield stress"] = 3e9;
   input.interface.parameters["Friction coefficient"] = 0.5;
@@ -196,7 +203,8 @@ TEST(TorsionExperiment_analytic, of_a_rough_yielding_contact_beside_the_axis_bal
   expect_never_to_fall(s.history, {"friction_work [J]", "plastic_work [J]"});
 }
 
-TEST(Program_analytic, of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
+TEST(Program_analytic,
+     of_rolling_moves_by_the_radius_times_the_angle_and_begins_half_of_its_way_before_the_axis) {
   ExperimentInput e;
   e.type = Motion::rolling;
   e.load_steps = 2, e.unload = false, e.distance = 100, e.reverse = false;
@@ -226,7 +234,8 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   const auto lost = whole.history.numbers("adhesion_loss [J]");
   for (std::size_t k = 1; k < lost.size(); ++k) EXPECT_GE(lost[k], lost[k - 1]);
   EXPECT_GT(whole.result.at("effective").at("dissipated_energy").at("value").get<double>(), 0);
-  EXPECT_FALSE(whole.result.at("effective").contains("rolling_dissipation"));  // less than a contact radius: not steady
+  EXPECT_FALSE(whole.result.at("effective")
+                   .contains("rolling_dissipation"));  // less than a contact radius: not steady
   // Free of lateral force but for a small part of the friction that could hold it.
   EXPECT_LT(std::abs(whole.history.numbers("lateral_force [N]").back()), 0.05 * 0.3 * 100e-6);
   solve_and_stop(input, folder.path / "cut", 10);
@@ -255,18 +264,24 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   // Pressed as before; contacts that jump may take ten times as many iterations as the input says.
   solve_and_stop(input, folder.path / "halved", input.experiment.load_steps);
   CaseInput hurried = input;
-  hurried.solver.newton_steps = (static_cast<int>(*std::max_element(needed.begin() + input.experiment.load_steps, needed.end())) - 1) / 10;
+  hurried.solver.newton_steps =
+      (static_cast<int>(*std::max_element(needed.begin() + input.experiment.load_steps, needed.end())) - 1) /
+      10;
   ASSERT_GE(hurried.solver.newton_steps, 1);
   const auto halved = solve_experiment(hurried, folder.path / "halved", true);
   const auto made = halved.history.numbers("newton_iterations");
   // The iterations of a step count those of the attempt that failed.
-  EXPECT_GT(*std::max_element(made.begin() + input.experiment.load_steps, made.end()), 10 * hurried.solver.newton_steps);
+  EXPECT_GT(*std::max_element(made.begin() + input.experiment.load_steps, made.end()),
+            10 * hurried.solver.newton_steps);
   ASSERT_EQ(made.size(), needed.size());
   // Micro-slip and with it the moment are seen in smaller steps.
-  const std::vector<std::pair<std::string, double>> within{
-      {"adhesion_loss [J]", 1e-3}, {"contact_area [m^2]", 1e-3}, {"rolling_moment [N m]", 0.03}, {"friction_work [J]", 0.1}};
+  const std::vector<std::pair<std::string, double>> within{{"adhesion_loss [J]", 1e-3},
+                                                           {"contact_area [m^2]", 1e-3},
+                                                           {"rolling_moment [N m]", 0.03},
+                                                           {"friction_work [J]", 0.1}};
   for (const auto& [column, bound] : within)
-    EXPECT_NEAR(halved.history.numbers(column).back() / whole.history.numbers(column).back(), 1, bound) << column;
+    EXPECT_NEAR(halved.history.numbers(column).back() / whole.history.numbers(column).back(), 1, bound)
+        << column;
 }
 
 TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {

@@ -27,8 +27,10 @@ Verified of_solids(const std::string& quantity, const std::string& source) {
   return {"Element and coupling", quantity, source};
 }
 
-/// A box of nx x ny x nz cells; `shake` moves inner nodes by that fraction of a cell, the same way every time.
-void add_box(SmallSolid& solid, const Point& low, const Point& high, const std::array<int, 3>& n, const J2Material& m, double shake) {
+/// A box of nx x ny x nz cells; `shake` moves inner nodes by that fraction of a cell, the same way every
+/// time.
+void add_box(SmallSolid& solid, const Point& low, const Point& high, const std::array<int, 3>& n,
+             const J2Material& m, double shake) {
   std::vector<int> node;
   for (int k = 0; k <= n[2]; ++k)
     for (int j = 0; j <= n[1]; ++j)
@@ -38,7 +40,8 @@ void add_box(SmallSolid& solid, const Point& low, const Point& high, const std::
         Point p;
         for (int c = 0; c < 3; ++c) {
           const double width = (high[c] - low[c]) / n[c];
-          p[c] = low[c] + width * at[c] + (inside ? shake * width * std::sin(17.0 * i + 31.0 * j + 47.0 * k + 5.0 * c) : 0.0);
+          p[c] = low[c] + width * at[c] +
+                 (inside ? shake * width * std::sin(17.0 * i + 31.0 * j + 47.0 * k + 5.0 * c) : 0.0);
         }
         node.push_back(static_cast<int>(solid.nodes.size()));
         solid.nodes.push_back(p);
@@ -68,8 +71,10 @@ TEST(Hexahedron_analytic, rigid_motion_gives_no_force) {
     for (std::size_t i = 0; i < solid.nodes.size(); ++i) {
       const auto& x = solid.nodes[i];
       const int a = mode % 3, b = (a + 1) % 3, c = (a + 2) % 3;
-      if (mode < 3) u[3 * i + a] = 1e-3;
-      else u[3 * i + b] = -1e-3 * x[c], u[3 * i + c] = 1e-3 * x[b];
+      if (mode < 3)
+        u[3 * i + a] = 1e-3;
+      else
+        u[3 * i + b] = -1e-3 * x[c], u[3 * i + c] = 1e-3 * x[b];
     }
     const double stiffness = 2 * borosilicate.shear_modulus;
     force.count(solid.internal_force(u, nullptr).lpNorm<Eigen::Infinity>() / (stiffness * 1e-3));
@@ -94,7 +99,8 @@ TEST(Hexahedron_analytic, linear_displacement_gives_its_exact_stress_and_no_inne
   Eigen::VectorXd u = exact;
   for (std::size_t i = 0; i < solid.nodes.size(); ++i) {
     const auto& x = solid.nodes[i];
-    const bool boundary = *std::min_element(x.begin(), x.end()) < 1e-9 || *std::max_element(x.begin(), x.end()) > 1 - 1e-9;
+    const bool boundary =
+        *std::min_element(x.begin(), x.end()) < 1e-9 || *std::max_element(x.begin(), x.end()) > 1 - 1e-9;
     for (int c = 0; c < 3; ++c) {
       solid.fixed[3 * i + c] = boundary;
       if (!boundary) u[3 * i + c] = 0;
@@ -111,13 +117,15 @@ TEST(Hexahedron_analytic, linear_displacement_gives_its_exact_stress_and_no_inne
     for (const auto& s : solid.stresses(cell, u))
       for (int c = 0; c < 6; ++c) {
         const auto [a, b] = pairs[c];
-        const double expected = borosilicate.shear_modulus * (gradient[a][b] + gradient[b][a]) + (a == b ? lambda * trace : 0);
+        const double expected =
+            borosilicate.shear_modulus * (gradient[a][b] + gradient[b][a]) + (a == b ? lambda * trace : 0);
         stress.count((s[c] - expected) / (borosilicate.shear_modulus * 1e-3));
       }
   EXPECT_TRUE(of_solids("distorted mesh, linear displacement: stress", "Hooke's law").below(stress, 1e-10));
 }
 
-/// Two stacked blocks of 1 um, frictionless contact between non-matching distorted meshes, uniform pressure on top.
+/// Two stacked blocks of 1 um, frictionless contact between non-matching distorted meshes, uniform pressure
+/// on top.
 struct PatchResult {
   double pressure_error = 0, stress_error = 0, top_displacement = 0;
 };
@@ -136,7 +144,8 @@ PatchResult contact_patch(double load, bool confined) {
     const auto& low = solid.nodes[cell[at]];
     const auto& high = solid.nodes[cell[at + 3]];
     if (std::abs(low[2] - side) < 1e-12 && std::abs(high[2] - side) < 1e-12)
-      faces[body].push_back({low[0], high[0], low[1], high[1], {cell[at], cell[at + 1], cell[at + 2], cell[at + 3]}});
+      faces[body].push_back(
+          {low[0], high[0], low[1], high[1], {cell[at], cell[at + 1], cell[at + 2], cell[at + 3]}});
     const auto& a = solid.nodes[cell[4]];
     const auto& d = solid.nodes[cell[7]];
     if (a[2] > 2 * side - 1e-12)
@@ -176,9 +185,11 @@ PatchResult contact_patch(double load, bool confined) {
     lambda = pressure;
   }
   PatchResult result;
-  for (const double p : pressure) result.pressure_error = std::max(result.pressure_error, std::abs(p / load - 1));
+  for (const double p : pressure)
+    result.pressure_error = std::max(result.pressure_error, std::abs(p / load - 1));
   for (int cell = 0; cell < static_cast<int>(solid.cells.size()); ++cell)
-    for (const auto& s : solid.stresses(cell, u)) result.stress_error = std::max(result.stress_error, std::abs(s[2] / load + 1));
+    for (const auto& s : solid.stresses(cell, u))
+      result.stress_error = std::max(result.stress_error, std::abs(s[2] / load + 1));
   double top = 0;
   int count = 0;
   for (int i = 0; i < upper_nodes; ++i)
@@ -197,7 +208,8 @@ TEST(ContactPatch_analytic, uniform_pressure_passes_through_non_matching_distort
   for (const bool confined : {false, true}) {
     const double load = 0.1e9;
     const PatchResult r = contact_patch(load, confined);
-    const double expected = load * 1e-6 * (shortening(borosilicate, confined) + shortening(silicon, confined));
+    const double expected =
+        load * 1e-6 * (shortening(borosilicate, confined) + shortening(silicon, confined));
     const auto verified = [&](const std::string& what) {
       return of_solids("contact patch, two blocks, distorted meshes that do not match, sides " +
                            std::string(confined ? "held" : "free") + ": " + what,
@@ -238,12 +250,15 @@ struct Shell {
     std::vector<std::array<int, 4>> inner_faces;
     for (int patch = 0; patch < 3; ++patch) {
       std::vector<int> node((lateral + 1) * (lateral + 1) * (radial + 1));
-      const auto index = [&](int i, int j, int k) -> int& { return node[(k * (lateral + 1) + j) * (lateral + 1) + i]; };
+      const auto index = [&](int i, int j, int k) -> int& {
+        return node[(k * (lateral + 1) + j) * (lateral + 1) + i];
+      };
       for (int k = 0; k <= radial; ++k)
         for (int j = 0; j <= lateral; ++j)
           for (int i = 0; i <= lateral; ++i) {
             const double s = std::tan(M_PI / 4 * i / lateral), t = std::tan(M_PI / 4 * j / lateral);
-            const double r = a * std::pow(b / a, static_cast<double>(k) / radial) / std::sqrt(1 + s * s + t * t);
+            const double r =
+                a * std::pow(b / a, static_cast<double>(k) / radial) / std::sqrt(1 + s * s + t * t);
             Point p;
             p[patch] = r * s, p[(patch + 1) % 3] = r * t, p[(patch + 2) % 3] = r;
             index(i, j, k) = solid.node_at(p, 1e-7);
@@ -280,14 +295,15 @@ struct Shell {
   }
 };
 
-/// Elastic-perfectly plastic sphere under inner pressure with plastic radius c: Hill (1950), The Mathematical Theory
-/// of Plasticity, ch. V.2. Pressure in units of Y, displacements in units of Y a / E.
+/// Elastic-perfectly plastic sphere under inner pressure with plastic radius c: Hill (1950), The Mathematical
+/// Theory of Plasticity, ch. V.2. Pressure in units of Y, displacements in units of Y a / E.
 struct Hill {
   double c;
   static constexpr double nu = 0.3, a = Shell::a, b = Shell::b;
   double pressure() const { return 2 * std::log(c / a) + 2.0 / 3 * (1 - std::pow(c / b, 3)); }
   double inner_displacement() const {
-    return (1 - nu) * c * c * c / (a * a) - 2.0 / 3 * (1 - 2 * nu) * a * (1 + 3 * std::log(c / a) - std::pow(c / b, 3));
+    return (1 - nu) * c * c * c / (a * a) -
+           2.0 / 3 * (1 - 2 * nu) * a * (1 + 3 * std::log(c / a) - std::pow(c / b, 3));
   }
   double outer_displacement() const { return (1 - nu) * c * c * c / (b * b); }
 };
@@ -297,7 +313,8 @@ struct ShellDisplacements {
 };
 
 /// The shell pressed step by step to each plastic radius.
-std::vector<ShellDisplacements> press_shell(const std::vector<double>& plastic_radii, int lateral, int radial) {
+std::vector<ShellDisplacements> press_shell(const std::vector<double>& plastic_radii, int lateral,
+                                            int radial) {
   constexpr double youngs = 200e9, yield = 0.2e9;
   J2Material m = J2Material::elastic(youngs, Hill::nu);
   m.yield_stress = yield;
@@ -305,9 +322,11 @@ std::vector<ShellDisplacements> press_shell(const std::vector<double>& plastic_r
   Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.solid.size());
   std::vector<ShellDisplacements> result;
   for (const double c : plastic_radii) {
-    EXPECT_GE(shell.solid.solve(u, Hill{c}.pressure() * yield * shell.unit_load), 0) << "no equilibrium at c/a = " << c;
+    EXPECT_GE(shell.solid.solve(u, Hill{c}.pressure() * yield * shell.unit_load), 0)
+        << "no equilibrium at c/a = " << c;
     shell.solid.accept(u);
-    result.push_back({u[3 * shell.inner_node + 2] * youngs / yield, u[3 * shell.outer_node + 2] * youngs / yield});
+    result.push_back(
+        {u[3 * shell.inner_node + 2] * youngs / yield, u[3 * shell.outer_node + 2] * youngs / yield});
   }
   return result;
 }
@@ -317,8 +336,10 @@ double largest_error(const std::vector<double>& radii, int lateral) {
   double largest = 0;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const Hill exact{radii[i]};
-    const double inner = found[i].inner / exact.inner_displacement() - 1, outer = found[i].outer / exact.outer_displacement() - 1;
-    std::printf("%2d cells  c/a %.2f  u(a) %+.3f %%  u(b) %+.3f %%\n", lateral, radii[i], 100 * inner, 100 * outer);
+    const double inner = found[i].inner / exact.inner_displacement() - 1,
+                 outer = found[i].outer / exact.outer_displacement() - 1;
+    std::printf("%2d cells  c/a %.2f  u(a) %+.3f %%  u(b) %+.3f %%\n", lateral, radii[i], 100 * inner,
+                100 * outer);
     largest = std::max({largest, std::abs(inner), std::abs(outer)});
   }
   return largest;
@@ -346,8 +367,8 @@ TEST(HillSphereNightly_analytic, displacements_near_collapse_are_within_one_perc
 TEST(HillSphere_other_code, formulas_agree_with_the_stored_table) {
   const auto path = asperity::test::reference_table("08_fe_table_hill_sphere.csv");
   const auto table = asperity::read_csv(path);
-  const auto radii = table.numbers("c/a"), pressure = table.numbers("p/Y"), inner = table.numbers("u(a)E/(Y*a)"),
-             outer = table.numbers("u(b)E/(Y*a)");
+  const auto radii = table.numbers("c/a"), pressure = table.numbers("p/Y"),
+             inner = table.numbers("u(a)E/(Y*a)"), outer = table.numbers("u(b)E/(Y*a)");
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const Hill exact{radii[i]};
     EXPECT_NEAR(exact.pressure(), pressure[i], 1e-6);

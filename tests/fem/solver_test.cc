@@ -38,7 +38,8 @@ template <typename Number>
 Vector<Number> waves(const MeshLevel& level) {
   Vector<Number> x;
   level.initialise(x);
-  for (unsigned i = 0; i < x.locally_owned_size(); ++i) x.local_element(i) = static_cast<Number>(std::sin(0.37 * i) + 0.2);
+  for (unsigned i = 0; i < x.locally_owned_size(); ++i)
+    x.local_element(i) = static_cast<Number>(std::sin(0.37 * i) + 0.2);
   for (const int c : level.constrained()) x.local_element(c) = 0;
   return x;
 }
@@ -59,7 +60,8 @@ TEST(HexOperator_analytic, diagonal_is_that_of_the_operator) {
     unit = 0.0;
     unit.local_element(i) = 1;
     matrix.vmult(column, unit);
-    // Masters of hanging nodes leave out what couples two slaves of one cell: a few per cent of a smoother's scale.
+    // Masters of hanging nodes leave out what couples two slaves of one cell: a few per cent of a smoother's
+    // scale.
     const double ratio = diagonal.local_element(i) / column.local_element(i);
     ++checked;
     if (std::abs(ratio - 1) > 1e-9) ++off;
@@ -67,8 +69,11 @@ TEST(HexOperator_analytic, diagonal_is_that_of_the_operator) {
     factor = std::max({factor, ratio, 1 / ratio});
   }
   EXPECT_GT(checked, 100);
-  const auto verified = [](const char* what) { return asperity::test::Verified{"Solver", what, "the operator's own column"}; };
-  EXPECT_TRUE(verified("diagonal: unknowns where it is not exact to 1e-9 (near hanging nodes)").below(100.0 * off / checked, 50, "%"));
+  const auto verified = [](const char* what) {
+    return asperity::test::Verified{"Solver", what, "the operator's own column"};
+  };
+  EXPECT_TRUE(verified("diagonal: unknowns where it is not exact to 1e-9 (near hanging nodes)")
+                  .below(100.0 * off / checked, 50, "%"));
   EXPECT_TRUE(verified("diagonal: largest factor by which it is off there").below(factor, 3));
 }
 
@@ -101,11 +106,15 @@ TEST(HexOperator_analytic, single_precision_agrees_with_double) {
   exact.vmult(y, x);
   single.vmult(y_single, x_single);
   double difference = 0;
-  for (unsigned i = 0; i < y.locally_owned_size(); ++i) difference = std::max(difference, std::abs(y.local_element(i) - y_single.local_element(i)));
-  EXPECT_TRUE((asperity::test::Verified{"Solver", "single against double precision", "double precision"}.below(difference / y.linfty_norm(), 1e-5)));
+  for (unsigned i = 0; i < y.locally_owned_size(); ++i)
+    difference = std::max(difference, std::abs(y.local_element(i) - y_single.local_element(i)));
+  EXPECT_TRUE(
+      (asperity::test::Verified{"Solver", "single against double precision", "double precision"}.below(
+          difference / y.linfty_norm(), 1e-5)));
 }
 
-TEST(InterfaceOperator_analytic, uniform_pressure_on_the_curved_contact_transmits_its_whole_force_and_no_moment) {
+TEST(InterfaceOperator_analytic,
+     uniform_pressure_on_the_curved_contact_transmits_its_whole_force_and_no_moment) {
   ContactSystem system(MPI_COMM_WORLD, options_of_resolution(4));
   std::vector<double> forces;
   double total = 0;
@@ -145,7 +154,8 @@ std::pair<long, int> iterations(double cells_per_radius, const std::string& back
   system.level().initialise(load);
   load.local_element(system.level().local_driven_dof()) = -1;
   const int count = system.linear().solve(x, load, 1e-8);
-  std::printf("%s, unknowns %ld: %d iterations\n", backend.c_str(), static_cast<long>(system.level().size()), count);
+  std::printf("%s, unknowns %ld: %d iterations\n", backend.c_str(), static_cast<long>(system.level().size()),
+              count);
   return {static_cast<long>(system.level().size()), count};
 }
 

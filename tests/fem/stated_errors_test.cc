@@ -1,5 +1,6 @@
-// Do the standard deviations that result.json states hold? Rough elastic contacts by finite elements against boundary elements of the
-// same surfaces at a fraction of the spacing (tests/fem/support/half_space.h), which know nothing of meshes, mortars or multipliers.
+// Do the standard deviations that result.json states hold? Rough elastic contacts by finite elements against
+// boundary elements of the same surfaces at a fraction of the spacing (tests/fem/support/half_space.h), which
+// know nothing of meshes, mortars or multipliers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,8 @@ using namespace asperity::test;
 
 TEST(HalfSpace_analytic, hertz_contact_is_found_by_boundary_elements) {
   const double R = 8.5e-6, E = 52.868e9, F = 100e-6, a = std::cbrt(3 * F * R / (4 * E));
-  const HalfSpaceContact c = half_space_contact([&](double x, double y) { return (x * x + y * y) / (2 * R); }, 1.3 * a, 128, E, F);
+  const HalfSpaceContact c =
+      half_space_contact([&](double x, double y) { return (x * x + y * y) / (2 * R); }, 1.3 * a, 128, E, F);
   const auto verified = [](const std::string& what) {
     return Verified{"Stated errors", "boundary elements, 128 over 2.6 a: " + what, "Hertz (1882)"};
   };
@@ -40,7 +42,8 @@ struct RoughCase {
 CaseInput input_of(const RoughCase& c) {
   char text[200] = "smooth";
   if (c.rms > 0)
-    std::snprintf(text, sizeof text, "generated(rms=%g nm, hurst=0.8, rolloff=%g nm, cutoff=%g nm, seed=%d)", c.rms, c.rolloff, c.cutoff, c.seed);
+    std::snprintf(text, sizeof text, "generated(rms=%g nm, hurst=0.8, rolloff=%g nm, cutoff=%g nm, seed=%d)",
+                  c.rms, c.rolloff, c.cutoff, c.seed);
   CaseInput input = sphere_on_silicon("smooth", text, c.spacing * 1e-9, 0);
   input.experiment.normal_load = c.load * 1e-6;
   input.experiment.unload = false;
@@ -51,12 +54,16 @@ CaseInput input_of(const RoughCase& c) {
   return input;
 }
 
-/// Values of `effective` of the same contact by boundary elements in cells of `spacing` [nm] or a little less.
+/// Values of `effective` of the same contact by boundary elements in cells of `spacing` [nm] or a little
+/// less.
 std::map<std::string, double> references_of(const RoughCase& c, double spacing) {
   const fem::CaseSetup setup = fem::set_up(input_of(c));
-  const double R = setup.system.mesh.sizes.radius, half = setup.system.mesh.sizes.region_particle, force = c.load * 1e-6;
+  const double R = setup.system.mesh.sizes.radius, half = setup.system.mesh.sizes.region_particle,
+               force = c.load * 1e-6;
   const auto& height = setup.system.mesh.substrate_height;
-  const auto gap = [&](double x, double y) { return R - std::sqrt(R * R - x * x - y * y) - (height ? height(x, y) : 0.0); };
+  const auto gap = [&](double x, double y) {
+    return R - std::sqrt(R * R - x * x - y * y) - (height ? height(x, y) : 0.0);
+  };
   const int n = 2 * static_cast<int>(std::ceil(half / (spacing * 1e-9)));
   const HalfSpaceContact found = half_space_contact(gap, half, n, setup.reduced_modulus, force);
   return {{"contact_area", found.area},
@@ -76,7 +83,8 @@ std::map<std::string, double> errors_over_sd(const RoughCase& c, double referenc
   const TemporaryFolder folder;
   const auto effective = solve_experiment(input_of(c), folder.path).result["effective"];
   std::map<std::string, double> errors;
-  std::printf("rms %.1f roll-off %.0f cut-off %.0f seed %d load %.0f spacing %.0f:", c.rms, c.rolloff, c.cutoff, c.seed, c.load, c.spacing);
+  std::printf("rms %.1f roll-off %.0f cut-off %.0f seed %d load %.0f spacing %.0f:", c.rms, c.rolloff,
+              c.cutoff, c.seed, c.load, c.spacing);
   for (const auto& [name, reference] : references_of(c, reference_spacing)) {
     const double value = effective[name]["value"], sd = effective[name]["sd"];
     EXPECT_GT(sd, 0) << name;
@@ -87,16 +95,19 @@ std::map<std::string, double> errors_over_sd(const RoughCase& c, double referenc
   return errors;
 }
 
-/// At least nine of ten errors of each quantity within two standard deviations, and these no wider than they need be: their mean square
-/// is not below a twentieth.
+/// At least nine of ten errors of each quantity within two standard deviations, and these no wider than they
+/// need be: their mean square is not below a twentieth.
 void expect_coverage(const std::vector<RoughCase>& cases, double waves_per_reference_cell) {
   std::map<std::string, std::vector<double>> errors;
   for (const auto& c : cases)
-    for (const auto& [name, error] : errors_over_sd(c, c.rms > 0 ? c.cutoff / waves_per_reference_cell : 4)) errors[name].push_back(error);
+    for (const auto& [name, error] : errors_over_sd(c, c.rms > 0 ? c.cutoff / waves_per_reference_cell : 4))
+      errors[name].push_back(error);
   for (const auto& [name, values] : errors) {
     double within = 0, square = 0;
-    for (const double e : values) within += std::abs(e) <= 2, square += e * e / static_cast<double>(values.size());
-    std::printf("%-15s within two sd: %.0f of %zu, root mean square %.2f sd\n", name.c_str(), within, values.size(), std::sqrt(square));
+    for (const double e : values)
+      within += std::abs(e) <= 2, square += e * e / static_cast<double>(values.size());
+    std::printf("%-15s within two sd: %.0f of %zu, root mean square %.2f sd\n", name.c_str(), within,
+                values.size(), std::sqrt(square));
     const std::string unit = "of " + std::to_string(values.size());
     const Verified verified{"Stated errors", name + ": contacts whose error is within two stated `sd`",
                             "boundary elements"};
@@ -106,7 +117,12 @@ void expect_coverage(const std::vector<RoughCase>& cases, double waves_per_refer
 }
 
 TEST(StatedErrors_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {
-  expect_coverage({{0, 0, 0, 0, 100, 30}, {1.5, 300, 150, 1, 60, 37}, {0.7, 300, 150, 2, 60, 37}, {1.5, 200, 100, 3, 40, 25}, {2.7, 300, 150, 4, 60, 25}}, 16);
+  expect_coverage({{0, 0, 0, 0, 100, 30},
+                   {1.5, 300, 150, 1, 60, 37},
+                   {0.7, 300, 150, 2, 60, 37},
+                   {1.5, 200, 100, 3, 40, 25},
+                   {2.7, 300, 150, 4, 60, 25}},
+                  16);
 }
 
 TEST(StatedErrorsNightly_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {

@@ -9,7 +9,8 @@ using namespace asperity::fem;
 
 constexpr double radius = 1e-5, contact_radius = 1e-7, resistance = 3e-13;  // [m], [m], [N m]
 
-/// Steps of a tenth of the contact radius; six of them are rolled before anything is dissipated, as after each turn.
+/// Steps of a tenth of the contact radius; six of them are rolled before anything is dissipated, as after
+/// each turn.
 std::vector<HistoryRow> rolled(int out, int back) {
   std::vector<HistoryRow> records(1);
   records.front().pressure_radius = contact_radius;

@@ -15,9 +15,11 @@ class FuzzCorpus_regression : public testing::TestWithParam<std::string> {};
 
 TEST_P(FuzzCorpus_regression, is_read_or_refused) {
   const std::vector<Target> all = targets();
-  const auto target = std::find_if(all.begin(), all.end(), [](const Target& one) { return one.name == GetParam(); });
+  const auto target =
+      std::find_if(all.begin(), all.end(), [](const Target& one) { return one.name == GetParam(); });
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ASPERITY_FUZZ_CORPUS) / GetParam())) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(ASPERITY_FUZZ_CORPUS) / GetParam())) {
     std::ifstream stream(entry.path(), std::ios::binary);
     SCOPED_TRACE(entry.path().string());
     EXPECT_NO_THROW(target->run({std::istreambuf_iterator<char>(stream), {}}));

@@ -1,4 +1,5 @@
-// libFuzzer's entry: the reader named by the environment variable ASPERITY_FUZZ_TARGET (tests/fuzz/run sets it).
+// libFuzzer's entry: the reader named by the environment variable ASPERITY_FUZZ_TARGET (tests/fuzz/run sets
+// it).
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

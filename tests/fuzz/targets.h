@@ -1,4 +1,5 @@
-// What is fuzzed: each reader as a function of bytes, for libFuzzer (fuzz_readers.cc) and for the test that runs the corpus.
+// What is fuzzed: each reader as a function of bytes, for libFuzzer (fuzz_readers.cc) and for the test that
+// runs the corpus.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Writes the corpus of the fuzz targets: one or a few tiny files of each format, by the same writers as the readers' tests.
+// Writes the corpus of the fuzz targets: one or a few tiny files of each format, by the same writers as the
+// readers' tests.
 //   build/fuzz_seeds tests/fuzz/corpus
 #include <netcdf.h>
 
@@ -48,14 +49,16 @@ std::string netcdf_bytes(int format, bool growing) {
 }
 
 void add_maps(Corpus& corpus) {
-  const std::string sizes = "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\nZUnits = m\nTitle = Height\n";
+  const std::string sizes =
+      "XRes = 3\nYRes = 2\nXReal = 3e-6\nYReal = 2e-6\nXYUnits = m\nZUnits = m\nTitle = Height\n";
   corpus.add("map_gsf", gsf_bytes(sizes, {1e-9f, 2e-9f, 3e-9f, 4e-9f, std::nanf(""), 6e-9f}));
   corpus.add("map_gwy", gwy_bytes(gwy_component("/0/data", 'o', gwy_field({1, 2, 3, 4, 5, 6}, "nm")) +
                                   gwy_component("/0/data/title", 's', std::string("Height\0", 7)) +
                                   gwy_component("/0/mask", 'o', gwy_field({0, 0, 1, 0, 0, 0}, ""))));
   std::string scan = nanoscope_bytes({NanoscopeImage{}}, 2);
   corpus.add("map_001", scan);
-  corpus.add("map_001", nanoscope_bytes({NanoscopeImage{}, {"Phase", "Sens. Phase", "1000 nm", 4}}, 4, "0x09200000"));
+  corpus.add("map_001",
+             nanoscope_bytes({NanoscopeImage{}, {"Phase", "Sens. Phase", "1000 nm", 4}}, 4, "0x09200000"));
   for (const std::uint32_t type : {0u, 1u, 2u}) {
     ParkImage image;
     image.data_type = type;
@@ -66,28 +69,40 @@ void add_maps(Corpus& corpus) {
     for (const bool growing : {false, true}) corpus.add("map_nc", netcdf_bytes(format, growing));
   std::string data;
   for (const int nm : {1, 2, 3, 4, 5, 6}) data += raw(nm * 1e-9);
-  corpus.add("map_x3p", bytes_of(write_zip("a.x3p", {{"main.xml", x3p_main("D", "", "<ValidPointsLink>v</ValidPointsLink>")},
-                                                     {"bindata/data.bin", data},
-                                                     {"v", "\x3F"}})));
-  corpus.add("map_x3p", bytes_of(write_zip("b.x3p", {{"main.xml", x3p_main("I", "<Increment>1e-9</Increment>", "")},
-                                                     {"bindata/data.bin", data.substr(0, 12)}})));
+  corpus.add("map_x3p", bytes_of(write_zip(
+                            "a.x3p", {{"main.xml", x3p_main("D", "", "<ValidPointsLink>v</ValidPointsLink>")},
+                                      {"bindata/data.bin", data},
+                                      {"v", "\x3F"}})));
+  corpus.add("map_x3p",
+             bytes_of(write_zip("b.x3p", {{"main.xml", x3p_main("I", "<Increment>1e-9</Increment>", "")},
+                                          {"bindata/data.bin", data.substr(0, 12)}})));
   corpus.add("map_xyz", "x [um], y [um], z [nm]\n0 0 1\n1 0 2\n0 1 3\n1 1 4\n");
   corpus.add("map_xyz", "# Lateral units: um\n# Value units: nm\n0;0;1,5\n1;0;2\n0;1;3\n1;1;nan\n");
-  corpus.add("map_txt", "# Channel: Height\n# Width: 2.5 \xC2\xB5m\n# Height: 2.5 \xC2\xB5m\n# Value units: nm\n1\t2\t3\n4\t5\tbad\n");
+  corpus.add("map_txt",
+             "# Channel: Height\n# Width: 2.5 \xC2\xB5m\n# Height: 2.5 \xC2\xB5m\n# Value units: "
+             "nm\n1\t2\t3\n4\t5\tbad\n");
   corpus.add("map_txt", "size: 2.5 um x 2 um\nunit: nm\n1,5;2,5;3\n4;5;6\n");
 }
 
 void add_recordings(Corpus& corpus) {
   corpus.add("recording_json",
-             "{\"format\": \"asperity-recording/1\", \"title\": \"a\", \"mode\": \"normal\", \"particle\": {\"youngs_modulus\": \"71 GPa\", "
-             "\"poissons_ratio\": 0.17, \"radius\": \"8.5 um\"}, \"substrate\": {\"youngs_modulus\": 1.3e11, \"poissons_ratio\": 0.22, "
-             "\"yield_stress\": \"5 GPa\"}, \"simulation\": {\"normal\": \"hertz\", \"parameters\": {\"sliding_friction\": {\"value\": 0.1, "
-             "\"calibrate\": true}}}, \"noise\": {\"normal_force\": \"1 nN\"}, \"tables\": [{\"file\": \"loading.csv\", \"kind\": \"trace\", "
+             "{\"format\": \"asperity-recording/1\", \"title\": \"a\", \"mode\": \"normal\", \"particle\": "
+             "{\"youngs_modulus\": \"71 GPa\", "
+             "\"poissons_ratio\": 0.17, \"radius\": \"8.5 um\"}, \"substrate\": {\"youngs_modulus\": 1.3e11, "
+             "\"poissons_ratio\": 0.22, "
+             "\"yield_stress\": \"5 GPa\"}, \"simulation\": {\"normal\": \"hertz\", \"parameters\": "
+             "{\"sliding_friction\": {\"value\": 0.1, "
+             "\"calibrate\": true}}}, \"noise\": {\"normal_force\": \"1 nN\"}, \"tables\": [{\"file\": "
+             "\"loading.csv\", \"kind\": \"trace\", "
              "\"control\": [\"normal_displacement\"], \"response\": \"normal_force\"}]}");
-  corpus.add("recording_table", "# a loading\ntime [s],normal_displacement [nm],normal_force [uN],segment\n0,0,0,load\n1,2.5,,load\n2,1,3e1,unload\n");
-  std::string hld = "File Version: Hysitron 1\nDisp Shift: 1.5\nTest Data Points: 20\nTime_s\tDisp_nm\tForce_\xC2\xB5N\n";
-  std::string optics = "Optics11\nTip radius (um)\t25\nk (N/m)\t0.5\nE[v=0.50] (Pa)\t1000\n\n"
-                       "Time (s)\tLoad (uN)\tIndentation (nm)\tCantilever (nm)\tPiezo (nm)\n";
+  corpus.add("recording_table",
+             "# a loading\ntime [s],normal_displacement [nm],normal_force "
+             "[uN],segment\n0,0,0,load\n1,2.5,,load\n2,1,3e1,unload\n");
+  std::string hld =
+      "File Version: Hysitron 1\nDisp Shift: 1.5\nTest Data Points: 20\nTime_s\tDisp_nm\tForce_\xC2\xB5N\n";
+  std::string optics =
+      "Optics11\nTip radius (um)\t25\nk (N/m)\t0.5\nE[v=0.50] (Pa)\t1000\n\n"
+      "Time (s)\tLoad (uN)\tIndentation (nm)\tCantilever (nm)\tPiezo (nm)\n";
   std::string fischer = "F 1\tx\nBlock : 1  Value : 1\nF\th\tt\n", csv = "a file\nt,h,F\n";
   for (int i = 0; i < 20; ++i) {
     const std::string n = std::to_string(i);
@@ -103,28 +118,49 @@ void add_recordings(Corpus& corpus) {
 }
 
 void add_parameters(Corpus& corpus) {
-  corpus.add("case_file", "# a case\nset Title = a\nsubsection Particle\n  set Radius = 8.5 um\n  set Topography = generated(rms=1.5 nm, seed=3)\n"
-                          "end\nsubsection Experiment\n  set Type = program\n  set Normal load = 100 \\\n uN\n  set Program = roll 3 mrad\nend\n");
-  corpus.add("case_file", "{\"Particle\": {\"Radius\": \"8.5 um\", \"Poisson_20ratio\": {\"value\": \"0.17\", \"default_value\": \"0.3\"}}, "
-                          "\"Output\": {\"Fields\": true}}");
+  corpus.add("case_file",
+             "# a case\nset Title = a\nsubsection Particle\n  set Radius = 8.5 um\n  set Topography = "
+             "generated(rms=1.5 nm, seed=3)\n"
+             "end\nsubsection Experiment\n  set Type = program\n  set Normal load = 100 \\\n uN\n  set "
+             "Program = roll 3 mrad\nend\n");
+  corpus.add("case_file",
+             "{\"Particle\": {\"Radius\": \"8.5 um\", \"Poisson_20ratio\": {\"value\": \"0.17\", "
+             "\"default_value\": \"0.3\"}}, "
+             "\"Output\": {\"Fields\": true}}");
   corpus.add("parameters_json",
-             "{\"format\": \"asperity-parameters/1\", \"title\": \"a\", \"particle\": {\"material\": \"silica\", \"radius\": \"8.5 um\", "
-             "\"youngs_modulus\": \"71 GPa\", \"poissons_ratio\": 0.17, \"density\": 2200, \"rms\": 0}, \"target\": {\"geometry\": \"plane\", "
-             "\"youngs_modulus\": 1.3e11, \"poissons_ratio\": 0.22}, \"quantities\": {\"reduced_modulus\": {\"value\": 4.8e10, \"unit\": \"Pa\"}, "
-             "\"reduced_shear_modulus\": {\"value\": 1e10, \"unit\": \"Pa\", \"sd\": 1e8}, \"rolling_friction\": {\"value\": 0.01, \"unit\": \"-\", "
+             "{\"format\": \"asperity-parameters/1\", \"title\": \"a\", \"particle\": {\"material\": "
+             "\"silica\", \"radius\": \"8.5 um\", "
+             "\"youngs_modulus\": \"71 GPa\", \"poissons_ratio\": 0.17, \"density\": 2200, \"rms\": 0}, "
+             "\"target\": {\"geometry\": \"plane\", "
+             "\"youngs_modulus\": 1.3e11, \"poissons_ratio\": 0.22}, \"quantities\": {\"reduced_modulus\": "
+             "{\"value\": 4.8e10, \"unit\": \"Pa\"}, "
+             "\"reduced_shear_modulus\": {\"value\": 1e10, \"unit\": \"Pa\", \"sd\": 1e8}, "
+             "\"rolling_friction\": {\"value\": 0.01, \"unit\": \"-\", "
              "\"length_scale\": \"a\", \"load_range\": [1e-5, 1e-4], \"provenance\": \"b\"}}}");
   corpus.add("history_csv",
-             "step,time [s],normal_displacement [m],normal_force [N],lateral_displacement [m],lateral_force [N],rolling_angle [rad],"
-             "rolling_moment [N m],torsion_angle [rad],torsion_moment [N m],contact_radius [m],contact_area [m^2],max_pressure [Pa],"
-             "plastic_volume [m^3],dissipated_energy [J]\n1,0,1e-9,1e-6,0,0,0,0,0,0,1e-7,1e-14,1e9,0,0\n2,1,2e-9,2e-6,0,0,0,0,0,0,1e-7,,1e9,0,0\n");
+             "step,time [s],normal_displacement [m],normal_force [N],lateral_displacement [m],lateral_force "
+             "[N],rolling_angle [rad],"
+             "rolling_moment [N m],torsion_angle [rad],torsion_moment [N m],contact_radius [m],contact_area "
+             "[m^2],max_pressure [Pa],"
+             "plastic_volume [m^3],dissipated_energy "
+             "[J]\n1,0,1e-9,1e-6,0,0,0,0,0,0,1e-7,1e-14,1e9,0,0\n2,1,2e-9,2e-6,0,0,0,0,0,0,1e-7,,1e9,0,0\n");
   corpus.add("result_json",
-             "{\"format\": \"asperity-result/1\", \"title\": \"a\", \"complete\": true, \"inputs\": {\"radius\": 8.5e-6, \"control\": \"force\", "
-             "\"particle\": {\"youngs_modulus\": 7.1e10, \"poissons_ratio\": 0.17, \"topography\": \"smooth\"}, \"substrate\": "
-             "{\"youngs_modulus\": 1.3e11, \"poissons_ratio\": 0.22}}, \"mesh\": {\"interface_spacing\": {\"value\": 2e-8}}}");
-  for (const char* text : {"2.5 um", "-1e-9 N", "5 %", "inf", "3 \xC2\xB0", "7 mJ/m^2"}) corpus.add("quantity", text);
-  corpus.add("topography_entry", "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3, amplitudes=fixed)");
-  corpus.add("topography_entry", "scan(a.gsf, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)");
-  corpus.add("motion_program", "press 50 uN; slide 200 nm and spin 20 mrad; roll 30 mrad in 12 steps; slide across 5 nm; indenter 1 um");
+             "{\"format\": \"asperity-result/1\", \"title\": \"a\", \"complete\": true, \"inputs\": "
+             "{\"radius\": 8.5e-6, \"control\": \"force\", "
+             "\"particle\": {\"youngs_modulus\": 7.1e10, \"poissons_ratio\": 0.17, \"topography\": "
+             "\"smooth\"}, \"substrate\": "
+             "{\"youngs_modulus\": 1.3e11, \"poissons_ratio\": 0.22}}, \"mesh\": {\"interface_spacing\": "
+             "{\"value\": 2e-8}}}");
+  for (const char* text : {"2.5 um", "-1e-9 N", "5 %", "inf", "3 \xC2\xB0", "7 mJ/m^2"})
+    corpus.add("quantity", text);
+  corpus.add("topography_entry",
+             "generated(rms=1.5 nm, window=2.5 um, hurst=0.8, rolloff=200 nm, cutoff=20 nm, seed=3, "
+             "amplitudes=fixed)");
+  corpus.add("topography_entry",
+             "scan(a.gsf, size=2.5 um, channel=Height, unit=nm, level=plane, cutoff=20 nm, outside=mirror)");
+  corpus.add("motion_program",
+             "press 50 uN; slide 200 nm and spin 20 mrad; roll 30 mrad in 12 steps; slide across 5 nm; "
+             "indenter 1 um");
 }
 
 }  // namespace

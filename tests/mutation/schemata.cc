@@ -21,7 +21,8 @@ void note(const char* file, int number) {
   if (test != last) reached.clear(), last = test;
   if (!reached.insert(number).second) return;
   static std::ofstream out(file, std::ios::app);
-  out << number << "\t" << (test ? std::string(test->test_suite_name()) + "." + test->name() : "*") << std::endl;
+  out << number << "\t" << (test ? std::string(test->test_suite_name()) + "." + test->name() : "*")
+      << std::endl;
 }
 
 }  // namespace

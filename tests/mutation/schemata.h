@@ -1,5 +1,6 @@
-// Mutant schemata (Untch, Offutt & Harrold 1993): every mutant is in one program, (asperity_mutant(n) ? mutated : original), and the
-// environment variable ASPERITY_MUTANT chooses one for a run. Included into every file of the mutated copy; no part of asperity.
+// Mutant schemata (Untch, Offutt & Harrold 1993): every mutant is in one program, (asperity_mutant(n) ?
+// mutated : original), and the environment variable ASPERITY_MUTANT chooses one for a run. Included into
+// every file of the mutated copy; no part of asperity.
 #pragma once
 
 /// -1: not read from the environment yet; 0: none.

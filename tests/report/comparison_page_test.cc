@@ -37,7 +37,8 @@ TEST(ComparisonPage_behaviour, draws_each_source_that_has_values_and_says_why_ot
   ASSERT_NE(quartz, std::string::npos);
   EXPECT_LT(page.find("Coulomb understates"), quartz);
   EXPECT_NE(page.find("Coulomb overstates", quartz), std::string::npos);
-  for (const char* part : {"<svg", "0.3 ± 0.01", "glass on silicon", "none was asked for", "not measured &lt;here&gt;", "within 5 %"})
+  for (const char* part : {"<svg", "0.3 ± 0.01", "glass on silicon", "none was asked for",
+                           "not measured &lt;here&gt;", "within 5 %"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   EXPECT_EQ(page.find("http://"), std::string::npos);
 }

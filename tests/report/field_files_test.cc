@@ -1,7 +1,7 @@
 // Before GoogleTest: <signal.h>, which it includes, has a macro si_value.
+#include "report/fields/field_files.h"
 #include "core/error.h"
 #include "report/fields/case_fields.h"
-#include "report/fields/field_files.h"
 #include "tests/report/synthetic_case.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,8 @@ TEST_F(FieldFiles_behaviour, a_collection_gives_steps_and_files_and_leaves_out_w
 
 TEST_F(FieldFiles_behaviour, the_file_shown_is_that_of_the_largest_load) {
   const SolvedCase solved = read_solved_case(folder);
-  write_file_atomically(folder / "interface" / "step_0016.vtp", read_file(folder / "interface" / "step_0008.vtp"));
+  write_file_atomically(folder / "interface" / "step_0016.vtp",
+                        read_file(folder / "interface" / "step_0008.vtp"));
   write_file_atomically(folder / "interface.pvd",
                         "<DataSet timestep=\"8\" file=\"interface/step_0008.vtp\"/>\n"
                         "<DataSet timestep=\"16\" file=\"interface/step_0016.vtp\"/>\n");
@@ -54,7 +55,8 @@ TEST_F(FieldFiles_behaviour, a_map_of_the_interface_holds_the_values_of_the_surf
     for (int ix = 5; ix < 60; ix += 7) {
       const double x = map.x_low + (ix + 0.5) * (map.x_high - map.x_low) / 60;
       const double y = map.y_low + (iy + 0.5) * (map.y_high - map.y_low) / 60;
-      const double dx = half / 30 * 40 / half, dy = half / 30 * 30 / half;  // node distances in radians of the wave
+      const double dx = half / 30 * 40 / half,
+                   dy = half / 30 * 30 / half;  // node distances in radians of the wave
       const double bound = amplitude * (dx * dx + dy * dy) / 8;
       EXPECT_NEAR(map.values[static_cast<std::size_t>(iy) * 60 + ix],
                   amplitude * std::sin(40 * x / half) * std::cos(30 * y / half), bound);
@@ -75,7 +77,8 @@ TEST_F(FieldFiles_behaviour, the_extent_of_contact_is_that_of_the_pressure) {
   EXPECT_NEAR(extent.contact, a, 0.07 * a);  // one node distance
 }
 
-TEST_F(FieldFiles_behaviour, a_section_lies_in_its_plane_and_keeps_the_values_of_the_cells_also_from_files_of_several_ranks) {
+TEST_F(FieldFiles_behaviour,
+       a_section_lies_in_its_plane_and_keeps_the_values_of_the_cells_also_from_files_of_several_ranks) {
   const auto section = vertical_section({folder / "fields" / "step_0008.vtu"}, 1e-9);
   // Two bodies of 30 columns and 20 layers.
   EXPECT_EQ(section->GetNumberOfCells(), 1200);
@@ -87,12 +90,14 @@ TEST_F(FieldFiles_behaviour, a_section_lies_in_its_plane_and_keeps_the_values_of
 
   const fs::path file = folder / "fields" / "step_0008.vtu";
   EXPECT_EQ(vertical_section({file, file}, 1e-9)->GetNumberOfCells(), 2400);
-  write_file_atomically(folder / "fields" / "step_0008.pvtu",
-                        "<?xml version='1.0'?><VTKFile type='PUnstructuredGrid' version='0.1' byte_order='LittleEndian'>"
-                        "<PUnstructuredGrid GhostLevel='0'><PPointData><PDataArray type='Float64' Name='displacement' "
-                        "NumberOfComponents='3'/></PPointData><PCellData><PDataArray type='Float64' Name='von_mises'/></PCellData>"
-                        "<PPoints><PDataArray type='Float64' NumberOfComponents='3'/></PPoints><Piece Source='step_0008.vtu'/>"
-                        "</PUnstructuredGrid></VTKFile>");
+  write_file_atomically(
+      folder / "fields" / "step_0008.pvtu",
+      "<?xml version='1.0'?><VTKFile type='PUnstructuredGrid' version='0.1' byte_order='LittleEndian'>"
+      "<PUnstructuredGrid GhostLevel='0'><PPointData><PDataArray type='Float64' Name='displacement' "
+      "NumberOfComponents='3'/></PPointData><PCellData><PDataArray type='Float64' "
+      "Name='von_mises'/></PCellData>"
+      "<PPoints><PDataArray type='Float64' NumberOfComponents='3'/></PPoints><Piece Source='step_0008.vtu'/>"
+      "</PUnstructuredGrid></VTKFile>");
   EXPECT_EQ(vertical_section({folder / "fields" / "step_0008.pvtu"}, 1e-9)->GetNumberOfCells(), 1200);
 }
 

@@ -12,9 +12,13 @@ namespace {
 /// A sphere of 8.5 um slid with friction 0.3 under 100 uN, or spun; a history of three steps.
 SolvedCase moved(const std::string& type) {
   SolvedCase solved;
-  solved.entries = CaseEntries({{"Particle/Radius", "8.5 um"}, {"Particle/Young modulus", "71 GPa"}, {"Particle/Poisson ratio", "0.17"},
-                                {"Substrate/Young modulus", "71 GPa"}, {"Substrate/Poisson ratio", "0.17"},
-                                {"Interface/Friction coefficient", "0.3"}, {"Experiment/Type", type}});
+  solved.entries = CaseEntries({{"Particle/Radius", "8.5 um"},
+                                {"Particle/Young modulus", "71 GPa"},
+                                {"Particle/Poisson ratio", "0.17"},
+                                {"Substrate/Young modulus", "71 GPa"},
+                                {"Substrate/Poisson ratio", "0.17"},
+                                {"Interface/Friction coefficient", "0.3"},
+                                {"Experiment/Type", type}});
   auto& h = solved.history;
   for (const auto& column : history_columns()) (h.*column.values).assign(3, 0.0);
   h.normal_force = {100e-6, 100e-6, 100e-6};
@@ -59,7 +63,9 @@ TEST(MotionFigures_behaviour, show_forces_and_moments_of_a_program_over_its_step
   EXPECT_EQ(report::program_forces_chart(solved).series.size(), 2u) << "a history of an earlier version";
 }
 
-TEST(MotionFigures_behaviour, say_nothing_of_a_contact_that_was_only_pressed) { EXPECT_EQ(report::motion_figure(moved("normal")), ""); }
+TEST(MotionFigures_behaviour, say_nothing_of_a_contact_that_was_only_pressed) {
+  EXPECT_EQ(report::motion_figure(moved("normal")), "");
+}
 
 }  // namespace
 }  // namespace asperity

@@ -1,8 +1,8 @@
 // Before GoogleTest: <signal.h>, which it includes, has a macro si_value.
-#include "report/page/axis.h"
-#include "report/page/chart.h"
 #include "report/fields/map_figure.h"
 #include "report/fields/png.h"
+#include "report/page/axis.h"
+#include "report/page/chart.h"
 #include "report/page/words.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,9 @@ TEST(Chart_behaviour, breaks_its_lines_where_a_value_is_not_known_and_names_its_
   EXPECT_EQ(std::count(drawn.begin(), drawn.end(), 'M'), 2);
 }
 
-TEST(Chart_behaviour, without_values_says_so) { EXPECT_NE(to_svg(Chart{}).find("nothing to draw"), std::string::npos); }
+TEST(Chart_behaviour, without_values_says_so) {
+  EXPECT_NE(to_svg(Chart{}).find("nothing to draw"), std::string::npos);
+}
 
 TEST(Map_behaviour, colours_leave_out_outliers_and_unknown_points_are_grey) {
   Map map{10, 10, 0, 1, 0, 1, std::vector<double>(100, 0.0)};
@@ -93,7 +95,8 @@ TEST(Words_behaviour, numbers_read_as_people_write_them) {
   EXPECT_EQ(percent_bound(1e-9), "0.001 %");
   EXPECT_EQ(duration_text(83.2), "1 min 23 s");
   EXPECT_EQ(duration_text(7260), "2 h 1 min");
-  EXPECT_EQ(readable("from 125 uN, 2.5 um wide; umbrella 3 units"), "from 125 µN, 2.5 µm wide; umbrella 3 units");
+  EXPECT_EQ(readable("from 125 uN, 2.5 um wide; umbrella 3 units"),
+            "from 125 µN, 2.5 µm wide; umbrella 3 units");
   EXPECT_EQ(area_text(4.84e-13), "0.484 µm²");
 }
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <unistd.h>
+#include <regex>
 
 #include <cstdlib>
 
@@ -50,18 +50,22 @@ class ReportFolder_behaviour : public testing::Test {
 
   static std::string study_json(const std::string& cases) {
     return R"({"format": "asperity-study/1", "title": "Three surfaces", "realisations": 2,
-      "axes": [{"name": "Normal load", "values": ["500 uN", "1 mN"]}, {"name": "Surface", "values": ["smooth", "rough"]}],
-      "cases": [)" + cases + "]}";
+      "axes": [{"name": "Normal load", "values": ["500 uN", "1 mN"]}, {"name": "Surface",
+          "values": ["smooth", "rough"]}],
+      "cases": [)" +
+           cases + "]}";
   }
-  static std::string entry(const std::string& name, const std::string& load, const std::string& surface, int realisation,
-                           const std::string& state) {
+  static std::string entry(const std::string& name, const std::string& load, const std::string& surface,
+                           int realisation, const std::string& state) {
     return R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Normal load": ")" + load +
-           R"(", "Surface": ")" + surface + R"("}, "realisation": )" + std::to_string(realisation) + R"(, "state": ")" + state + R"("})";
+           R"(", "Surface": ")" + surface + R"("}, "realisation": )" + std::to_string(realisation) +
+           R"(, "state": ")" + state + R"("})";
   }
   fs::path root;
 };
 
-TEST_F(ReportFolder_behaviour, a_solved_case_has_verdict_surfaces_curves_pressure_section_and_tables_in_one_file) {
+TEST_F(ReportFolder_behaviour,
+       a_solved_case_has_verdict_surfaces_curves_pressure_section_and_tables_in_one_file) {
   test::SyntheticCase made;
   made.softness = 0.7;
   made.topography = "generated(rms=1.5 nm, hurst=0.8, rolloff=200 nm, cutoff=40 nm, seed=1)";
@@ -69,13 +73,18 @@ TEST_F(ReportFolder_behaviour, a_solved_case_has_verdict_surfaces_curves_pressur
   const std::string html = report();
   expect_self_contained(html);
   // 0.7^(1/3) = 0.888, with the interval of what the mesh leaves.
-  EXPECT_TRUE(std::regex_search(html, std::regex("softer than Hertz by 11 %( \\([^)]*\\))? still at 1 mN"))) << html.substr(html.find("Loading: "), 200);
-  for (const char* part : {"RMS 1.5 nm", "Load against approach", "Real contact area", "Contact pressure", "Gap, and what is closed", "5.95 µm", "8.5 µm",
-                           "4 cells over its shortest wave of 40 nm", "facets miss 5.2 % of its slope variance", "with 3.1 % of the scan's slope variance", "energy", "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
+  EXPECT_TRUE(std::regex_search(html, std::regex("softer than Hertz by 11 %( \\([^)]*\\))? still at 1 mN")))
+      << html.substr(html.find("Loading: "), 200);
+  for (const char* part :
+       {"RMS 1.5 nm", "Load against approach", "Real contact area", "Contact pressure",
+        "Gap, and what is closed", "5.95 µm", "8.5 µm", "4 cells over its shortest wave of 40 nm",
+        "facets miss 5.2 % of its slope variance", "with 3.1 % of the scan's slope variance", "energy",
+        "0.42 %", "1 min 23 s", "1.77 GiB", "9.4.1", "Particle/Radius"})
     EXPECT_TRUE(test::has(html, part)) << part;
 }
 
-TEST_F(ReportFolder_behaviour, sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
+TEST_F(ReportFolder_behaviour,
+       sections_are_drawn_where_there_is_a_display_server_and_else_said_to_be_missing) {
   test::write_synthetic_case({}, root);
   const bool can_draw = report::VirtualDisplay().available();
   const std::string html = report();
@@ -110,7 +119,8 @@ TEST_F(ReportFolder_behaviour, a_display_that_does_not_answer_does_not_take_the_
   EXPECT_TRUE(test::has(html, "VTK could not draw on display :4711"));
 }
 
-TEST_F(ReportFolder_behaviour, a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
+TEST_F(ReportFolder_behaviour,
+       a_smooth_elastic_case_is_told_that_its_departure_is_the_error_of_the_computation) {
   test::SyntheticCase made;
   made.yield_stress = "inf";
   made.imprint = 0;
@@ -150,10 +160,11 @@ TEST_F(ReportFolder_behaviour, a_study_shows_scatter_over_realisations_and_names
   made.softness = 0.75;
   made.fields = true;
   test::write_synthetic_case(made, root / "r2");
-  write_file_atomically(root / "study.json",
-                        study_json(entry("s05", "500 uN", "smooth", 1, "done") + "," + entry("s1", "1 mN", "smooth", 1, "done") + "," +
-                                   entry("r1", "1 mN", "rough", 1, "done") + "," + entry("r2", "1 mN", "rough", 2, "done") + "," +
-                                   entry("r05", "500 uN", "rough", 1, "waiting")));
+  write_file_atomically(root / "study.json", study_json(entry("s05", "500 uN", "smooth", 1, "done") + "," +
+                                                        entry("s1", "1 mN", "smooth", 1, "done") + "," +
+                                                        entry("r1", "1 mN", "rough", 1, "done") + "," +
+                                                        entry("r2", "1 mN", "rough", 2, "done") + "," +
+                                                        entry("r05", "500 uN", "rough", 1, "waiting")));
   const std::string html = report();
   expect_self_contained(html);
   EXPECT_TRUE(test::has(html, "1 of 5 cases are not in this report"));
@@ -166,8 +177,8 @@ TEST_F(ReportFolder_behaviour, a_study_shows_scatter_over_realisations_and_names
 
 TEST_F(ReportFolder_behaviour, a_study_shows_stiffness_against_load_rms_and_spectrum_on_the_finest_mesh) {
   const auto rough = [](const char* rms, const char* rolloff, int seed) {
-    return std::string("generated(rms=") + rms + " nm, window=2.5 um, hurst=0.8, rolloff=" + rolloff + " nm, cutoff=80 nm, seed=" +
-           std::to_string(seed) + ")";
+    return std::string("generated(rms=") + rms + " nm, window=2.5 um, hurst=0.8, rolloff=" + rolloff +
+           " nm, cutoff=80 nm, seed=" + std::to_string(seed) + ")";
   };
   struct Contact {
     std::string surface, topography;
@@ -188,16 +199,21 @@ TEST_F(ReportFolder_behaviour, a_study_shows_stiffness_against_load_rms_and_spec
       made.spacing = std::string(spacing) == "10 nm" ? 10e-9 : 20e-9;
       const std::string name = contact.surface + spacing;
       test::write_synthetic_case(made, root / name);
-      cases += (cases.empty() ? "" : ",") + (R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Interface spacing": ")" +
-               spacing + R"(", "Surface": ")" + contact.surface + R"("}, "realisation": 1, "state": "done"})");
+      cases +=
+          (cases.empty() ? "" : ",") +
+          (R"({"name": ")" + name + R"(", "folder": ")" + name + R"(", "values": {"Interface spacing": ")" +
+           spacing + R"(", "Surface": ")" + contact.surface + R"("}, "realisation": 1, "state": "done"})");
     }
-  write_file_atomically(root / "study.json", R"({"format": "asperity-study/1", "title": "Spectra", "realisations": 1,
+  write_file_atomically(root / "study.json",
+                        R"({"format": "asperity-study/1", "title": "Spectra", "realisations": 1,
       "axes": [{"name": "Interface spacing", "values": ["10 nm", "20 nm"]}, {"name": "Surface",
-      "values": ["smooth", "low", "high", "high, short waves"]}], "cases": [)" + cases + "]}");
+      "values": ["smooth", "low", "high", "high, short waves"]}], "cases": [)" +
+                            cases + "]}");
   const std::string html = report();
   expect_self_contained(html);
-  for (const char* part : {"Stiffness against load", "Stiffness against roughness", "Stiffness against spectrum", "scans of 2.5 µm",
-                           "Results are those of the finest mesh (10 nm"})
+  for (const char* part :
+       {"Stiffness against load", "Stiffness against roughness", "Stiffness against spectrum",
+        "scans of 2.5 µm", "Results are those of the finest mesh (10 nm"})
     EXPECT_TRUE(test::has(html, part)) << part;
   EXPECT_FALSE(test::has(html, "10 nm, high"));  // the mesh is no property of a contact
   // From 20 to 10 nm the stiffness falls by 1.05^(1/3) - 1 = 1.64 %: as much again to the limit.
@@ -217,7 +233,9 @@ TEST_F(ReportFolder_behaviour, a_title_cannot_break_the_page) {
   EXPECT_TRUE(test::has(report(), "&lt;b&gt;&quot;1&quot; &amp;"));
 }
 
-TEST_F(ReportFolder_behaviour, a_folder_that_is_neither_case_nor_study_is_refused) { EXPECT_THROW(write_report(root), InputError); }
+TEST_F(ReportFolder_behaviour, a_folder_that_is_neither_case_nor_study_is_refused) {
+  EXPECT_THROW(write_report(root), InputError);
+}
 
 }  // namespace
 }  // namespace asperity

@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "core/atomic_file.h"
-#include "report/report.h"
 #include "report/motion/resistance_charts.h"
+#include "report/report.h"
 #include "tests/dem_compare/resistance/moving_study.h"
 #include "tests/report/synthetic_case.h"
 #include "tests/support/temporary_folder.h"
@@ -54,12 +54,15 @@ std::string report_of(const fs::path& root) {
   if (const char* kept = std::getenv("ASPERITY_KEEP_REPORTS")) {
     fs::create_directories(kept);
     write_file_atomically(
-        fs::path(kept) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".html"), page);
+        fs::path(kept) /
+            (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".html"),
+        page);
   }
   return page;
 }
 
-TEST(ResistancePage_behaviour, a_study_of_moving_contacts_alone_answers_both_questions_without_words_on_unloading) {
+TEST(ResistancePage_behaviour,
+     a_study_of_moving_contacts_alone_answers_both_questions_without_words_on_unloading) {
   const TemporaryFolder root;
   const std::string html = report_of(test::write_moving_study(root.path, moving_contacts()));
   for (const char* part :
@@ -68,7 +71,8 @@ TEST(ResistancePage_behaviour, a_study_of_moving_contacts_alone_answers_both_que
         "Beside the measurement", "What makes rolling friction fall with roughness is yielding", "R 2.5 µm",
         "What resists this motion", "Largest relative errors"})
     EXPECT_TRUE(test::has(html, part)) << part;
-  for (const char* part : {"Against Hertz", "imprint", "unloading", "There is nothing to judge", "lambda", "+-"})
+  for (const char* part :
+       {"Against Hertz", "imprint", "unloading", "There is nothing to judge", "lambda", "+-"})
     EXPECT_FALSE(test::has(html, part)) << part;
   const std::string csv = read_file(root.path / "resistance.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 3 * 2);
@@ -91,7 +95,8 @@ TEST(ResistancePage_behaviour, pressed_and_moving_cases_in_one_study_have_both_p
                             {"state", "done"}});
   write_file_atomically(root.path / "study.json", study.dump());
   const std::string html = report_of(root.path);
-  for (const char* part : {"What resists sliding", "Against Hertz", "Stiffness, load by load", "cannot be told"})
+  for (const char* part :
+       {"What resists sliding", "Against Hertz", "Stiffness, load by load", "cannot be told"})
     EXPECT_TRUE(test::has(html, part)) << part;
   EXPECT_FALSE(test::has(html, "What resists rolling"));
 }
@@ -109,7 +114,8 @@ TEST(ResistancePage_analytic, charts_show_what_went_in) {
   const TemporaryFolder root;
   const auto findings =
       find_resistances(collect_cases({test::write_moving_study(root.path, moving_contacts())}), std::nullopt);
-  const auto over_load = report::resistance_over_load(findings.study, rolling_mode(), report::ResistanceUnit::contact);
+  const auto over_load =
+      report::resistance_over_load(findings.study, rolling_mode(), report::ResistanceUnit::contact);
   ASSERT_EQ(over_load.series.size(), 6u);
   EXPECT_NEAR(over_load.series[1].x[0], 100, 1e-6);
   EXPECT_NEAR(over_load.series[1].y[0], 0.2 + 0.085, 3 * over_load.series[1].error[0]);

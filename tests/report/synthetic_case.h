@@ -1,5 +1,5 @@
-// Folders as `asperity solve` and `asperity study` write them, with a Hertzian contact made up from its formulas: enough
-// to see that a report finds, reads and draws everything.
+// Folders as `asperity solve` and `asperity study` write them, with a Hertzian contact made up from its
+// formulas: enough to see that a report finds, reads and draws everything.
 #pragma once
 
 #include <cmath>
@@ -8,16 +8,16 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "results/history.h"
 #include "core/hertz.h"
+#include "results/history.h"
 
 namespace asperity::test {
 
 struct SyntheticCase {
-  double load = 1e-3;          ///< [N]
-  double softness = 1;         ///< contact as of this multiple of the radius
-  double imprint = 1e-9;       ///< left after unloading [m]
-  double spacing = 1e-8;       ///< of the mesh at the interface [m]
+  double load = 1e-3;     ///< [N]
+  double softness = 1;    ///< contact as of this multiple of the radius
+  double imprint = 1e-9;  ///< left after unloading [m]
+  double spacing = 1e-8;  ///< of the mesh at the interface [m]
   std::string topography = "smooth";
   std::string yield_stress = "3 GPa";
   std::string title = "Synthetic";
@@ -28,8 +28,10 @@ struct SyntheticCase {
 namespace synthetic {
 
 constexpr int load_steps = 8;
-inline const std::string resolved_roughness = R"({"shortest_wave": 4e-08, "cells_over_shortest_wave": 4.0, "slope_variance_in_shorter_waves": 0.031,
-    "rms_slope": 0.08, "missed_by_facets": {"rms_height": 0.04, "slope_variance": 0.052}, "repeats_every": null})";
+inline const std::string resolved_roughness =
+    R"({"shortest_wave": 4e-08, "cells_over_shortest_wave": 4.0, "slope_variance_in_shorter_waves": 0.031,
+    "rms_slope": 0.08, "missed_by_facets": {"rms_height": 0.04, "slope_variance": 0.052},
+        "repeats_every": null})";
 constexpr double radius = 8.5e-6;
 
 inline Hertz contact(const SyntheticCase& made) {
@@ -51,11 +53,13 @@ inline History history(const SyntheticCase& made) {
     history.max_pressure.back() = force > 0 ? hertz.peak_pressure(force) : 0;
     history.plastic_volume.back() = made.imprint > 0 ? 1e-24 : 0;
   };
-  for (int i = 1; i <= load_steps; ++i) add(made.load * i / load_steps, hertz.approach(made.load * i / load_steps));
+  for (int i = 1; i <= load_steps; ++i)
+    add(made.load * i / load_steps, hertz.approach(made.load * i / load_steps));
   if (!made.finished) return history;
   const double top = hertz.approach(made.load);
   for (int i = load_steps - 1; i >= 0; --i)
-    add(made.load * i / load_steps, made.imprint + (top - made.imprint) * std::pow(double(i) / load_steps, 2.0 / 3.0));
+    add(made.load * i / load_steps,
+        made.imprint + (top - made.imprint) * std::pow(double(i) / load_steps, 2.0 / 3.0));
   return history;
 }
 
@@ -83,14 +87,17 @@ inline void write_interface(const SyntheticCase& made, const std::filesystem::pa
       offsets << 4 * (j * n + i + 1) << '\n';
     }
   const auto array = [](const std::string& name, const std::string& values, const std::string& more = "") {
-    return "<DataArray type='Float64' Name='" + name + "' format='ascii' " + more + ">" + values + "</DataArray>";
+    return "<DataArray type='Float64' Name='" + name + "' format='ascii' " + more + ">" + values +
+           "</DataArray>";
   };
   std::ostringstream text;
-  text << "<?xml version='1.0'?><VTKFile type='PolyData' version='0.1' byte_order='LittleEndian'><PolyData><Piece NumberOfPoints='"
-       << (n + 1) * (n + 1) << "' NumberOfPolys='" << n * n << "'><PointData>" << array("pressure", pressure.str())
-       << array("gap", gap.str()) << array("status", status.str()) << array("height_particle", upper.str())
-       << array("height_substrate", lower.str()) << "</PointData><Points>"
-       << array("Points", points.str(), "NumberOfComponents='3'") << "</Points><Polys>"
+  text << "<?xml version='1.0'?><VTKFile type='PolyData' version='0.1' "
+          "byte_order='LittleEndian'><PolyData><Piece NumberOfPoints='"
+       << (n + 1) * (n + 1) << "' NumberOfPolys='" << n * n << "'><PointData>"
+       << array("pressure", pressure.str()) << array("gap", gap.str()) << array("status", status.str())
+       << array("height_particle", upper.str()) << array("height_substrate", lower.str())
+       << "</PointData><Points>" << array("Points", points.str(), "NumberOfComponents='3'")
+       << "</Points><Polys>"
        << "<DataArray type='Int64' Name='connectivity' format='ascii'>" << quads.str() << "</DataArray>"
        << "<DataArray type='Int64' Name='offsets' format='ascii'>" << offsets.str()
        << "</DataArray></Polys></Piece></PolyData></VTKFile>";
@@ -132,27 +139,33 @@ inline void write_bodies(const SyntheticCase& made, const std::filesystem::path&
         }
     first += (layers + 1) * (n + 1) * (n + 1);
   }
-  const auto array = [](const std::string& type, const std::string& name, const std::string& values, int components = 1) {
-    return "<DataArray type='" + type + "' Name='" + name + "' NumberOfComponents='" + std::to_string(components) +
-           "' format='ascii'>" + values + "</DataArray>";
+  const auto array = [](const std::string& type, const std::string& name, const std::string& values,
+                        int components = 1) {
+    return "<DataArray type='" + type + "' Name='" + name + "' NumberOfComponents='" +
+           std::to_string(components) + "' format='ascii'>" + values + "</DataArray>";
   };
   std::ostringstream text;
-  text << "<?xml version='1.0'?><VTKFile type='UnstructuredGrid' version='0.1' byte_order='LittleEndian'><UnstructuredGrid>"
+  text << "<?xml version='1.0'?><VTKFile type='UnstructuredGrid' version='0.1' "
+          "byte_order='LittleEndian'><UnstructuredGrid>"
        << "<Piece NumberOfPoints='" << first << "' NumberOfCells='" << count << "'><PointData>"
        << array("Float64", "displacement", displacement.str(), 3) << "</PointData><CellData>"
-       << array("Float64", "von_mises", mises.str()) << array("Float64", "equivalent_plastic_strain", plastic.str())
-       << array("Float64", "stress", stress.str(), 6) << array("Float64", "body", body.str()) << "</CellData><Points>"
-       << array("Float64", "Points", points.str(), 3) << "</Points><Cells>" << array("Int64", "connectivity", cells.str())
-       << array("Int64", "offsets", offsets.str()) << array("UInt8", "types", types.str())
-       << "</Cells></Piece></UnstructuredGrid></VTKFile>";
+       << array("Float64", "von_mises", mises.str())
+       << array("Float64", "equivalent_plastic_strain", plastic.str())
+       << array("Float64", "stress", stress.str(), 6) << array("Float64", "body", body.str())
+       << "</CellData><Points>" << array("Float64", "Points", points.str(), 3) << "</Points><Cells>"
+       << array("Int64", "connectivity", cells.str()) << array("Int64", "offsets", offsets.str())
+       << array("UInt8", "types", types.str()) << "</Cells></Piece></UnstructuredGrid></VTKFile>";
   write_file_atomically(file, text.str());
 }
 
-inline void write_pvd(const std::filesystem::path& folder, const std::string& name, const std::string& suffix) {
+inline void write_pvd(const std::filesystem::path& folder, const std::string& name,
+                      const std::string& suffix) {
   const std::string file = name + "/step_0008." + suffix;
-  write_file_atomically(folder / (name + ".pvd"),
-                        "<?xml version='1.0'?><VTKFile type='Collection' version='0.1'><Collection><DataSet timestep=\"8\" "
-                        "file=\"" + file + "\"/></Collection></VTKFile>");
+  write_file_atomically(
+      folder / (name + ".pvd"),
+      "<?xml version='1.0'?><VTKFile type='Collection' version='0.1'><Collection><DataSet timestep=\"8\" "
+      "file=\"" +
+          file + "\"/></Collection></VTKFile>");
 }
 
 }  // namespace synthetic
@@ -162,8 +175,10 @@ inline void write_synthetic_case(const SyntheticCase& made, const std::filesyste
   namespace fs = std::filesystem;
   fs::create_directories(folder);
   std::ostringstream prm;
-  prm << "set Title = " << made.title << "\nsubsection Particle\n set Radius = 8.5 um\n set Young modulus = 71 GPa\n"
-      << " set Poisson ratio = 0.17\n set Yield stress = " << made.yield_stress << "\nend\nsubsection Substrate\n"
+  prm << "set Title = " << made.title
+      << "\nsubsection Particle\n set Radius = 8.5 um\n set Young modulus = 71 GPa\n"
+      << " set Poisson ratio = 0.17\n set Yield stress = " << made.yield_stress
+      << "\nend\nsubsection Substrate\n"
       << " set Young modulus = 179 GPa\n set Poisson ratio = 0.25\n set Topography = " << made.topography
       << "\nend\nsubsection Experiment\n set Normal load = " << made.load << "\nend\n";
   write_file_atomically(folder / "case.prm", prm.str());
@@ -171,8 +186,10 @@ inline void write_synthetic_case(const SyntheticCase& made, const std::filesyste
   if (made.finished)
     write_file_atomically(folder / "result.json",
                           R"({"format": "asperity-result/1", "experiment": "normal",
-    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": )" + std::to_string(made.spacing * 1e9) +
-                              R"(e-9, "roughness": {"particle": null, "substrate": )" + (made.topography == "smooth" ? "null" : synthetic::resolved_roughness) + R"(}},
+    "mesh": {"cells": 36000, "dofs": 119000, "interface_spacing": )" +
+                              std::to_string(made.spacing * 1e9) +
+                              R"(e-9, "roughness": {"particle": null, "substrate": )" +
+                              (made.topography == "smooth" ? "null" : synthetic::resolved_roughness) + R"(}},
     "effective": {"normal_stiffness": {"value": 52231.0, "unit": "N/m", "sd": 120.0}},
     "balance": {"force": 2.1e-7, "moment": 3e-7, "energy": 0.0042},
     "cost": {"wall_time": 83.2, "peak_memory": 1.9e9, "ranks": 1},

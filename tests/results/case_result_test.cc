@@ -13,13 +13,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json whole() {
-  return Json::parse(R"({"format": "asperity-result/1", "title": "A case", "experiment": "rolling", "commit": "abc",
-    "inputs": {"entries": {"Particle/Radius": "8.5 um", "Experiment/Cycles": 2}, "rms_in_region": {"particle": 7e-10, "substrate": 1.5e-9}},
+  return Json::parse(
+      R"({"format": "asperity-result/1", "title": "A case", "experiment": "rolling", "commit": "abc",
+    "inputs": {"entries": {"Particle/Radius": "8.5 um", "Experiment/Cycles": 2},
+        "rms_in_region": {"particle": 7e-10, "substrate": 1.5e-9}},
     "mesh": {"cells": 1000, "dofs": 3000, "interface_spacing": 5e-9, "contact_reaches_rim": true,
-             "roughness": {"particle": null, "substrate": {"shortest_wave": 7.2e-8, "cells_over_shortest_wave": 14.4, "repeats_every": null,
-                           "slope_variance_in_shorter_waves": 0.02, "missed_by_facets": {"rms_height": 0.001, "slope_variance": 0.03}}}},
-    "effective": {"rolling_moment": {"value": 1e-12, "unit": "N m", "sd": 1e-13}, "spots": {"value": 3, "unit": "", "sd": null}},
-    "balance": {"force": 1e-7, "energy": -0.003}, "cost": {"wall_time": 12.5, "peak_memory": 1e9}, "versions": {"asperity": "0.1.0"}})");
+             "roughness": {"particle": null, "substrate": {"shortest_wave": 7.2e-8,
+                 "cells_over_shortest_wave": 14.4, "repeats_every": null,
+                           "slope_variance_in_shorter_waves": 0.02,
+                               "missed_by_facets": {"rms_height": 0.001, "slope_variance": 0.03}}}},
+    "effective": {"rolling_moment": {"value": 1e-12, "unit": "N m", "sd": 1e-13}, "spots": {"value": 3,
+        "unit": "", "sd": null}},
+    "balance": {"force": 1e-7, "energy": -0.003}, "cost": {"wall_time": 12.5, "peak_memory": 1e9},
+        "versions": {"asperity": "0.1.0"}})");
 }
 
 TEST(CaseResult_behaviour, has_each_part_of_the_file_under_its_name) {
@@ -66,7 +72,8 @@ TEST(CaseResult_behaviour, of_an_earlier_version_lacks_what_it_did_not_tell) {
 
 TEST(CaseResult_behaviour, numbers_of_another_kind_are_none) {
   Json document = whole();
-  document["mesh"]["cells"] = "many", document["mesh"]["contact_reaches_rim"] = "yes", document["mesh"]["roughness"] = 3;
+  document["mesh"]["cells"] = "many", document["mesh"]["contact_reaches_rim"] = "yes",
+  document["mesh"]["roughness"] = 3;
   document["effective"]["rolling_moment"] = "large", document["inputs"]["entries"] = 5;
   const CaseResult result = case_result_of(document, "made");
   EXPECT_TRUE(std::isnan(result.cells));
@@ -90,7 +97,9 @@ TEST(CaseResult_behaviour, that_is_missing_or_not_complete_is_none_and_a_broken_
   EXPECT_NE(refusal(whole().dump().substr(0, 300)).find("broken.json: is not valid JSON"), std::string::npos);
   EXPECT_NE(refusal("[]").find("is not valid JSON"), std::string::npos);
   document["format"] = "asperity-result/9";
-  EXPECT_NE(refusal(document.dump()).find("has the format 'asperity-result/9' where this program reads 'asperity-result/1'"), std::string::npos);
+  EXPECT_NE(refusal(document.dump())
+                .find("has the format 'asperity-result/9' where this program reads 'asperity-result/1'"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST(History_behaviour, columns_that_not_every_history_has_may_be_missing_and_ot
   few.normal_force = {1, 2};
   std::string text = format_history(few);
   EXPECT_EQ(text.find("friction_work"), std::string::npos);
-  text.insert(text.find('\n'), ",something else"), text.insert(text.find('\n', text.find('\n') + 1), ",7"), text.insert(text.size() - 1, ",8");
+  text.insert(text.find('\n'), ",something else"), text.insert(text.find('\n', text.find('\n') + 1), ",7"),
+      text.insert(text.size() - 1, ",8");
   write_file_atomically(folder.path / "history.csv", text);
   const History read = read_history(folder.path / "history.csv");
   EXPECT_EQ(read.normal_force, few.normal_force);
@@ -57,7 +58,8 @@ TEST(History_behaviour, columns_that_not_every_history_has_may_be_missing_and_ot
 TEST(History_behaviour, without_a_column_that_every_history_has_is_refused_by_file_and_column) {
   const test::TemporaryFolder folder;
   write_file_atomically(folder.path / "history.csv", "step,time [s]\n1,2\n");
-  const std::string message = test::message_of<InputError>([&] { read_history(folder.path / "history.csv"); });
+  const std::string message =
+      test::message_of<InputError>([&] { read_history(folder.path / "history.csv"); });
   EXPECT_NE(message.find("history.csv"), std::string::npos);
   EXPECT_NE(message.find("normal_displacement [m]"), std::string::npos);
 }

@@ -10,8 +10,10 @@ namespace asperity {
 namespace {
 
 TEST(ResultManual_behaviour, has_a_line_for_every_column_of_a_history_and_names_the_format) {
-  const std::string manual = read_file(test::reference_folder().parent_path().parent_path().parent_path() / "docs" / "result.md");
-  for (const auto& column : history_columns()) EXPECT_NE(manual.find("\n| `" + std::string(column.name) + "` | "), std::string::npos) << column.name;
+  const std::string manual =
+      read_file(test::reference_folder().parent_path().parent_path().parent_path() / "docs" / "result.md");
+  for (const auto& column : history_columns())
+    EXPECT_NE(manual.find("\n| `" + std::string(column.name) + "` | "), std::string::npos) << column.name;
   EXPECT_NE(manual.find(std::string("\"format\": \"") + CaseResult::format + "\""), std::string::npos);
 }
 

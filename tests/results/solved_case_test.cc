@@ -25,10 +25,11 @@ class SolvedCaseFolder_behaviour : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder); }
   void write_prm() {
-    write_file_atomically(folder / "case.prm",
-                          "set Title = A case  # its name\nsubsection Particle\n  set Radius = 8.5 um\n"
-                          "  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\n  set Yield stress = 3 GPa\nend\n"
-                          "subsection Substrate\n  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\nend\n");
+    write_file_atomically(
+        folder / "case.prm",
+        "set Title = A case  # its name\nsubsection Particle\n  set Radius = 8.5 um\n"
+        "  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\n  set Yield stress = 3 GPa\nend\n"
+        "subsection Substrate\n  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\nend\n");
   }
   fs::path folder;
 };
@@ -48,7 +49,8 @@ TEST_F(SolvedCaseFolder_behaviour, an_unfinished_case_is_known_from_its_case_fil
 TEST_F(SolvedCaseFolder_behaviour, without_its_case_file_a_result_knows_its_inputs) {
   write_file_atomically(folder / "result.json",
                         R"json({"format": "asperity-result/1", "title": "From the result", "inputs": {
-                            "particle": {"youngs_modulus": 71e9, "poissons_ratio": 0.17, "yield_stress": "inf",
+                            "particle": {"youngs_modulus": 71e9, "poissons_ratio": 0.17,
+                                "yield_stress": "inf",
                                          "topography": "generated(rms=1.5 nm)"},
                             "radius": 9e-6, "substrate": {"youngs_modulus": 179e9, "poissons_ratio": 0.25}},
                             "mesh": {"interface_spacing": 5e-9}})json");
@@ -69,10 +71,16 @@ TEST_F(SolvedCaseFolder_behaviour, a_result_with_a_part_of_another_kind_is_refus
     return test::message_of<InputError>([&] { read_solved_case(folder); });
   };
   EXPECT_NE(refusal(R"({"format": true})").find("result.json: 'format' is no text"), std::string::npos);
-  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "title": 3})").find("'title' is no text"), std::string::npos);
-  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "mesh": []})").find("'mesh' is no object"), std::string::npos);
-  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "complete": 1})").find("'complete' is no true or false"), std::string::npos);
-  write_file_atomically(folder / "result.json", R"({"format": "asperity-result/1", "mesh": {"interface_spacing": {"value": "5 nm"}}})");
+  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "title": 3})").find("'title' is no text"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"format": "asperity-result/1", "mesh": []})").find("'mesh' is no object"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal(R"({"format": "asperity-result/1", "complete": 1})").find("'complete' is no true or false"),
+      std::string::npos);
+  write_file_atomically(
+      folder / "result.json",
+      R"({"format": "asperity-result/1", "mesh": {"interface_spacing": {"value": "5 nm"}}})");
   EXPECT_TRUE(std::isnan(read_solved_case(folder).interface_spacing())) << "a text is no number";
 }
 

@@ -181,6 +181,24 @@ class Table(unittest.TestCase):
         self.assertIn("does not say where", self.table('"Hertz","force","Hertz","1 %","0 %","yes","Hertz.silicon"').stderr)
 
 
+class Format(unittest.TestCase):
+    def check(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.cc"
+            (pathlib.Path(folder) / ".clang-format").write_text("BasedOnStyle: Google\nColumnLimit: 110\n")
+            file.write_text(text)
+            return run(TESTS / "scripts/check_format", file)
+
+    def test_files_that_are_not_formatted_and_long_lines_are_named(self):
+        self.assertEqual(self.check("int a = 1;\n").returncode, 0)
+        spaced = self.check("int  a = 1;\n")
+        self.assertEqual(spaced.returncode, 1)
+        self.assertRegex(spaced.stderr, r"a\.cc: clang-format -i ")
+        long = self.check('const char* a = R"(' + 100 * "x" + ')";\n')
+        self.assertEqual(long.returncode, 1)
+        self.assertRegex(long.stderr, r"a\.cc:1: more than 110 characters")
+
+
 class Nightly(unittest.TestCase):
     def record(self, *listed):
         with tempfile.TemporaryDirectory() as folder:

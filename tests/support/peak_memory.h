@@ -15,7 +15,8 @@
 
 namespace asperity::test {
 
-/// The address sanitizer keeps freed memory and shadows all of it: its process says nothing about the program's.
+/// The address sanitizer keeps freed memory and shadows all of it: its process says nothing about the
+/// program's.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool under_sanitizer = true;
 #else
@@ -54,7 +55,8 @@ ChildOutcome in_child(const Work& work) {
   EXPECT_EQ(::wait4(child, &status, 0, &usage), child);
   outcome.peak_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   if (WIFEXITED(status) && WEXITSTATUS(status) <= 2) {
-    const ChildOutcome::End ends[] = {ChildOutcome::End::done, ChildOutcome::End::failed, ChildOutcome::End::refused};
+    const ChildOutcome::End ends[] = {ChildOutcome::End::done, ChildOutcome::End::failed,
+                                      ChildOutcome::End::refused};
     outcome.end = ends[WEXITSTATUS(status)];
   }
   return outcome;

@@ -14,7 +14,8 @@ std::filesystem::path reference_folder() { return source_folder / "tests" / "dat
 
 std::filesystem::path reference_table(const std::string& name) {
   std::filesystem::path path = reference_folder() / name;
-  if (!std::filesystem::exists(path)) throw std::runtime_error("the reference table " + path.string() + " is missing");
+  if (!std::filesystem::exists(path))
+    throw std::runtime_error("the reference table " + path.string() + " is missing");
   return path;
 }
 

@@ -35,8 +35,8 @@ std::string ranks() {
   return count && std::string(count) != "1" ? ", " + std::string(count) + " ranks" : "";
 }
 
-/// Adds a line to this test's file in the folder that ASPERITY_VERIFICATION names; the first of a run begins the file anew. Of several
-/// ranks the first writes.
+/// Adds a line to this test's file in the folder that ASPERITY_VERIFICATION names; the first of a run begins
+/// the file anew. Of several ranks the first writes.
 void write_row(const std::string& test, const std::string& row) {
   const char *folder = std::getenv("ASPERITY_VERIFICATION"), *rank = std::getenv("OMPI_COMM_WORLD_RANK");
   if (!folder || (rank && std::string(rank) != "0")) return;
@@ -45,7 +45,8 @@ void write_row(const std::string& test, const std::string& row) {
   for (char& c : file)
     if (c == '/' || c == ',' || c == ' ') c = '_';
   std::filesystem::create_directories(folder);
-  std::ofstream out(std::filesystem::path(folder) / (file + ".csv"), test == last ? std::ios::app : std::ios::trunc);
+  std::ofstream out(std::filesystem::path(folder) / (file + ".csv"),
+                    test == last ? std::ios::app : std::ios::trunc);
   if (test != last) out << "topic,quantity,source,asked,measured,met,test\n";
   last = test;
   out << row << "\n";
@@ -75,7 +76,8 @@ testing::AssertionResult Verified::above(double measured, double low, const std:
   return judged(measured >= low, text("%.3g", measured) + behind, text("at least %.3g", low) + behind);
 }
 
-testing::AssertionResult Verified::judged(bool met, const std::string& measured, const std::string& asked) const {
+testing::AssertionResult Verified::judged(bool met, const std::string& measured,
+                                          const std::string& asked) const {
   const std::string test = name_of_test(), what = quantity + ranks();
   std::string row;
   for (const auto& cell : {topic, what, source, asked, measured, std::string(met ? "yes" : "no"), test})
@@ -83,7 +85,8 @@ testing::AssertionResult Verified::judged(bool met, const std::string& measured,
   write_row(test, row);
   std::printf("%s: %s (asked: %s)\n", what.c_str(), measured.c_str(), asked.c_str());
   return (met ? testing::AssertionSuccess() : testing::AssertionFailure())
-         << topic << ", " << quantity << ": " << measured << " where " << asked << " is asked (" << source << ")";
+         << topic << ", " << quantity << ": " << measured << " where " << asked << " is asked (" << source
+         << ")";
 }
 
 void Largest::count(double error) {

@@ -9,7 +9,8 @@
 
 namespace asperity::test {
 
-/// A quantity that is verified. Use: EXPECT_TRUE(Verified{"Torsion", "stiffness, a/h 8", "16/3 G a^3"}.within(measured, expected, 0.03)).
+/// A quantity that is verified. Use: EXPECT_TRUE(Verified{"Torsion", "stiffness, a/h 8", "16/3 G
+/// a^3"}.within(measured, expected, 0.03)).
 struct Verified {
   std::string topic;     ///< heading of the table: one of those in tests/verification/notes.md
   std::string quantity;  ///< what is measured, on which mesh; not how much it was

@@ -113,9 +113,11 @@ TEST(SelfAffineSpectrum_behaviour, refuses_an_rms_that_is_no_length) {
 
 TEST(Generate_behaviour, refuses_a_line_a_point_and_no_size) {
   GenerateOptions options;
-  for (const auto& [nx, ny, lx, ly] : {std::tuple{1, 8, 1e-6, 1e-6}, {8, 1, 1e-6, 1e-6}, {8, 8, 0.0, 1e-6}, {8, 8, 1e-6, -1e-6}}) {
+  for (const auto& [nx, ny, lx, ly] :
+       {std::tuple{1, 8, 1e-6, 1e-6}, {8, 1, 1e-6, 1e-6}, {8, 8, 0.0, 1e-6}, {8, 8, 1e-6, -1e-6}}) {
     options.nx = nx, options.ny = ny, options.lx = lx, options.ly = ly;
-    EXPECT_THROW(generate_periodic(SelfAffineSpectrum{1e-9, 0.8, 200e-9, 50e-9}, options), InputError) << nx << " " << ny << " " << lx << " " << ly;
+    EXPECT_THROW(generate_periodic(SelfAffineSpectrum{1e-9, 0.8, 200e-9, 50e-9}, options), InputError)
+        << nx << " " << ny << " " << lx << " " << ly;
   }
 }
 

@@ -75,9 +75,9 @@ TEST(RadialSpectrum_analytic, of_windows_is_that_of_the_surface_within_sampling_
   EXPECT_LT(chi_squared / compared, 2.25);
 }
 
-/// Independent periodograms that a window leaves of n along one direction: 1/sum_k rho_k^2, rho_k the correlation of the Fourier
-/// coefficients of white noise under the window at wave numbers k apart, which is the transform of the window's square (Percival &
-/// Walden 1993, ch. 6).
+/// Independent periodograms that a window leaves of n along one direction: 1/sum_k rho_k^2, rho_k the
+/// correlation of the Fourier coefficients of white noise under the window at wave numbers k apart, which is
+/// the transform of the window's square (Percival & Walden 1993, ch. 6).
 double independent_share(const std::vector<double>& window) {
   const std::size_t n = window.size();
   double square = 0, sum = 0;
@@ -102,26 +102,32 @@ Topography white_noise(std::uint64_t seed, bool periodic) {
 }
 
 TEST(RadialSpectrum_analytic, a_hann_window_leaves_as_many_independent_periodograms_as_its_overlap_says) {
-  const RadialSpectrum whole = radial_spectrum(white_noise(1, true)), windowed = radial_spectrum(white_noise(1, false));
+  const RadialSpectrum whole = radial_spectrum(white_noise(1, true)),
+                       windowed = radial_spectrum(white_noise(1, false));
   std::vector<double> hann;
   for (int i = 0; i < 64; ++i) hann.push_back(1 - std::cos(2 * M_PI * (i + 0.5) / 64));
   const double share = std::pow(independent_share(hann), 2);  // of both directions
   ASSERT_EQ(whole.modes.size(), windowed.modes.size());
-  for (std::size_t i = 5; i < whole.modes.size(); ++i) EXPECT_NEAR(windowed.modes[i] / whole.modes[i], share, 1e-6) << i;
+  for (std::size_t i = 5; i < whole.modes.size(); ++i)
+    EXPECT_NEAR(windowed.modes[i] / whole.modes[i], share, 1e-6) << i;
 }
 
 TEST(RadialSpectrum_analytic, means_over_rings_of_white_noise_scatter_as_their_modes_say) {
   constexpr int realisations = 400;
-  constexpr std::size_t first = 6, last = 26;  // many rings: what a window smears over neighbours stays inside
+  constexpr std::size_t first = 6,
+                        last = 26;  // many rings: what a window smears over neighbours stays inside
   double mean = 0, square = 0, modes = 0;
   for (int seed = 0; seed < realisations; ++seed) {
-    const RadialSpectrum spectrum = radial_spectrum(white_noise(1000 + static_cast<std::uint64_t>(seed), false));
+    const RadialSpectrum spectrum =
+        radial_spectrum(white_noise(1000 + static_cast<std::uint64_t>(seed), false));
     double sum = 0;
     modes = 0;
-    for (std::size_t i = first; i < last; ++i) sum += spectrum.modes[i] * spectrum.C[i], modes += spectrum.modes[i];
+    for (std::size_t i = first; i < last; ++i)
+      sum += spectrum.modes[i] * spectrum.C[i], modes += spectrum.modes[i];
     mean += sum / modes / realisations, square += std::pow(sum / modes, 2) / realisations;
   }
-  const double scatter = (square / (mean * mean) - 1) * modes;  // 1, for a periodogram's variance is the square of its mean
+  const double scatter =
+      (square / (mean * mean) - 1) * modes;  // 1, for a periodogram's variance is the square of its mean
   EXPECT_NEAR(scatter, 1, 3 * std::sqrt(2.0 / realisations));
 }
 

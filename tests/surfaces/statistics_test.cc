@@ -155,7 +155,8 @@ TEST(Gaussianity_analytic, skewness_and_kurtosis_scatter_by_their_stated_errors)
             8);  // 1 % of 150 expected; the kurtosis has a heavier tail than its limiting distribution
 }
 
-/// Of n independent Gaussian heights the skewness has the variance 6/n, the kurtosis 24/n (Fisher 1930), for large n.
+/// Of n independent Gaussian heights the skewness has the variance 6/n, the kurtosis 24/n (Fisher 1930), for
+/// large n.
 TEST(Gaussianity_analytic, errors_of_independent_heights_are_fishers) {
   GenerateOptions options;
   options.nx = options.ny = 256;
@@ -167,7 +168,8 @@ TEST(Gaussianity_analytic, errors_of_independent_heights_are_fishers) {
   EXPECT_NEAR(test.kurtosis_error / std::sqrt(24 / n), 1, 0.01);
 }
 
-/// Of correlated ones, 6 and 24 times the mean over all pairs of rho^3 and rho^4 (Lomnicki 1961, Metrika 4, 37).
+/// Of correlated ones, 6 and 24 times the mean over all pairs of rho^3 and rho^4 (Lomnicki 1961, Metrika 4,
+/// 37).
 TEST(Gaussianity_analytic, errors_of_correlated_heights_follow_the_correlation_they_were_made_with) {
   constexpr int n = 128;
   constexpr double length = 5;  // rho = exp(-(r/length)^2), whose spectrum is Gaussian, too
@@ -179,8 +181,10 @@ TEST(Gaussianity_analytic, errors_of_correlated_heights_follow_the_correlation_t
   constexpr int realisations = 40;
   for (int seed = 0; seed < realisations; ++seed) {
     options.seed = static_cast<std::uint64_t>(seed);
-    const GaussianTest test = gaussian_test(generate_periodic([](double q) { return std::exp(-q * q * length * length / 4); }, options));
-    skewness += std::pow(test.skewness_error, 2) / realisations, kurtosis += std::pow(test.kurtosis_error, 2) / realisations;
+    const GaussianTest test = gaussian_test(
+        generate_periodic([](double q) { return std::exp(-q * q * length * length / 4); }, options));
+    skewness += std::pow(test.skewness_error, 2) / realisations,
+        kurtosis += std::pow(test.kurtosis_error, 2) / realisations;
   }
   // Mean of rho^k over the map: integral of exp(-k r^2/length^2), pi length^2/k, over its area.
   const double area = n * n;

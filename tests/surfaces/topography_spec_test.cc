@@ -47,7 +47,8 @@ TEST(TopographySpec_behaviour, refuses_by_the_name_of_the_key) {
 }
 
 TEST(TopographySpec_analytic, a_generated_surface_is_decided_by_its_entry_alone_and_repeats_beyond_its_size) {
-  const std::string spec = "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=40 nm, size=1.6 um, seed=3)";
+  const std::string spec =
+      "generated(rms=1.5 nm, hurst=0.8, rolloff=100 nm, cutoff=40 nm, size=1.6 um, seed=3)";
   // Regions that fit and that are five times as large.
   const HeightSampler small = heights_over(spec, 0.3e-6), large = heights_over(spec, 8e-6);
   for (const double x : {-0.11e-6, 0.0, 0.14e-6})
@@ -61,13 +62,17 @@ TEST(TopographySpec_analytic, a_generated_surface_is_decided_by_its_entry_alone_
 }
 
 TEST(TopographySpec_analytic, the_size_of_a_generated_surface_follows_from_its_spectrum) {
-  const auto period = [](const std::string& arguments) { return generator_grid(parse_generator("generated(rms=1 nm, " + arguments + ")")).period; };
+  const auto period = [](const std::string& arguments) {
+    return generator_grid(parse_generator("generated(rms=1 nm, " + arguments + ")")).period;
+  };
   EXPECT_DOUBLE_EQ(period("rolloff=200 nm, cutoff=72 nm"), 64 * 200e-9);
   EXPECT_DOUBLE_EQ(period("rolloff=1.5 um, cutoff=72 nm"), 512 * 72e-9);  // 2048 pixels
   EXPECT_DOUBLE_EQ(period("rolloff=4 um, cutoff=10 nm"), 8 * 4e-6);
   EXPECT_DOUBLE_EQ(period("rolloff=200 nm, cutoff=72 nm, size=3 um"), 3e-6);
   EXPECT_THROW(parse_generator("generated(rms=1 nm, rolloff=200 nm, size=300 nm)"), InputError);
-  EXPECT_THROW(generator_grid(parse_generator("generated(rms=1 nm, rolloff=200 nm, cutoff=20 nm, size=1 mm)")), InputError);
+  EXPECT_THROW(
+      generator_grid(parse_generator("generated(rms=1 nm, rolloff=200 nm, cutoff=20 nm, size=1 mm)")),
+      InputError);
 }
 
 TEST(TopographySpec_analytic, an_rms_with_a_window_is_a_measured_one) {
@@ -81,20 +86,25 @@ TEST(TopographySpec_analytic, an_rms_with_a_window_is_a_measured_one) {
   EXPECT_THROW(parse_generator("generated(rms=1.5 nm, window=0 um)"), InputError);
 }
 
-TEST(TopographySpec_analytic, scans_cut_from_surfaces_as_a_case_gets_them_show_the_measured_rms_within_a_percent) {
-  // The period of these surfaces is 8 roll-offs, four scans. Levelling takes several per cent from scans of two roll-offs.
+TEST(TopographySpec_analytic,
+     scans_cut_from_surfaces_as_a_case_gets_them_show_the_measured_rms_within_a_percent) {
+  // The period of these surfaces is 8 roll-offs, four scans. Levelling takes several per cent from scans of
+  // two roll-offs.
   constexpr double rms = 1.5e-9;
   constexpr int surfaces = 30, scans_across = 4;
   double sum = 0, squares = 0;
   for (int seed = 1; seed <= surfaces; ++seed) {
-    const Topography surface = topography_for("generated(rms=1.5 nm, window=1.2 um, hurst=0.8, rolloff=600 nm, cutoff=75 nm, size=4.8 um, seed=" +
-                                              std::to_string(seed) + ")");
+    const Topography surface = topography_for(
+        "generated(rms=1.5 nm, window=1.2 um, hurst=0.8, rolloff=600 nm, cutoff=75 nm, size=4.8 um, seed=" +
+        std::to_string(seed) + ")");
     const int pixels = surface.nx / scans_across;
     ASSERT_NEAR(pixels * surface.dx(), 1.2e-6, 1e-15);
     double mean_of_surface = 0;
     for (int window = 0; window < scans_across * scans_across; ++window)
       mean_of_surface += height_moments(levelled(cut_window(surface, window % scans_across * pixels,
-                                                            window / scans_across * pixels, pixels, pixels), Level::plane)).Sq /
+                                                            window / scans_across * pixels, pixels, pixels),
+                                                 Level::plane))
+                             .Sq /
                          (scans_across * scans_across);
     sum += mean_of_surface;
     squares += mean_of_surface * mean_of_surface;
@@ -103,7 +113,10 @@ TEST(TopographySpec_analytic, scans_cut_from_surfaces_as_a_case_gets_them_show_t
   EXPECT_LT(error, 0.005 * rms);  // else the mean says nothing
   EXPECT_NEAR(mean, rms, 0.01 * rms) << "standard error " << error;
   // The same entry without a window is another surface: its scans show less than 0.97 of its rms.
-  EXPECT_GT(surface_spectrum(parse_generator("generated(rms=1.5 nm, window=1.2 um, rolloff=600 nm, cutoff=75 nm)")).rms, rms / 0.97);
+  EXPECT_GT(
+      surface_spectrum(parse_generator("generated(rms=1.5 nm, window=1.2 um, rolloff=600 nm, cutoff=75 nm)"))
+          .rms,
+      rms / 0.97);
 }
 
 namespace {
@@ -115,11 +128,13 @@ Topography written_scan() {
   map.heights.resize(80 * 60);
   for (int iy = 0; iy < map.ny; ++iy)
     for (int ix = 0; ix < map.nx; ++ix)
-      map.at(ix, iy) = 2e-9 * std::sin(2 * M_PI * (ix + 0.5) / 40) * std::sin(2 * M_PI * (iy + 0.5) / 30) + 1e-9 + 3e-11 * ix;
+      map.at(ix, iy) = 2e-9 * std::sin(2 * M_PI * (ix + 0.5) / 40) * std::sin(2 * M_PI * (iy + 0.5) / 30) +
+                       1e-9 + 3e-11 * ix;
   return map;
 }
 
-TEST(GeneratedSpec_analytic, a_wave_as_long_as_the_cutoff_belongs_to_the_surface_however_its_length_was_computed) {
+TEST(GeneratedSpec_analytic,
+     a_wave_as_long_as_the_cutoff_belongs_to_the_surface_however_its_length_was_computed) {
   SelfAffineSpectrum spectrum;
   spectrum.rms = 1.5e-9;
   spectrum.hurst = 0.8;
@@ -139,17 +154,20 @@ TEST(GeneratedSpec_analytic, a_wave_as_long_as_the_cutoff_belongs_to_the_surface
 TEST(ScanSpec_behaviour, a_file_alone_or_with_what_it_does_not_say) {
   EXPECT_EQ(parse_scan("afm/surface 1.gsf").file, "afm/surface 1.gsf");
   EXPECT_EQ(parse_scan("scan(1).gsf").file, "scan(1).gsf");
-  const ScanParameters scan = parse_scan("scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
+  const ScanParameters scan = parse_scan(
+      "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
   EXPECT_EQ(scan.file, "a.txt");
   EXPECT_DOUBLE_EQ(*scan.options.size_x_m, 2.5e-6);
   EXPECT_EQ(*scan.options.channel, "Height");
   EXPECT_EQ(*scan.options.height_unit, "nm");
   EXPECT_EQ(scan.level, Level::rows1);
   EXPECT_EQ(scan.outside, Outside::mirror);
-  EXPECT_EQ(scan.text(), "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
+  EXPECT_EQ(scan.text(),
+            "scan(a.txt, size=2.5 um, channel=Height, unit=nm, level=rows1, cutoff=80 nm, outside=mirror)");
   EXPECT_EQ(parse_scan("scan(a.gsf)").text(), "a.gsf");
-  for (const std::string& wrong : std::vector<std::string>{"scan()", "scan(a.gsf, b.gsf)", "scan(a.gsf, size=3 GPa)", "scan(a.gsf, unit=GPa)",
-                                  "scan(a.gsf, outside=periodic)", "scan(a.gsf, level=best)", "scan(a.gsf, offset=1)"})
+  for (const std::string& wrong : std::vector<std::string>{
+           "scan()", "scan(a.gsf, b.gsf)", "scan(a.gsf, size=3 GPa)", "scan(a.gsf, unit=GPa)",
+           "scan(a.gsf, outside=periodic)", "scan(a.gsf, level=best)", "scan(a.gsf, offset=1)"})
     EXPECT_THROW(parse_scan(wrong), InputError) << wrong;
 }
 
@@ -169,10 +187,12 @@ TEST(ScanSpec_behaviour, a_scan_smaller_than_the_region_is_refused_with_a_remedy
   write_gsf(folder.path / "scan.gsf", scan);
   const std::string file = (folder.path / "scan.gsf").string();
   const auto message = test::message_of<ScanError>([&] { heights_over(file, 0.7e-6); });
-  for (const auto& part : {file, std::string("800 nm x 600 nm"), std::string("square of 700 nm"), std::string("outside=mirror")})
+  for (const auto& part :
+       {file, std::string("800 nm x 600 nm"), std::string("square of 700 nm"), std::string("outside=mirror")})
     EXPECT_NE(message.find(part), std::string::npos) << message;
 
-  const HeightSampler inside = heights_over(file, 0.5e-6), everywhere = heights_over("scan(" + file + ", outside=mirror)", 2e-6);
+  const HeightSampler inside = heights_over(file, 0.5e-6),
+                      everywhere = heights_over("scan(" + file + ", outside=mirror)", 2e-6);
   EXPECT_NEAR(everywhere.height(0.05e-6, -0.12e-6), inside.height(0.05e-6, -0.12e-6), 1e-13);
   EXPECT_NEAR(everywhere.height(0.45e-6, 0.1e-6), everywhere.height(0.35e-6, 0.1e-6), 1e-15);
   EXPECT_NEAR(everywhere.height(0.1e-6, -0.35e-6), everywhere.height(0.1e-6, -0.25e-6), 1e-15);
@@ -199,14 +219,16 @@ TEST(ScanSpec_analytic, a_cutoff_takes_out_shorter_waves_and_leaves_longer_ones)
 TEST(TopographySpec_behaviour, says_how_rough_and_how_fine_a_surface_is_before_its_region_is_known) {
   EXPECT_EQ(topography_scales("smooth").rms, 0);
   EXPECT_TRUE(std::isinf(topography_scales("smooth").shortest_wave));
-  const TopographyScales generated = topography_scales("generated(rms=1.5 nm, window=2.5 um, rolloff=500 nm, cutoff=72 nm)");
+  const TopographyScales generated =
+      topography_scales("generated(rms=1.5 nm, window=2.5 um, rolloff=500 nm, cutoff=72 nm)");
   EXPECT_DOUBLE_EQ(generated.rms, 1.5e-9);
   EXPECT_DOUBLE_EQ(generated.shortest_wave, 72e-9);
   const test::TemporaryFolder folder;
   write_gsf(folder.path / "scan.gsf", written_scan());
   const std::string file = (folder.path / "scan.gsf").string();
   EXPECT_NEAR(topography_scales(file).rms, 1e-9, 1e-12);  // 2 nm sin sin, whole periods
-  // Waves of 400 and 300 nm, crossed: 240 nm, which the window spreads over two rings of 600 nm on this small scan.
+  // Waves of 400 and 300 nm, crossed: 240 nm, which the window spreads over two rings of 600 nm on this small
+  // scan.
   EXPECT_LE(topography_scales(file).shortest_wave, 240e-9);
   EXPECT_GE(topography_scales(file).shortest_wave, 1 / (1 / 240e-9 + 2 / 600e-9));
   EXPECT_DOUBLE_EQ(topography_scales("scan(" + file + ", cutoff=90 nm)").shortest_wave, 90e-9);
@@ -231,14 +253,16 @@ TEST(ScanSpec_analytic, a_scan_tells_the_mesh_down_to_which_wave_its_slopes_lie)
     map.heights.resize(256 * 256);
     for (int iy = 0; iy < 256; ++iy)
       for (int ix = 0; ix < 256; ++ix)
-        map.at(ix, iy) = 1e-9 * std::sin(2 * M_PI * iy * pixel / 100e-9) + height_of_short_waves * std::sin(2 * M_PI * ix * pixel / 40e-9);
+        map.at(ix, iy) = 1e-9 * std::sin(2 * M_PI * iy * pixel / 100e-9) +
+                         height_of_short_waves * std::sin(2 * M_PI * ix * pixel / 40e-9);
     write_gsf(folder.path / "scan.gsf", map);
     return topography_scales((folder.path / "scan.gsf").string());
   };
   const double resolution = 0.1;  // the window spreads a wave over a ring or two of 1.28 um
   EXPECT_NEAR(shortest(0.2e-9, 5e-9).shortest_wave, 40e-9, resolution * 40e-9);
   EXPECT_LT(shortest(0.2e-9, 5e-9).unresolved, 0.01);
-  EXPECT_NEAR(shortest(0.02e-9, 5e-9).shortest_wave, 100e-9, resolution * 100e-9);  // 0.25 % of the slope variance
+  EXPECT_NEAR(shortest(0.02e-9, 5e-9).shortest_wave, 100e-9,
+              resolution * 100e-9);  // 0.25 % of the slope variance
   // Waves of 40 nm on pixels of 15 nm are measured by fewer than four heights.
   const TopographyScales coarse = shortest(0.2e-9, 15e-9);
   EXPECT_GE(coarse.shortest_wave, 60e-9);
@@ -347,8 +371,8 @@ TEST(ScanSpec_behaviour, a_scan_covers_a_square_up_to_its_narrower_side) {
   map.periodic = true;
   EXPECT_NO_THROW(require_cover(parse_scan("a.gsf"), map, 5e-6));
   map.periodic = false;
-  const auto message =
-      test::message_of<ScanError>([&] { require_cover(parse_scan("scan(a.gsf, size=0.8 um)"), map, 0.7e-6); });
+  const auto message = test::message_of<ScanError>(
+      [&] { require_cover(parse_scan("scan(a.gsf, size=0.8 um)"), map, 0.7e-6); });
   EXPECT_NE(message.find("Topography = scan(a.gsf, size=800 nm, outside=mirror)"), std::string::npos)
       << message;
 }

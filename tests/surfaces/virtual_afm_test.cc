@@ -280,7 +280,8 @@ TEST(PossibleSpectra_behaviour, says_which_published_pairs_a_gaussian_surface_ca
 
 TEST(Calibration_behaviour, refuses_to_meet_no_roughness) {
   const SelfAffineSpectrum shape{0, 0.8, 100e-9, 20e-9};
-  for (const double target : {0.0, -1e-9, double(NAN)}) EXPECT_THROW(calibrated(shape, target, AfmSettings{}), InputError) << target;
+  for (const double target : {0.0, -1e-9, double(NAN)})
+    EXPECT_THROW(calibrated(shape, target, AfmSettings{}), InputError) << target;
 }
 
 TEST(PossibleSpectra_behaviour, curves_reach_from_the_shortest_rolloff_to_the_longest) {
@@ -311,7 +312,8 @@ TEST(PossibleSpectra_behaviour, refuses_published_values_that_say_nothing) {
     }
     return std::string("none");
   };
-  const std::string values = "RMS and peak to valley must be larger than zero, and the uncertainty of the RMS smaller than it";
+  const std::string values =
+      "RMS and peak to valley must be larger than zero, and the uncertainty of the RMS smaller than it";
   EXPECT_EQ(refusal({1e-9, 1e-9, 5e-9, 1e-9}, some), values) << "an uncertainty as large as the RMS";
   EXPECT_EQ(refusal({1e-9, -1e-10, 5e-9, 1e-9}, some), values);
   EXPECT_EQ(refusal({1e-9, 1e-10, 5e-9, -1e-9}, some), values);

@@ -140,6 +140,9 @@ std::string Yade::input(const EngineExperiment& e, const MotionPlan& plan) const
       out << "def move(v): O.bodies[planes['plate']['id']].state.vel = (v, 0, 0)\n"
           << "def response(): return force_on_particle('plate')[0]\n";
       break;
+    case Motion::normal:
+    case Motion::program:
+      break;  // no experiment of one particle
   }
   out << "contacts = PyRunner(command='asperity_step()', iterPeriod=1, initRun=True)\n"
       << "recorder = PyRunner(command='row()', iterPeriod=1, initRun=True, dead=True)\n"
@@ -220,11 +223,14 @@ std::string Yade::contact_input(InputNotes& notes) const {
       "other radii: kno and kso follow R_e^(1/2) of each contact, kr, ktw, maxBendPl and twist_limit are "
       "those of the R_e above");
   return notes.text(python_comment) + R"(
-# Materials: O.materials.append(FrictMat(..., label=PARTICLE)) and label=TARGET; contacts of other materials stay as they are.
+# Materials: O.materials.append(FrictMat(..., label=PARTICLE)) and label=TARGET;
+# contacts of other materials stay as they are.
 # O.engines: InteractionLoop([Ig2_Sphere_Sphere_ScGeom()],
-#                            [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5)],  # not in the record: choose the damping
+#                            # the damping betan is not in the record: choose it
+#                            [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5)],
 #                            [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
-#            PyRunner(command='asperity_step()', iterPeriod=1, initRun=True),  # behind it and before NewtonIntegrator, at every step
+#            # behind it and before NewtonIntegrator, at every step
+#            PyRunner(command='asperity_step()', iterPeriod=1, initRun=True),
 PARTICLE = )" +
          python_literal(notes.particle_name()) + "\nTARGET = " + python_literal(notes.target_name()) + "\n" +
          yade_functions + "\n" + yade_contact_entry("PARTICLE", "TARGET", notes.effective_radius(), contact);

@@ -25,8 +25,11 @@ class ExponentialAttraction : public AdhesionLaw {
 };
 
 inline const Registered<AdhesionLawDeclaration> exponential_attraction_law{
-    {{"exponential", "s(g) = (w/rho) exp(-g/rho)", "Rose, Smith & Ferrante (1983), attraction only",
-      "short-range attraction of unknown shape", {adhesion_range("rho")}},
+    {{"exponential",
+      "s(g) = (w/rho) exp(-g/rho)",
+      "Rose, Smith & Ferrante (1983), attraction only",
+      "short-range attraction of unknown shape",
+      {adhesion_range("rho")}},
      "(w/rho) exp(-g/rho)",
      [](double work, const LawValues& values) -> std::unique_ptr<AdhesionLaw> {
        return std::make_unique<ExponentialAttraction>(work, values.at("Adhesion range"));

@@ -25,8 +25,11 @@ class VanDerWaals : public AdhesionLaw {
 };
 
 inline const Registered<AdhesionLawDeclaration> van_der_waals_law{
-    {{"van_der_waals", "s(g) = 2 w z0^2 / (z0 + g)^3", "Hamaker (1937); Israelachvili (2011) ch. 11",
-      "no retardation: gaps below about 10 nm", {adhesion_range("z0")}},
+    {{"van_der_waals",
+      "s(g) = 2 w z0^2 / (z0 + g)^3",
+      "Hamaker (1937); Israelachvili (2011) ch. 11",
+      "no retardation: gaps below about 10 nm",
+      {adhesion_range("z0")}},
      "2 w z0^2/(z0 + g)^3",
      [](double work, const LawValues& values) -> std::unique_ptr<AdhesionLaw> {
        return std::make_unique<VanDerWaals>(work, values.at("Adhesion range"));

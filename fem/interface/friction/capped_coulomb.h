@@ -19,7 +19,9 @@ class CappedCoulomb : public FrictionLaw {
 };
 
 inline const Registered<FrictionLawDeclaration> capped_coulomb_law{
-    {{"Capped Coulomb", "|t| <= min(mu p, tau)", "Orowan (1943)",
+    {{"Capped Coulomb",
+      "|t| <= min(mu p, tau)",
+      "Orowan (1943)",
       "pressures up to the hardness, where friction can no longer grow with the pressure",
       {Coulomb::parameter(), ShearStrength::parameter()}},
      [](const LawValues& values) -> std::unique_ptr<FrictionLaw> {

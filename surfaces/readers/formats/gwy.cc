@@ -221,8 +221,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const GwyValue* data = field.find("data");
   StoredMap map;
   const double columns = number_of(field, "xres"), rows = number_of(field, "yres");
-  if (!data || !(columns >= 1) || !(rows >= 1) || columns != std::floor(columns) || rows != std::floor(rows) ||
-      columns * rows != static_cast<double>(data->array.size()))
+  if (!data || !(columns >= 1) || !(rows >= 1) || columns != std::floor(columns) ||
+      rows != std::floor(rows) || columns * rows != static_cast<double>(data->array.size()))
     throw InputError(file.name() + " has a channel '" + entries[chosen].name +
                      "' whose data do not fit its pixels, so it is damaged; save it again in Gwyddion");
   map.nx = static_cast<int>(columns);

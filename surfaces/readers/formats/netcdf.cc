@@ -140,21 +140,25 @@ void check_whole(const SourceFile& file) {
       ": it is cut off; copy or export it again");
 }
 
-/// Nothing is allocated for points that the file cannot hold: a classic file is not packed; one of HDF5 may be, in
-/// chunks, of which libnetcdf keeps some unpacked.
-void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights, std::size_t columns, std::size_t rows) {
+/// Nothing is allocated for points that the file cannot hold: a classic file is not packed; one of HDF5 may
+/// be, in chunks, of which libnetcdf keeps some unpacked.
+void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights, std::size_t columns,
+                  std::size_t rows) {
   nc_type type = NC_NAT;
   std::size_t stored_size = 0;
   netcdf.check(nc_inq_vartype(netcdf.id(), heights, &type));
-  if (type == NC_CHAR || type > NC_UINT64 || nc_inq_type(netcdf.id(), type, nullptr, &stored_size) != NC_NOERR)
+  if (type == NC_CHAR || type > NC_UINT64 ||
+      nc_inq_type(netcdf.id(), type, nullptr, &stored_size) != NC_NOERR)
     throw InputError(file.name() + " has heights that are no numbers; export the topography");
   const auto refuse = [&](const std::string& what) {
-    throw InputError(file.name() + " announces " + what + ", too many for a file of " + std::to_string(file.bytes.size()) +
+    throw InputError(file.name() + " announces " + what + ", too many for a file of " +
+                     std::to_string(file.bytes.size()) +
                      " bytes: it is damaged, or must be passed in another format, such as .gsf");
   };
   const std::string announced = std::to_string(columns) + " x " + std::to_string(rows) + " points";
-  const std::uint64_t most_points = is_classic(file) ? file.bytes.size() / stored_size
-                                                     : read_limits::most_unpacked(file.bytes.size()) / sizeof(double);
+  const std::uint64_t most_points = is_classic(file)
+                                        ? file.bytes.size() / stored_size
+                                        : read_limits::most_unpacked(file.bytes.size()) / sizeof(double);
   if (columns > INT_MAX || rows > INT_MAX || (rows > 0 && columns > most_points / rows)) refuse(announced);
   int storage = NC_CONTIGUOUS;
   std::size_t chunk[2] = {0, 0};

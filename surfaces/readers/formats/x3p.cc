@@ -24,7 +24,8 @@ using read_limits::largest_file;
 using read_limits::most_unpacked;
 
 const std::string main_document = "main.xml";
-constexpr std::uint64_t largest_document = 1u << 20;  // of a few kB; its tree takes up to 20 times as much memory
+constexpr std::uint64_t largest_document =
+    1u << 20;  // of a few kB; its tree takes up to 20 times as much memory
 
 [[noreturn]] void refuse_large(const SourceFile& file, const std::string& what) {
   throw InputError(file.name() + " holds " + what + " that is too large for a file of " +

@@ -7,8 +7,8 @@
 #include "dem_compare/compare/published_column.h"
 #include "dem_compare/paper/analysis.h"
 #include "tests/dem_compare/compare/solved_folders.h"
-#include "tests/dem_compare/resistance/moving_folder.h"
 #include "tests/dem_compare/engines/engine_support.h"
+#include "tests/dem_compare/resistance/moving_folder.h"
 
 namespace asperity {
 namespace {
@@ -25,8 +25,8 @@ ComparedContact paper_contact() {
 }
 PublishedColumn paper() { return PublishedColumn(read_published(paper_run("published"))); }
 
-LawValue named_law(Quantity quantity, const std::string& name, const ComparedContact& contact = paper_contact(),
-                   const RailCase* rail = nullptr) {
+LawValue named_law(Quantity quantity, const std::string& name,
+                   const ComparedContact& contact = paper_contact(), const RailCase* rail = nullptr) {
   for (const auto& law : law_values(quantity, contact, rail ? 5 * load : load, rail))
     if (law.source.find(name) != std::string::npos) return law;
   ADD_FAILURE() << "no law " << name;
@@ -46,7 +46,8 @@ std::vector<FiniteElementPoint> points_of(const std::vector<std::filesystem::pat
   return finite_element_points(collection, compare_with_hertz(collection, 0.05));
 }
 
-TEST(FiniteElementColumn_analytic, partial_slip_stores_as_much_as_a_spring_of_five_sixths_however_coarse_the_steps) {
+TEST(FiniteElementColumn_analytic,
+     partial_slip_stores_as_much_as_a_spring_of_five_sixths_however_coarse_the_steps) {
   SolvedFolder solved;
   const double limit = solved.friction * solved.load;
   EXPECT_NEAR(stiffness_to_sliding(history_of(solved), limit) / solved.lateral_stiffness(), 5.0 / 6, 1e-9);
@@ -66,7 +67,8 @@ TEST(FiniteElementColumn_analytic, reads_stiffness_friction_and_their_uncertaint
   EXPECT_DOUBLE_EQ(point(points, Quantity::lateral_stiffness).value, solved.lateral_stiffness());
   EXPECT_DOUBLE_EQ(point(points, Quantity::lateral_stiffness).sd, 0.03 * solved.lateral_stiffness());
   EXPECT_NEAR(point(points, Quantity::sliding_friction).value, solved.friction, 1e-9);
-  EXPECT_NEAR(point(points, Quantity::normal_stiffness).value / solved.hertz().normal_stiffness(load), 1, 1e-6);
+  EXPECT_NEAR(point(points, Quantity::normal_stiffness).value / solved.hertz().normal_stiffness(load), 1,
+              1e-6);
   EXPECT_EQ(point(points, Quantity::normal_stiffness).realisations, 1);
 }
 
@@ -82,7 +84,8 @@ TEST(FiniteElementColumn_analytic, takes_mean_and_scatter_over_realisations) {
   EXPECT_NEAR(k.sd / a.lateral_stiffness(), 0.2 / std::sqrt(2.0), 1e-12);
 }
 
-TEST(FiniteElementColumn_analytic, does_not_take_realisations_that_agree_by_chance_for_better_than_each_is_known) {
+TEST(FiniteElementColumn_analytic,
+     does_not_take_realisations_that_agree_by_chance_for_better_than_each_is_known) {
   const TemporaryFolder folder;
   SolvedFolder a, b;
   b.roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=2)";
@@ -110,8 +113,10 @@ TEST(FiniteElementColumn_analytic, rolling_is_what_is_dissipated_and_not_the_mom
   const FiniteElementValue& rolling = point(points, Quantity::rolling_friction);
   EXPECT_NEAR(rolling.value / (3e-13 / (made.load * made.radius)), 1, 1e-3);
   EXPECT_LT(rolling.sd, 0.01 * rolling.value);
-  for (const auto& one : points) EXPECT_NE(one.quantity, Quantity::rolling_stiffness);  // it does not roll back
-  // Rolled back over its track, the moment lacks twice the resistance after a step of a twentieth of a contact radius at most.
+  for (const auto& one : points)
+    EXPECT_NE(one.quantity, Quantity::rolling_stiffness);  // it does not roll back
+  // Rolled back over its track, the moment lacks twice the resistance after a step of a twentieth of a
+  // contact radius at most.
   made.reverse = true;
   const auto back = points_of({test::write_moving(folder.path / "back", made)});
   EXPECT_GT(point(back, Quantity::rolling_stiffness).value, 0.5 * 3e-13 / (made.unit() / 20));
@@ -121,12 +126,14 @@ TEST(FiniteElementColumn_behaviour, has_no_rolling_where_the_way_is_too_short_to
   const TemporaryFolder folder;
   test::MovingFolder made;
   made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
-  for (const auto& point : points_of({test::write_moving(folder.path / "a", made)})) EXPECT_NE(point.quantity, Quantity::rolling_friction);
+  for (const auto& point : points_of({test::write_moving(folder.path / "a", made)}))
+    EXPECT_NE(point.quantity, Quantity::rolling_friction);
 }
 
 TEST(LawColumn_other_code, has_the_papers_contact_as_computed_by_hand) {
   EXPECT_NEAR(named_law(Quantity::approach, "Hertz").value, 6.1864e-9, 6.1864e-9 * 1e-5);
-  EXPECT_NEAR(named_law(Quantity::lateral_stiffness, "Mindlin without slip").value, 21645.1, 21645.1 * last_digit);
+  EXPECT_NEAR(named_law(Quantity::lateral_stiffness, "Mindlin without slip").value, 21645.1,
+              21645.1 * last_digit);
   EXPECT_NEAR(named_law(Quantity::lateral_stiffness_to_sliding, "Deresiewicz").value, 21645.1 * 5 / 6, 0.2);
   EXPECT_NEAR(named_law(Quantity::torsion_stiffness, "Reissner").value, 1.371e-9, 0.0005e-9);
   EXPECT_NEAR(named_law(Quantity::torsion_stiffness, "8 G* a r^2").value, 1.56385e-6, 1e-11);
@@ -140,8 +147,8 @@ TEST(LawColumn_other_code, rail_coefficients_are_those_of_eq_murail) {
   ASSERT_EQ(rails.size(), 3u);
   const double expected[] = {1.58399e-3, 2.58022e-3, 3.43049e-3};
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(named_law(Quantity::rail_friction, "rail balance", paper_contact(), &rails[i]).value, expected[i],
-                3e-4 * expected[i]);
+    EXPECT_NEAR(named_law(Quantity::rail_friction, "rail balance", paper_contact(), &rails[i]).value,
+                expected[i], 3e-4 * expected[i]);
 }
 
 TEST(LawColumn_other_code, rail_force_has_the_offset_of_the_roughness_law_and_simplifications_beside_it) {
@@ -149,8 +156,12 @@ TEST(LawColumn_other_code, rail_force_has_the_offset_of_the_roughness_law_and_si
   const auto rails = paper().rails();
   const char* names[] = {"25 deg", "45 deg", "60 deg"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double mu = analysis.number("Rails", names[i] + std::string(": mu_rail, eq:murail with mu_to = 0.0056")).computed->value;
-    const double h = analysis.number("Rails", names[i] + std::string(": h_rail with h_to = 0 and eq:frofit refitted")).computed->value;
+    const double mu =
+        analysis.number("Rails", names[i] + std::string(": mu_rail, eq:murail with mu_to = 0.0056"))
+            .computed->value;
+    const double h =
+        analysis.number("Rails", names[i] + std::string(": h_rail with h_to = 0 and eq:frofit refitted"))
+            .computed->value;
     // The plate carries 100 uN to 3 mN: each slope 1/(2 cos(theta)) of it.
     EXPECT_NEAR(rails[i].loads.low * 2 * std::cos(rails[i].angle), 1e-4, 1e-12);
     for (const double f : {rails[i].loads.low, rails[i].loads.high}) {
@@ -194,7 +205,8 @@ TEST(LawColumn_behaviour, says_why_there_is_no_number) {
   ComparedContact contact = paper_contact();
   contact.record.reset();
   contact.friction = 0;
-  for (const Quantity quantity : {Quantity::sliding_friction, Quantity::rolling_friction, Quantity::torsion_friction}) {
+  for (const Quantity quantity :
+       {Quantity::sliding_friction, Quantity::rolling_friction, Quantity::torsion_friction}) {
     const auto laws = law_values(quantity, contact, load);
     ASSERT_EQ(laws.size(), 1u);
     EXPECT_FALSE(laws[0].known());
@@ -210,11 +222,13 @@ TEST(PublishedColumn_other_code, gives_table_2_at_the_case_s_roughness_and_load_
   EXPECT_NE(sliding.source.find("Table 2, untreated"), std::string::npos);
   ComparedContact rough = paper_contact();
   rough.rms = 2.5e-9;  // 2.7 +- 0.4 nm
-  EXPECT_NEAR(paper().value(Quantity::rolling_friction, rough, 3e-3).value, 3.5e-4 * (1 + 2029.4 / 3000), 1e-9);
+  EXPECT_NEAR(paper().value(Quantity::rolling_friction, rough, 3e-3).value, 3.5e-4 * (1 + 2029.4 / 3000),
+              1e-9);
   EXPECT_NEAR(paper().value(Quantity::lateral_stiffness, paper_contact(), load).value, 2219, 0.5);
   const double angle = paper().rails()[1].angle;
   EXPECT_NEAR(paper().rail(Quantity::rail_friction, paper_contact(), angle, 5e-4).value, 2.42e-3, 1e-9);
-  EXPECT_NEAR(paper().rail(Quantity::rail_force, paper_contact(), angle, 5e-4).value, 2.42e-3 * (1 + 57.8 / 500), 1e-9);
+  EXPECT_NEAR(paper().rail(Quantity::rail_force, paper_contact(), angle, 5e-4).value,
+              2.42e-3 * (1 + 57.8 / 500), 1e-9);
 }
 
 TEST(PublishedColumn_behaviour, has_a_reason_where_the_case_is_not_the_papers) {
@@ -224,7 +238,8 @@ TEST(PublishedColumn_behaviour, has_a_reason_where_the_case_is_not_the_papers) {
   ComparedContact contact = paper_contact();
   EXPECT_EQ(reason(Quantity::sliding_friction, contact, 1e-3), "sliding was measured at 3 uN to 100 uN");
   EXPECT_EQ(reason(Quantity::rolling_friction, contact, 1e-5), "rolling was measured at 100 uN to 3 mN");
-  EXPECT_EQ(reason(Quantity::normal_stiffness, contact, load), "the paper shows normal loading on silica only");
+  EXPECT_EQ(reason(Quantity::normal_stiffness, contact, load),
+            "the paper shows normal loading on silica only");
   contact.rms = 8e-10;
   EXPECT_EQ(reason(Quantity::sliding_friction, contact, load), "no surface of RMS 800 pm was measured");
   contact.rms = 0;
@@ -250,14 +265,15 @@ TEST(EngineColumn_other_code, lammps_gives_the_number_of_every_law_within_one_pe
     for (const auto& law : law_values(quantity, paper_contact(), at, rail)) {
       if (!law.engine) continue;  // a simplification that engines are not run with
       const ComparedValue value = column.value(law);
-      EXPECT_NEAR(value.value / law.value, 1, 0.01) << law.source << ", " << display_of(quantity).words << " " << value.reason;
+      EXPECT_NEAR(value.value / law.value, 1, 0.01)
+          << law.source << ", " << display_of(quantity).words << " " << value.reason;
       ++count;
     }
   };
   for (const Quantity quantity :
-       {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness, Quantity::lateral_stiffness_to_sliding,
-        Quantity::sliding_friction, Quantity::rolling_stiffness, Quantity::rolling_friction, Quantity::torsion_stiffness,
-        Quantity::torsion_friction})
+       {Quantity::approach, Quantity::normal_stiffness, Quantity::lateral_stiffness,
+        Quantity::lateral_stiffness_to_sliding, Quantity::sliding_friction, Quantity::rolling_stiffness,
+        Quantity::rolling_friction, Quantity::torsion_stiffness, Quantity::torsion_friction})
     check(quantity, load);
   const auto rails = paper().rails();
   for (const auto& rail : rails) {
@@ -265,8 +281,8 @@ TEST(EngineColumn_other_code, lammps_gives_the_number_of_every_law_within_one_pe
     for (const double at : {rail.loads.low, rail.loads.high}) check(Quantity::rail_force, at, &rail);
   }
   EXPECT_EQ(count, 23);
-  // 23 laws and 2 loads for the tangent of the normal stiffness ask for 25 runs; what several ask for is run once: the loop
-  // with the moduli of the bodies serves four, rolling two, a twist two.
+  // 23 laws and 2 loads for the tangent of the normal stiffness ask for 25 runs; what several ask for is run
+  // once: the loop with the moduli of the bodies serves four, rolling two, a twist two.
   EXPECT_EQ(column.runs(), 21u);
   EXPECT_EQ(column.failure(), "");
 }
@@ -281,9 +297,10 @@ TEST(EngineColumn_behaviour, that_is_missing_says_so_once_and_gives_no_numbers) 
     EXPECT_FALSE(value.known());
     EXPECT_EQ(value.reason, "LAMMPS failed: see the message at the end");
   }
-  EXPECT_EQ(column.failure(),
-            "LAMMPS is missing: there is no program 'no-such-lmp'; install it with 'apt-get install lammps' or "
-            "'./quickstart --engines', or name it with --program");
+  EXPECT_EQ(
+      column.failure(),
+      "LAMMPS is missing: there is no program 'no-such-lmp'; install it with 'apt-get install lammps' or "
+      "'./quickstart --engines', or name it with --program");
 }
 
 TEST(EngineColumn_behaviour, that_was_not_asked_for_says_how_to_ask) {

@@ -22,8 +22,8 @@ struct Compared {
   SideBySide result;
 };
 
-void compare(Compared& compared, const std::vector<SolvedFolder>& cases, const std::vector<std::string>& parameters,
-             const std::string& engine = "") {
+void compare(Compared& compared, const std::vector<SolvedFolder>& cases,
+             const std::vector<std::string>& parameters, const std::string& engine = "") {
   std::vector<std::filesystem::path> folders;
   for (const auto& solved : cases)
     folders.push_back(write_solved(compared.folder.path / ("case" + std::to_string(folders.size())), solved));
@@ -32,7 +32,8 @@ void compare(Compared& compared, const std::vector<SolvedFolder>& cases, const s
   SideBySideInput input{collection, with_hertz};
   for (const auto& file : parameters) input.parameters.push_back(read_contact_parameters(paper_run(file)));
   EngineColumn column(engine, compared.folder.path / "engine");
-  compared.result = compare_side_by_side(input, PublishedColumn(read_published(paper_run("published"))), column, 0.05);
+  compared.result =
+      compare_side_by_side(input, PublishedColumn(read_published(paper_run("published"))), column, 0.05);
 }
 
 const ComparisonRow* row_of(const SideBySide& result, Quantity quantity, double load) {
@@ -43,7 +44,8 @@ const ComparisonRow* row_of(const SideBySide& result, Quantity quantity, double 
 
 std::string verdict_of(const SideBySide& result, Quantity quantity, const std::string& law) {
   for (const auto& verdict : result.verdicts)
-    if (verdict.quantity == quantity && verdict.law.find(law) != std::string::npos && verdict.reference == "finite elements")
+    if (verdict.quantity == quantity && verdict.law.find(law) != std::string::npos &&
+        verdict.reference == "finite elements")
       return verdict.text;
   return "";
 }
@@ -60,7 +62,8 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   for (const Quantity quantity : {Quantity::lateral_stiffness, Quantity::sliding_friction}) {
     const ComparisonRow* row = row_of(compared.result, quantity, 1e-4);
     ASSERT_TRUE(row);
-    EXPECT_TRUE(row->finite_elements.known() && row->reduced_law.known() && row->engine.known() && row->published.known())
+    EXPECT_TRUE(row->finite_elements.known() && row->reduced_law.known() && row->engine.known() &&
+                row->published.known())
         << display_of(quantity).words;
     EXPECT_NEAR(engine_over_law(*row), 1, 0.01);
   }
@@ -68,21 +71,29 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
   const ComparisonRow* rolling = row_of(compared.result, Quantity::rolling_friction, 3e-3);
   ASSERT_TRUE(rolling);
   EXPECT_TRUE(rolling->reduced_law.known() && rolling->engine.known() && rolling->published.known());
-  EXPECT_NE(rolling->finite_elements.reason.find("not solved by finite elements: no case of rolling"), std::string::npos);
-  EXPECT_EQ(
-      std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
-                    [](const auto& row) { return row.mode() == Motion::rail && row.engine.known() && row.published.known(); }),
-      18);  // three rails at three loads each, with offsets and without
-  const auto good_without_offset = std::find_if(compared.result.verdicts.begin(), compared.result.verdicts.end(), [](const LawVerdict& verdict) {
-    return verdict.law == "Coulomb without offset" && verdict.reference == "measurement";
-  });
+  EXPECT_NE(rolling->finite_elements.reason.find("not solved by finite elements: no case of rolling"),
+            std::string::npos);
+  EXPECT_EQ(std::count_if(compared.result.rows.begin(), compared.result.rows.end(),
+                          [](const auto& row) {
+                            return row.mode() == Motion::rail && row.engine.known() && row.published.known();
+                          }),
+            18);  // three rails at three loads each, with offsets and without
+  const auto good_without_offset = std::find_if(
+      compared.result.verdicts.begin(), compared.result.verdicts.end(), [](const LawVerdict& verdict) {
+        return verdict.law == "Coulomb without offset" && verdict.reference == "measurement";
+      });
   ASSERT_NE(good_without_offset, compared.result.verdicts.end());
-  // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding; at the largest of them the measurement's error leaves it open.
-  EXPECT_EQ(good_words(*good_without_offset).rfind("at no load for which it is known", 0), 0u) << good_words(*good_without_offset);
+  // 1/(1 + 12 uN/f) is 5 % short at 228 uN, beyond the loads of sliding; at the largest of them the
+  // measurement's error leaves it open.
+  EXPECT_EQ(good_words(*good_without_offset).rfind("at no load for which it is known", 0), 0u)
+      << good_words(*good_without_offset);
   for (const Motion mode : {Motion::sliding, Motion::rolling, Motion::torsion, Motion::rail})
-    EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(), [&](const LawVerdict& verdict) {
-      return display_of(verdict.quantity).mode == mode && verdict.reference == "measurement" && !verdict.is_own_fit;
-    })) << name_of(mode);
+    EXPECT_TRUE(std::any_of(compared.result.verdicts.begin(), compared.result.verdicts.end(),
+                            [&](const LawVerdict& verdict) {
+                              return display_of(verdict.quantity).mode == mode &&
+                                     verdict.reference == "measurement" && !verdict.is_own_fit;
+                            }))
+        << name_of(mode);
   const std::string markdown = to_markdown(compared.result);
   EXPECT_NE(markdown.find("LAMMPS ("), std::string::npos);
   EXPECT_EQ(markdown.find("nan"), std::string::npos);
@@ -91,11 +102,12 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
 TEST(SideBySide_analytic, the_no_slip_law_overstates_partial_slip_by_a_fifth) {
   Compared compared;
   compare(compared, {SolvedFolder{}}, {});
-  EXPECT_EQ(
-      verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
-      "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by 20 ± 4 % at 100 uN.");
+  EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Mindlin without slip"),
+            "Mindlin without slip overstates the lateral stiffness up to sliding of the finite elements by "
+            "20 ± 4 % at 100 uN.");
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness_to_sliding, "Deresiewicz"),
-            "Mindlin-Deresiewicz with equal work may or may not give the lateral stiffness up to sliding of the finite elements within 5 % "
+            "Mindlin-Deresiewicz with equal work may or may not give the lateral stiffness up to sliding of "
+            "the finite elements within 5 % "
             "at 100 uN (too little by 0.0 ± 3.0 %).");
 }
 
@@ -108,9 +120,11 @@ TEST(SideBySide_behaviour, cases_at_several_loads_make_one_verdict) {
   compare(compared, {low, high}, {});
   // 12 % at 100 uN, none at 400 uN, each known to 3 %.
   EXPECT_EQ(verdict_of(compared.result, Quantity::lateral_stiffness, "Mindlin"),
-            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % at 100 uN; "
+            "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± "
+            "3 % at 100 uN; "
             "whether within 5 % is not known at 400 uN (too much by 0.0 ± 3.0 %).");
-  EXPECT_NE(to_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"), std::string::npos);
+  EXPECT_NE(to_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"),
+            std::string::npos);
 }
 
 TEST(SideBySide_behaviour, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
@@ -121,16 +135,19 @@ TEST(SideBySide_behaviour, a_contact_at_several_loads_goes_by_what_its_labels_ha
   low.roughness = high.roughness = "smooth";
   Compared compared;
   compare(compared, {low, high}, {});
-  for (const double load : {1e-4, 4e-4}) EXPECT_EQ(row_of(compared.result, Quantity::lateral_stiffness, load)->contact, "sliding, 1.5 nm");
+  for (const double load : {1e-4, 4e-4})
+    EXPECT_EQ(row_of(compared.result, Quantity::lateral_stiffness, load)->contact, "sliding, 1.5 nm");
 }
 
-TEST(SideBySide_analytic, the_papers_torsion_stiffness_is_a_thousand_times_that_of_finite_elements_without_slip) {
+TEST(SideBySide_analytic,
+     the_papers_torsion_stiffness_is_a_thousand_times_that_of_finite_elements_without_slip) {
   SolvedFolder torsion;
   torsion.experiment = "torsion";
   Compared compared;
   compare(compared, {torsion}, {silicon});
-  EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1141 ± 34"),
-            std::string::npos)
+  EXPECT_NE(
+      verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2").find("by a factor of 1141 ± 34"),
+      std::string::npos)
       << verdict_of(compared.result, Quantity::torsion_stiffness, "8 G* a r^2");
   EXPECT_NE(verdict_of(compared.result, Quantity::torsion_stiffness, "Reissner").find("within 5 % at 100 uN"),
             std::string::npos);
@@ -196,10 +213,12 @@ TEST(SideBySide_behaviour, json_and_csv_have_values_reasons_ratios_and_verdicts)
   ASSERT_EQ(json["rows"].size(), compared.result.rows.size());
   for (const auto& row : json["rows"])
     for (const char* column : {"finite_elements", "reduced_law", "engine", "published"})
-      EXPECT_TRUE(row[column]["value"].is_number() || !row[column]["reason"].get<std::string>().empty()) << row.dump();
+      EXPECT_TRUE(row[column]["value"].is_number() || !row[column]["reason"].get<std::string>().empty())
+          << row.dump();
   EXPECT_FALSE(json["verdicts"].empty());
   const std::string csv = to_csv(compared.result);
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), compared.result.rows.size() + 1);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+            compared.result.rows.size() + 1);
   // The same number of cells in every line; texts in quotation marks have commas of their own.
   std::size_t cells = 0, line_cells = 0;
   bool quoted = false;

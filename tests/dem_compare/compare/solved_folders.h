@@ -1,5 +1,5 @@
-// Folders as `asperity solve` writes them, whose contact is known in closed form: Hertz under load, Mindlin and Deresiewicz
-// under shear at constant load, stiffnesses times a factor of the test's own.
+// Folders as `asperity solve` writes them, whose contact is known in closed form: Hertz under load, Mindlin
+// and Deresiewicz under shear at constant load, stiffnesses times a factor of the test's own.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "results/history.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "results/history.h"
 
 namespace asperity::test {
 
@@ -24,9 +24,12 @@ struct SolvedFolder {
   ElasticBody particle{71e9, 0.17}, plane{179e9, 0.25};
 
   Hertz hertz() const { return {reduced_modulus(particle, plane), 8.5e-6}; }
-  double lateral_stiffness() const { return stiffness * 8 * sliding_modulus(particle, plane) * hertz().contact_radius(load); }
+  double lateral_stiffness() const {
+    return stiffness * 8 * sliding_modulus(particle, plane) * hertz().contact_radius(load);
+  }
   double torsion_stiffness() const {
-    return stiffness * no_slip_torsion_stiffness(torsion_modulus(particle, plane), hertz().contact_radius(load));
+    return stiffness *
+           no_slip_torsion_stiffness(torsion_modulus(particle, plane), hertz().contact_radius(load));
   }
 };
 
@@ -47,7 +50,8 @@ inline History history_of(const SolvedFolder& solved) {
   if (solved.experiment != "sliding") return history;
   const double limit = solved.friction * solved.load, sliding = 1.5 * limit / solved.lateral_stiffness();
   // Mindlin & Deresiewicz 1953: f = limit (1 - (1 - x/x_slip)^(3/2)), x_slip = 3 limit/(2 k)
-  for (const double share : {0.2, 0.5, 0.8, 1.0}) add(solved.load, share * sliding, limit * (1 - std::pow(1 - share, 1.5)));
+  for (const double share : {0.2, 0.5, 0.8, 1.0})
+    add(solved.load, share * sliding, limit * (1 - std::pow(1 - share, 1.5)));
   for (const double share : {2., 3., 4., 5., 6., 7., 8.}) add(solved.load, share * sliding, limit);
   return history;
 }
@@ -58,13 +62,15 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
            " GPa\n set Poisson ratio = " + std::to_string(elastic.poisson_ratio) + "\n";
   };
   std::filesystem::create_directories(folder);
-  write_file_atomically(folder / "case.prm",
-                        "set Title = " + solved.title + "\nsubsection Particle\n set Radius = 8.5 um\n" + body(solved.particle) + "end\nsubsection Substrate\n" +
-                            body(solved.plane) + " set Topography = " + solved.roughness +
-                            "\nend\nsubsection Interface\n set Friction coefficient = " + std::to_string(solved.friction) +
-                            "\nend\nsubsection Experiment\n set Type = " + solved.experiment +
-                            "\n set Normal load = " + std::to_string(solved.load * 1e6) +
-                            " uN\nend\nsubsection Mesh\n set Interface spacing = 10 nm\nend\n");
+  write_file_atomically(
+      folder / "case.prm",
+      "set Title = " + solved.title + "\nsubsection Particle\n set Radius = 8.5 um\n" +
+          body(solved.particle) + "end\nsubsection Substrate\n" + body(solved.plane) +
+          " set Topography = " + solved.roughness +
+          "\nend\nsubsection Interface\n set Friction coefficient = " + std::to_string(solved.friction) +
+          "\nend\nsubsection Experiment\n set Type = " + solved.experiment +
+          "\n set Normal load = " + std::to_string(solved.load * 1e6) +
+          " uN\nend\nsubsection Mesh\n set Interface spacing = 10 nm\nend\n");
   write_file_atomically(folder / "history.csv", format_history(history_of(solved)));
   nlohmann::json result{{"format", "asperity-result/1"}, {"experiment", solved.experiment}};
   const auto number = [](double value, double relative_sd) {
@@ -78,8 +84,9 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
   }
   if (solved.experiment == "torsion") {
     effective["torsion_stiffness"] = number(solved.torsion_stiffness(), 0.03);
-    effective["torsion_moment"] =
-        number(full_slip_torsion_moment(solved.friction, solved.load, solved.hertz().contact_radius(solved.load)), 0);
+    effective["torsion_moment"] = number(
+        full_slip_torsion_moment(solved.friction, solved.load, solved.hertz().contact_radius(solved.load)),
+        0);
   }
   write_file_atomically(folder / "result.json", result.dump());
   return folder;

@@ -133,7 +133,8 @@ TEST(CaseCollection_behaviour, tells_contacts_of_several_studies_apart_that_bear
     write_adhesive(root.path / name / "case", 1e-13, 1, law);
     write_file_atomically(root.path / name / "study.json",
                           R"({"format": "asperity-study/1", "title": "S", "axes": [{"name": "Surface",
-      "values": ["rough"]}], "cases": [{"name": "case", "folder": "case", "values": {"Surface": "rough"}, "state": "done"}]})");
+      "values": ["rough"]}], "cases": [{"name": "case", "folder": "case", "values": {"Surface": "rough"},
+          "state": "done"}]})");
   }
   const CaseCollection both = collect_cases({root.path / "one", root.path / "two"});
   ASSERT_EQ(both.groups.size(), 2u);

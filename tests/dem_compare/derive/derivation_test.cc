@@ -253,7 +253,8 @@ TEST(Derivation_analytic, writes_the_standard_deviations_of_its_fits) {
   const ResistanceLaw sliding = fit_resistance(derivation.law_of(Motion::sliding).points, LengthScale::none);
   EXPECT_DOUBLE_EQ(p.sliding_friction->sd, std::sqrt(sliding.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.sliding_offset->sd, std::sqrt(sliding.covariance(1, 1)));
-  const ResistanceLaw torsion = fit_resistance(derivation.law_of(Motion::torsion).points, LengthScale::contact_radius);
+  const ResistanceLaw torsion =
+      fit_resistance(derivation.law_of(Motion::torsion).points, LengthScale::contact_radius);
   EXPECT_DOUBLE_EQ(p.torsion_friction->sd, std::sqrt(torsion.covariance(0, 0)));
   EXPECT_DOUBLE_EQ(p.torsion_offset->sd, std::sqrt(torsion.covariance(1, 1)));
 }
@@ -267,7 +268,8 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
   const double factors[] = {0.9, 1.1};
   for (int i = 0; i < 2; ++i) {
     set.cases.push_back(make_case(exact, "sliding", 1e-3, i + 1, random));
-    for (double& approach : set.cases.back().history.normal_displacement) approach *= std::pow(factors[i], -2.0 / 3);
+    for (double& approach : set.cases.back().history.normal_displacement)
+      approach *= std::pow(factors[i], -2.0 / 3);
   }
   const EffectiveQuantity modulus = *derive_parameters(set).parameters.reduced_modulus;
   EXPECT_NEAR(modulus.value / hertz.reduced_modulus, 1, 1e-6);
@@ -364,7 +366,8 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
   EXPECT_EQ(derived(reversed).parameters.lateral_stiffness->provenance.find("slope after the reversal"), 0u);
   EXPECT_FALSE(derived(forward).parameters.lateral_stiffness);
   const std::string text = to_text(derived(forward));
-  EXPECT_NE(text.find("no case was reversed after full slip; set Experiment/Reverse = true"), std::string::npos);
+  EXPECT_NE(text.find("no case was reversed after full slip; set Experiment/Reverse = true"),
+            std::string::npos);
   EXPECT_EQ(text.find("Experiment/Way back"), std::string::npos);  // that is for rolling
 }
 
@@ -399,8 +402,10 @@ TEST(Derivation_behaviour, says_that_material_yielded) {
   auto& volume = set.cases.back().history.plastic_volume;
   for (std::size_t i = 5; i < volume.size(); ++i) volume[i] = 2e-20;
   const Derivation derivation = derive_parameters(set);
-  EXPECT_NE(to_text(derivation).find("material yielded in 1 of 8 cases, seen first at 2.25 mN (plastic volume up to 0.02 um^3)"),
-            std::string::npos)
+  EXPECT_NE(
+      to_text(derivation)
+          .find("material yielded in 1 of 8 cases, seen first at 2.25 mN (plastic volume up to 0.02 um^3)"),
+      std::string::npos)
       << to_text(derivation);
   EXPECT_NE(derivation.parameters.reduced_modulus->provenance.find("material yielded"), std::string::npos);
   EXPECT_EQ(derivation.parameters.derivation["normal"]["yielded"]["cases"], 1);
@@ -464,7 +469,8 @@ TEST(ParameterSets_behaviour, hold_cases_that_differ_by_load_seed_and_experiment
   EXPECT_EQ(found.sets[1].cases.size(), 1u);
   EXPECT_EQ(differences(found.sets), "Particle/Radius: 8.5 um, 5 um");
   const auto says = [&](const std::string& part) {
-    return std::any_of(found.remarks.begin(), found.remarks.end(), [&](const auto& remark) { return remark.find(part) != std::string::npos; });
+    return std::any_of(found.remarks.begin(), found.remarks.end(),
+                       [&](const auto& remark) { return remark.find(part) != std::string::npos; });
   };
   EXPECT_TRUE(says("d: not finished"));
   EXPECT_TRUE(says("a: named twice"));
@@ -476,8 +482,10 @@ TEST(ParameterSets_behaviour, hold_realisations_whose_lengths_are_written_in_oth
   std::mt19937 random(6);
   const TemporaryFolder folder;
   SolvedCase first = make_case({}, "sliding", 1e-4, 1, random), second = first;
-  first.entries = CaseEntries(std::map<std::string, std::string>{{"Substrate/Topography", "generated(rms=0.7 nm, hurst=0.8, seed=1)"}});
-  second.entries = CaseEntries(std::map<std::string, std::string>{{"Substrate/Topography", "generated(rms=700 pm, hurst=0.8, seed=1001)"}});
+  first.entries = CaseEntries(std::map<std::string, std::string>{
+      {"Substrate/Topography", "generated(rms=0.7 nm, hurst=0.8, seed=1)"}});
+  second.entries = CaseEntries(std::map<std::string, std::string>{
+      {"Substrate/Topography", "generated(rms=700 pm, hurst=0.8, seed=1001)"}});
   write_case(folder.path / "a", first, "8.5 um");
   write_case(folder.path / "b", second, "8.5 um");
   const ParameterSets found = collect_parameter_sets({folder.path});

@@ -72,7 +72,8 @@ TEST(ResistanceLaw_analytic, of_two_loads_has_the_errors_of_a_straight_line_thro
   points[0] = {f1, v1, of_way * v1, "a", hertz.radius, hertz.contact_radius(f1)};
   points[1] = {f2, v2, of_way * v2, "a", hertz.radius, hertz.contact_radius(f2)};
   const ResistanceLaw law = fit_resistance(points, none);
-  const double relative = std::hypot(of_way, thousandth), s1 = relative * v1, s2 = relative * v2, width = f2 - f1;
+  const double relative = std::hypot(of_way, thousandth), s1 = relative * v1, s2 = relative * v2,
+               width = f2 - f1;
   EXPECT_NEAR(law.coefficient, mu, 1e-9);
   EXPECT_NEAR(law.coefficient_sd() / (std::hypot(s1, s2) / width), 1, 1e-3);
   // h = (v1 f2 - v2 f1)/(v2 - v1)
@@ -227,7 +228,8 @@ TEST(ResistanceLaw_analytic, finds_the_scatter_over_cases_that_they_were_made_wi
   constexpr int repetitions = 40;
   double squares = 0;
   for (int i = 0; i < repetitions; ++i)
-    squares += std::pow(fit_resistance(measure(truth, wide, 6, none, random), none).case_scatter, 2) / repetitions;
+    squares +=
+        std::pow(fit_resistance(measure(truth, wide, 6, none, random), none).case_scatter, 2) / repetitions;
   EXPECT_NEAR(std::sqrt(squares) / truth.case_scatter, 1, 0.1);
 }
 

@@ -41,8 +41,8 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_TRUE(verified("h").within(p.rolling_offset->value, offset, 0.15));
   EXPECT_NE(p.rolling_friction->provenance.find("dissipated"), std::string::npos);
   EXPECT_NE(to_text(derivation).find("energy dissipated per angle"), std::string::npos);
-  // Rolled back, the made moment falls by twice the resistance at once: a spring of half of that over the first steps, of a
-  // twentieth of a contact radius each.
+  // Rolled back, the made moment falls by twice the resistance at once: a spring of half of that over the
+  // first steps, of a twentieth of a contact radius each.
   ASSERT_TRUE(p.rolling_stiffness);
   const double load = p.rolling_stiffness->at_load, moment = mu * radius * (load + offset);
   const double step = test::MovingFolder{"rolling", load}.unit() / 20;
@@ -59,17 +59,22 @@ TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has
   made.way_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
   test::write_moving(root.path / "short", made);
   const std::string text = to_text(derive_parameters(collect_parameter_sets({root.path}).sets.front()));
-  EXPECT_NE(text.find("the shortest steady way is 1.5 contact diameters, two or more are wanted"), std::string::npos) << text;
+  EXPECT_NE(text.find("the shortest steady way is 1.5 contact diameters, two or more are wanted"),
+            std::string::npos)
+      << text;
 }
 
-/// The same history on two meshes: 3 h/a of the stiffness is the mesh's share of its sd (docs/verification.md, rolling stiffness).
+/// The same history on two meshes: 3 h/a of the stiffness is the mesh's share of its sd
+/// (docs/verification.md, rolling stiffness).
 TEST(RollingDerivation_analytic, stiffness_of_rolling_back_states_what_the_mesh_leaves) {
   const test::TemporaryFolder root;
   const auto derived = [&](const char* name, double spacing) {
     test::MovingFolder made;
-    made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.reverse = true, made.spacing = spacing;
+    made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.reverse = true,
+    made.spacing = spacing;
     test::write_moving(root.path / name, made);
-    return *derive_parameters(collect_parameter_sets({root.path / name}).sets.front()).parameters.rolling_stiffness;
+    return *derive_parameters(collect_parameter_sets({root.path / name}).sets.front())
+                .parameters.rolling_stiffness;
   };
   const EffectiveQuantity fine = derived("fine", 10e-9), coarse = derived("coarse", 40e-9);
   ASSERT_GT(fine.value, 0);
@@ -87,7 +92,8 @@ TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   test::write_moving(root.path / "short", made);
   const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
   EXPECT_FALSE(derivation.parameters.rolling_friction);
-  EXPECT_NE(to_text(derivation).find("Experiment/Distance to more"), std::string::npos) << to_text(derivation);
+  EXPECT_NE(to_text(derivation).find("Experiment/Distance to more"), std::string::npos)
+      << to_text(derivation);
 }
 
 }  // namespace

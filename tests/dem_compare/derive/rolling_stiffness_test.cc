@@ -9,14 +9,16 @@
 namespace asperity {
 namespace {
 
-constexpr double stiffness = 2e-11, resistance = 3e-13, hill = 2e-12, wave = 0.02;  // [N m/rad], [N m], [N m], [rad]
+constexpr double stiffness = 2e-11, resistance = 3e-13, hill = 2e-12,
+                 wave = 0.02;  // [N m/rad], [N m], [N m], [rad]
 
 struct Rolled {
   std::vector<double> angle, moment;
   double spring = 0;
 
   void to(double position) {
-    spring = std::clamp(spring + stiffness * (position - (angle.empty() ? 0 : angle.back())), -resistance, resistance);
+    spring = std::clamp(spring + stiffness * (position - (angle.empty() ? 0 : angle.back())), -resistance,
+                        resistance);
     angle.push_back(position);
     moment.push_back(spring + hill * std::sin(2 * M_PI * position / wave));
   }
@@ -48,10 +50,12 @@ TEST(RollingStiffness_analytic, does_not_depend_on_the_direction) {
   EXPECT_NEAR(rolling_stiffness(rolled.angle, rolled.moment, resistance).value, expected, 1e-12 * expected);
 }
 
-/// A linear spring's moment lacks k delta until twice the resistance: exact without hills, however long the way back.
+/// A linear spring's moment lacks k delta until twice the resistance: exact without hills, however long the
+/// way back.
 TEST(RollingStiffness_analytic, counts_up_to_half_the_width_of_the_loop) {
   std::vector<double> angle, moment;
-  for (int i = 0; i <= 40; ++i) angle.push_back(0.002 * i), moment.push_back(std::min(resistance, stiffness * angle.back()));
+  for (int i = 0; i <= 40; ++i)
+    angle.push_back(0.002 * i), moment.push_back(std::min(resistance, stiffness * angle.back()));
   for (int i = 1; i <= 30; ++i) {
     angle.push_back(0.08 - 0.0025 * i);
     moment.push_back(std::max(-resistance, resistance - stiffness * 0.0025 * i));

@@ -1,4 +1,5 @@
-// The pair of bodies on which engines are compared: borosilicate sphere, R = 8.5 um, on silicon (Table 1 of the paper).
+// The pair of bodies on which engines are compared: borosilicate sphere, R = 8.5 um, on silicon (Table 1 of
+// the paper).
 #pragma once
 
 #include <filesystem>
@@ -11,11 +12,13 @@ namespace asperity::test {
 
 /// A file of the paper's runs that ships.
 inline std::filesystem::path paper_run(const std::string& name) {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path() / "runs/paper" / name;
+  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path() /
+         "runs/paper" / name;
 }
 
 /// E*, G* as in the engine notes; stiffness of rolling and torsion as in the paper, 8 G* a r^2; no offsets.
-inline ContactParameters canonical_contact(double reduced_modulus = 52.8684e9, double reduced_shear_modulus = 11.7989e9) {
+inline ContactParameters canonical_contact(double reduced_modulus = 52.8684e9,
+                                           double reduced_shear_modulus = 11.7989e9) {
   ContactParameters p;
   p.file = "canonical";
   p.particle = {"borosilicate", 8.5e-6, 71e9, 0.17, 2230};

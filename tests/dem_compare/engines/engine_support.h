@@ -17,8 +17,8 @@
 #include "tests/support/verification.h"
 
 /// Skips the test with one line where an engine is not installed.
-#define ASPERITY_ENGINE_OR_SKIP(engine)                                            \
-  if (asperity::find_program((engine).executable()).empty())                       \
+#define ASPERITY_ENGINE_OR_SKIP(engine)                      \
+  if (asperity::find_program((engine).executable()).empty()) \
   GTEST_SKIP() << (engine).name() << " is not installed: apt-get install " << (engine).package()
 
 namespace asperity::test {
@@ -40,8 +40,8 @@ inline EngineExperiment canonical_experiment(Motion type) {
   return e;
 }
 
-/// The V-rail: rolling coefficient as the paper's fit gives it for the roughness of each rail, torsion coefficient 0.0056, both times
-/// the particle's radius; sliding coefficient of the rough wafer.
+/// The V-rail: rolling coefficient as the paper's fit gives it for the roughness of each rail, torsion
+/// coefficient 0.0056, both times the particle's radius; sliding coefficient of the rough wafer.
 inline EngineExperiment rail_experiment(double degrees) {
   static const std::map<double, double> rolling{{25, 3.602e-4}, {45, 3.146e-4}, {60, 2.960e-4}};
   EngineExperiment e = canonical_experiment(Motion::rail);

@@ -1,4 +1,5 @@
-// LAMMPS run as users run it, against closed forms and against the figures measured once by hand (8 G* a = 21645.1 N/m).
+// LAMMPS run as users run it, against closed forms and against the figures measured once by hand (8 G* a =
+// 21645.1 N/m).
 #include <gtest/gtest.h>
 
 #include "tests/dem_compare/engines/engine_support.h"
@@ -26,7 +27,8 @@ class EditedLammps : public Lammps {
   EditedLammps(std::string from, std::string to) : from_(std::move(from)), to_(std::move(to)) {}
   std::string input(const EngineExperiment& experiment, const MotionPlan& plan) const override {
     std::string text = Lammps::input(experiment, plan);
-    const auto first = text.find("granular hertz", text.find("fix substrate")), last = text.find(' ' + from_, first);
+    const auto first = text.find("granular hertz", text.find("fix substrate")),
+               last = text.find(' ' + from_, first);
     EXPECT_NE(first, std::string::npos);
     EXPECT_NE(last, std::string::npos);
     return text.substr(0, first) + to_ + text.substr(last);
@@ -85,7 +87,8 @@ TEST(Lammps_other_code, ten_times_the_speed_changes_neither_slope_nor_plateau) {
   EXPECT_NEAR(value(r, "plateau"), 23e-6, 23e-6 * last_digit);
 }
 
-TEST(Lammps_other_code, rolling_sphere_needs_half_the_sum_of_both_coefficients_and_travels_half_as_far_as_the_plate) {
+TEST(Lammps_other_code,
+     rolling_sphere_needs_half_the_sum_of_both_coefficients_and_travels_half_as_far_as_the_plate) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
   EngineExperiment e = canonical_experiment(Motion::rolling);
@@ -164,35 +167,44 @@ TEST(Lammps_other_code, twisting_marshall_is_softer_than_no_slip_and_stronger_th
 }
 
 TEST(Lammps_other_code, walls_mix_moduli_wrongly_so_that_4_3_of_E_and_8_G_are_given) {
-  const EditedLammps lammps("zplane", "granular hertz/material 71e9 2e14 0.17 tangential mindlin NULL 0 0.23");
+  const EditedLammps lammps("zplane",
+                            "granular hertz/material 71e9 2e14 0.17 tangential mindlin NULL 0 0.23");
   ASPERITY_ENGINE_OR_SKIP(lammps);
   EngineExperiment quartz = canonical_experiment(Motion::sliding);
   quartz.substrate.reduced_modulus->value = 36.5565e9;
   quartz.substrate.reduced_shear_modulus->value = 8.2901e9;
   const EngineRun wrong = run(lammps, quartz);
-  if (wrong.version.find("29 Sep 2021") == std::string::npos) GTEST_SKIP() << "LAMMPS " << wrong.version << " has mended it";
+  if (wrong.version.find("29 Sep 2021") == std::string::npos)
+    GTEST_SKIP() << "LAMMPS " << wrong.version << " has mended it";
   EXPECT_NEAR(value(wrong, "slope after reversal"), 9353, 1);
   expect_closed_form("sliding loop on quartz", run(Lammps(), quartz), asked);
 }
 
 TEST(Lammps_other_code, adhesion_of_walls_is_lost_with_dmt_and_shared_by_all_modes_with_jkr) {
   // gamma such that the JKR pull-off force 3 pi gamma R is 9 uN, DMT's 4 pi gamma R 12 uN.
-  const EditedLammps dmt("zplane", "granular dmt 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
-  const EditedLammps jkr("zplane", "granular jkr 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
+  const EditedLammps dmt("zplane",
+                         "granular dmt 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
+  const EditedLammps jkr("zplane",
+                         "granular jkr 71e9 2e14 0.17 0.11234 tangential mindlin 9.43912e10 0 0.23");
   ASPERITY_ENGINE_OR_SKIP(dmt);
   const EngineRun lost = run(dmt, canonical_experiment(Motion::sliding));
-  if (lost.version.find("29 Sep 2021") == std::string::npos) GTEST_SKIP() << "LAMMPS " << lost.version << " has mended it";
+  if (lost.version.find("29 Sep 2021") == std::string::npos)
+    GTEST_SKIP() << "LAMMPS " << lost.version << " has mended it";
   EXPECT_NEAR(value(lost, "plateau"), 23.0e-6, 0.05e-6);
-  EXPECT_NEAR(value(run(jkr, canonical_experiment(Motion::sliding)), "plateau"), 27.14e-6, 0.05e-6);  // mu (f + 2 * 3 pi gamma R)
+  EXPECT_NEAR(value(run(jkr, canonical_experiment(Motion::sliding)), "plateau"), 27.14e-6,
+              0.05e-6);  // mu (f + 2 * 3 pi gamma R)
 }
 
 /// Two spheres of different types, overlapping; the force between them.
 std::string two_types(const std::string& coefficients) {
   return "units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
          "region box block -4e-5 4e-5 -4e-5 4e-5 -4e-5 4e-5\ncreate_box 2 box\n"
-         "create_atoms 1 single 0 0 0\ncreate_atoms 2 single 0 0 1.6993e-5\nset group all diameter 1.7e-5 density 2230\n"
-         "neighbor 1e-6 bin\npair_style granular\n" + coefficients +
-         "compute f all property/atom fz\ncompute fmax all reduce max c_f\nthermo_style custom step c_fmax\ntimestep 1e-9\nrun 0\n"
+         "create_atoms 1 single 0 0 0\ncreate_atoms 2 single 0 0 1.6993e-5\nset group all diameter 1.7e-5 "
+         "density 2230\n"
+         "neighbor 1e-6 bin\npair_style granular\n" +
+         coefficients +
+         "compute f all property/atom fz\ncompute fmax all reduce max c_f\nthermo_style custom step "
+         "c_fmax\ntimestep 1e-9\nrun 0\n"
          "print \"force: $(c_fmax:%.10g)\"\n";
 }
 
@@ -204,7 +216,9 @@ TEST(Lammps_other_code, unlike_types_fall_back_to_a_linear_spring_so_that_each_p
   const double forgotten = test::number_after(
       test::run_script(lammps, two_types("pair_coeff 1 1" + hertz + "pair_coeff 2 2" + hertz)), "\nforce: ");
   const double given = test::number_after(
-      test::run_script(lammps, two_types("pair_coeff 1 1" + hertz + "pair_coeff 2 2" + hertz + "pair_coeff 1 2" + hertz)), "\nforce: ");
+      test::run_script(
+          lammps, two_types("pair_coeff 1 1" + hertz + "pair_coeff 2 2" + hertz + "pair_coeff 1 2" + hertz)),
+      "\nforce: ");
   EXPECT_NEAR(given / (7.04912e10 * std::sqrt(radius) * std::pow(overlap, 1.5)), 1, 1e-4);
   EXPECT_NEAR(forgotten / (7.04912e10 * overlap), 1, 1e-4);  // hundreds of newtons in place of 85 uN
 }
@@ -213,13 +227,16 @@ TEST(Lammps_other_code, sliding_in_micro_units_is_the_same) {
   const Lammps lammps;
   ASPERITY_ENGINE_OR_SKIP(lammps);
   // pg, um, us: force in nN, pressure in kPa. Sphere held at the overlap of 100 uN and dragged by 10 nm.
-  const std::string output = test::run_script(lammps,
-      "units micro\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
+  const std::string output = test::run_script(
+      lammps,
+      "units micro\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify vel "
+      "yes\n"
       "region box block -20 20 -20 20 -0.1 40\ncreate_box 1 box\ncreate_atoms 1 single 0 0 8.4938136119\n"
       "set atom 1 diameter 17 density 2.23\nneighbor 1 bin\npair_style granular\n"
       "pair_coeff * * hertz 1 0 tangential linear_nohistory 0 0\n"
       "fix w all wall/gran granular hertz 7.04912e7 0 tangential mindlin 9.43912e7 0 0.23 zplane 0 NULL\n"
-      "fix hold all setforce 0 0 0\nfix move all nve\ntimestep 0.002\nvelocity all set 1e-3 0 0\nthermo_style custom step f_hold[1]\n"
+      "fix hold all setforce 0 0 0\nfix move all nve\ntimestep 0.002\nvelocity all set 1e-3 0 "
+      "0\nthermo_style custom step f_hold[1]\n"
       "run 100\nprint \"early: $(-f_hold[1]/x[1])\"\nrun 4900\nprint \"late: $(-f_hold[1])\"\n");
   EXPECT_NEAR(test::number_after(output, "\nearly: ") * 1e-9 / 1e-6, 21645.1, 0.5);  // nN/um
   EXPECT_NEAR(test::number_after(output, "\nlate: ") * 1e-9, 23e-6, 23e-6 * 1e-5);

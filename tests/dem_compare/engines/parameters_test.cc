@@ -33,12 +33,14 @@ TEST(ContactParameters_behaviour, of_the_paper_are_read_with_their_uncertainty_a
   EXPECT_DOUBLE_EQ(p.rolling_friction->load_range->high, 3e-3);
   EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::particle_radius);
   EXPECT_FALSE(p.torsion_offset);
-  EXPECT_DOUBLE_EQ(p.load_range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset)->low, 3e-6);
+  EXPECT_DOUBLE_EQ(
+      p.load_range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset)->low, 3e-6);
 }
 
 TEST(ContactParameters_other_code, shipped_for_each_surface_are_those_of_table_2) {
   const Published published = read_published(test::paper_run("published"));
-  const std::vector<std::string> files{"parameters_silicon.json", "parameters_silicon_1600W.json", "parameters_silicon_1800W.json"};
+  const std::vector<std::string> files{"parameters_silicon.json", "parameters_silicon_1600W.json",
+                                       "parameters_silicon_1800W.json"};
   ASSERT_EQ(published.surfaces.size(), files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     SCOPED_TRACE(files[i]);
@@ -78,7 +80,8 @@ TEST(ContactParameters_analytic, limits_and_stiffnesses_follow_their_laws) {
   EXPECT_DOUBLE_EQ(p.rolling_limit(1e-4), p.rolling_friction->value * 8.5e-6 * 671.4e-6);
   p.torsion_friction->length_scale = LengthScale::contact_radius;
   EXPECT_DOUBLE_EQ(p.torsion_limit(1e-4), p.torsion_friction->value * p.contact_radius(1e-4) * 1e-4);
-  EXPECT_NEAR(p.rolling_stiffness_at(8e-4) / p.rolling_stiffness_at(1e-4), 2, 1e-12);  // a grows with the load's cube root
+  EXPECT_NEAR(p.rolling_stiffness_at(8e-4) / p.rolling_stiffness_at(1e-4), 2,
+              1e-12);  // a grows with the load's cube root
   p.target.radius = p.particle.radius;
   EXPECT_DOUBLE_EQ(p.effective_radius(), p.particle.radius / 2);
 }
@@ -86,7 +89,8 @@ TEST(ContactParameters_analytic, limits_and_stiffnesses_follow_their_laws) {
 TEST(ContactParameters_behaviour, refuse_an_unknown_key_and_name_the_right_one) {
   Json json = shipped();
   json["quantities"]["rolling_fricton"] = json["quantities"]["rolling_friction"];
-  EXPECT_EQ(refusal(json), "p.json: there is no 'rolling_fricton' in 'quantities'; did you mean 'rolling_friction'?");
+  EXPECT_EQ(refusal(json),
+            "p.json: there is no 'rolling_fricton' in 'quantities'; did you mean 'rolling_friction'?");
   json = shipped();
   json["particle"]["radus"] = 1;
   EXPECT_CONTAINS(refusal(json), "did you mean 'radius'?");
@@ -122,13 +126,15 @@ TEST(ContactParameters_behaviour, refuse_what_cannot_be_meant) {
 TEST(ContactParameters_behaviour, say_which_line_is_not_JSON) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\n\"format\": \"asperity-parameters/1\",\n oops\n}");
-  EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }), file.string() + ":3: this is not JSON here; correct it or write it again");
+  EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }),
+            file.string() + ":3: this is not JSON here; correct it or write it again");
 }
 
 TEST(ContactParameters_behaviour, say_which_quantity_a_law_lacks) {
   ContactParameters p = test::canonical_contact();
   p.rolling_stiffness.reset();
-  EXPECT_CONTAINS(message_of<InputError>([&] { p.rolling_stiffness_at(1e-4); }), "'quantities' has no 'rolling_stiffness'");
+  EXPECT_CONTAINS(message_of<InputError>([&] { p.rolling_stiffness_at(1e-4); }),
+                  "'quantities' has no 'rolling_stiffness'");
 }
 
 }  // namespace

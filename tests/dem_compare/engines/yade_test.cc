@@ -64,7 +64,8 @@ TEST(YadeNightly_other_code, long_loops_and_all_rails_follow_the_law) {
                        asked);
 }
 
-/// What a YADE user gets from material constants: stiffness at 100 uN on a plane made in three ways, and a slope by a step of drag.
+/// What a YADE user gets from material constants: stiffness at 100 uN on a plane made in three ways, and a
+/// slope by a step of drag.
 const char* const shapes = R"(
 from yade import *
 import math, os, sys
@@ -76,17 +77,21 @@ def run(shape, law):
     sphere = O.materials.append(FrictMat(young=71e9, poisson=0.17, frictionAngle=math.atan(mu), density=2230))
     plane = O.materials.append(FrictMat(young=179e9, poisson=0.25, frictionAngle=math.atan(mu), density=2330))
     if shape == 'wall':
-        O.bodies.append(utils.wall(0., axis=2, material=plane)); bounds, geometry = [Bo1_Wall_Aabb()], [Ig2_Wall_Sphere_ScGeom()]
+        O.bodies.append(utils.wall(0., axis=2, material=plane)); bounds, geometry = [Bo1_Wall_Aabb()],
+            [Ig2_Wall_Sphere_ScGeom()]
     elif shape == 'facet':
-        O.bodies.append(utils.facet([(-1e-4, -1e-4, 0), (1e-4, -1e-4, 0), (0, 1e-4, 0)], material=plane, fixed=True))
+        O.bodies.append(utils.facet([(-1e-4, -1e-4, 0), (1e-4, -1e-4, 0), (0, 1e-4, 0)], material=plane,
+            fixed=True))
         bounds, geometry = [Bo1_Facet_Aabb()], [Ig2_Facet_Sphere_ScGeom()]
     else:
-        O.bodies.append(utils.sphere((0, 0, -1000*R), 1000*R, material=plane, fixed=True)); bounds, geometry = [], []
+        O.bodies.append(utils.sphere((0, 0, -1000*R), 1000*R, material=plane, fixed=True)); bounds,
+            geometry = [], []
     b = O.bodies.append(utils.sphere((0, 0, R - approach), R, material=sphere))
     O.bodies[b].state.blockedDOFs = 'xyXYZ'
     O.dt = 2e-9
     O.engines = [ForceResetter(), InsertionSortCollider(bounds + [Bo1_Sphere_Aabb()]),
-        InteractionLoop(geometry + [Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5)], [law]),
+        InteractionLoop(geometry + [Ig2_Sphere_Sphere_ScGeom()],
+            [Ip2_FrictMat_FrictMat_MindlinPhys(betan=0.5)], [law]),
         NewtonIntegrator(damping=0)]
     O.forces.setPermF(b, (0, 0, -f))
     O.run(20000, True)
@@ -95,7 +100,9 @@ def run(shape, law):
     O.run(10, True); first = i.phys.shearForce.norm(); x = O.bodies[b].state.pos[0]
     O.run(10, True); slope = (i.phys.shearForce.norm() - first)/(O.bodies[b].state.pos[0] - x)
     O.run(5000, True)
-    print(shape, type(law).__name__, 'kno: %.6g slope: %.6g plateau: %.6g end' % (i.phys.kno/(4/3*reduced*R**0.5), slope, i.phys.shearForce.norm()))
+    print(shape, type(law).__name__,
+        'kno: %.6g slope: %.6g plateau: %.6g end' % (i.phys.kno/(4/3*reduced*R**0.5), slope,
+        i.phys.shearForce.norm()))
 for shape in ('wall', 'facet', 'sphere'): run(shape, Law2_ScGeom_MindlinPhys_Mindlin())
 run('sphere', Law2_ScGeom_MindlinPhys_MindlinDeresiewitz())
 sys.stdout.flush(); os._exit(0)

@@ -50,7 +50,8 @@ void expect_agreement(const std::string& what, const FrictionLoop& dynamic,
   EXPECT_NEAR(one.rotation.y(), other.rotation.y(), agreement * std::abs(other.rotation.y()));
 }
 
-TEST(DynamicGluedSphere_analytic, loop_agrees_with_the_quasi_static_one_within_one_percent_in_slope_and_plateau) {
+TEST(DynamicGluedSphere_analytic,
+     loop_agrees_with_the_quasi_static_one_within_one_percent_in_slope_and_plateau) {
   for (const bool partial_slip : {false, true}) {
     StandardContact contact = contact_on(silicon);
     contact.partial_slip = partial_slip;
@@ -59,13 +60,15 @@ TEST(DynamicGluedSphere_analytic, loop_agrees_with_the_quasi_static_one_within_o
     program.amplitude = 100e-9;
     DynamicOptions options;
     options.speed = 1e-3;
-    const FrictionLoop dynamic = simulate_dynamic(particle, program, options), still = simulate_quasi_static(particle, program);
+    const FrictionLoop dynamic = simulate_dynamic(particle, program, options),
+                       still = simulate_quasi_static(particle, program);
     expect_agreement(partial_slip ? "glued sphere with partial slip" : "glued sphere", dynamic, still);
     EXPECT_NEAR(dynamic.speed / laboratory_speed, 1e3, 1e-9);
   }
 }
 
-TEST(DynamicRollingSphere_analytic, resistance_and_motion_agree_with_the_quasi_static_ones_within_one_percent) {
+TEST(DynamicRollingSphere_analytic,
+     resistance_and_motion_agree_with_the_quasi_static_ones_within_one_percent) {
   const SingleParticle particle =
       make_particle("rolling", {damped(contact_on(silicon)), damped(contact_on(diamond))});
   LoopProgram program;

@@ -80,9 +80,11 @@ TEST(GluedSphere_analytic, partial_slip_keeps_the_plateau_and_the_slope_and_yiel
   EXPECT_NEAR(numbers.plateau / force, 1, 1e-9);
   // The branch after a reversal ends at 3 mu f/(8 G* a) = 3 mu f/k; 99.9 % of it at 1 - 0.001^(2/3) of that.
   EXPECT_NEAR(numbers.plateau_travel / (3 * force / k * 0.99), 1, 1e-2);
-  // A cycle +-A of gross sliding: 4 mu f A less two corners, each int_0^1 (1-t)^(3/2) dt = 2/5 of 2 mu f times 2 delta_gs.
+  // A cycle +-A of gross sliding: 4 mu f A less two corners, each int_0^1 (1-t)^(3/2) dt = 2/5 of 2 mu f
+  // times 2 delta_gs.
   const double gross = 1.5 * force / k;
-  EXPECT_NEAR(numbers.dissipation / (4 * force * program.amplitude - 2 * 0.4 * 2 * force * 2 * gross), 1, 1e-4);
+  EXPECT_NEAR(numbers.dissipation / (4 * force * program.amplitude - 2 * 0.4 * 2 * force * 2 * gross), 1,
+              1e-4);
 }
 
 TEST(GluedSphere_analytic, adhesive_contacts_carry_the_load_on_their_larger_area) {
@@ -94,7 +96,8 @@ TEST(GluedSphere_analytic, adhesive_contacts_carry_the_load_on_their_larger_area
   program.normal_load = 0;
   model.sliding = Mindlin{sliding_modulus(borosilicate, silicon), {0.23, 5e-6}};
   const LoopNumbers numbers = measure(simulate_glued_sphere(model, program));
-  EXPECT_NEAR(numbers.initial_slope / (8 * sliding_modulus(borosilicate, silicon) * jkr.radius_at_force(0)), 1, 1e-8);
+  EXPECT_NEAR(numbers.initial_slope / (8 * sliding_modulus(borosilicate, silicon) * jkr.radius_at_force(0)),
+              1, 1e-8);
   EXPECT_NEAR(numbers.plateau / (0.23 * 5e-6), 1, 1e-8);
 }
 
@@ -103,7 +106,8 @@ std::pair<const LoopRow&, const LoopRow&> steady_rows(const FrictionLoop& loop) 
   return {loop.rows[loop.rows.size() - 11], loop.rows.back()};
 }
 
-TEST(RollingSphere_analytic, lateral_force_is_the_mean_rolling_coefficient_times_the_load_and_the_sphere_goes_half_the_way) {
+TEST(RollingSphere_analytic,
+     lateral_force_is_the_mean_rolling_coefficient_times_the_load_and_the_sphere_goes_half_the_way) {
   StandardContact below = on_silicon(), above = on_diamond();
   below.lever = above.lever = LeverArm::particle_radius;
   below.rolling = {5.304e-3, 0};
@@ -186,16 +190,19 @@ TEST_P(Rail_analytic, resistance_of_a_flank_is_that_of_the_papers_formula) {
   }
   // Rolling without slip on flanks and indenter: v/v_i = cos/(1 + cos).
   const auto [left, right] = steady_rows(loop);
-  EXPECT_NEAR((right.displacement.x() - left.displacement.x()) / (right.indenter_displacement - left.indenter_displacement),
+  EXPECT_NEAR((right.displacement.x() - left.displacement.x()) /
+                  (right.indenter_displacement - left.indenter_displacement),
               std::cos(theta) / (1 + std::cos(theta)), 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, Rail_analytic,
-                         testing::Values(RailCase{25, 3.602e-4, 1.58399e-3}, RailCase{45, 3.146e-4, 2.58022e-3},
+                         testing::Values(RailCase{25, 3.602e-4, 1.58399e-3},
+                                         RailCase{45, 3.146e-4, 2.58022e-3},
                                          RailCase{60, 2.960e-4, 3.43049e-3}));
 
 TEST(Rail_analytic, histories_that_follow_half_the_torsion_unload_the_flanks_a_little) {
-  // The lateral force of a flank turns up or down the slope with them, by half the twist of up to 0.1 rad, and carries load.
+  // The lateral force of a flank turns up or down the slope with them, by half the twist of up to 0.1 rad,
+  // and carries load.
   const auto flank_load = [](HistorySpin spin) {
     StandardContact flank = on_silicon(), top = on_diamond();
     flank.sliding = top.sliding = {0.65, 0};
@@ -204,7 +211,8 @@ TEST(Rail_analytic, histories_that_follow_half_the_torsion_unload_the_flanks_a_l
     flank.history_spin = spin;
     const FrictionLoop loop = simulate_rail(model_of(flank), model_of(top), pi / 4, LoopProgram{});
     double least = 1;
-    for (const LoopRow& row : loop.rows) least = std::min(least, row.contacts[0].normal_force / (1e-4 / std::sqrt(2.0)));
+    for (const LoopRow& row : loop.rows)
+      least = std::min(least, row.contacts[0].normal_force / (1e-4 / std::sqrt(2.0)));
     return least;
   };
   EXPECT_NEAR(flank_load(HistorySpin::other_body), 1, 1e-6);

@@ -29,8 +29,9 @@ test::Verified adhesion_law(const std::string& what, const std::string& source) 
 TEST(Adhesion_other_code, radius_and_approach_agree_with_the_reference_for_all_loads) {
   const auto path = asperity::test::reference_table("06_adhesion_table_loads_BS_Si.csv");
   const CsvTable table = read_csv(path);
-  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"), a_jkr = table.numbers("a_JKR_nm"),
-             d_jkr = table.numbers("delta_JKR_nm"), a_dmt = table.numbers("a_DMT_nm"), d_dmt = table.numbers("delta_DMT_nm");
+  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"),
+             a_jkr = table.numbers("a_JKR_nm"), d_jkr = table.numbers("delta_JKR_nm"),
+             a_dmt = table.numbers("a_DMT_nm"), d_dmt = table.numbers("delta_DMT_nm");
   ASSERT_GT(load.size(), 10u);
   test::Largest error;
   for (std::size_t i = 0; i < load.size(); ++i) {
@@ -74,7 +75,8 @@ TEST(Jkr_analytic, stiffness_is_the_derivative_of_force) {
   for (const double approach : {-0.3e-9, 0.0, 1e-9, 10e-9}) {
     const double step = 1e-14;
     const double slope =
-        (jkr.advance(touching, approach + step).force - jkr.advance(touching, approach - step).force) / (2 * step);
+        (jkr.advance(touching, approach + step).force - jkr.advance(touching, approach - step).force) /
+        (2 * step);
     EXPECT_NEAR(jkr.advance(touching, approach).stiffness / slope, 1, 1e-6);
   }
 }
@@ -163,9 +165,11 @@ TEST(MaugisDugdale_analytic, its_limits_are_JKR_and_DMT) {
   const Jkr jkr{0.75, 1, 1 / pi};
   const Dmt dmt{0.75, 1, 1 / pi};
   for (const double force : {0.0, 2.0, 20.0}) {
-    EXPECT_NEAR(sticky.advance(touching, sticky.approach(force)).contact_radius / jkr.radius_at_force(force), 1, 1e-3);
+    EXPECT_NEAR(sticky.advance(touching, sticky.approach(force)).contact_radius / jkr.radius_at_force(force),
+                1, 1e-3);
     EXPECT_NEAR(stiff.advance(touching, stiff.approach(force)).contact_radius /
-                    dmt.advance(touching, dmt.approach(force)).contact_radius, 1, 1e-2);
+                    dmt.advance(touching, dmt.approach(force)).contact_radius,
+                1, 1e-2);
   }
 }
 
@@ -175,7 +179,8 @@ TEST(MaugisDugdale_analytic, stiffness_is_the_derivative_of_force) {
   for (const double approach : {-0.2e-9, 0.0, 1e-9, 10e-9}) {
     const double step = 1e-14;
     const double slope =
-        (law.advance(touching, approach + step).force - law.advance(touching, approach - step).force) / (2 * step);
+        (law.advance(touching, approach + step).force - law.advance(touching, approach - step).force) /
+        (2 * step);
     EXPECT_NEAR(law.advance(touching, approach).stiffness / slope, 1, 1e-6);
   }
 }
@@ -208,9 +213,10 @@ TEST(HertzOffset_analytic, attraction_shifts_the_force_and_keeps_the_radius) {
 }
 
 TEST(NormalLaw_analytic, any_law_inverts_its_force) {
-  for (const NormalLaw& law : {NormalLaw(HertzOffset{modulus, radius, 3e-6}), NormalLaw(LinearNormal{2e4, radius, 3e-6}),
-                               NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08}),
-                               NormalLaw(MaugisDugdale{modulus, radius, 0.08, 4e8})}) {
+  for (const NormalLaw& law :
+       {NormalLaw(HertzOffset{modulus, radius, 3e-6}), NormalLaw(LinearNormal{2e4, radius, 3e-6}),
+        NormalLaw(Dmt{modulus, radius, 0.06}), NormalLaw(Jkr{modulus, radius, 0.08}),
+        NormalLaw(MaugisDugdale{modulus, radius, 0.08, 4e8})}) {
     EXPECT_NEAR(law->advance({}, law->approach(1e-4)).force, 1e-4, 1e-14);
     EXPECT_EQ(law->radius(), radius);
   }
@@ -312,10 +318,12 @@ TEST(Tabor_analytic, parameter_is_the_cube_root_of_its_powers) {
 TEST(Tabor_other_code, parameter_agrees_with_the_reference) {
   const auto path = asperity::test::reference_table("06_adhesion_table_system.csv");
   const CsvTable table = read_csv(path);
-  const auto z0 = table.numbers("z0_nm"), w = table.numbers("w_JKR_mJ/m2"), mu = table.numbers("Tabor_mu_JKR");
+  const auto z0 = table.numbers("z0_nm"), w = table.numbers("w_JKR_mJ/m2"),
+             mu = table.numbers("Tabor_mu_JKR");
   for (std::size_t i = 0; i < z0.size(); ++i) {
     if (table.rows[i][0] != "borosilicate/Si") continue;
-    EXPECT_NEAR(tabor_parameter(modulus, radius, w[i] * 1e-3, z0[i] * 1e-9) / mu[i], 1, 1e-5);  // six digits in the table
+    EXPECT_NEAR(tabor_parameter(modulus, radius, w[i] * 1e-3, z0[i] * 1e-9) / mu[i], 1,
+                1e-5);  // six digits in the table
   }
 }
 

@@ -17,8 +17,8 @@ const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25};
 const HertzOffset hertz{reduced_modulus(borosilicate, silicon), radius, 0};
 const double shear = sliding_modulus(borosilicate, silicon);
 
-/// Least value of the work of shear, over mu P delta_gs, along random paths that start unsheared: straight pieces of load, of
-/// shear, or of both. `planar`: shear in any direction of the contact plane.
+/// Least value of the work of shear, over mu P delta_gs, along random paths that start unsheared: straight
+/// pieces of load, of shear, or of both. `planar`: shear in any direction of the contact plane.
 double least_work(const SlidingLaw& law, bool planar, double largest_shift) {
   std::mt19937 engine(1953);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -39,7 +39,8 @@ double least_work(const SlidingLaw& law, bool planar, double largest_shift) {
       const Vector3d way = to - at;
       for (int i = 1; i <= steps; ++i) {
         normal = hertz.advance(normal, hertz.approach(from_load + (to_load - from_load) * i / steps));
-        const Vector3d before = history.spring.resistance, step = at + way / steps * i - (at + way / steps * (i - 1));
+        const Vector3d before = history.spring.resistance,
+                       step = at + way / steps * i - (at + way / steps * (i - 1));
         history = law->advance(history, normal, step);
         work += (before + history.spring.resistance).dot(step) / 2;
       }
@@ -54,7 +55,8 @@ constexpr double integration_error = 1e-3;  // of the trapezoidal rule over the 
 
 TEST(EnergyOfSliding_analytic, Mindlins_law_rescaled_on_unloading_gives_no_energy_on_any_path) {
   for (const bool planar : {false, true})
-    for (const double shift : {0.3, 2.0}) EXPECT_GT(least_work(Mindlin{shear, {mu, 0}}, planar, shift), -integration_error);
+    for (const double shift : {0.3, 2.0})
+      EXPECT_GT(least_work(Mindlin{shear, {mu, 0}}, planar, shift), -integration_error);
 }
 
 TEST(EnergyOfSliding_analytic, partial_slip_gives_no_energy_on_any_path) {

@@ -20,7 +20,8 @@ TEST(LawRegistry_behaviour, every_law_states_equation_source_validity_and_its_pa
   std::set<std::string> names;
   for (const LawDescription& law : reduced_laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name;
-    for (const auto& text : {law.mode, law.equation, law.source, law.validity}) EXPECT_FALSE(text.empty()) << law.name;
+    for (const auto& text : {law.mode, law.equation, law.source, law.validity})
+      EXPECT_FALSE(text.empty()) << law.name;
     EXPECT_FALSE(law.parameters.empty()) << law.name;
     for (const auto& parameter : law.parameters) EXPECT_LT(parameter.low, parameter.high) << law.name;
   }
@@ -35,7 +36,8 @@ TEST(LawRegistry_behaviour, manual_page_names_every_law_and_parameter) {
   const std::string page = reduced_laws_manual();
   for (const LawDescription& law : reduced_laws()) {
     EXPECT_NE(page.find("`" + law.name + "`"), std::string::npos);
-    for (const auto& parameter : law.parameters) EXPECT_NE(page.find("| `" + parameter.name + "`"), std::string::npos);
+    for (const auto& parameter : law.parameters)
+      EXPECT_NE(page.find("| `" + parameter.name + "`"), std::string::npos);
   }
 }
 

@@ -1,4 +1,5 @@
-// Numbers of the paper's contacts, recomputed from its Table 1 (borosilicate sphere of 8.5 um on silicon, diamond, quartz).
+// Numbers of the paper's contacts, recomputed from its Table 1 (borosilicate sphere of 8.5 um on silicon,
+// diamond, quartz).
 #include <gtest/gtest.h>
 
 #include "dem_compare/laws/hertz_offset.h"
@@ -29,11 +30,13 @@ TEST(PaperValues_other_code, moduli_contact_radii_and_approaches_are_those_of_Ta
   }
 }
 
-TEST(PaperValues_other_code, yield_shifts_at_100uN_are_1063_and_1594_pm_and_ten_times_that_with_the_fitted_stiffness) {
+TEST(PaperValues_other_code,
+     yield_shifts_at_100uN_are_1063_and_1594_pm_and_ten_times_that_with_the_fitted_stiffness) {
   const HertzOffset hertz{reduced_modulus(borosilicate, silicon), radius, 0};
   const NormalState normal = hertz.advance({}, hertz.approach(1e-4));
   const CoulombLimit friction{0.23, 0};
-  const double shear = sliding_modulus(borosilicate, silicon), k = Mindlin{shear, friction}.stiffness(normal.contact_radius);
+  const double shear = sliding_modulus(borosilicate, silicon),
+               k = Mindlin{shear, friction}.stiffness(normal.contact_radius);
   EXPECT_NEAR(k / 2.1645e4, 1, 2e-5);
   EXPECT_NEAR(friction.limit(1e-4) / k * 1e9, 1.063, 5.1e-4);
   const MindlinDeresiewicz partial_slip{shear, radius, friction};

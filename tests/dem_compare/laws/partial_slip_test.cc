@@ -37,21 +37,23 @@ struct Contact {
     shift = to_shift;
   }
   double force() const { return history.spring.resistance.x(); }
-  /// Shift that reaches a lateral force, with the load changing to `normal_force` on the way, in `steps` parts.
+  /// Shift that reaches a lateral force, with the load changing to `normal_force` on the way, in `steps`
+  /// parts.
   void lead_to_force(double normal_force, double lateral_force, int steps = 1) {
     const double first_load = normal.force, first_force = force();
     for (int i = 1; i <= steps; ++i) {
       const double p = first_load + (normal_force - first_load) * i / steps,
                    q = first_force + (lateral_force - first_force) * i / steps;
-      const double reach = 4 * law.gross_slip_shift(hertz.advance({}, hertz.approach(std::max(p, first_load))));
+      const double reach =
+          4 * law.gross_slip_shift(hertz.advance({}, hertz.approach(std::max(p, first_load))));
       std::uintmax_t iterations = 200;
       const auto missing = [&](double to) {
         Contact trial = *this;
         trial.lead(p, to);
         return trial.force() - q;
       };
-      const auto bracket = boost::math::tools::toms748_solve(missing, shift - reach, shift + reach,
-                                                             boost::math::tools::eps_tolerance<double>(), iterations);
+      const auto bracket = boost::math::tools::toms748_solve(
+          missing, shift - reach, shift + reach, boost::math::tools::eps_tolerance<double>(), iterations);
       lead(p, (bracket.first + bracket.second) / 2);
     }
   }
@@ -149,7 +151,8 @@ TEST(PartialSlip_other_code, shift_and_loop_energy_agree_with_the_reference) {
     contact.press(load);
     contact.lead(load, shift[i] * unit_shift());
     force.count(contact.force() / (mu * load) - q[i]);
-    // One cycle, its work by Simpson's rule. The rule meets cusps of power 5/3 at the ends: refined there by a power law.
+    // One cycle, its work by Simpson's rule. The rule meets cusps of power 5/3 at the ends: refined there by
+    // a power law.
     double work = 0;
     constexpr int panels = 400;
     for (const double end : {-1.0, 1.0}) {
@@ -179,9 +182,11 @@ TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_referen
   std::map<std::string, double> expected;
   const auto closed = table.numbers("delta_t_over_D0_closed_form (D0=3muP0/(16G*a0))");
   for (std::size_t i = 0; i < table.rows.size(); ++i)
-    expected[table.rows[i][0].substr(0, 3) + (table.rows[i][0].find("alpha=") != std::string::npos
-                                                  ? table.rows[i][0].substr(table.rows[i][0].find("alpha=0."))
-                                                  : table.rows[i][0].substr(2, 8)) + "|" + table.rows[i][1]] = closed[i];
+    expected[table.rows[i][0].substr(0, 3) +
+             (table.rows[i][0].find("alpha=") != std::string::npos
+                  ? table.rows[i][0].substr(table.rows[i][0].find("alpha=0."))
+                  : table.rows[i][0].substr(2, 8)) +
+             "|" + table.rows[i][1]] = closed[i];
   const double force = mu * load;
   std::vector<double> values;
   const auto note = [&](const Contact& contact) { values.push_back(contact.shift / unit_shift()); };
@@ -192,7 +197,8 @@ TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_referen
     h1.lead_to_force(load, q * force);
     note(h1);
   }
-  for (const double alpha : {0.15, 0.25, 0.29}) {  // a straight line of approach and shift is one of load and shear too
+  for (const double alpha :
+       {0.15, 0.25, 0.29}) {  // a straight line of approach and shift is one of load and shear too
     Contact h2;
     h2.lead_to_force(load, alpha * load);
     note(h2);
@@ -211,7 +217,8 @@ TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_referen
   Contact h4;
   h4.press(load);
   h4.lead_to_force(load, 0.5 * force);
-  h4.lead_to_force(0.7 * load, 0.5 * force, 2000);  // constant shear is no straight line: of second order in the step
+  h4.lead_to_force(0.7 * load, 0.5 * force,
+                   2000);  // constant shear is no straight line: of second order in the step
   note(h4);
   ASSERT_EQ(values.size(), closed.size());
   test::Largest straight;
@@ -223,7 +230,8 @@ TEST(PartialSlip_other_code, histories_with_changing_load_agree_with_the_referen
                   .below(values.back() - closed.back(), 1e-6, unit));
 }
 
-TEST(PartialSlip_analytic, oblique_loading_below_the_coefficient_sticks_everywhere_and_above_it_slips_everywhere) {
+TEST(PartialSlip_analytic,
+     oblique_loading_below_the_coefficient_sticks_everywhere_and_above_it_slips_everywhere) {
   for (const double ratio : {0.1, 0.5, 0.9, 1.1, 2.0}) {
     Contact contact;
     contact.lead(load, ratio * unit_shift());
@@ -231,7 +239,8 @@ TEST(PartialSlip_analytic, oblique_loading_below_the_coefficient_sticks_everywhe
   }
 }
 
-TEST(PartialSlip_analytic, after_unloading_and_reloading_without_shear_only_the_contact_that_lasted_remembers) {
+TEST(PartialSlip_analytic,
+     after_unloading_and_reloading_without_shear_only_the_contact_that_lasted_remembers) {
   Contact contact;
   contact.press(load);
   contact.lead(load, 0.5 * unit_shift());
@@ -310,10 +319,13 @@ TEST(PartialSlip_analytic, adhesion_offset_raises_the_limit_and_keeps_the_curve)
   sticky.friction.adhesion_force = 12e-6;
   const NormalState normal = hertz.advance({}, hertz.approach(load));
   const double limit = mu * (load + 12e-6), gross = sticky.gross_slip_shift(normal);
-  EXPECT_NEAR(sticky.advance({{}, {}}, normal, 2 * gross * Vector3d::UnitX()).spring.resistance.x() / limit, 1, 1e-12);
+  EXPECT_NEAR(sticky.advance({{}, {}}, normal, 2 * gross * Vector3d::UnitX()).spring.resistance.x() / limit,
+              1, 1e-12);
   const SlidingHistory pressed = sticky.advance({}, normal, Vector3d::Zero());
-  EXPECT_NEAR(sticky.advance(pressed, normal, virgin_shift(0.5) * gross * Vector3d::UnitX()).spring.resistance.x() / limit,
-              0.5, 1e-12);
+  EXPECT_NEAR(
+      sticky.advance(pressed, normal, virgin_shift(0.5) * gross * Vector3d::UnitX()).spring.resistance.x() /
+          limit,
+      0.5, 1e-12);
 }
 
 /// 8 G* int u(x^2/R) dx over the contact by Simpson's rule, for a shift u(s) that a test knows.
@@ -454,7 +466,8 @@ TEST(Mindlin_analytic, stiffness_is_8_G_a_up_to_Coulombs_limit) {
 
 /// Work of the cycle of Elata and Berryman (1996): shear at the high load, unload, shear back, reload.
 double work_of_cycle(const Mindlin& mindlin) {
-  const NormalState high = hertz.advance({}, hertz.approach(load)), low = hertz.advance({}, hertz.approach(0.2 * load));
+  const NormalState high = hertz.advance({}, hertz.approach(load)),
+                    low = hertz.advance({}, hertz.approach(0.2 * load));
   const Vector3d shift = 0.1e-9 * Vector3d::UnitX();
   SlidingHistory history = mindlin.advance({}, high, Vector3d::Zero());
   double work = 0;
@@ -482,7 +495,8 @@ TEST(Mindlin_analytic, plain_increments_create_energy_where_rescaling_on_unloadi
 
 TEST(SlidingLaw_behaviour, a_contact_that_opened_forgets) {
   const NormalState closed = hertz.advance({}, hertz.approach(load)), open = hertz.advance(closed, -1e-9);
-  for (const SlidingLaw& any : {SlidingLaw(no_slip), SlidingLaw(law), SlidingLaw(LinearSliding{1e4, {mu, 0}})}) {
+  for (const SlidingLaw& any :
+       {SlidingLaw(no_slip), SlidingLaw(law), SlidingLaw(LinearSliding{1e4, {mu, 0}})}) {
     SlidingHistory history = any->advance({}, closed, 0.3e-9 * Vector3d::UnitX());
     EXPECT_GT(history.spring.resistance.x(), 0);
     history = any->advance(history, open, 0.3e-9 * Vector3d::UnitX());

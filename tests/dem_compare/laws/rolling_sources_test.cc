@@ -22,7 +22,8 @@ const double modulus = reduced_modulus({71e9, 0.17}, {179e9, 0.25});
 TEST(HysteresisRolling_other_code, moment_agrees_with_the_reference) {
   const auto path = asperity::test::reference_table("05_rolling_table_hysteresis.csv");
   const CsvTable table = read_csv(path);
-  const auto load = table.numbers("P_uN"), a = table.numbers("a_nm"), moment = table.numbers("M_roll_over_alpha_Nm"),
+  const auto load = table.numbers("P_uN"), a = table.numbers("a_nm"),
+             moment = table.numbers("M_roll_over_alpha_Nm"),
              kendall = table.numbers("Kendall_F_for_dw=1mJ/m2_nN");
   ASSERT_GT(load.size(), 10u);
   const HysteresisRolling whole{1};
@@ -41,8 +42,9 @@ TEST(PlasticRolling_other_code, force_of_the_first_pass_agrees_with_the_referenc
 TEST(AdhesiveRolling_other_code, moment_and_hysteresis_force_agree_with_the_reference) {
   const auto path = asperity::test::reference_table("05_rolling_table_adhesive.csv");
   const CsvTable table = read_csv(path);
-  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"), xi = table.numbers("xi_nm"),
-             moment = table.numbers("M_DominikTielens_Nm"), force = table.numbers("F_Kendall_2a*0.1w_nN");
+  const auto pull_off = table.numbers("pulloff_uN"), load = table.numbers("P_uN"),
+             xi = table.numbers("xi_nm"), moment = table.numbers("M_DominikTielens_Nm"),
+             force = table.numbers("F_Kendall_2a*0.1w_nN");
   ASSERT_GT(load.size(), 10u);
   for (std::size_t i = 0; i < load.size(); ++i) {
     const double w = pull_off[i] * 1e-6 / (1.5 * pi * radius);
@@ -52,16 +54,20 @@ TEST(AdhesiveRolling_other_code, moment_and_hysteresis_force_agree_with_the_refe
   }
 }
 
-TEST(CreepForce_other_code, original_and_Kalkers_cubic_law_agree_with_the_reference_and_with_the_boundary_elements) {
+TEST(CreepForce_other_code,
+     original_and_Kalkers_cubic_law_agree_with_the_reference_and_with_the_boundary_elements) {
   const auto path = asperity::test::reference_table("05_rolling_table_creep_force.csv");
   const CsvTable table = read_csv(path);
-  const auto nu = table.numbers("nu"), creep = table.numbers("G*a^2*xi/(mu*P)"), linear = table.numbers("Kalker_linear"),
-             original = table.numbers("Vermeulen-Johnson_1964"), exact = table.numbers("own_BEM_extrapolated"),
+  const auto nu = table.numbers("nu"), creep = table.numbers("G*a^2*xi/(mu*P)"),
+             linear = table.numbers("Kalker_linear"), original = table.numbers("Vermeulen-Johnson_1964"),
+             exact = table.numbers("own_BEM_extrapolated"),
              kalker = table.numbers("cubic_law_with_Kalker_C(Shen-Hedrick-Elkins)");
   ASSERT_GT(nu.size(), 10u);
   for (std::size_t i = 0; i < nu.size(); ++i) {
     const bool along = table.rows[i][table.column("creep")] == "longitudinal";
-    CreepForce law{1, 1, along ? CreepForce::vermeulen_johnson_along(nu[i]) : CreepForce::vermeulen_johnson_across(nu[i])};
+    CreepForce law{
+        1, 1,
+        along ? CreepForce::vermeulen_johnson_along(nu[i]) : CreepForce::vermeulen_johnson_across(nu[i])};
     EXPECT_NEAR(law.force(creep[i], 1, 1) / original[i], 1, 1e-4);  // five digits in the table
     law.creep_coefficient = linear[i] / creep[i];
     EXPECT_NEAR(law.force(creep[i], 1, 1) / kalker[i], 1, 1e-4);
@@ -72,7 +78,8 @@ TEST(CreepForce_other_code, original_and_Kalkers_cubic_law_agree_with_the_refere
 TEST(SlidingWithSpin_other_code, force_and_moment_agree_with_the_reference) {
   const auto path = asperity::test::reference_table("04_torsion_table_slide_spin.csv");
   const CsvTable table = read_csv(path);
-  const auto eps = table.numbers("eps=v/(omega*a)"), force = table.numbers("F/(muP)_Hertz"), moment = table.numbers("T/(muPa)_Hertz");
+  const auto eps = table.numbers("eps=v/(omega*a)"), force = table.numbers("F/(muP)_Hertz"),
+             moment = table.numbers("T/(muPa)_Hertz");
   ASSERT_GT(eps.size(), 10u);
   const SlidingWithSpin law{1};
   for (std::size_t i = 0; i < eps.size(); ++i) {

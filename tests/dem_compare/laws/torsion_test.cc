@@ -24,7 +24,8 @@ test::Verified torsion_law(const std::string& what, const std::string& source) {
 TEST(Lubkin_other_code, angle_and_moment_by_the_stick_radius_agree_with_the_reference) {
   const auto path = asperity::test::reference_table("04_torsion_table_lubkin.csv");
   const CsvTable table = read_csv(path);
-  const auto c = table.numbers("c_over_a"), angle = table.numbers("theta*Gt*a^2/(mu*P)"), moment = table.numbers("M/(mu*P*a)");
+  const auto c = table.numbers("c_over_a"), angle = table.numbers("theta*Gt*a^2/(mu*P)"),
+             moment = table.numbers("M/(mu*P*a)");
   ASSERT_GE(c.size(), 10u);
   test::Largest error;
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -44,14 +45,16 @@ TEST(Lubkin_other_code, angle_at_a_moment_residual_twist_and_loop_energy_agree_w
 
   const auto cycle_path = asperity::test::reference_table("04_torsion_table_cycle.csv");
   const CsvTable cycle = read_csv(cycle_path);
-  const auto top = cycle.numbers("M*/(mu*P*a)"), residual = cycle.numbers("residual_theta*Gt*a^2/(mu*P)_at_M=0"),
+  const auto top = cycle.numbers("M*/(mu*P*a)"),
+             residual = cycle.numbers("residual_theta*Gt*a^2/(mu*P)_at_M=0"),
              energy = cycle.numbers("loop_energy*Gt*a/(mu*P)^2");
   ASSERT_GE(top.size(), 5u);
   for (std::size_t i = 0; i < top.size(); ++i) {
     const double angle = unit.angle(top[i]);
     EXPECT_NEAR(unit.angle_after_reversal(0, top[i], angle) / residual[i], 1, 1e-6);
     const auto width = [&](double moment) {  // unloading minus reloading branch
-      return unit.angle_after_reversal(moment, top[i], angle) + unit.angle_after_reversal(-moment, top[i], angle);
+      return unit.angle_after_reversal(moment, top[i], angle) +
+             unit.angle_after_reversal(-moment, top[i], angle);
     };
     double sum = 0;
     constexpr int panels = 200;
@@ -168,15 +171,19 @@ TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and
 }
 
 TEST(Rolling_analytic, moment_follows_the_direction_of_rolling_up_to_its_limit) {
-  const RollingResistance rolling{7.9e-4, 571.4e-6, LengthScale::particle_radius,
+  const RollingResistance rolling{7.9e-4,
+                                  571.4e-6,
+                                  LengthScale::particle_radius,
                                   {RotationalStiffness::Kind::tangential_spring, 11.7989e9}};
   const Eigen::Vector3d axis = Eigen::Vector3d(3, 4, 0) / 5;
   const RollingHistory history = RollingLaw(rolling)->advance({}, normal, lever, 0.1 * axis);
-  EXPECT_LT((history.resistance - 7.9e-4 * lever * 671.4e-6 * axis).norm(), 1e-14 * history.resistance.norm());
+  EXPECT_LT((history.resistance - 7.9e-4 * lever * 671.4e-6 * axis).norm(),
+            1e-14 * history.resistance.norm());
 }
 
 TEST(Rolling_analytic, without_a_positive_limit_there_is_no_resistance) {
-  const RollingResistance rolling{7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
+  const RollingResistance rolling{
+      7.9e-4, -2e-4, LengthScale::particle_radius, {RotationalStiffness::Kind::constant, 1e-9}};
   EXPECT_EQ(RollingLaw(rolling)->advance({}, normal, lever, Eigen::Vector3d::UnitX()).resistance.norm(), 0);
 }
 

@@ -19,7 +19,9 @@ constexpr double radius = 8.5e-6, other_radius = 3e-6;
 /// Random vectors of a given size and random rotations, the same in every run.
 class Chance {
  public:
-  Vector3d vector(double size) { return size * Vector3d(normal_(engine_), normal_(engine_), normal_(engine_)); }
+  Vector3d vector(double size) {
+    return size * Vector3d(normal_(engine_), normal_(engine_), normal_(engine_));
+  }
   Quaterniond rotation() {
     return Quaterniond(normal_(engine_), normal_(engine_), normal_(engine_), normal_(engine_)).normalized();
   }
@@ -36,8 +38,12 @@ class Chance {
 struct Observer {
   Vector3d shift;
   Quaterniond turn;
-  Placement sees(const Placement& body) const { return {turn * body.position + shift, turn * body.orientation}; }
-  PlanePlacement sees(const PlanePlacement& plane) const { return {sees(static_cast<const Placement&>(plane)), plane.normal}; }
+  Placement sees(const Placement& body) const {
+    return {turn * body.position + shift, turn * body.orientation};
+  }
+  PlanePlacement sees(const PlanePlacement& plane) const {
+    return {sees(static_cast<const Placement&>(plane)), plane.normal};
+  }
 };
 
 /// Lengths are counted in radii.
@@ -59,15 +65,19 @@ test::Verified observers(const char* contact) {
           "the same motion"};
 }
 
-TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_motion_between_spheres_the_same) {
+TEST(ContactMotion_analytic,
+     any_rotation_and_shift_of_the_observer_leaves_the_motion_between_spheres_the_same) {
   Chance chance;
   test::Largest difference;
   for (int i = 0; i < 200; ++i) {
     const Placement other{chance.vector(1e-6), chance.rotation()};
-    const Placement particle{other.position + (radius + other_radius - 1e-8) * (chance.rotation() * Vector3d::UnitX()),
-                             chance.rotation()};
-    const Placement particle_after = chance.near(particle, 1e-7, 0.3), other_after = chance.near(other, 1e-7, 0.3);
-    const Observer before{chance.vector(1e-5), chance.rotation()}, after{chance.vector(1e-5), chance.rotation()};
+    const Placement particle{
+        other.position + (radius + other_radius - 1e-8) * (chance.rotation() * Vector3d::UnitX()),
+        chance.rotation()};
+    const Placement particle_after = chance.near(particle, 1e-7, 0.3),
+                    other_after = chance.near(other, 1e-7, 0.3);
+    const Observer before{chance.vector(1e-5), chance.rotation()},
+        after{chance.vector(1e-5), chance.rotation()};
     for (const LeverArm lever : {LeverArm::distance_to_contact, LeverArm::particle_radius})
       for (const HistorySpin spin : {HistorySpin::mean_of_bodies, HistorySpin::other_body})
         count_difference(
@@ -84,11 +94,14 @@ TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_m
   Chance chance;
   test::Largest difference;
   for (int i = 0; i < 200; ++i) {
-    const PlanePlacement plane{{chance.vector(1e-6), chance.rotation()}, chance.rotation() * Vector3d::UnitZ()};
-    const Placement sphere{plane.position + (radius - 1e-8) * (plane.orientation * plane.normal), chance.rotation()};
+    const PlanePlacement plane{{chance.vector(1e-6), chance.rotation()},
+                               chance.rotation() * Vector3d::UnitZ()};
+    const Placement sphere{plane.position + (radius - 1e-8) * (plane.orientation * plane.normal),
+                           chance.rotation()};
     const Placement sphere_after = chance.near(sphere, 1e-7, 0.3);
     const PlanePlacement plane_after{chance.near(plane, 1e-7, 0.3), plane.normal};
-    const Observer before{chance.vector(1e-5), chance.rotation()}, after{chance.vector(1e-5), chance.rotation()};
+    const Observer before{chance.vector(1e-5), chance.rotation()},
+        after{chance.vector(1e-5), chance.rotation()};
     for (const HistorySpin spin : {HistorySpin::mean_of_bodies, HistorySpin::other_body})
       count_difference(
           difference,
@@ -104,11 +117,13 @@ TEST(ContactMotion_analytic, any_rotation_and_shift_of_the_observer_leaves_the_m
 TEST(ContactMotion_analytic, a_pair_that_turns_as_one_body_moves_in_no_mode_and_carries_its_history_along) {
   Chance chance;
   const Placement other{chance.vector(1e-6), chance.rotation()};
-  const Placement particle{other.position + (radius + other_radius - 1e-8) * (chance.rotation() * Vector3d::UnitX()),
-                           chance.rotation()};
+  const Placement particle{
+      other.position + (radius + other_radius - 1e-8) * (chance.rotation() * Vector3d::UnitX()),
+      chance.rotation()};
   const Observer whole{chance.vector(1e-5), chance.rotation()};
-  const ContactMotion motion = sphere_on_sphere(particle, whole.sees(particle), radius, other, whole.sees(other),
-                                                other_radius, LeverArm::distance_to_contact);
+  const ContactMotion motion =
+      sphere_on_sphere(particle, whole.sees(particle), radius, other, whole.sees(other), other_radius,
+                       LeverArm::distance_to_contact);
   EXPECT_LT(motion.sliding.norm(), 1e-13 * radius);
   EXPECT_LT(motion.rolling.norm(), 1e-13);
   EXPECT_NEAR(motion.torsion, 0, 1e-13);
@@ -126,10 +141,11 @@ TEST(ContactMotion_analytic, small_steps_are_the_velocities_times_the_time) {
     const BodyVelocity p{particle.position, chance.vector(1e-6), chance.vector(1)},
         o{other.position, chance.vector(1e-6), chance.vector(1)};
     const auto moved = [&](const Placement& body, const BodyVelocity& v) {
-      return Placement{body.position + time * v.velocity, rotation_by(time * v.angular_velocity) * body.orientation};
+      return Placement{body.position + time * v.velocity,
+                       rotation_by(time * v.angular_velocity) * body.orientation};
     };
-    const ContactMotion step = sphere_on_sphere(particle, moved(particle, p), radius, other, moved(other, o), other_radius,
-                                                LeverArm::distance_to_contact);
+    const ContactMotion step = sphere_on_sphere(particle, moved(particle, p), radius, other, moved(other, o),
+                                                other_radius, LeverArm::distance_to_contact);
     const RelativeVelocity rate =
         relative_velocity(p, o, particle.position - (radius - approach / 2) * normal, normal);
     EXPECT_NEAR((step.approach - approach) / time, rate.approach, 1e-5 * 1e-6);  // of a speed of about 1 um/s
@@ -172,8 +188,10 @@ Placement resting() { return {(radius - 6e-9) * Vector3d::UnitZ(), Quaterniond::
 TEST(ContactMotion_analytic, a_sphere_that_rolls_on_a_plane_without_slip_only_rolls) {
   const Placement before = resting();
   const double angle = 1e-3, lever = radius - 6e-9;
-  const Placement after{before.position + lever * angle * Vector3d::UnitX(), rotation_by(angle * Vector3d::UnitY())};
-  const ContactMotion motion = sphere_on_plane(before, after, radius, ground, ground, LeverArm::distance_to_contact);
+  const Placement after{before.position + lever * angle * Vector3d::UnitX(),
+                        rotation_by(angle * Vector3d::UnitY())};
+  const ContactMotion motion =
+      sphere_on_plane(before, after, radius, ground, ground, LeverArm::distance_to_contact);
   EXPECT_LT(motion.sliding.norm(), 1e-15 * radius);
   EXPECT_LT((motion.rolling - angle * Vector3d::UnitY()).norm(), 1e-15);
   EXPECT_EQ(motion.torsion, 0);
@@ -182,12 +200,13 @@ TEST(ContactMotion_analytic, a_sphere_that_rolls_on_a_plane_without_slip_only_ro
 TEST(ContactMotion_analytic, a_sphere_that_spins_on_a_plane_only_twists_and_its_history_turns_half_as_far) {
   const Placement before = resting();
   const Placement after{before.position, rotation_by(0.2 * Vector3d::UnitZ())};
-  const ContactMotion motion = sphere_on_plane(before, after, radius, ground, ground, LeverArm::distance_to_contact);
+  const ContactMotion motion =
+      sphere_on_plane(before, after, radius, ground, ground, LeverArm::distance_to_contact);
   EXPECT_LT(motion.sliding.norm() + motion.rolling.norm() * radius, 1e-15 * radius);
   EXPECT_NEAR(motion.torsion, 0.2, 1e-14);
   EXPECT_LT((rotation_vector(motion.frame_rotation) - 0.1 * Vector3d::UnitZ()).norm(), 1e-14);
-  const ContactMotion with_plane = sphere_on_plane(before, after, radius, ground, ground, LeverArm::distance_to_contact,
-                                                   HistorySpin::other_body);
+  const ContactMotion with_plane = sphere_on_plane(before, after, radius, ground, ground,
+                                                   LeverArm::distance_to_contact, HistorySpin::other_body);
   EXPECT_LT(rotation_vector(with_plane.frame_rotation).norm(), 1e-14);
 }
 
@@ -209,7 +228,8 @@ ContactModel sample_model() {
   return model;
 }
 
-/// Largest difference over 200 steps, over the limit of the lateral force, between a history and what an observer who turns all the time makes of it.
+/// Largest difference over 200 steps, over the limit of the lateral force, between a history and what an
+/// observer who turns all the time makes of it.
 double largest_difference(const ContactModel& model) {
   Chance chance;
   double largest = 0;
@@ -227,8 +247,9 @@ double largest_difference(const ContactModel& model) {
     const Observer observer_after{observer.shift + chance.vector(1e-6), chance.rotation()};
     const LeverArm lever = model.lever;
     rest = advance(model, rest, sphere_on_plane(sphere, sphere_after, radius, plane, plane_after, lever));
-    moving = advance(model, moving, sphere_on_plane(observer.sees(sphere), observer_after.sees(sphere_after), radius,
-                                                    observer.sees(plane), observer_after.sees(plane_after), lever));
+    moving = advance(model, moving,
+                     sphere_on_plane(observer.sees(sphere), observer_after.sees(sphere_after), radius,
+                                     observer.sees(plane), observer_after.sees(plane_after), lever));
     sphere = sphere_after;
     plane = plane_after;
     observer = observer_after;
@@ -260,7 +281,8 @@ TEST(ContactModel_analytic, every_resistance_acts_against_its_motion) {
   EXPECT_GT(slid.moment.y(), 0);  // friction at the bottom turns the particle forward
   EXPECT_NEAR(slid.moment.y() / (-slid.force.x() * slid.lever), 1, 1e-12);
   const double angle = 1e-6;
-  const ContactModelState rolled = after((radius - 6e-9) * angle * Vector3d::UnitX(), angle * Vector3d::UnitY());
+  const ContactModelState rolled =
+      after((radius - 6e-9) * angle * Vector3d::UnitX(), angle * Vector3d::UnitY());
   EXPECT_LT(rolled.moment.y(), 0);
   EXPECT_LT(std::abs(rolled.force.x()), 1e-12);
   EXPECT_LT(after(Vector3d::Zero(), angle * Vector3d::UnitZ()).moment.z(), 0);
@@ -282,7 +304,8 @@ TEST(ContactModel_analytic, viscous_forces_brake_and_obey_the_sliders_limits) {
   EXPECT_NEAR((fast.force.z() - f) / (0.5 * std::sqrt(5.7e-12 * rest.normal.stiffness) * 1e-4), 1, 1e-10);
   EXPECT_NEAR(fast.force.x() / (-0.23 * (f + 12e-6)), 1, 1e-12);
   EXPECT_NEAR(fast.moment.z() / (-0.0056 * rest.lever * f), 1, 1e-12);
-  EXPECT_NEAR((fast.moment.y() + fast.force.x() * rest.lever) / (-7.9e-4 * rest.lever * (f + 571e-6)), 1, 1e-10);
+  EXPECT_NEAR((fast.moment.y() + fast.force.x() * rest.lever) / (-7.9e-4 * rest.lever * (f + 571e-6)), 1,
+              1e-10);
 }
 
 }  // namespace

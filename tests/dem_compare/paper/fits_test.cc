@@ -44,12 +44,15 @@ TEST(PaperFits_analytic, standard_errors_of_friction_and_offset_are_the_scatter_
   FrictionFit fit;
   for (int i = 0; i < series_count; ++i) {
     std::vector<FrictionPoint> series;
-    for (double f = 1e-4; f < 3.05e-3; f += 2e-4) series.push_back({f, {7.9e-4 * (f + 571.4e-6) + noise(random), 1e-7}});
+    for (double f = 1e-4; f < 3.05e-3; f += 2e-4)
+      series.push_back({f, {7.9e-4 * (f + 571.4e-6) + noise(random), 1e-7}});
     fit = fit_friction(series, [](double) { return 1.0; });
     const double mu = fit.coefficient.value, h = fit.offset.value;
     mu_sum += mu, mu_squares += mu * mu, h_sum += h, h_squares += h * h;
   }
-  const auto sd = [&](double sum, double squares) { return std::sqrt(squares / series_count - sum * sum / series_count / series_count); };
+  const auto sd = [&](double sum, double squares) {
+    return std::sqrt(squares / series_count - sum * sum / series_count / series_count);
+  };
   // The sd of 2000 series is known to 1/(2*2000)^(1/2) = 1.6 %; 5 % is three times that.
   EXPECT_NEAR(sd(mu_sum, mu_squares) / fit.coefficient.sd, 1, 0.05);
   EXPECT_NEAR(sd(h_sum, h_squares) / fit.offset.sd, 1, 0.05);
@@ -57,7 +60,9 @@ TEST(PaperFits_analytic, standard_errors_of_friction_and_offset_are_the_scatter_
 }
 
 TEST(PaperFits_behaviour, friction_needs_three_points) {
-  EXPECT_NE(message_of<InputError>([] { fit_friction({{1, {1}}, {2, {2}}}, [](double) { return 1.0; }); }).find("needs three points"),
+  EXPECT_NE(message_of<InputError>([] {
+              fit_friction({{1, {1}}, {2, {2}}}, [](double) { return 1.0; });
+            }).find("needs three points"),
             std::string::npos);
 }
 
@@ -78,7 +83,8 @@ TEST(PaperFits_analytic, exponential_goes_through_three_points_and_finds_itself_
   EXPECT_NEAR(three.law.d / law.d, 1, 1e-9);
   EXPECT_NEAR(three.law.b / law.b, 1, 1e-9);
   EXPECT_NEAR(three.chi2, 0, 1e-12);
-  // At one of its own points the law is as uncertain as the point: its sd, and that of its place along the slope.
+  // At one of its own points the law is as uncertain as the point: its sd, and that of its place along the
+  // slope.
   const double slope = law.c / law.d * std::exp(-0.3e-9 / law.d);
   EXPECT_NEAR(three.at({0.3e-9}).sd / std::hypot(2e-5, slope * 0.1e-9), 1, 1e-4);
   for (const double rms : {0.9e-9, 2.0e-9, 4e-9}) {
@@ -93,8 +99,14 @@ TEST(PaperFits_analytic, exponential_goes_through_three_points_and_finds_itself_
 }
 
 TEST(PaperFits_behaviour, exponential_refuses_points_that_do_not_decay) {
-  EXPECT_NE(message_of<WorkError>([] { fit_exponential({{0}, {1}, {2}}, {{3}, {2}, {0}}); }).find("no decaying exponential"), std::string::npos);
-  EXPECT_NE(message_of<InputError>([] { fit_exponential({{0}, {1}}, {{3}, {2}}); }).find("three points or more"), std::string::npos);
+  EXPECT_NE(message_of<WorkError>([] {
+              fit_exponential({{0}, {1}, {2}}, {{3}, {2}, {0}});
+            }).find("no decaying exponential"),
+            std::string::npos);
+  EXPECT_NE(message_of<InputError>([] {
+              fit_exponential({{0}, {1}}, {{3}, {2}});
+            }).find("three points or more"),
+            std::string::npos);
 }
 
 TEST(PaperFits_analytic, rail_is_pure_rolling_when_flat_and_pure_torsion_when_upright) {
@@ -110,15 +122,22 @@ TEST(PaperFits_analytic, torsion_force_gives_back_the_torsion_that_made_the_rail
   for (const double angle : {0.4, 0.8, 1.05})
     for (const double f : {1e-4, 1e-3}) {
       const double lateral = rail_friction(angle, friction) * (f + rail_offset(angle, friction));
-      EXPECT_NEAR(torsion_force(angle, lateral, f, friction.rolling, friction.rolling_offset) / (0.0056 * (f + 40e-6)), 1, 1e-12);
-      EXPECT_NEAR(torsion_from_rail(angle, rail_friction(angle, friction), friction.rolling) / 0.0056, 1, 1e-12);
-      EXPECT_NEAR(torsion_offset_from_rail(angle, rail_friction(angle, friction), rail_offset(angle, friction), friction) / 40e-6, 1, 1e-9);
+      EXPECT_NEAR(torsion_force(angle, lateral, f, friction.rolling, friction.rolling_offset) /
+                      (0.0056 * (f + 40e-6)),
+                  1, 1e-12);
+      EXPECT_NEAR(torsion_from_rail(angle, rail_friction(angle, friction), friction.rolling) / 0.0056, 1,
+                  1e-12);
+      EXPECT_NEAR(torsion_offset_from_rail(angle, rail_friction(angle, friction),
+                                           rail_offset(angle, friction), friction) /
+                      40e-6,
+                  1, 1e-9);
     }
 }
 
 TEST(PaperFits_analytic, undamped_hertz_collision_gives_everything_back) {
   EXPECT_NEAR(hertz_restitution(0), 1, 1e-8);
-  // gamma = 2 (5/6)^(1/2) beta (m k)^(1/2) with k = 2 E* a, beta = -ln e/(ln^2 e + pi^2)^(1/2) (Tsuji et al. 1992; Thornton et al. 2013).
+  // gamma = 2 (5/6)^(1/2) beta (m k)^(1/2) with k = 2 E* a, beta = -ln e/(ln^2 e + pi^2)^(1/2) (Tsuji et al.
+  // 1992; Thornton et al. 2013).
   for (const double e : {0.97, 0.5}) {
     const double beta = -std::log(e) / std::hypot(std::log(e), std::acos(-1.0));
     EXPECT_NEAR(hertz_damping_factor(e), 2 * std::sqrt(5.0 / 6) * beta, 2e-3 * 2 * beta);

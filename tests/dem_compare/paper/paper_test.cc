@@ -1,4 +1,5 @@
-// The paper's numbers recomputed from its Table 1 and 2; expected values were worked out independently of this program.
+// The paper's numbers recomputed from its Table 1 and 2; expected values were worked out independently of
+// this program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,9 @@ const PaperAnalysis& analysis() {
   return all;
 }
 
-double computed(const std::string& section, const std::string& what) { return analysis().number(section, what).computed->value; }
+double computed(const std::string& section, const std::string& what) {
+  return analysis().number(section, what).computed->value;
+}
 
 double sigma(const std::string& section, const std::string& what) {
   const PaperNumber& number = analysis().number(section, what);
@@ -36,9 +39,10 @@ struct Pair {
 
 TEST(PaperElasticity_other_code, moduli_contact_radii_and_pressures_of_the_three_pairs) {
   const std::string in = "Hertz and Mindlin";
-  for (const Pair& pair : {Pair{"silicon", 52.8684, 11.7989, 10.8668, 0.2293, 6.186, 0.4940, 0.7125, 2.821, 1.881},
-                           Pair{"diamond", 68.7268, 15.6407, 14.5543, 0.2101, 5.194, 0.4527, 0.6529, 3.361, 2.240},
-                           Pair{"fused quartz", 36.5565, 8.2901, 7.6967, 0.2593, 7.912, 0.5587, 0.8058, 2.206, 1.471}}) {
+  for (const Pair& pair :
+       {Pair{"silicon", 52.8684, 11.7989, 10.8668, 0.2293, 6.186, 0.4940, 0.7125, 2.821, 1.881},
+        Pair{"diamond", 68.7268, 15.6407, 14.5543, 0.2101, 5.194, 0.4527, 0.6529, 3.361, 2.240},
+        Pair{"fused quartz", 36.5565, 8.2901, 7.6967, 0.2593, 7.912, 0.5587, 0.8058, 2.206, 1.471}}) {
     const std::string on = std::string("sphere on ") + pair.plane + ": ";
     EXPECT_NEAR(computed(in, on + "E*") / 1e9, pair.E, 5e-5 + 1e-9);
     EXPECT_NEAR(computed(in, on + "G*") / 1e9, pair.G, 5e-5 + 1e-9);
@@ -87,7 +91,8 @@ TEST(PaperSliding_other_code, fitted_modulus_is_that_of_the_caption_and_travels_
 
 TEST(PaperRolling_other_code, friction_law_reproduces_table_2_and_the_offset_law_does_not) {
   const std::string in = "Rolling against roughness";
-  const double friction[] = {7.853e-4, 4.626e-4, 3.484e-4}, offset[] = {659e-6, 1961e-6, 2553e-6}, off_by[] = {1.6, 6.8, 3.5};
+  const double friction[] = {7.853e-4, 4.626e-4, 3.484e-4}, offset[] = {659e-6, 1961e-6, 2553e-6},
+               off_by[] = {1.6, 6.8, 3.5};
   int i = 0;
   for (const std::string surface : {"untreated", "etched 1600 W", "etched 1800 W"}) {
     EXPECT_NEAR(computed(in, surface + ": eq:murofit as printed"), friction[i], 5.1e-8);
@@ -107,7 +112,8 @@ TEST(PaperRolling_other_code, friction_law_reproduces_table_2_and_the_offset_law
   const double untreated[] = {1.00, 1.23, 1.21};
   i = 0;
   for (const std::string load : {"0.1", "1", "3"})
-    EXPECT_NEAR(computed(in, "untreated: force with lambda = a over that with r, " + load + " mN"), untreated[i++], 0.005);
+    EXPECT_NEAR(computed(in, "untreated: force with lambda = a over that with r, " + load + " mN"),
+                untreated[i++], 0.005);
   EXPECT_NEAR(computed(in, "etched 1800 W: force with lambda = a over that with r, 0.1 mN"), 0.75, 0.005);
   EXPECT_NEAR(computed(in, "etched 1600 W: force with lambda = a over that with r, 1 mN"), 1.32, 0.005);
 }
@@ -146,7 +152,8 @@ TEST(PaperTorsion_other_code, scalings_agree_at_one_load_only_and_the_gap_to_sli
   EXPECT_NEAR(computed(in, "mu_l of the glued sphere in the 25 deg rail"), 0.236, 5e-4);
   EXPECT_NEAR(computed(in, "the same with h_l = 7.76 uN"), 0.207, 5e-4);
   EXPECT_NEAR(computed(in, "mu_l of the glued sphere if 26 uN is the force on one slope"), 0.47, 5e-3);
-  EXPECT_NEAR(computed(in, "mu_l of the glued sphere if 26 uN is the force on one slope, with h_l = 7.76 uN"), 0.41, 5e-3);
+  EXPECT_NEAR(computed(in, "mu_l of the glued sphere if 26 uN is the force on one slope, with h_l = 7.76 uN"),
+              0.41, 5e-3);
   EXPECT_NEAR(computed(in, "lateral force that mu_l = 0.63 gives") / 1e-6, 79, 0.5);
   EXPECT_NEAR(computed(in, "lateral force that mu_l = 0.72 gives") / 1e-6, 91, 0.5);
   EXPECT_NEAR(computed(in, "(2/3) mu_l over mu_to, mu_l of the glued sphere"), 2.46, 0.006);
@@ -165,7 +172,8 @@ TEST(PaperTorsion_other_code, scalings_agree_at_one_load_only_and_the_gap_to_sli
 
 TEST(PaperMagnitudes_other_code, ratios_of_forces_and_offsets) {
   const std::string in = "Orders of magnitude";
-  const double low[] = {49, 80, 94}, high[] = {246, 787, 1111}, orders[] = {2.25, 2.71, 3.03}, times[] = {3.75, 1.65, 4.08};
+  const double low[] = {49, 80, 94}, high[] = {246, 787, 1111}, orders[] = {2.25, 2.71, 3.03},
+               times[] = {3.75, 1.65, 4.08};
   int i = 0;
   for (const std::string surface : {"untreated", "etched 1600 W", "etched 1800 W"}) {
     EXPECT_NEAR(computed(in, surface + ": sliding over rolling force at 0.1 mN"), low[i], 0.5);
@@ -194,7 +202,8 @@ TEST(Paper_analytic, partial_slip_loop_has_mindlins_slope_after_reversal_and_sli
   for (const auto& curve : analysis().curves) {
     if (curve.name != "fig_slide") continue;
     const auto &x = curve.values[0], &partial = curve.values[2];
-    EXPECT_NEAR((partial[1] - partial[0]) / (x[1] - x[0]), 21645, 0.03 * 21645);  // the secant over 0.25 nm is 2 % softer
+    EXPECT_NEAR((partial[1] - partial[0]) / (x[1] - x[0]), 21645,
+                0.03 * 21645);  // the secant over 0.25 nm is 2 % softer
     for (std::size_t i = 0; i < x.size() / 2; ++i)
       if (x[i] + 1e-6 > 2 * 1.594e-9) {
         EXPECT_NEAR(partial[i], 23e-6, 1e-11);
@@ -204,25 +213,54 @@ TEST(Paper_analytic, partial_slip_loop_has_mindlins_slope_after_reversal_and_sli
 
 TEST(Paper_behaviour, text_shows_remarks_beside_numbers_and_json_and_csv_hold_all_of_them) {
   const std::string text = paper_text(analysis());
-  for (const char* part : {"Table 1", "Table 2", "Mindlin's G* has (2 - nu)", "mu_s belongs inside of the fraction", "+6.81", "fig_rail_2.csv",
-                           "1.36 GPa would need", "a negative offset has no meaning", "it uses eq:barmuro", "it is mu_s^to",
-                           "2 cos(theta) = 1", "would drive the motion", "it is -d delta/dt", "it is -f_s^l", "it is r_s", "does not give the figures",
-                           "'2-3 orders of magnitude'", "h_l is not monotonic", "no threshold of 100 uN", "above the yield stress of 3 GPa",
-                           "contacts stay elastic for this reason", "the conclusion says 0.065", "bought as 17.3", "not the same effect",
-                           "'cannot be defined'", "not equivalent over the measured loads", "2/3 is 13 % above it", "the friction measured in the rail itself",
-                           "finite elements are not to be compared with it", "first yield needs 4.8 GPa", "no contact of the paper gives 1.36 GPa"})
+  for (const char* part : {"Table 1",
+                           "Table 2",
+                           "Mindlin's G* has (2 - nu)",
+                           "mu_s belongs inside of the fraction",
+                           "+6.81",
+                           "fig_rail_2.csv",
+                           "1.36 GPa would need",
+                           "a negative offset has no meaning",
+                           "it uses eq:barmuro",
+                           "it is mu_s^to",
+                           "2 cos(theta) = 1",
+                           "would drive the motion",
+                           "it is -d delta/dt",
+                           "it is -f_s^l",
+                           "it is r_s",
+                           "does not give the figures",
+                           "'2-3 orders of magnitude'",
+                           "h_l is not monotonic",
+                           "no threshold of 100 uN",
+                           "above the yield stress of 3 GPa",
+                           "contacts stay elastic for this reason",
+                           "the conclusion says 0.065",
+                           "bought as 17.3",
+                           "not the same effect",
+                           "'cannot be defined'",
+                           "not equivalent over the measured loads",
+                           "2/3 is 13 % above it",
+                           "the friction measured in the rail itself",
+                           "finite elements are not to be compared with it",
+                           "first yield needs 4.8 GPa",
+                           "no contact of the paper gives 1.36 GPa"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   const auto json = nlohmann::json::parse(paper_json(analysis()));
   EXPECT_EQ(json["sections"].size(), analysis().sections.size());
   EXPECT_EQ(json["curves"].size(), 11u);
   const std::string csv = paper_csv(analysis().sections[1]);
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), analysis().sections[1].numbers.size() + 1);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+            analysis().sections[1].numbers.size() + 1);
 }
 
 TEST(Paper_behaviour, refuses_published_numbers_that_are_not_there) {
   const test::TemporaryFolder folder;
-  EXPECT_NE(test::message_of<InputError>([&] { read_published(folder.path); }).find("bodies.csv"), std::string::npos);
-  EXPECT_NE(test::message_of<InputError>([] { published().quoted("torsion_q"); }).find("there is no quantity 'torsion_q'"), std::string::npos);
+  EXPECT_NE(test::message_of<InputError>([&] { read_published(folder.path); }).find("bodies.csv"),
+            std::string::npos);
+  EXPECT_NE(test::message_of<InputError>([] {
+              published().quoted("torsion_q");
+            }).find("there is no quantity 'torsion_q'"),
+            std::string::npos);
 }
 
 }  // namespace

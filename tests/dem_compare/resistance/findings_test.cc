@@ -1,4 +1,5 @@
-// Studies made from known laws: the answers must be those that went in, and "cannot tell" where too little did.
+// Studies made from known laws: the answers must be those that went in, and "cannot tell" where too little
+// did.
 #include "dem_compare/resistance/findings.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,8 @@ std::vector<StudyEntry> scaled(bool with_contact) {
 }
 
 /// Sliding and rolling on three surfaces; relative changes per nm of RMS of what slip and yielding take.
-std::vector<StudyEntry> of_roughness(double slip, double yielding, int realisations = 1, double noise = 0.05) {
+std::vector<StudyEntry> of_roughness(double slip, double yielding, int realisations = 1,
+                                     double noise = 0.05) {
   std::vector<StudyEntry> entries;
   unsigned random = 50;
   for (const double rms : {0.3, 1.5, 2.7})
@@ -69,8 +71,10 @@ std::vector<StudyEntry> of_roughness(double slip, double yielding, int realisati
 
 /// A study as it is read; keeps what the findings point into.
 struct Study {
-  explicit Study(const std::vector<StudyEntry>& entries, const std::optional<Published>& published = std::nullopt)
-      : findings(find_resistances(collect_cases({test::write_moving_study(root.path, entries)}), published)) {}
+  explicit Study(const std::vector<StudyEntry>& entries,
+                 const std::optional<Published>& published = std::nullopt)
+      : findings(find_resistances(collect_cases({test::write_moving_study(root.path, entries)}), published)) {
+  }
   TemporaryFolder root;
   ResistanceFindings findings;
 };
@@ -91,7 +95,8 @@ TEST(LengthScale_analytic, moments_that_follow_the_contact_radius_are_told_to) {
     EXPECT_LT(std::abs(exponent.from_contact()), 3) << exponent.over << " " << exponent.what;
     EXPECT_GT(std::abs(exponent.from_radius()), 3) << exponent.over << " " << exponent.what;
   }
-  EXPECT_NE(answers(study.findings).headline.find("Length of rolling resistance: lambda = a"), std::string::npos);
+  EXPECT_NE(answers(study.findings).headline.find("Length of rolling resistance: lambda = a"),
+            std::string::npos);
 }
 
 TEST(LengthScale_analytic, moments_that_follow_the_particle_radius_are_told_to) {
@@ -118,7 +123,9 @@ TEST(LengthScale_analytic, of_a_length_that_is_neither_the_better_one_is_named) 
   }
   const Study study(entries);
   EXPECT_EQ(study.findings.lengths.front().verdict, Verdict::neither);
-  EXPECT_NE(answers(study.findings).headline.find("neither lambda = r nor lambda = a, of the two rather lambda = r"), std::string::npos)
+  EXPECT_NE(answers(study.findings)
+                .headline.find("neither lambda = r nor lambda = a, of the two rather lambda = r"),
+            std::string::npos)
       << answers(study.findings).headline;
 }
 
@@ -149,8 +156,8 @@ TEST(LengthScale_analytic, two_loads_close_together_cannot_tell) {
 }
 
 TEST(LengthScale_analytic, an_offset_does_not_pass_for_another_length) {
-  // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is lambda =
-  // a all the same.
+  // M = mu a (P + h) with h of a third of the middle load: exponents in the load are far from 4/3, the law is
+  // lambda = a all the same.
   auto entries = scaled(true);
   for (auto& entry : entries) {
     const double moment = 1e-3 * (entry.made.load + 3e-5) * entry.made.contact_radius();
@@ -179,13 +186,14 @@ TEST(ResistanceTrend_analytic, slopes_come_back_with_their_mechanism) {
   }
   const auto said = answers(study.findings);
   EXPECT_TRUE(says(said.roughness, "What makes sliding friction rise with roughness is slip."));
-  EXPECT_TRUE(
-      says(said.roughness, "What goes into yielding falls with roughness; the resistance as a whole does not."));
+  EXPECT_TRUE(says(said.roughness,
+                   "What goes into yielding falls with roughness; the resistance as a whole does not."));
 }
 
 TEST(ResistanceTrend_analytic, no_trend_is_said_with_its_bound) {
   const Study study(of_roughness(0, 0));
-  for (const auto& trend : study.findings.trends) EXPECT_LT(std::abs(trend.relative.value), 3 * trend.relative.sd);
+  for (const auto& trend : study.findings.trends)
+    EXPECT_LT(std::abs(trend.relative.value), 3 * trend.relative.sd);
   const Study noisy(of_roughness(0.001, 0.001, 1, 0.3));
   EXPECT_EQ(noisy.findings.trends.front().sign(), Trend::Sign::none);
   EXPECT_TRUE(says(answers(noisy.findings).roughness, "has no trend within"));
@@ -244,20 +252,25 @@ TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over
   EXPECT_NEAR(trend.relative().value * nm, -0.2 / 1.7, 3 * trend.relative().sd * nm);
   EXPECT_EQ(trend.difference.sign(), Trend::Sign::falls);
   EXPECT_EQ(study.findings.trends.size(), 2u);  // with and without
-  EXPECT_TRUE(
-      says(answers(study.findings).mechanisms, "What adhesion contributes to rolling at 100 uN falls with roughness"));
+  EXPECT_TRUE(says(answers(study.findings).mechanisms,
+                   "What adhesion contributes to rolling at 100 uN falls with roughness"));
 }
 
 TEST(ResistanceInput_analytic, powers_of_what_was_put_in_come_back) {
   MovingFolder full;
-  full.experiment = "rolling", full.friction = 1e-14, full.adhesion = 2e-13, full.plastic = 3e-14, full.noise = 0.02, full.local_friction = 0.3;
+  full.experiment = "rolling", full.friction = 1e-14, full.adhesion = 2e-13, full.plastic = 3e-14,
+  full.noise = 0.02, full.local_friction = 0.3;
   full.work_of_adhesion = "77 mJ/m^2";
   MovingFolder slippery = full, dry = full, soft = full, both = full;
   slippery.local_friction = 0.15, slippery.random = 2;
   dry.work_of_adhesion = "38.5 mJ/m^2", dry.adhesion = 1e-13, dry.random = 3;
   soft.yield_stress = "1.5 GPa", soft.plastic = 9e-14, soft.random = 4;
   both.work_of_adhesion = "38.5 mJ/m^2", both.local_friction = 0.15, both.adhesion = 1e-13, both.random = 5;
-  const Study study({{"full", full}, {"half friction", slippery}, {"half adhesion", dry}, {"half yield", soft}, {"both", both}});
+  const Study study({{"full", full},
+                     {"half friction", slippery},
+                     {"half adhesion", dry},
+                     {"half yield", soft},
+                     {"both", both}});
   // Beside each other: full and each half, and both beside its two halves.
   ASSERT_EQ(study.findings.inputs.size(), 5u);
   const auto power = [&](const std::string& input, const std::string& smaller, const std::string& larger) {
@@ -266,7 +279,8 @@ TEST(ResistanceInput_analytic, powers_of_what_was_put_in_come_back) {
     ADD_FAILURE() << input;
     return InputExponent{};
   };
-  const InputExponent friction = power("local friction", "half friction", "full"), adhesion = power("works of adhesion", "half adhesion", "full"),
+  const InputExponent friction = power("local friction", "half friction", "full"),
+                      adhesion = power("works of adhesion", "half adhesion", "full"),
                       yield = power("yield stresses", "half yield", "full");
   EXPECT_NEAR(friction.factor, 2, 1e-12);
   EXPECT_NEAR(friction.exponent.value, 0, 3 * friction.exponent.sd);
@@ -274,7 +288,8 @@ TEST(ResistanceInput_analytic, powers_of_what_was_put_in_come_back) {
   EXPECT_NEAR(yield.exponent.value, std::log2(24. / 30), 3 * yield.exponent.sd);
   EXPECT_LT(adhesion.exponent.sd, 0.05);
   const auto said = answers(study.findings).inputs;
-  EXPECT_TRUE(says(said, "Rolling of half adhesion and full at 100 uN goes with the works of adhesion to the power 0.7"));
+  EXPECT_TRUE(says(
+      said, "Rolling of half adhesion and full at 100 uN goes with the works of adhesion to the power 0.7"));
   EXPECT_TRUE(says(said, "no dependence that shows"));
   // Inputs are not mechanisms that were switched off.
   EXPECT_TRUE(study.findings.contributions.empty());
@@ -282,7 +297,8 @@ TEST(ResistanceInput_analytic, powers_of_what_was_put_in_come_back) {
 
 /// Cases of one motion on each of the paper's surfaces.
 template <class Friction>
-std::vector<StudyEntry> on_the_papers_surfaces(const Published& published, const std::string& experiment, double load, const Friction& friction) {
+std::vector<StudyEntry> on_the_papers_surfaces(const Published& published, const std::string& experiment,
+                                               double load, const Friction& friction) {
   std::vector<StudyEntry> entries;
   for (const auto& surface : published.surfaces) {
     MovingFolder made;
@@ -305,15 +321,17 @@ TEST(ResistancePublished_behaviour, does_not_say_that_a_trend_agrees_with_one_th
 }
 
 TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2) {
-  // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the wrong sign
-  // must not.
+  // Sliding of the paper's contact with the paper's own numbers at 100 uN: they must agree; rolling with the
+  // wrong sign must not.
   const Published published = read_published(test::paper_run("published"));
-  auto entries = on_the_papers_surfaces(published, "sliding", 1e-4, [](const MovingFolder& made, const auto& surface) {
-    return surface.sliding.value * (made.load + surface.sliding_offset.value);
-  });
-  const auto rolling = on_the_papers_surfaces(published, "rolling", 1e-4, [](const MovingFolder& made, const auto&) {
-    return 1e-3 * made.load * made.radius * (1 - 0.2 * made.rms);
-  });
+  auto entries =
+      on_the_papers_surfaces(published, "sliding", 1e-4, [](const MovingFolder& made, const auto& surface) {
+        return surface.sliding.value * (made.load + surface.sliding_offset.value);
+      });
+  const auto rolling =
+      on_the_papers_surfaces(published, "rolling", 1e-4, [](const MovingFolder& made, const auto&) {
+        return 1e-3 * made.load * made.radius * (1 - 0.2 * made.rms);
+      });
   entries.insert(entries.end(), rolling.begin(), rolling.end());
   const Study study(entries, published);
   int sliding = 0, rolls = 0;
@@ -336,18 +354,22 @@ TEST(ResistancePublished_other_code, trends_and_magnitudes_stand_beside_table_2)
   EXPECT_EQ(rolls, 1);
 }
 
-/// The paper's sphere rolls between wafer and indenter: halves that differ, whose mean is the measured number at each load.
+/// The paper's sphere rolls between wafer and indenter: halves that differ, whose mean is the measured number
+/// at each load.
 TEST(ResistancePublished_other_code, rolling_is_set_beside_the_mean_of_both_contacts) {
   const Published published = read_published(test::paper_run("published"));
   std::vector<StudyEntry> entries;
   for (const double load : {1e-4, 1e-3, 3e-3}) {
     const double at_indenter = 3e-9 * load;
-    const auto rolled = on_the_papers_surfaces(published, "rolling", load, [&](const MovingFolder& made, const auto& surface) {
-      return 2 * surface.rolling_r.value * made.radius * (load + surface.rolling_r_offset.value) - at_indenter;
-    });
+    const auto rolled = on_the_papers_surfaces(
+        published, "rolling", load, [&](const MovingFolder& made, const auto& surface) {
+          return 2 * surface.rolling_r.value * made.radius * (load + surface.rolling_r_offset.value) -
+                 at_indenter;
+        });
     entries.insert(entries.end(), rolled.begin(), rolled.end());
     MovingFolder diamond;
-    diamond.experiment = "rolling", diamond.load = load, diamond.rms = 4, diamond.plane = {1140e9, 0.07}, diamond.friction = at_indenter;
+    diamond.experiment = "rolling", diamond.load = load, diamond.rms = 4, diamond.plane = {1140e9, 0.07},
+    diamond.friction = at_indenter;
     entries.push_back({"diamond", diamond});
   }
   const Study study(entries, published);
@@ -364,7 +386,8 @@ TEST(ResistancePublished_other_code, rolling_is_set_beside_the_mean_of_both_cont
   }
   const auto said = answers(study.findings).measurement;
   EXPECT_TRUE(says(said, "mean with the indenter's contact (diamond), over 100 uN to 3 mN, lambda = r: mu "));
-  for (const auto& remark : study.findings.published.remarks) EXPECT_EQ(remark.find("rolling"), std::string::npos) << remark;
+  for (const auto& remark : study.findings.published.remarks)
+    EXPECT_EQ(remark.find("rolling"), std::string::npos) << remark;
 }
 
 TEST(ResistanceStudy_behaviour, coarser_meshes_do_not_count_as_realisations) {
@@ -391,7 +414,8 @@ TEST(ResistanceStudy_behaviour, loads_named_among_the_variants_belong_to_one_con
 TEST(ResistanceStudy_behaviour, a_contact_goes_by_what_its_cases_labels_have_in_common) {
   MovingFolder first, heavier, rougher;
   heavier.load = 3e-4, rougher.rms = 2.7;
-  const Study study({{"1.5 nm long waves 100 uN", first}, {"1.5 nm long waves 300 uN", heavier}, {"2.7 nm", rougher}});
+  const Study study(
+      {{"1.5 nm long waves 100 uN", first}, {"1.5 nm long waves 300 uN", heavier}, {"2.7 nm", rougher}});
   ASSERT_EQ(study.findings.study.contacts.size(), 2u);
   EXPECT_EQ(study.findings.study.contacts[0].label, "1.5 nm long waves");
 }

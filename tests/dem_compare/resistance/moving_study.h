@@ -28,7 +28,8 @@ inline std::filesystem::path write_moving_study(const std::filesystem::path& roo
   for (const auto& [surface, made] : entries) {
     const std::string values[3] = {made.experiment, load_of(made), surface};
     for (int i = 0; i < 3; ++i)
-      if (std::find(labels[i].begin(), labels[i].end(), values[i]) == labels[i].end()) labels[i].push_back(values[i]);
+      if (std::find(labels[i].begin(), labels[i].end(), values[i]) == labels[i].end())
+        labels[i].push_back(values[i]);
     const std::string name = "case" + std::to_string(++number);
     write_moving(root / name, made);
     cases.push_back({{"name", name},

@@ -66,13 +66,15 @@ TEST(PairedWays_analytic, two_sds_hold_the_truth_19_times_in_20) {
   for (int i = 0; i < draws; ++i) {
     const auto common = noise(random, 0.3), own = noise(random, 0.05), others = noise(random, 0.05);
     std::vector<double> a, b;
-    for (std::size_t k = 0; k < common.size(); ++k) a.push_back(0.9 * (common[k] + own[k] - 1)), b.push_back(common[k] + others[k] - 1);
+    for (std::size_t k = 0; k < common.size(); ++k)
+      a.push_back(0.9 * (common[k] + own[k] - 1)), b.push_back(common[k] + others[k] - 1);
     const SteadyWay one = way_of(a), other = way_of(b);
     const Uncertain over = paired_ratio(one, other), less = paired_difference(one, other, WayPart::total);
     ratios += std::abs(over.value - 0.9) < 2 * over.sd;
     differences += std::abs(less.value + 0.1) < 2 * less.sd;
   }
-  // Six stretches: their autocorrelation is itself uncertain (0.935 here; 0.90 if features were twice as long).
+  // Six stretches: their autocorrelation is itself uncertain (0.935 here; 0.90 if features were twice as
+  // long).
   const auto verified = [](const std::string& what) {
     return test::Verified{
         "Reduced laws",
@@ -96,7 +98,8 @@ TEST(PairedWays_analytic, open_balances_stay_in_the_uncertainty_of_the_whole) {
 TEST(PairedWays_analytic, only_what_all_passed_is_compared) {
   std::mt19937 random(9);
   const auto powers = noise(random, 0.3);
-  const std::vector<double> later(powers.begin() + 20, powers.end());  // steady from a contact radius further on
+  const std::vector<double> later(powers.begin() + 20,
+                                  powers.end());  // steady from a contact radius further on
   const SteadyWay whole = way_of(powers), short_one = way_of(later, 20 * step);
   const auto rates = rates_in_common({&whole, &short_one}, WayPart::total);
   ASSERT_EQ(rates.size(), 2u);
@@ -111,7 +114,8 @@ TEST(PairedWays_analytic, only_what_all_passed_is_compared) {
 TEST(PairedWays_analytic, backwards_is_as_well) {
   std::mt19937 random(11);
   const auto powers = noise(random, 0.3);
-  const SteadyWay there = way_of(powers), back = way_of(powers, 0, -1), back_again = way_of(times(powers, 0.5), 0, -1);
+  const SteadyWay there = way_of(powers), back = way_of(powers, 0, -1),
+                  back_again = way_of(times(powers, 0.5), 0, -1);
   EXPECT_NEAR(paired_ratio(back_again, back).value, 0.5, 1e-9);
   EXPECT_LT(paired_ratio(back_again, back).sd, 1e-9);
   EXPECT_NEAR(paired_difference(back_again, back, WayPart::force).value, -0.5 * back.force.value, 1e-6);

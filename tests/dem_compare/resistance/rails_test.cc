@@ -15,14 +15,16 @@ using test::MovingFolder;
 using test::StudyEntry;
 using test::TemporaryFolder;
 
-constexpr double degree = M_PI / 180, rolling_moment = 0.4e-12, torsion_moment = 4e-12, share_of_torsion = 0.8;
+constexpr double degree = M_PI / 180, rolling_moment = 0.4e-12, torsion_moment = 4e-12,
+                 share_of_torsion = 0.8;
 
 /// A rail that resists by all of its rolling and 0.8 of its torsion.
 MovingFolder on_rail(double inclination) {
   MovingFolder made;
   made.experiment = "program", made.inclination = inclination, made.hills = 0.5;
   made.spin_moment = share_of_torsion * torsion_moment;
-  made.adhesion = rolling_moment * std::cos(inclination), made.friction = made.spin_moment * std::sin(inclination);
+  made.adhesion = rolling_moment * std::cos(inclination),
+  made.friction = made.spin_moment * std::sin(inclination);
   return made;
 }
 
@@ -30,12 +32,16 @@ std::vector<StudyEntry> rails_beside_separate_motions() {
   MovingFolder rolled, spun;
   rolled.experiment = "rolling", rolled.friction = 0, rolled.adhesion = rolling_moment;
   spun.experiment = "torsion", spun.friction = torsion_moment;
-  return {{"1.5 nm", rolled}, {"1.5 nm", spun}, {"1.5 nm", on_rail(60 * degree)}, {"1.5 nm", on_rail(25 * degree)}};
+  return {{"1.5 nm", rolled},
+          {"1.5 nm", spun},
+          {"1.5 nm", on_rail(60 * degree)},
+          {"1.5 nm", on_rail(25 * degree)}};
 }
 
 TEST(Rails_analytic, resistance_about_the_axis_and_its_spin_come_back) {
   const TemporaryFolder root;
-  const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, rails_beside_separate_motions())}), std::nullopt);
+  const auto findings = find_resistances(
+      collect_cases({test::write_moving_study(root.path, rails_beside_separate_motions())}), std::nullopt);
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   const auto& rails = findings.study.contacts[0].rails;
   ASSERT_EQ(rails.size(), 2u);
@@ -44,7 +50,8 @@ TEST(Rails_analytic, resistance_about_the_axis_and_its_spin_come_back) {
     const double angle = (which == 0 ? 25 : 60) * degree;
     EXPECT_NEAR(rail.inclination, angle, 1e-5);
     const double c = std::cos(angle), s = std::sin(angle);
-    const double expected = c * rolling_moment + share_of_torsion * s * torsion_moment, sum = c * rolling_moment + s * torsion_moment;
+    const double expected = c * rolling_moment + share_of_torsion * s * torsion_moment,
+                 sum = c * rolling_moment + s * torsion_moment;
     EXPECT_NEAR(rail.resistance.value / expected, 1, 1e-4);
     EXPECT_NEAR(rail.sum.value / sum, 1, 1e-4);
     EXPECT_NEAR(rail.over_sum().value, expected / sum, 1e-4);
@@ -54,7 +61,8 @@ TEST(Rails_analytic, resistance_about_the_axis_and_its_spin_come_back) {
   }
   const auto said = answers(findings).rails;
   ASSERT_EQ(said.size(), 2u);
-  EXPECT_NE(said[0].find("On a rail of 25 degrees, the contact, 100 uN across the flank"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("On a rail of 25 degrees, the contact, 100 uN across the flank"), std::string::npos)
+      << said[0];
   EXPECT_NE(said[0].find("resists its spin with 0.8"), std::string::npos) << said[0];
   const auto json = resistance_json(findings);
   EXPECT_NEAR(json["contacts"][0]["rails"][1]["over_sum"]["value"], rails[1].over_sum().value, 1e-12);
@@ -66,20 +74,23 @@ TEST(Rails_analytic, resist_alike_whichever_way_they_roll_and_spin) {
       const TemporaryFolder root;
       MovingFolder made = on_rail(45 * degree);
       made.rolls_towards = rolls, made.spins_towards = spins, made.hills = 0;
-      const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", made}})}), std::nullopt);
+      const auto findings = find_resistances(
+          collect_cases({test::write_moving_study(root.path, {{"1.5 nm", made}})}), std::nullopt);
       ASSERT_EQ(findings.study.contacts.size(), 1u);
       ASSERT_EQ(findings.study.contacts[0].rails.size(), 1u);
       const RailState& rail = findings.study.contacts[0].rails[0];
       EXPECT_NEAR(rail.inclination, 45 * degree, 1e-5);
       EXPECT_NEAR(rail.spin_moment.value / made.spin_moment, 1, 1e-4) << rolls << spins;
-      EXPECT_NEAR(rail.cases[0].first.force.value / (made.friction + made.adhesion), 1, 1e-4) << rolls << spins;
+      EXPECT_NEAR(rail.cases[0].first.force.value / (made.friction + made.adhesion), 1, 1e-4)
+          << rolls << spins;
       EXPECT_NEAR(rail.resistance.value / (made.friction + made.adhesion), 1, 1e-4) << rolls << spins;
     }
 }
 
 TEST(Rails_behaviour, without_the_separate_motions_tell_their_resistance_alone) {
   const TemporaryFolder root;
-  const auto findings = find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}), std::nullopt);
+  const auto findings = find_resistances(
+      collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}), std::nullopt);
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   EXPECT_TRUE(std::isnan(findings.study.contacts[0].rails.at(0).sum.value));
   const auto said = answers(findings).rails;
@@ -102,7 +113,8 @@ TEST(Rails_behaviour, are_programs_of_one_part_that_rolls_and_spins) {
   ASSERT_TRUE(inclination("program", "roll 850 nm and spin 100 mrad"));
   EXPECT_NEAR(*inclination("program", "roll 850 nm and spin -100 mrad"), 45 * degree, 1e-9);
   EXPECT_NEAR(*inclination("program", "roll 100 mrad and spin 173.205 mrad"), 60 * degree, 1e-6);
-  for (const char* other : {"roll 850 nm", "spin 100 mrad", "roll 850 nm and spin 100 mrad and slide 3 nm", "press 50 uN; roll 850 nm and spin 100 mrad"})
+  for (const char* other : {"roll 850 nm", "spin 100 mrad", "roll 850 nm and spin 100 mrad and slide 3 nm",
+                            "press 50 uN; roll 850 nm and spin 100 mrad"})
     EXPECT_FALSE(inclination("program", other)) << other;
   EXPECT_FALSE(inclination("rolling", "roll 850 nm and spin 100 mrad"));
 }

@@ -12,9 +12,15 @@ namespace asperity::test {
 
 inline constexpr double nm = 1e-9, uN = 1e-6;
 
-inline RecordedBody borosilicate() { return {"borosilicate", 71e9, 0.17, 8.5e-6, 0.7e-9, RecordedBody::unknown}; }
-inline RecordedBody silicon() { return {"Si(100)", 179e9, 0.25, RecordedBody::unknown, 0.3e-9, RecordedBody::unknown}; }
-inline RecordedBody diamond() { return {"diamond", 1140e9, 0.07, RecordedBody::unknown, 4e-9, RecordedBody::unknown}; }
+inline RecordedBody borosilicate() {
+  return {"borosilicate", 71e9, 0.17, 8.5e-6, 0.7e-9, RecordedBody::unknown};
+}
+inline RecordedBody silicon() {
+  return {"Si(100)", 179e9, 0.25, RecordedBody::unknown, 0.3e-9, RecordedBody::unknown};
+}
+inline RecordedBody diamond() {
+  return {"diamond", 1140e9, 0.07, RecordedBody::unknown, 4e-9, RecordedBody::unknown};
+}
 
 inline Experiment experiment(Motion mode) {
   Experiment e;

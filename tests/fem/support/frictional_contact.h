@@ -1,4 +1,5 @@
-// A smooth sphere pressed on a smooth block, shifted and spun with friction: the driver of the tangential verification tests.
+// A smooth sphere pressed on a smooth block, shifted and spun with friction: the driver of the tangential
+// verification tests.
 #pragma once
 
 #include <cmath>
@@ -20,15 +21,18 @@ struct FrictionalContactOptions {
   double slip_tolerance = 3e-3;
   bool tilted_normals = false;
   fem::AdhesionLaws adhesion;
-  double region = 1.25;  ///< half width of where surfaces can meet or attract, over the contact's larger semi-axis
+  double region =
+      1.25;        ///< half width of where surfaces can meet or attract, over the contact's larger semi-axis
   double way = 0;  ///< that the particle can roll or slide along x, centred on the origin [m]
-  bool loaded = true;             ///< or left at first touch, for loads in steps
-  double semi_axis_across = 1;    ///< of the contact's ellipse along y, over that along x: 1, or larger for a flatter particle
+  bool loaded = true;  ///< or left at first touch, for loads in steps
+  double semi_axis_across =
+      1;  ///< of the contact's ellipse along y, over that along x: 1, or larger for a flatter particle
   double yield_stress = std::numeric_limits<double>::infinity();  ///< of one body [Pa]
-  int yielding_body = 1;          ///< 0: the particle, 1: the substrate
+  int yielding_body = 1;                                          ///< 0: the particle, 1: the substrate
 };
 
-/// Hertz' ellipse whose semi-axis along y is `ratio` >= 1 times that along x (Johnson 1985, eqs. 4.26 to 4.28).
+/// Hertz' ellipse whose semi-axis along y is `ratio` >= 1 times that along x (Johnson 1985, eqs. 4.26
+/// to 4.28).
 struct HertzEllipse {
   double curvature_across;  ///< along y, over that along x
   double shape;             ///< 1/(2R) = p0 / E* shape / a; pi/4 for a circle
@@ -55,8 +59,10 @@ struct FrictionalContact {
 
   explicit FrictionalContact(const FrictionalContactOptions& o)
       : options(o),
-        reduced_modulus(1 / ((1 - o.poisson[0] * o.poisson[0]) / o.youngs[0] + (1 - o.poisson[1] * o.poisson[1]) / o.youngs[1])),
-        contact_radius(std::cbrt(3 * o.load * o.radius * HertzEllipse(o.semi_axis_across).shape / (M_PI * reduced_modulus * o.semi_axis_across))),
+        reduced_modulus(1 / ((1 - o.poisson[0] * o.poisson[0]) / o.youngs[0] +
+                             (1 - o.poisson[1] * o.poisson[1]) / o.youngs[1])),
+        contact_radius(std::cbrt(3 * o.load * o.radius * HertzEllipse(o.semi_axis_across).shape /
+                                 (M_PI * reduced_modulus * o.semi_axis_across))),
         friction_force(o.friction * o.load),
         system(MPI_COMM_WORLD, system_options(o, contact_radius)),
         solver(system, solver_options(o)),
@@ -67,14 +73,15 @@ struct FrictionalContact {
     step({});
   }
 
-  /// To another position of the particle's frame, at the same load or at `target` [N; m under displacement control]; made the
-  /// accepted state.
+  /// To another position of the particle's frame, at the same load or at `target` [N; m under displacement
+  /// control]; made the accepted state.
   fem::ContactResultants step(const fem::RigidMotion& motion) { return step(motion, options.load); }
   fem::ContactResultants step(const fem::RigidMotion& motion, double target) {
     const auto before = state.displacement;
     const auto report = solver.solve(state, target, motion);
     EXPECT_TRUE(report.converged);
-    newton = report.newton, linear = report.linear, friction_work = report.friction_work, adhesion_loss = report.adhesion_loss;
+    newton = report.newton, linear = report.linear, friction_work = report.friction_work,
+    adhesion_loss = report.adhesion_loss;
     plastic_work += system.bodies().accept(before, state.displacement).plastic_work;
     return solver.resultants(state);
   }
@@ -109,7 +116,8 @@ struct FrictionalContact {
     s.reach_particle = s.reach_substrate = o.way / 2;
     for (int b = 0; b < 2; ++b) options.materials[b] = fem::J2Material::elastic(o.youngs[b], o.poisson[b]);
     if (o.semi_axis_across > 1) {
-      const double flatter = (1 - HertzEllipse(o.semi_axis_across).curvature_across) / (2 * o.radius), widest = 1.35 * s.region_particle;
+      const double flatter = (1 - HertzEllipse(o.semi_axis_across).curvature_across) / (2 * o.radius),
+                   widest = 1.35 * s.region_particle;
       options.mesh.particle_height = [flatter](double, double y) { return flatter * y * y; };
       options.mesh.largest_height_particle = flatter * widest * widest;
     }

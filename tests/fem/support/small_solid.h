@@ -1,5 +1,5 @@
-// A small assembled finite-element solid from the solver's own hexahedron and material law, on any list of cells:
-// for problems whose shape the contact solver does not mesh (patch tests, thick-walled sphere).
+// A small assembled finite-element solid from the solver's own hexahedron and material law, on any list of
+// cells: for problems whose shape the contact solver does not mesh (patch tests, thick-walled sphere).
 #pragma once
 
 #include <Eigen/IterativeLinearSolvers>
@@ -23,7 +23,7 @@ struct SmallSolid {
   std::vector<std::array<int, 8>> cells;  ///< vertices lexicographic
   std::vector<fem::J2Material> material;  ///< of each cell
   std::vector<History> history;
-  std::vector<char> fixed;                ///< of each unknown 3 node + component, value stays as given
+  std::vector<char> fixed;  ///< of each unknown 3 node + component, value stays as given
 
   int size() const { return static_cast<int>(3 * nodes.size()); }
 
@@ -59,7 +59,8 @@ struct SmallSolid {
   }
 
   /// Deviatoric stresses, and with them history and tangents at displacement u from the accepted history.
-  std::array<fem::SymmetricTensor<V>, 8> stress(int cell, const fem::HexStrain<V>& s, History& updated, Tangents& tangents) const {
+  std::array<fem::SymmetricTensor<V>, 8> stress(int cell, const fem::HexStrain<V>& s, History& updated,
+                                                Tangents& tangents) const {
     const fem::J2Material* lane[fem::lanes];
     V shear;
     for (int l = 0; l < fem::lanes; ++l) {
@@ -68,7 +69,8 @@ struct SmallSolid {
     }
     updated = history[cell];
     std::array<fem::SymmetricTensor<V>, 8> result;
-    for (int q = 0; q < 8; ++q) fem::return_map(lane, shear, s.deviator[q], updated[q], result[q], tangents[q]);
+    for (int q = 0; q < 8; ++q)
+      fem::return_map(lane, shear, s.deviator[q], updated[q], result[q], tangents[q]);
     return result;
   }
 
@@ -86,7 +88,8 @@ struct SmallSolid {
   }
 
   /// Internal forces of all nodes; appends the tangent stiffness to `entries` where given.
-  Eigen::VectorXd internal_force(const Eigen::VectorXd& u, std::vector<Eigen::Triplet<double>>* entries) const {
+  Eigen::VectorXd internal_force(const Eigen::VectorXd& u,
+                                 std::vector<Eigen::Triplet<double>>* entries) const {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(size());
     for (int cell = 0; cell < static_cast<int>(cells.size()); ++cell) {
       History updated;
@@ -115,7 +118,8 @@ struct SmallSolid {
     return -1;
   }
 
-  Eigen::VectorXd solve_linear(const std::vector<Eigen::Triplet<double>>& entries, const Eigen::VectorXd& rhs) const {
+  Eigen::VectorXd solve_linear(const std::vector<Eigen::Triplet<double>>& entries,
+                               const Eigen::VectorXd& rhs) const {
     std::vector<Eigen::Triplet<double>> free;
     for (const auto& e : entries)
       if (!fixed[e.row()] && !fixed[e.col()]) free.push_back(e);
@@ -124,7 +128,9 @@ struct SmallSolid {
     Eigen::SparseMatrix<double> matrix(size(), size());
     matrix.setFromTriplets(free.begin(), free.end());
     if (size() < 3000) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(rhs);
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> iteration;
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
+                             Eigen::IncompleteCholesky<double>>
+        iteration;
     iteration.setTolerance(1e-6);
     iteration.compute(matrix);
     return iteration.solve(rhs);
@@ -153,7 +159,8 @@ struct SmallSolid {
       for (int q = 0; q < 8; ++q) {
         const auto& t = tangents[q];
         const V along = t.theta_bar * fem::double_contraction(t.normal, s.deviator[q]);
-        for (int c = 0; c < 6; ++c) stress[q][c] = two_shear * (t.theta * s.deviator[q][c] - along * t.normal[c]);
+        for (int c = 0; c < 6; ++c)
+          stress[q][c] = two_shear * (t.theta * s.deviator[q][c] - along * t.normal[c]);
       }
       fem::integrate_stress<double>(s, stress, material[cell].bulk_modulus * s.dilatation, forces);
       for (int v = 0; v < 8; ++v)

@@ -9,7 +9,9 @@
 namespace asperity::test {
 
 double LoadedHertz::contact_radius() const { return std::cbrt(3 * force * radius / (4 * modulus)); }
-double LoadedHertz::peak_pressure() const { return 1.5 * force / (M_PI * contact_radius() * contact_radius()); }
+double LoadedHertz::peak_pressure() const {
+  return 1.5 * force / (M_PI * contact_radius() * contact_radius());
+}
 
 namespace {
 
@@ -34,11 +36,14 @@ struct Peak {
   double stress = 0, depth = 0;
 };
 
-/// Top of the polynomial through the largest of the values and two neighbours on either side. The curve falls more gently
-/// below its top than above: a parabola through three values would put the top too deep.
+/// Top of the polynomial through the largest of the values and two neighbours on either side. The curve falls
+/// more gently below its top than above: a parabola through three values would put the top too deep.
 Peak top_of_curve(const std::vector<Peak>& values) {
   const int count = static_cast<int>(values.size());
-  const int top = static_cast<int>(std::max_element(values.begin(), values.end(), [](const Peak& a, const Peak& b) { return a.stress < b.stress; }) - values.begin());
+  const int top =
+      static_cast<int>(std::max_element(values.begin(), values.end(),
+                                        [](const Peak& a, const Peak& b) { return a.stress < b.stress; }) -
+                       values.begin());
   if (top < 2 || top + 2 >= count) return values[top];
   const auto curve = [&](double depth) {
     double sum = 0;
@@ -53,7 +58,8 @@ Peak top_of_curve(const std::vector<Peak>& values) {
   Peak peak = values[top];
   constexpr int samples = 2000;
   for (int k = 0; k <= samples; ++k) {
-    const double depth = values[top - 1].depth + (values[top + 1].depth - values[top - 1].depth) * k / samples;
+    const double depth =
+        values[top - 1].depth + (values[top + 1].depth - values[top - 1].depth) * k / samples;
     if (const double stress = curve(depth); stress > peak.stress) peak = {stress, depth};
   }
   return peak;
@@ -76,7 +82,8 @@ Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::Ce
           const double x = system.positions().local_element(3 * batch.node[v][l] + c);
           low[c] = std::min(low[c], x), high[c] = std::max(high[c], x);
         }
-      const double reach = 1e-3 * (high[0] - low[0]) + (body == 1 ? system.options().mesh.sizes.offset_substrate_x : 0.0);
+      const double reach =
+          1e-3 * (high[0] - low[0]) + (body == 1 ? system.options().mesh.sizes.offset_substrate_x : 0.0);
       if (low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach) continue;
       const double depth = std::abs(0.5 * (low[2] + high[2]));
       Column& column = by_depth[std::lround(depth / (0.05 * system.options().mesh.sizes.spacing_particle))];
@@ -92,7 +99,10 @@ Peak largest_on_axis(const fem::ContactSystem& system, const std::vector<fem::Ce
 
 struct SmoothContact::Implementation {
   explicit Implementation(const SmoothContactOptions& o)
-      : options(o), system(MPI_COMM_WORLD, system_options(o)), solver(system, {}), state(solver.first_touch()) {
+      : options(o),
+        system(MPI_COMM_WORLD, system_options(o)),
+        solver(system, {}),
+        state(solver.first_touch()) {
     far_field = solver.far_field_compliance(0.8 * o.largest_radius);
   }
   SmoothContactOptions options;
@@ -102,12 +112,15 @@ struct SmoothContact::Implementation {
   double far_field = 0, force = 0;
 };
 
-SmoothContact::SmoothContact(const SmoothContactOptions& options) : it_(std::make_unique<Implementation>(options)) {}
+SmoothContact::SmoothContact(const SmoothContactOptions& options)
+    : it_(std::make_unique<Implementation>(options)) {}
 SmoothContact::~SmoothContact() = default;
 
 double SmoothContact::reduced_modulus() const { return it_->system.reduced_modulus(); }
 long SmoothContact::unknowns() const { return static_cast<long>(it_->system.level().size()); }
-LoadedHertz SmoothContact::hertz(double force) const { return {it_->options.radius, reduced_modulus(), force}; }
+LoadedHertz SmoothContact::hertz(double force) const {
+  return {it_->options.radius, reduced_modulus(), force};
+}
 
 ContactStep SmoothContact::load(double force) {
   auto& state = it_->state;
@@ -137,7 +150,8 @@ ContactStep SmoothContact::load(double force) {
   step.converged = report.converged;
   step.reaches_rim = resultants.reaches_rim;
 
-  const auto substrate = largest_on_axis(it_->system, cells, 1), particle = largest_on_axis(it_->system, cells, 0);
+  const auto substrate = largest_on_axis(it_->system, cells, 1),
+             particle = largest_on_axis(it_->system, cells, 0);
   step.von_mises = substrate.stress, step.von_mises_depth = substrate.depth;
   step.particle_von_mises = particle.stress, step.particle_von_mises_depth = particle.depth;
   return step;

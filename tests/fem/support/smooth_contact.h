@@ -1,5 +1,5 @@
-// A smooth sphere of 8.5 um on a smooth block, driven through loads, and what Hertz predicts for it: the driver of the
-// verification tests. Plain numbers only, so that the tests need not know deal.II.
+// A smooth sphere of 8.5 um on a smooth block, driven through loads, and what Hertz predicts for it: the
+// driver of the verification tests. Plain numbers only, so that the tests need not know deal.II.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,11 @@ struct SmoothContactOptions {
   double block_half_width = 6e-6;
   double spacing = 0;         ///< of the particle's interface nodes [m]
   double largest_radius = 0;  ///< of contact that the mesh must hold [m]
-  /// Spacing of the substrate over that of the particle. Pressures live on the particle's nodes: where the particle is
-  /// much the stiffer, the substrate must be the finer mesh, or pressures oscillate that no displacement can see.
+  /// Spacing of the substrate over that of the particle. Pressures live on the particle's nodes: where the
+  /// particle is much the stiffer, the substrate must be the finer mesh, or pressures oscillate that no
+  /// displacement can see.
   double substrate_spacing = 1.1;
-  double layers = 4;          ///< of cells per distance to the contact, see ContactMeshOptions
+  double layers = 4;  ///< of cells per distance to the contact, see ContactMeshOptions
 };
 
 /// Hertz (1882), Johnson (1985) ch. 4.
@@ -36,7 +37,8 @@ struct ContactStep {
   double peak_pressure = 0;
   double reaction_driven = 0, reaction_fixed = 0;
   double elastic_energy = 0, plastic_work = 0;
-  double von_mises = 0, von_mises_depth = 0;  ///< largest below the substrate's contact, on its axis, and its depth [m]
+  double von_mises = 0,
+         von_mises_depth = 0;  ///< largest below the substrate's contact, on its axis, and its depth [m]
   double particle_von_mises = 0, particle_von_mises_depth = 0;
   double plastic_strain = 0;
   double load_step_error = 0;  ///< as stated, of the approach [m]
@@ -50,8 +52,8 @@ class SmoothContact {
   explicit SmoothContact(const SmoothContactOptions& options);
   ~SmoothContact();
 
-  /// Equilibrium at a force [N], made the new accepted state. With `guess` the bodies are first pushed together by
-  /// Hertz' approach of that force.
+  /// Equilibrium at a force [N], made the new accepted state. With `guess` the bodies are first pushed
+  /// together by Hertz' approach of that force.
   ContactStep load(double force);
 
   LoadedHertz hertz(double force) const;

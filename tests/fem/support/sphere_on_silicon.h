@@ -8,7 +8,8 @@
 namespace asperity::test {
 
 /// The paper's sphere on silicon.
-inline CaseInput sphere_on_silicon(const std::string& particle, const std::string& substrate, double spacing, double region) {
+inline CaseInput sphere_on_silicon(const std::string& particle, const std::string& substrate, double spacing,
+                                   double region) {
   CaseInput input;
   input.file = "test.prm";
   input.radius = 8.5e-6;
@@ -26,8 +27,9 @@ inline CaseInput sphere_on_silicon(const std::string& particle, const std::strin
 
 /// size: of the periodic square, where a test needs one that is not the default.
 inline std::string generated(double rms_nm, double cutoff_nm, int seed, const std::string& size = "") {
-  return "generated(rms=" + std::to_string(rms_nm) + " nm, hurst=0.8, rolloff=200 nm, cutoff=" + std::to_string(cutoff_nm) +
-         " nm, " + (size.empty() ? "" : "size=" + size + ", ") + "seed=" + std::to_string(seed) + ")";
+  return "generated(rms=" + std::to_string(rms_nm) +
+         " nm, hurst=0.8, rolloff=200 nm, cutoff=" + std::to_string(cutoff_nm) + " nm, " +
+         (size.empty() ? "" : "size=" + size + ", ") + "seed=" + std::to_string(seed) + ")";
 }
 
 }  // namespace asperity::test

@@ -4,10 +4,10 @@
 #include "core/json_text.h"
 #include "core/motion_program.h"
 #include "core/quantity.h"
+#include "core/topography_spec.h"
 #include "dem_compare/parameters/contact_parameters.h"
 #include "results/history.h"
 #include "results/solved_case.h"
-#include "core/topography_spec.h"
 #include "tests/fuzz/targets.h"
 
 namespace asperity::fuzz {
@@ -37,7 +37,8 @@ void read_parameters(const std::string& bytes) {
   } catch (const InputError&) {
     return;
   }
-  parse_contact_parameters(parse_json(again, "p.json"), "p.json");  // what is written is read, or this is a fault
+  parse_contact_parameters(parse_json(again, "p.json"),
+                           "p.json");  // what is written is read, or this is a fault
 }
 
 void read_history_file(const std::string& bytes) {
@@ -54,8 +55,9 @@ void read_result_file(const std::string& bytes) {
 
 void read_quantity(const std::string& text) {
   std::vector<std::string> written;  // of the dimension at hand
-  for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
-                                    Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness}) {
+  for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure,
+                                    Dimension::time, Dimension::angle, Dimension::speed,
+                                    Dimension::surface_energy, Dimension::area, Dimension::stiffness}) {
     written.clear();
     try {
       written.push_back(format_quantity(parse_quantity(text, dimension), dimension));
@@ -68,7 +70,9 @@ void read_quantity(const std::string& text) {
 
 void read_topography_entry(const std::string& text) {
   const TopographySpec topography(text);
-  if (topography.generator()) expect(TopographySpec(topography.canonical()).canonical() == topography.canonical(), "a surface is read as it is written");
+  if (topography.generator())
+    expect(TopographySpec(topography.canonical()).canonical() == topography.canonical(),
+           "a surface is read as it is written");
 }
 
 }  // namespace

@@ -8,14 +8,16 @@ namespace asperity::fuzz {
 namespace {
 
 void check_table(const RecordingTable& table) {
-  for (const auto& [channel, values] : table.columns) expect(values.size() == table.rows(), "columns are equally long");
+  for (const auto& [channel, values] : table.columns)
+    expect(values.size() == table.rows(), "columns are equally long");
   expect(table.segment.empty() || table.segment.size() == table.rows(), "each row has its segment");
 }
 
 /// Twenty-one samples of a loading, for recordings whose recording.json is fuzzed.
 std::string loading() {
   std::string text = "time [s],normal_displacement [nm],normal_force [uN]\n";
-  for (int i = 0; i <= 20; ++i) text += std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(i * i) + "\n";
+  for (int i = 0; i <= 20; ++i)
+    text += std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(i * i) + "\n";
   return text;
 }
 

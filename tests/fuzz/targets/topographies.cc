@@ -15,9 +15,11 @@ void check(const Topography& map) {
   expect(map.heights.size() == points, "there is a height for each point");
   expect(map.missing.empty() || map.missing.size() == points, "there is a mark for each point");
   expect(map.missing_count() < points, "some height is known");
-  expect(map.lx > 0 && map.ly > 0 && std::isfinite(map.lx) && std::isfinite(map.ly), "sides are lengths above 0");
+  expect(map.lx > 0 && map.ly > 0 && std::isfinite(map.lx) && std::isfinite(map.ly),
+         "sides are lengths above 0");
   for (std::size_t i = 0; i < points; ++i)
-    expect(std::isfinite(map.heights[i]) != (!map.missing.empty() && map.missing[i]), "what is not missing is a number");
+    expect(std::isfinite(map.heights[i]) != (!map.missing.empty() && map.missing[i]),
+           "what is not missing is a number");
   expect_utf8(map.channel);
   expect_utf8(describe(map));
 }

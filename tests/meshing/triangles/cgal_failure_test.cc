@@ -9,11 +9,13 @@ namespace {
 
 TEST(CgalFailure_behaviour, is_an_error_of_the_work_that_says_where_and_what_to_do) {
   try {
-    without_raw_failures("fill a body", "use another spacing",
-                         [] { throw CGAL::Assertion_exception("CGAL", "", "/usr/include/CGAL/Mesh_3/C3T3_helpers.h", 3819, ""); });
+    without_raw_failures("fill a body", "use another spacing", [] {
+      throw CGAL::Assertion_exception("CGAL", "", "/usr/include/CGAL/Mesh_3/C3T3_helpers.h", 3819, "");
+    });
     FAIL();
   } catch (const WorkError& error) {
-    EXPECT_EQ(std::string(error.what()), "CGAL failed to fill a body (C3T3_helpers.h, line 3819); use another spacing");
+    EXPECT_EQ(std::string(error.what()),
+              "CGAL failed to fill a body (C3T3_helpers.h, line 3819); use another spacing");
   }
 }
 

@@ -147,7 +147,7 @@ TEST(Gwy_analytic, heights_and_sizes_are_scaled_by_their_units) {
 }
 
 TEST(Gwy_file_behaviour, without_size_or_its_unit_asks_for_it) {
-  for (const std::string parts :
+  for (const std::string& parts :
        {pixels(3, 2), pixels(3, 2) + extent(0, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 0, "m"),
         pixels(3, 2) + extent(-3e-6, 2e-6, "m"), pixels(3, 2) + extent(3e-6, 2e-6, "V")})
     EXPECT_SAYS(refusal(file_of(field_with(parts))), "pass its size");

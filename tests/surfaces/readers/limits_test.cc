@@ -1,4 +1,5 @@
-// Small files that announce much: what docs/surfaces.md states about memory, measured in a process of its own.
+// Small files that announce much: what docs/surfaces.md states about memory, measured in a process of its
+// own.
 #include <netcdf.h>
 
 #include "core/read_limits.h"
@@ -31,12 +32,14 @@ std::string big_endian(std::uint32_t value) {
 }
 
 std::string x3p_main_of(int columns, int rows, const std::string& type) {
-  const std::string sized = replaced(x3p_main(type, "", ""), "<SizeX>3<", "<SizeX>" + std::to_string(columns) + "<");
+  const std::string sized =
+      replaced(x3p_main(type, "", ""), "<SizeX>3<", "<SizeX>" + std::to_string(columns) + "<");
   return replaced(sized, "<SizeY>2<", "<SizeY>" + std::to_string(rows) + "<");
 }
 
 /// NetCDF with `heights` of which nothing is written, in one of libnetcdf's formats.
-std::filesystem::path unwritten_netcdf(const std::string& name, int format, std::size_t columns, std::size_t rows) {
+std::filesystem::path unwritten_netcdf(const std::string& name, int format, std::size_t columns,
+                                       std::size_t rows) {
   const auto path = write_bytes(name, "");
   int file = 0, dims[2], heights = 0;
   EXPECT_EQ(nc_create(path.c_str(), NC_CLOBBER | format, &file), NC_NOERR);
@@ -52,22 +55,25 @@ std::filesystem::path unwritten_netcdf(const std::string& name, int format, std:
 }  // namespace
 
 TEST(Limits_of_x3p_analytic, a_size_announced_by_the_archive_alone_is_not_allocated) {
-  const auto honest =
-      write_zip("a.x3p", {{"main.xml", x3p_main_of(23000, 23000, "D")}, {"bindata/data.bin", std::string(777, '\0')}});
-  const auto lying = write_bytes("b.x3p", replaced(bytes_of(honest), raw<std::uint32_t>(777), raw<std::uint32_t>(4232000000)));
+  const auto honest = write_zip(
+      "a.x3p", {{"main.xml", x3p_main_of(23000, 23000, "D")}, {"bindata/data.bin", std::string(777, '\0')}});
+  const auto lying = write_bytes(
+      "b.x3p", replaced(bytes_of(honest), raw<std::uint32_t>(777), raw<std::uint32_t>(4232000000)));
   ASSERT_LT(std::filesystem::file_size(lying), 2000u);
   EXPECT_SAYS(refusal(lying), "b.x3p' holds 23000 x 23000 points that is too large for a file of");
   expect_refused_within(reading(lying), 32 * MiB);
-  const auto few_points = write_zip("c.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", std::string(777, '\0')}});
-  const auto lying_part =
-      write_bytes("d.x3p", replaced(bytes_of(few_points), raw<std::uint32_t>(777), raw<std::uint32_t>(4232000000)));
+  const auto few_points =
+      write_zip("c.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", std::string(777, '\0')}});
+  const auto lying_part = write_bytes(
+      "d.x3p", replaced(bytes_of(few_points), raw<std::uint32_t>(777), raw<std::uint32_t>(4232000000)));
   EXPECT_SAYS(refusal(lying_part), "d.x3p' holds a part 'bindata/data.bin' that is too large");
   expect_refused_within(reading(lying_part), 32 * MiB);
 }
 
 TEST(Limits_of_x3p_analytic, what_unpacks_to_a_thousand_times_its_size_is_refused_whatever_it_says) {
   const std::uint32_t size = 160 * MiB;
-  const auto path = write_zip("a.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", std::string(size, '\0')}});
+  const auto path = write_zip(
+      "a.x3p", {{"main.xml", x3p_main("D", "", "")}, {"bindata/data.bin", std::string(size, '\0')}});
   ASSERT_LT(std::filesystem::file_size(path), 300000u);
   EXPECT_SAYS(refusal(path), "too large");
   expect_refused_within(reading(path), 32 * MiB);
@@ -79,8 +85,8 @@ TEST(Limits_of_x3p_analytic, what_unpacks_to_a_thousand_times_its_size_is_refuse
 
 TEST(Limits_of_x3p_analytic, a_flat_map_packed_a_thousand_times_is_read) {
   const int n = 2048;
-  const auto path = write_zip(
-      "a.x3p", {{"main.xml", x3p_main_of(n, n, "D")}, {"bindata/data.bin", std::string(std::size_t{8} * n * n, '\0')}});
+  const auto path = write_zip("a.x3p", {{"main.xml", x3p_main_of(n, n, "D")},
+                                        {"bindata/data.bin", std::string(std::size_t{8} * n * n, '\0')}});
   ASSERT_LT(std::filesystem::file_size(path), 60000u);
   EXPECT_EQ(read_topography(path).nx, n);
   EXPECT_LT(reading(path).peak_bytes, 3 * read_limits::most_unpacked(0));
@@ -102,11 +108,14 @@ TEST(Limits_of_netcdf_analytic, a_header_says_how_long_its_file_is_once_it_is_wh
     return bytes;
   };
   const std::string none = number(0) + number(0), x = number(1) + std::string("x\0\0\0", 4);
-  // No records; one dimension x of 3; no attributes; one variable x(x) of doubles that begins at byte 0x5a5b5c.
-  const std::string header = "CDF\x01" + number(0) + number(10) + number(1) + x + number(3) + none + number(11) + number(1) + x + number(1) +
-                             number(0) + none + number(6) + number(24) + number(0x5a5b5c);
+  // No records; one dimension x of 3; no attributes; one variable x(x) of doubles that begins at byte
+  // 0x5a5b5c.
+  const std::string header = "CDF\x01" + number(0) + number(10) + number(1) + x + number(3) + none +
+                             number(11) + number(1) + x + number(1) + number(0) + none + number(6) +
+                             number(24) + number(0x5a5b5c);
   EXPECT_EQ(netcdf_classic_length(header), 0x5a5b5cu + 24);
-  for (std::size_t length = 4; length < header.size(); ++length) EXPECT_FALSE(netcdf_classic_length(header.substr(0, length))) << length;
+  for (std::size_t length = 4; length < header.size(); ++length)
+    EXPECT_FALSE(netcdf_classic_length(header.substr(0, length))) << length;
 }
 
 TEST(Limits_of_netcdf_analytic, announced_records_are_not_allocated) {
@@ -150,7 +159,8 @@ TEST(Limits_of_every_map_analytic, memory_stays_below_the_stated_multiple_of_the
   const std::vector<std::pair<std::string, std::string>> files{
       {"matrix.txt", points},
       {"points.xyz", columns},
-      {"map.gsf", gsf_bytes("XRes = 512\nYRes = 512\nXReal = 1e-6\nYReal = 1e-6\nZUnits = m\n", std::vector<float>(512 * 512))},
+      {"map.gsf", gsf_bytes("XRes = 512\nYRes = 512\nXReal = 1e-6\nYReal = 1e-6\nZUnits = m\n",
+                            std::vector<float>(512 * 512))},
       {"map.gwy", gwy_bytes(components)},
       {"scan.001", sections},
       {"empty.txt", titles}};
@@ -167,7 +177,9 @@ TEST(Limits_of_every_map_analytic, gwyddion_objects_300000_deep_are_refused) {
     const std::uint32_t rest = static_cast<std::uint32_t>(tail.size() - 9 * i - 9);
     tail.replace(9 * i, 9, std::string("a\0oT\0", 5) + raw(rest));
   }
-  EXPECT_EQ(reading(write_bytes("deep.gwy", "GWYP" + std::string("T\0", 2) + raw<std::uint32_t>(tail.size()) + tail)).end,
+  EXPECT_EQ(reading(write_bytes("deep.gwy",
+                                "GWYP" + std::string("T\0", 2) + raw<std::uint32_t>(tail.size()) + tail))
+                .end,
             ChildOutcome::End::refused);
 }
 
@@ -176,11 +188,13 @@ TEST(Limits_of_every_map_analytic, a_header_line_of_a_megabyte_is_no_crash) {
   const std::string scan = nanoscope_bytes({NanoscopeImage{}}, 2);
   const auto scale = scan.find("\\@2:Z scale: V [");
   const auto end = scan.find('\n', scale);
-  EXPECT_EQ(reading(write_bytes("a.001", scan.substr(0, scale) + "\\@2:Z scale: V [" + long_text + "] (" + long_text + ") 4 V" +
-                                             scan.substr(end)))
+  EXPECT_EQ(reading(write_bytes("a.001", scan.substr(0, scale) + "\\@2:Z scale: V [" + long_text + "] (" +
+                                             long_text + ") 4 V" + scan.substr(end)))
                 .end,
             ChildOutcome::End::refused);
-  EXPECT_EQ(reading(write_bytes("b.xyz", "x [" + long_text + "] y [um] z [nm]\n0 0 1\n1e-6 0 1\n0 1e-6 1\n1e-6 1e-6 1\n")).end,
+  EXPECT_EQ(reading(write_bytes("b.xyz", "x [" + long_text +
+                                             "] y [um] z [nm]\n0 0 1\n1e-6 0 1\n0 1e-6 1\n1e-6 1e-6 1\n"))
+                .end,
             ChildOutcome::End::done);
 }
 
@@ -195,7 +209,8 @@ TEST(Limits_of_every_map_analytic, a_device_is_no_map) {
 }
 
 TEST(Names_of_channels_analytic, in_latin_1_are_utf8_afterwards) {
-  const auto path = write_bytes("a.gsf", gsf_bytes("XRes = 2\nYRes = 2\nXReal = 1e-6\nYReal = 1e-6\nZUnits = m\nTitle = H\xF6he\n",
-                                                   {0, 1e-9f, 0, 1e-9f}));
+  const auto path = write_bytes(
+      "a.gsf", gsf_bytes("XRes = 2\nYRes = 2\nXReal = 1e-6\nYReal = 1e-6\nZUnits = m\nTitle = H\xF6he\n",
+                         {0, 1e-9f, 0, 1e-9f}));
   EXPECT_EQ(read_topography(path).channel, "Höhe");
 }

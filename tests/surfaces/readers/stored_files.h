@@ -197,7 +197,7 @@ inline std::string park_bytes(const ParkImage& image, std::uint32_t magic = 0x0E
 }
 
 // ---- x3p
-// -------------------------------------------------------------------------------------------------------------
+// -----------------------------------------------------------------------------------------------------------
 
 inline std::filesystem::path write_zip(const std::string& name,
                                        const std::vector<std::pair<std::string, std::string>>& parts) {

@@ -189,7 +189,7 @@ TEST(Any_file_behaviour, size_passed_is_compared_with_the_files) {
   EXPECT_SAYS(source(3e-6, 5e-6), instead);
   EXPECT_SAYS(source(3e-6, 1e-6), instead);
   EXPECT_SAYS(source(4e-6, std::nullopt), instead);
-  for (const std::string same :
+  for (const std::string& same :
        {source(3e-6, std::nullopt), source(std::nullopt, 2e-6), source(3e-6, 2e-6)}) {
     EXPECT_SAYS(same, "size as passed");
     EXPECT_EQ(same.find("instead"), std::string::npos) << same;
