@@ -5,6 +5,7 @@ find_package(Eigen3 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Boost REQUIRED)
+find_path(CERES_HEADERS ceres/tiny_solver.h REQUIRED)  # that header alone, without the library
 find_library(FFTW3_LIBRARY fftw3 REQUIRED)
 find_library(FFTW3_THREADS_LIBRARY fftw3_threads REQUIRED)
 # readers

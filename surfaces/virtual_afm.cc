@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/root.h"
 #include "surfaces/fft2d.h"
 #include "surfaces/generate.h"
 #include "surfaces/statistics.h"
@@ -239,12 +240,7 @@ double correlation_length(const SelfAffineSpectrum& spectrum) {
   };
   double lower = 0, upper = spectrum.cutoff / 16;
   while (rho(upper) > std::exp(-1.0)) lower = upper, upper *= 1.5;
-  constexpr int bisections = 40;
-  for (int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (lower + upper);
-    (rho(middle) > std::exp(-1.0) ? lower : upper) = middle;
-  }
-  return 0.5 * (lower + upper);
+  return root_between([&](double r) { return rho(r) - std::exp(-1.0); }, lower, upper, 40);
 }
 
 }  // namespace asperity

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "core/error.h"
+#include "core/root.h"
 
 namespace asperity {
 namespace {
@@ -41,12 +40,9 @@ double moment_shape(double x) {
 template <class Shape>
 double stick_ratio_where(const Shape& shape, double value) {
   constexpr double smallest = std::numeric_limits<double>::min();
-  std::uintmax_t iterations = 300;
   // The search runs over log x: the stick zone shrinks exponentially with the angle.
-  const auto bracket = boost::math::tools::toms748_solve(
-      [&](double log_x) { return shape(std::exp(log_x)) - value; }, std::log(smallest), 0.0,
-      boost::math::tools::eps_tolerance<double>(), iterations);
-  return std::exp((bracket.first + bracket.second) / 2);
+  return std::exp(
+      root_between([&](double log_x) { return shape(std::exp(log_x)) - value; }, std::log(smallest), 0.0));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "dem_compare/numbers/least_squares.h"
 
+#include <ceres/tiny_solver.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,45 +26,45 @@ Eigen::MatrixXd jacobian(const Residuals& residuals, const Eigen::VectorXd& at, 
   return J;
 }
 
+/// The residuals as Ceres asks for them.
+struct ResidualFunction {
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  bool operator()(const double* p, double* r, double* J) const {
+    const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(p, parameters);
+    Eigen::Map<Eigen::VectorXd>(r, rows) = residuals(at);
+    if (J) Eigen::Map<Eigen::MatrixXd>(J, rows, parameters) = jacobian(residuals, at, rows);
+    return true;
+  }
+  int NumResiduals() const { return static_cast<int>(rows); }
+  int NumParameters() const { return static_cast<int>(parameters); }
+
+  const Residuals& residuals;
+  Eigen::Index rows, parameters;
+};
+
 }  // namespace
 
 LeastSquaresFit fit_least_squares(const Residuals& residuals, Eigen::VectorXd p) {
-  constexpr int most_iterations = 200;
-  constexpr double step_tolerance = 1e-12, first_damping = 1e-3, stiffer = 10, softer = 0.1,
-                   largest_damping = 1e12;
-  Eigen::VectorXd r = residuals(p);
-  if (r.size() <= p.size())
+  const Eigen::Index rows = residuals(p).size();
+  if (rows <= p.size())
     throw WorkError("a fit of " + std::to_string(p.size()) + " numbers needs more than " +
-                    std::to_string(r.size()) + " points; take more load steps");
-  double damping = first_damping;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Eigen::MatrixXd J = jacobian(residuals, p, r.size());
-    const Eigen::MatrixXd normal = J.transpose() * J;
-    Eigen::VectorXd step;
-    for (;; damping *= stiffer) {
-      Eigen::MatrixXd damped = normal;
-      damped.diagonal() *= 1 + damping;
-      step = damped.ldlt().solve(-J.transpose() * r);
-      const Eigen::VectorXd tried = residuals(p + step);
-      if (tried.allFinite() && tried.squaredNorm() <= r.squaredNorm()) {
-        p += step;
-        r = tried;
-        damping *= softer;
-        break;
-      }
-      if (damping > largest_damping) {
-        step.setZero();  // no way down is left: rounding
-        break;
-      }
-    }
-    if (step.norm() <= step_tolerance * (1 + p.norm())) {
-      const double variance = r.squaredNorm() / static_cast<double>(r.size() - p.size());
-      const Eigen::MatrixXd at_minimum = jacobian(residuals, p, r.size());
-      return {p, variance * (at_minimum.transpose() * at_minimum).inverse(),
-              std::sqrt(r.squaredNorm() / static_cast<double>(r.size()))};
-    }
-  }
-  throw WorkError("a fit did not converge in " + std::to_string(most_iterations) + " iterations");
+                    std::to_string(rows) + " points; take more load steps");
+  using Solver = ceres::TinySolver<ResidualFunction>;
+  Solver solver;
+  solver.options.max_num_iterations = 200;
+  solver.options.parameter_tolerance = 1e-12;
+  solver.options.gradient_tolerance = solver.options.function_tolerance = solver.options.cost_threshold =
+      0;  // to the last digits
+  if (solver.Solve({residuals, rows, p.size()}, &p).status == Solver::HIT_MAX_ITERATIONS)
+    throw WorkError("a fit did not converge in " + std::to_string(solver.options.max_num_iterations) +
+                    " iterations");
+  const Eigen::VectorXd r = residuals(p);
+  const Eigen::MatrixXd at_minimum = jacobian(residuals, p, rows);
+  const double variance = r.squaredNorm() / static_cast<double>(rows - p.size());
+  return {p, variance * (at_minimum.transpose() * at_minimum).inverse(),
+          std::sqrt(r.squaredNorm() / static_cast<double>(rows))};
 }
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// Small nonlinear least-squares fits with standard errors (Levenberg 1944; Marquardt 1963).
+// Small nonlinear least-squares fits with standard errors (Levenberg 1944; Marquardt 1963; the solver is
+// Ceres' for small problems).
 #pragma once
 
 #include <Eigen/Dense>

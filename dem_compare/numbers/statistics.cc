@@ -1,13 +1,12 @@
 #include "dem_compare/numbers/statistics.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/error.h"
+#include "core/root.h"
 
 namespace asperity {
 
@@ -40,10 +39,7 @@ double observed_order(const double* h, const double* f) {
   };
   if (!std::isfinite(ratio) || mismatch(lowest) * mismatch(highest) > 0)
     return std::numeric_limits<double>::quiet_NaN();
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      mismatch, lowest, highest, boost::math::tools::eps_tolerance<double>(40), iterations);
-  return (bracket.first + bracket.second) / 2;
+  return root_between(mismatch, lowest, highest, 40);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "dem_compare/paper/exponential_law.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/root.h"
 #include "dem_compare/numbers/least_squares.h"
 
 namespace asperity {
@@ -28,11 +28,8 @@ ExponentialLaw through(const Values& x, const Values& y) {
   constexpr double narrow = 0.01, wide = 1e5;
   double low = std::log(narrow * (x[2] - x[0])), high = std::log(wide * (x[2] - x[0]));
   if (excess(low) * excess(high) > 0) no_decay();
-  boost::uintmax_t iterations = 200;
-  const auto root = boost::math::tools::toms748_solve(
-      excess, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
   ExponentialLaw law;
-  law.d = std::exp((root.first + root.second) / 2);
+  law.d = std::exp(root_between(excess, low, high, 50));
   law.c = (y[0] - y[2]) / (std::exp(-x[0] / law.d) - std::exp(-x[2] / law.d));
   law.b = y[0] - law.c * std::exp(-x[0] / law.d);
   return law;

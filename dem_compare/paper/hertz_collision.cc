@@ -1,10 +1,10 @@
 #include "dem_compare/paper/hertz_collision.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/root.h"
 
 namespace asperity {
 
@@ -34,11 +34,7 @@ double hertz_restitution(double c) {
 double hertz_damping_factor(double restitution) {
   constexpr double strongest =
       1.1;  // a restitution just below 0.1; from 2 (5/6)^(1/2) on bodies do not part at all
-  boost::uintmax_t iterations = 100;
-  const auto root =
-      boost::math::tools::toms748_solve([&](double c) { return hertz_restitution(c) - restitution; }, 0.0,
-                                        strongest, boost::math::tools::eps_tolerance<double>(30), iterations);
-  return (root.first + root.second) / 2;
+  return root_between([&](double c) { return hertz_restitution(c) - restitution; }, 0.0, strongest, 30);
 }
 
 }  // namespace asperity

@@ -110,15 +110,12 @@ MaugisDugdale adhesive(const Sphere& sphere, double work) {
   return {sphere.reduced_modulus, sphere.radius, work, lennard_jones * work / distance};
 }
 
-/// The work of adhesion that gives a pull-off force, by bisection.
+/// The work of adhesion w that gives a pull-off force, which lies between 3/2 and 2 pi w R.
 MaugisDugdale adhesive_by_pull_off(const Sphere& sphere, double pull_off) {
-  double low = 0, high = pull_off / (pi * sphere.radius);
-  constexpr int halvings = 50;
-  for (int i = 0; i < halvings; ++i) {
-    const double work = (low + high) / 2;
-    (adhesive(sphere, work).pull_off_force() < pull_off ? low : high) = work;
-  }
-  return adhesive(sphere, high);
+  const double unit = pull_off / (pi * sphere.radius);
+  return adhesive(
+      sphere, root_between([&](double work) { return adhesive(sphere, work).pull_off_force() - pull_off; },
+                           unit / 2.1, unit / 1.4));
 }
 
 class NormalRun {

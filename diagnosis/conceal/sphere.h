@@ -7,6 +7,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "core/root.h"
+
 namespace asperity::hidden {
 
 inline constexpr double pi = boost::math::double_constants::pi;
@@ -35,12 +37,8 @@ struct Sphere {
     return a;
   }
   double force(double approach) const { return approach <= 0 ? 0 : force_of(contact_radius(approach)); }
-  /// By bisection: both grow with a.
   double contact_radius_at_force(double force) const {
-    double low = 0, high = 0.9 * radius;
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) (force_of((low + high) / 2) < force ? low : high) = (low + high) / 2;
-    return (low + high) / 2;
+    return root_between([&](double a) { return force_of(a) - force; }, 0, 0.9 * radius);
   }
 };
 

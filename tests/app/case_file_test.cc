@@ -52,7 +52,7 @@ TEST(CaseFile_behaviour, has_the_defaults_of_the_type_it_is_read_into) {
   const CaseInput fresh;
   EXPECT_TRUE(std::isinf(input.particle.parameters.at("Yield stress")));
   EXPECT_EQ(input.title, fresh.title);
-  EXPECT_EQ(input.particle.topography, fresh.particle.topography);
+  EXPECT_EQ(input.particle.topography.text(), fresh.particle.topography.text());
   EXPECT_EQ(input.experiment.load_steps, fresh.experiment.load_steps);
   EXPECT_EQ(input.experiment.unload, fresh.experiment.unload);
   EXPECT_EQ(input.experiment.cycles, fresh.experiment.cycles);
@@ -133,7 +133,7 @@ TEST(CaseFile_behaviour, a_scan_is_looked_for_beside_the_case_file) {
   const TemporaryFolder folder;
   folder.write("scan.gsf", "x");
   const auto file = folder.write("case.prm", smooth_case());
-  EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography,
+  EXPECT_EQ(read_case(file, {"Substrate/Topography=scan.gsf"}).substrate.topography.text(),
             (folder.path / "scan.gsf").string());
 }
 
@@ -146,7 +146,7 @@ TEST(CaseFile_behaviour, completed_it_says_the_same_from_any_folder) {
   const Settings complete = complete_settings(settings, file);
   EXPECT_EQ(complete.size(), case_entries().size());
   const auto again = read_case(folder.write("elsewhere/case.prm", format_settings(complete)));
-  EXPECT_EQ(again.substrate.topography, (folder.path / "cases/scan.gsf").string());
+  EXPECT_EQ(again.substrate.topography.text(), (folder.path / "cases/scan.gsf").string());
   EXPECT_DOUBLE_EQ(again.radius, 8.5e-6);
   EXPECT_EQ(again.mesh.layers, 6);
   EXPECT_EQ(again.title, "");

@@ -145,7 +145,7 @@ TEST(NormalExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_s
 TEST(NormalExperiment_behaviour, a_step_whose_material_has_no_answer_is_halved_and_named) {
   const test::TemporaryFolder folder;
   CaseInput input = coarse_case();
-  BodyInput& body = input.substrate;
+  BodyInput& body = input.particle;
   body.parameters["Hardening modulus"] = -3 * body.youngs_modulus / (2 * (1 + body.poisson_ratio));
   body.parameters["Voce saturation"] = 0.01 * body.parameters["Yield stress"],
   body.parameters["Voce rate"] = 10;

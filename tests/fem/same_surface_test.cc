@@ -24,8 +24,8 @@ CasesOfSurface rough_cases(const std::filesystem::path& file) {
     const double region =
         std::cbrt(input.experiment.normal_load) + input.experiment.distance;  // grows with what is meshed
     for (int body = 0; body < 2; ++body) {
-      const std::string& entry = (body == 0 ? input.particle : input.substrate).topography;
-      if (entry != "smooth") found[entry].insert({region, {input, body}});
+      const TopographySpec& entry = (body == 0 ? input.particle : input.substrate).topography;
+      if (!entry.is_smooth()) found[entry.text()].insert({region, {input, body}});
     }
   }
   return found;

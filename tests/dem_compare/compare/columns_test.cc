@@ -250,12 +250,6 @@ TEST(PublishedColumn_behaviour, has_a_reason_where_the_case_is_not_the_papers) {
   EXPECT_EQ(reason(Quantity::sliding_friction, contact, load), "these bodies were not measured in the paper");
 }
 
-TEST(ComparedContact_behaviour, knows_its_roughness_from_the_case_file) {
-  EXPECT_DOUBLE_EQ(rms_of_topography("generated(rms=1.5 nm, hurst=0.8, seed=3)"), 1.5e-9);
-  EXPECT_EQ(rms_of_topography("smooth"), 0);
-  EXPECT_TRUE(std::isnan(rms_of_topography("wafer.gsf")));
-}
-
 TEST(EngineColumn_other_code, lammps_gives_the_number_of_every_law_within_one_percent) {
   ASPERITY_ENGINE_OR_SKIP(Lammps());
   const TemporaryFolder folder;
