@@ -40,7 +40,7 @@ Cost cost_of_version() {
 
 TEST(Start_behaviour, version_takes_less_than_60_megabytes_and_a_twentieth_of_a_second) {
   Cost least = cost_of_version();
-  for (int i = 0; i < 12; ++i) {  // the least: other tests run beside this one
+  for (int i = 0; i < 60; ++i) {  // the least: other tests run beside this one
     const Cost cost = cost_of_version();
     least = {std::min(least.seconds, cost.seconds), std::max(least.megabytes, cost.megabytes)};
   }
