@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "app/case_file.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/solver/matrix_free_solver.h"
 #include "surfaces/fft2d.h"
