@@ -1,6 +1,7 @@
 #include "diagnosis/fit/noise.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -77,26 +78,39 @@ double scatter_of_repeats(const Recording& recording, const Samples& samples, st
     }
     if (!placed) groups.push_back({run});
   }
-  std::vector<double> squares;
-  for (const auto& group : groups) {
-    if (group.size() < 2) continue;
-    const double count = static_cast<double>(group.size());
+  std::map<int, std::vector<double>> squares;  // sums of squares about the mean, by degrees of freedom
+  std::size_t count = 0;
+  for (const auto& group : groups)
     for (std::size_t i = 0; i < group.front()->end - group.front()->begin; ++i) {
-      double sum = 0, square = 0;
-      for (const auto* run : group) sum += samples.list[run->begin + i].response;
+      std::vector<double> values;
       for (const auto* run : group)
-        square += std::pow(samples.list[run->begin + i].response - sum / count, 2);
-      squares.push_back(square / (count - 1));
+        if (samples.list[run->begin + i].counts) values.push_back(samples.list[run->begin + i].response);
+      if (values.size() < 2) continue;
+      const double mean =
+          std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+      double square = 0;
+      for (const double value : values) square += std::pow(value - mean, 2);
+      squares[static_cast<int>(values.size()) - 1].push_back(square);
+      ++count;
     }
-  }
   constexpr std::size_t enough = 20;
-  if (squares.size() < enough) return 0;
-  // Without the highest fiftieth: outliers.
-  std::sort(squares.begin(), squares.end());
-  const std::size_t cut = squares.size() / 50;
-  double sum = 0;
-  for (std::size_t i = 0; i + cut < squares.size(); ++i) sum += squares[i];
-  return std::sqrt(sum / static_cast<double>(squares.size() - cut));
+  if (count < enough) return 0;
+  double sum = 0, freedom = 0;
+  for (auto& [degrees, list] : squares) {
+    // Without the highest fiftieth: outliers. What is left of Gaussian noise is less than all of it by a
+    // known factor: x times the density of chi-square with n degrees is n times that with n + 2.
+    std::sort(list.begin(), list.end());
+    const std::size_t cut = list.size() / 50, left = list.size() - cut;
+    const double share = static_cast<double>(left) / static_cast<double>(list.size());
+    double part = 1;
+    if (cut > 0) {
+      const double highest = quantile(boost::math::chi_squared(degrees), share);
+      part = cdf(boost::math::chi_squared(degrees + 2), highest) / share;
+    }
+    sum += std::accumulate(list.begin(), list.begin() + static_cast<long>(left), 0.0) / part;
+    freedom += static_cast<double>(left) * degrees;
+  }
+  return std::sqrt(sum / freedom);
 }
 
 /// Rows of a series in the order of their load: scatter about the line between neighbours.
@@ -257,7 +271,7 @@ void mark_beginnings(Samples& samples, const Noise& noise) {
     if (end == run.end) continue;
     std::vector<double> later;
     for (std::size_t i = run.begin + (end - run.begin) / 2; i < end; ++i)
-      later.push_back(samples.list[i].response * first.direction);
+      if (samples.list[i].counts) later.push_back(samples.list[i].response * first.direction);
     const double reached = sliding * median(later);
     for (std::size_t i = run.begin; i < end && samples.list[i].response * first.direction < reached; ++i)
       samples.list[i].counts = false;

@@ -60,27 +60,6 @@ void keep_run(RecordingTable& table, int run, const std::string& file) {
   table = kept;
 }
 
-/// Clocks that stand still between samples: rows with the time of the row before are left out.
-void drop_repeated_times(RecordingTable& table) {
-  if (!table.has("time")) return;
-  const std::vector<double> time = table.column("time"), run = table.column("run");
-  std::vector<bool> keep(time.size(), true);
-  double last = time.front();
-  for (std::size_t i = 1; i < time.size(); ++i) {
-    keep[i] = run[i] != run[i - 1] || time[i] > last;
-    if (keep[i]) last = time[i];
-  }
-  if (std::find(keep.begin(), keep.end(), false) == keep.end()) return;
-  const auto pick = [&](auto& values) {
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i)
-      if (keep[i]) values[next++] = values[i];
-    values.resize(next);
-  };
-  for (auto& [channel, values] : table.columns) pick(values);
-  if (!table.segment.empty()) pick(table.segment);
-}
-
 }  // namespace
 
 void add_channel(RecordingTable& table, const std::string& channel, const std::vector<double>& values,
@@ -115,7 +94,6 @@ Recording import_recording(const std::filesystem::path& file, const ImportOption
   if (!options.control.empty()) table.control = options.control;
   if (!options.response.empty()) table.response = options.response;
   if (options.run) keep_run(table, *options.run, text.file);
-  drop_repeated_times(table);
   try {
     check_recording(recording);
   } catch (const InputError& error) {

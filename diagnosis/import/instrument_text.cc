@@ -78,12 +78,44 @@ std::optional<double> number_in(std::string text) {
   return *end == '\0' ? std::optional<double>(value) : std::nullopt;
 }
 
+namespace {
+
+/// "nm" of "Depth (nm)" or "Depth [nm]", and of "(nm)".
+std::string bracketed(const std::string& name) {
+  if (name.empty()) return "";
+  const char close = name.back(), open = close == ')' ? '(' : close == ']' ? '[' : '\0';
+  const auto at = open ? name.rfind(open) : std::string::npos;
+  return at == std::string::npos ? "" : trimmed(name.substr(at + 1, name.size() - at - 2));
+}
+
+}  // namespace
+
+bool is_row_of_units(const InstrumentText& text, std::size_t header, std::size_t index) {
+  if (index + 1 >= text.lines.size()) return false;
+  const auto names = cells_of_line(text.lines[header]), units = cells_of_line(text.lines[index]);
+  const auto numbers = cells_of_line(text.lines[index + 1]);
+  if (units.size() > names.size() || numbers.size() < names.size() || !number_in(numbers[0])) return false;
+  return std::none_of(units.begin(), units.end(),
+                      [](const auto& unit) { return number_in(unit).has_value(); }) &&
+         std::any_of(units.begin(), units.end(), [](const auto& unit) { return !unit.empty(); });
+}
+
 InstrumentTable table_under(const InstrumentText& text, std::size_t header) {
   InstrumentTable table;
   table.names = cells_of_line(text.lines[header]);
   table.columns.resize(table.names.size());
-  table.first_line = header + 2;
-  for (std::size_t i = header + 1; i < text.lines.size(); ++i) {
+  table.units.resize(table.names.size());
+  for (std::size_t c = 0; c < table.names.size(); ++c) table.units[c] = bracketed(table.names[c]);
+  std::size_t first = header + 1;
+  if (is_row_of_units(text, header, first)) {
+    const auto units = cells_of_line(text.lines[first++]);
+    for (std::size_t c = 0; c < units.size(); ++c) {
+      const std::string inner = bracketed(units[c]);
+      if (!units[c].empty()) table.units[c] = inner.empty() ? units[c] : inner;
+    }
+  }
+  table.first_line = first + 1;
+  for (std::size_t i = first; i < text.lines.size(); ++i) {
     const auto cells = cells_of_line(text.lines[i]);
     if (cells.size() == 1 && cells[0].empty()) continue;  // some leave a line out between segments
     if (!number_in(cells[0])) {

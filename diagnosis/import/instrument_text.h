@@ -24,6 +24,8 @@ InstrumentText read_instrument_text(const std::filesystem::path& file);
 /// Columns of numbers under a header row.
 struct InstrumentTable {
   std::vector<std::string> names;
+  std::vector<std::string>
+      units;  ///< by column, from a row under the names or brackets behind them; may be empty
   std::vector<std::vector<double>> columns;
   std::size_t first_line = 0;  ///< of the numbers, from 1
 
@@ -38,8 +40,12 @@ std::vector<std::string> cells_of_line(const std::string& line);
 /// Reads "1.5", "1,5" (decimal comma), "nan"; none if the whole text is not a number.
 std::optional<double> number_in(std::string text);
 
-/// The table whose header stands in line `header` (index), until a line that is not numbers. Throws
-/// InputError naming a line whose cells are too few or hold text.
+/// Whether line `index` says units under the names of line `header`: as many cells at most, none of them a
+/// number, and numbers under it.
+bool is_row_of_units(const InstrumentText& text, std::size_t header, std::size_t index);
+
+/// The table whose header stands in line `header` (index), a row of units under it or not, until a line that
+/// is not numbers. Throws InputError naming a line whose cells are too few or hold text.
 InstrumentTable table_under(const InstrumentText& text, std::size_t header);
 
 /// "um" for "µm" or "micron", "uN" for "µN".

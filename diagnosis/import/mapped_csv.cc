@@ -65,10 +65,21 @@ std::vector<double> evaluated(const std::string& expression, const InstrumentTab
   return values;
 }
 
-/// The first line whose successor is numbers under as many names.
+/// The unit of a channel: what the map says, else what the file says of a column that is taken as it is, else
+/// the SI unit.
+std::string unit_of(const MappedColumn& mapped, const InstrumentTable& source) {
+  if (!mapped.unit.empty()) return mapped.unit;
+  const auto column = source.find(mapped.expression);
+  if (column && !source.units[*column].empty() && dimension_of_channel(mapped.channel) != Dimension::none)
+    return source.units[*column];
+  return unit_of_channel(mapped.channel);
+}
+
+/// The first line whose successor, or that under a row of units, is numbers under as many names.
 std::size_t header_line(const InstrumentText& text) {
   for (std::size_t i = 0; i + 1 < text.lines.size(); ++i) {
-    const auto names = cells_of_line(text.lines[i]), numbers = cells_of_line(text.lines[i + 1]);
+    const auto names = cells_of_line(text.lines[i]);
+    const auto numbers = cells_of_line(text.lines[is_row_of_units(text, i, i + 1) ? i + 2 : i + 1]);
     if (names.size() < 2 || numbers.size() < names.size() || number_in(names[0]) || text.lines[i][0] == '#')
       continue;
     if (number_in(numbers[0]) && number_in(numbers[1])) return i;
@@ -102,8 +113,7 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
     const std::vector<double> values = evaluated(mapped.expression, source, text.file);
     has_ways = has_ways || !mapped.way.empty();
     RecordingTable one;
-    add_channel(one, mapped.channel, values,
-                mapped.unit.empty() ? unit_of_channel(mapped.channel) : mapped.unit);
+    add_channel(one, mapped.channel, values, unit_of(mapped, source));
     for (int way = 0; way < 2; ++way)
       if (mapped.way.empty() || (mapped.way == "forward") == (way == 0))
         by_way[way][mapped.channel] = one.columns.at(mapped.channel);

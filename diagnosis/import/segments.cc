@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/recording/control_noise.h"
+
 namespace asperity {
 namespace {
 
-constexpr double turn = 0.01, still = 0.01;  // of the range
-constexpr double shortest_hold = 0.02;       // of the samples
+// Of the range, where noise is less.
+constexpr double turn_of_range = 0.01, still_of_range = 0.01;
+constexpr double slower = 2;  // a hold spends so many times as many samples in its band as a steady motion
 
 /// Medians of five: single samples do not turn the motion round.
 std::vector<double> smoothed(const std::vector<double>& signal) {
@@ -24,7 +27,9 @@ std::vector<double> smoothed(const std::vector<double>& signal) {
 }  // namespace
 
 FoundSegments find_segments(const std::vector<double>& given) {
-  const std::vector<double> signal = smoothed(given);
+  if (given.empty()) return {};
+  const auto [least_given, most_given] = std::minmax_element(given.begin(), given.end());
+  const auto [signal, noise] = quiet(smoothed(given), still_of_range * (*most_given - *least_given));
   const std::size_t n = signal.size();
   FoundSegments found;
   found.segment.assign(n, "load");
@@ -32,15 +37,15 @@ FoundSegments find_segments(const std::vector<double>& given) {
   if (n < 3) return found;
   const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
   const double range = *high - *low;
+  const double turn = std::max(turn_of_range * range, noise), still = std::max(still_of_range * range, noise);
   // Holds first: from each sample as far as the signal stays within the band.
   std::vector<bool> holds(n, false);
-  const auto shortest =
-      std::max<std::size_t>(3, static_cast<std::size_t>(shortest_hold * static_cast<double>(n)));
+  const double in_band = range > 0 ? still / range * static_cast<double>(n) : 0;
+  const auto shortest = std::max<std::size_t>(3, static_cast<std::size_t>(slower * in_band));
   for (std::size_t i = 0; i < n;) {
     double least = signal[i], most = signal[i];
     std::size_t end = i;
-    while (end + 1 < n &&
-           std::max(most, signal[end + 1]) - std::min(least, signal[end + 1]) < still * range) {
+    while (end + 1 < n && std::max(most, signal[end + 1]) - std::min(least, signal[end + 1]) < still) {
       ++end;
       least = std::min(least, signal[end]);
       most = std::max(most, signal[end]);
@@ -60,11 +65,10 @@ FoundSegments find_segments(const std::vector<double>& given) {
   };
   for (std::size_t i = 1; i < n; ++i) {
     if (direction == 0) {
-      if (std::abs(signal[i] - signal[0]) > turn * range)
-        direction = signal[i] > signal[0] ? 1 : -1, extreme = i;
+      if (std::abs(signal[i] - signal[0]) > turn) direction = signal[i] > signal[0] ? 1 : -1, extreme = i;
     } else if ((signal[i] - signal[extreme]) * direction >= 0) {
       extreme = i;
-    } else if ((signal[extreme] - signal[i]) * direction > turn * range) {
+    } else if ((signal[extreme] - signal[i]) * direction > turn) {
       name(from, extreme + 1, direction);
       from = extreme + 1;
       direction = -direction;

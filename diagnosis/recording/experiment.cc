@@ -46,7 +46,8 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
       const Sample& s = samples.list[i];
       const double force =
           recording.mode == Motion::normal && !run.response_is_displacement ? s.response : s.normal_force;
-      forces.push_back(force);
+      const bool missing = recording.mode == Motion::normal && !s.counts;
+      if (!missing || run.response_is_displacement) forces.push_back(force);
       if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
       deepest = std::max(deepest, recording.mode == Motion::normal && run.response_is_displacement
                                       ? s.response

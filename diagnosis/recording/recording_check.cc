@@ -57,8 +57,12 @@ void check_time(const Recording& recording, const RecordingTable& table) {
   for (std::size_t row = 0; row < time.size(); ++row) {
     const double run = table.has("run") ? table.column("run")[row] : 0;
     const auto found = last.find(run);
-    if (found != last.end() && !(time[row] > found->second.first))
-      throw InputError(file_of(recording, table.file) + ": time does not grow from row " +
+    if (std::isnan(time[row]))
+      throw InputError(file_of(recording, table.file) + ": row " + std::to_string(row + 1) +
+                       " has no time; fill it, or leave out the column");
+    // Clocks are coarser than samples: equal times are in order.
+    if (found != last.end() && time[row] < found->second.first)
+      throw InputError(file_of(recording, table.file) + ": time falls from row " +
                        std::to_string(found->second.second + 1) + " to row " + std::to_string(row + 1) +
                        " (" + format_quantity(found->second.first, Dimension::time, 6) + ", then " +
                        format_quantity(time[row], Dimension::time, 6) +

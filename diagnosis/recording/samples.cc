@@ -4,14 +4,15 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/recording/control_noise.h"
 #include "diagnosis/recording/median.h"
 #include "diagnosis/recording/one_way.h"
 
 namespace asperity {
 namespace {
 
-/// A turn of the driven motion counts where it comes back by more than this part of its range: less is noise
-/// of the control.
+/// A turn of the driven motion counts where it comes back by more than this part of its range, and by more
+/// than its noise.
 constexpr double turn_of_range = 0.02;
 /// A stretch is a hold where the driven motion stays within this part of its range for this part of the run.
 constexpr double hold_of_range = 0.01;
@@ -23,12 +24,26 @@ double value_or(const RecordingTable& table, const std::string& channel, std::si
   return found->second[row];
 }
 
+/// An empty cell is not known, no zero: a row without the load or speed that its table gives cannot be
+/// judged.
+bool says_what_it_depends_on(const RecordingTable& table, std::size_t row, bool normal) {
+  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle", "humidity"}) {
+    if (normal && std::string(channel) == "normal_force") continue;
+    const auto found = table.columns.find(channel);
+    if (found == table.columns.end() || !std::isnan(found->second[row])) continue;
+    const auto& column = found->second;
+    if (std::any_of(column.begin(), column.end(), [](double value) { return !std::isnan(value); }))
+      return false;
+  }
+  return true;
+}
+
 /// Where the driven channel turns: indices of the extremes in between.
-std::vector<std::size_t> turns(const std::vector<double>& path) {
+std::vector<std::size_t> turns(const std::vector<double>& path, double noise) {
   std::vector<std::size_t> found;
   if (path.size() < 3) return found;
   const auto [low, high] = std::minmax_element(path.begin(), path.end());
-  const double back = turn_of_range * (*high - *low);
+  const double back = std::max(turn_of_range * (*high - *low), noise);
   if (back <= 0) return found;
   std::size_t extreme = 0;
   int direction = 0;
@@ -65,10 +80,12 @@ struct Named {
 };
 
 /// Names of the segments of one run where the table has none, from the driven channel.
-std::vector<std::string> inferred_segments(const std::vector<double>& path, bool normal) {
+std::vector<std::string> inferred_segments(const std::vector<double>& given, bool normal) {
+  const auto [least, most] = std::minmax_element(given.begin(), given.end());
+  const auto [path, noise] = quiet(given, hold_of_range * (*most - *least));
   const std::string up = normal ? "load" : "forward", down = normal ? "unload" : "backward";
   std::vector<std::string> names(path.size());
-  std::vector<std::size_t> ends = turns(path);
+  std::vector<std::size_t> ends = turns(path, noise);
   ends.push_back(path.size());
   std::size_t from = 0;
   for (const std::size_t end : ends) {
@@ -77,7 +94,7 @@ std::vector<std::string> inferred_segments(const std::vector<double>& path, bool
     from = end;
   }
   const auto [low, high] = std::minmax_element(path.begin(), path.end());
-  const double still = hold_of_range * (*high - *low);
+  const double still = std::max(hold_of_range * (*high - *low), noise);
   const std::size_t longest =
       std::max<std::size_t>(8, static_cast<std::size_t>(hold_of_samples * path.size()));
   for (std::size_t i = 0; i < path.size();) {
@@ -90,7 +107,7 @@ std::vector<std::string> inferred_segments(const std::vector<double>& path, bool
     }
     // As many samples as a motion over the range in the whole run would spend in the band are no hold.
     if (j - i >= longest &&
-        static_cast<double>(j - i) > 4 * hold_of_range * static_cast<double>(path.size())) {
+        static_cast<double>(j - i) * (*high - *low) > 4 * still * static_cast<double>(path.size())) {
       for (std::size_t k = i; k < j; ++k) names[k] = "hold";
       i = j;
     } else {
@@ -121,6 +138,21 @@ void follow_cycles(Samples& samples, const SampleRun& run, const Driven& driven)
           to == run.begin ? 0 : std::abs(driven(samples.list[to]) - driven(samples.list[to - 1]));
     for (std::size_t i = from; i < to; ++i) samples.list[i].cycle_part /= path > 0 ? path : 1;
   }
+}
+
+/// Times of one run, those of samples with the same time spread evenly until the next one: a clock that is
+/// coarser than the samples lie apart says their order, not their distance.
+std::vector<double> spread_times(const Samples& samples, const SampleRun& run) {
+  std::vector<double> time;
+  for (std::size_t i = run.begin; i < run.end; ++i) time.push_back(samples.list[i].time);
+  double tick = 0;  // of the clock before, for the samples of the last
+  for (std::size_t from = 0, to = 0; from < time.size(); from = to) {
+    while (to < time.size() && time[to] == time[from]) ++to;
+    if (to < time.size()) tick = time[to] - time[from];
+    const double first = time[from], count = static_cast<double>(to - from);
+    for (std::size_t i = from; i < to; ++i) time[i] = first + tick * static_cast<double>(i - from) / count;
+  }
+  return time;
 }
 
 /// Direction, path since reversal, holds, cycles and speed of one run.
@@ -169,10 +201,13 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
   if (has_speed || !has_time || normal) return;
   // Speed from path and time, as a median over neighbours, of one segment.
   constexpr long reach = 3;
+  const std::vector<double> time = spread_times(samples, run);
   std::vector<double> raw(run.end - run.begin, 0.0);
-  for (std::size_t i = run.begin + 1; i < run.end; ++i)
-    raw[i - run.begin] = std::abs(list[i].lateral_displacement - list[i - 1].lateral_displacement) /
-                         (list[i].time - list[i - 1].time);
+  for (std::size_t i = run.begin + 1; i < run.end; ++i) {
+    const double step = time[i - run.begin] - time[i - 1 - run.begin];
+    const double way = std::abs(list[i].lateral_displacement - list[i - 1].lateral_displacement);
+    raw[i - run.begin] = step > 0 ? way / step : 0;
+  }
   if (raw.size() > 1) raw[0] = raw[1];
   for (std::size_t i = run.begin; i < run.end; ++i) {
     std::vector<double> near;
@@ -242,7 +277,8 @@ Samples samples_of(const Recording& recording) {
           s.direction = samples.segment_names[static_cast<std::size_t>(s.segment)] == "backward" ? -1 : 1;
         }
         s.response = value_or(table, table.response, row, 0);
-        s.counts = std::isfinite(table.column(table.response)[row]);
+        s.counts =
+            std::isfinite(table.column(table.response)[row]) && says_what_it_depends_on(table, row, normal);
         s.sd = value_or(table, table.response + "_sd", row, 0);
         samples.list.push_back(s);
       }

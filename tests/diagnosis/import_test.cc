@@ -119,6 +119,33 @@ TEST(Import_behaviour, maps_columns_with_factors_products_and_constants) {
       std::string::npos);
 }
 
+TEST(Import_analytic, units_that_the_file_says_are_believed_unless_the_map_says_others) {
+  const TemporaryFolder folder;
+  std::string rows;
+  for (int i = 0; i < 30; ++i) rows += std::to_string(i) + "," + std::to_string(2 * i) + ",3\n";
+  ImportOptions options = with_bodies();
+  options.columns = {"time = Time", "normal_displacement = Depth", "normal_force = Load"};
+  const auto table = [&](const std::string& header) {
+    return import_recording(folder.write("test.csv", header + rows), options).tables[0];
+  };
+  for (const char* header : {"Time,Depth,Load\ns,nm,mN\n", "Time,Depth,Load\n(s),(nm),[mN]\n",
+                             "Time (s),Depth [nm],Load (mN)\n"}) {
+    const RecordingTable made = table(header);
+    ASSERT_EQ(made.rows(), 30u) << header;
+    EXPECT_NEAR(made.column("normal_displacement")[4], 8e-9, 1e-20) << header;
+    EXPECT_NEAR(made.column("normal_force")[4], 3e-3, 1e-15) << header;
+  }
+  EXPECT_NEAR(table("Time,Depth,Load\n").column("normal_force")[4], 3, 1e-12);
+  options.columns[2] = "normal_force [uN] = Load";
+  EXPECT_NEAR(table("Time,Depth,Load\ns,nm,mN\n").column("normal_force")[4], 3e-6, 1e-15);
+  options.columns[2] = "normal_force = 1e-6 * Load";
+  EXPECT_NEAR(table("Time,Depth,Load\ns,nm,mN\n").column("normal_force")[4], 3e-6, 1e-15);
+  options.columns[2] = "normal_force = Load";
+  EXPECT_NE(
+      message_of<InputError>([&] { table("Time,Depth,Load\ns,nm,nm\n"); }).find("unit 'nm' does not fit"),
+      std::string::npos);
+}
+
 TEST(Import_analytic, zeros_that_a_hysitron_header_states_are_taken_off) {
   const TemporaryFolder folder;
   std::string rows = "Disp_nm\tForce_\xB5N\tTime_s\n";

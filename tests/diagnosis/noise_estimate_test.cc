@@ -69,12 +69,29 @@ TEST(NoiseEstimate_analytic, of_repeats_is_their_scatter_about_their_mean) {
   EXPECT_NE(noise_of(repeated_runs(runs), std::vector<double>(38, 7.0)).from[0], "repeats");
 }
 
-TEST(NoiseEstimate_analytic, of_repeats_is_not_moved_by_two_outliers_in_a_hundred) {
-  std::vector<std::vector<double>> runs(2);
-  for (int i = 0; i < 100; ++i) runs[0].push_back(1), runs[1].push_back(1.5);
-  runs[1][17] = 100, runs[0][60] = -100;
-  EXPECT_NEAR(noise_of(repeated_runs(runs), std::vector<double>(200, 0.0)).sd[0], 0.5 / std::sqrt(2.0),
-              1e-12);
+TEST(NoiseEstimate_analytic,
+     of_repeats_is_that_of_Gaussian_noise_and_not_moved_by_two_outliers_in_a_hundred) {
+  for (const std::size_t repeats : {2, 3, 5}) {
+    std::mt19937 random(static_cast<unsigned>(repeats));
+    std::normal_distribution<double> normal(1, 0.5);
+    std::vector<std::vector<double>> runs(repeats, std::vector<double>(20000));
+    for (auto& run : runs)
+      for (double& response : run) response = normal(random);
+    const std::vector<double> residual(repeats * 20000, 0.0);
+    EXPECT_NEAR(noise_of(repeated_runs(runs), residual).sd[0], 0.5, 0.01) << repeats;
+    for (std::size_t i = 0; i < 200; ++i) runs[i % repeats][100 * i + 17] = i % 2 ? 100 : -100;
+    EXPECT_NEAR(noise_of(repeated_runs(runs), residual).sd[0], 0.5, 0.015) << repeats;
+  }
+}
+
+TEST(NoiseEstimate_analytic, of_repeats_takes_no_empty_cell_for_a_zero) {
+  std::vector<std::vector<double>> runs(3);
+  for (int run = 0; run < 3; ++run)
+    for (int i = 0; i < 40; ++i) runs[static_cast<std::size_t>(run)].push_back(10 + i + 0.2 * (run - 1));
+  for (int i = 0; i < 40; i += 4) runs[1][static_cast<std::size_t>(i)] = NAN;  // -0.2 and 0.2 are left
+  const double ten = 2 * 0.2 * 0.2, thirty = 2 * 0.2 * 0.2;                    // sums of squares of a sample
+  EXPECT_NEAR(noise_of(repeated_runs(runs), std::vector<double>(120, 7.0)).sd[0],
+              std::sqrt((10 * ten + 30 * thirty) / (10 * 1 + 30 * 2)), 1e-12);
 }
 
 TEST(NoiseEstimate_behaviour, takes_only_runs_of_the_same_control_and_speed_for_repeats) {

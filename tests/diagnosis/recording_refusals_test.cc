@@ -122,9 +122,10 @@ TEST(RecordingRules_behaviour, ask_for_twenty_samples_of_a_trace_and_three_of_a_
             std::string::npos);
 }
 
-TEST(RecordingRules_behaviour, ask_for_time_that_grows_within_each_run) {
-  EXPECT_SAID("time does not grow from row 4 to row 5 (3 s, then 3 s)", t.columns["time"][4] = 3);
-  EXPECT_SAID("time does not grow from row 10 to row 11 (9 s, then 0 s)", t.columns["time"][10] = 0);
+TEST(RecordingRules_behaviour, ask_for_time_that_falls_in_no_run_and_may_stand_still) {
+  EXPECT_TAKEN(t.columns["time"][4] = 3);
+  EXPECT_SAID("row 5 has no time; fill it, or leave out the column", t.columns["time"][4] = NAN);
+  EXPECT_SAID("time falls from row 10 to row 11 (9 s, then 0 s)", t.columns["time"][10] = 0);
   EXPECT_TAKEN((t.columns["run"].assign(10, 1), t.columns["run"].insert(t.columns["run"].end(), 10, 2.0),
                 t.columns["time"][10] = 0));
 }

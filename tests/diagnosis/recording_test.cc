@@ -94,9 +94,9 @@ TEST(Recording_behaviour, refuses_nan_and_infinity) {
   EXPECT_IN("not finite", refusal(head(), rows(header, "0.45,4.5,inf,2,forward", 5)));
 }
 
-TEST(Recording_behaviour, refuses_time_that_does_not_grow) {
+TEST(Recording_behaviour, refuses_time_that_falls) {
   const std::string message = refusal(head(), rows(header, "0.3,4.5,100,2,forward", 5));
-  EXPECT_IN("time does not grow from row 5 to row 6", message);
+  EXPECT_IN("time falls from row 5 to row 6", message);
 }
 
 TEST(Recording_behaviour, takes_time_that_starts_again_in_another_run) {

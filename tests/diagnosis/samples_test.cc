@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "diagnosis/import/segments.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -101,6 +102,48 @@ TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recor
   Recording normal = driven(Motion::normal, zigzag({0, 1e-7, 0}, 50));
   normal.tables[0].columns["time"] = time;
   EXPECT_EQ(samples_of(normal).list[20].speed, 0);
+}
+
+TEST(Samples_analytic, have_the_same_speed_by_a_clock_that_stands_still_between_ticks) {
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
+  const std::size_t rows = recording.tables[0].rows();
+  auto& time = recording.tables[0].columns["time"];
+  for (std::size_t i = 0; i < rows; ++i) time.push_back(0.005 * std::floor(static_cast<double>(i) / 5));
+  const Samples measured = samples_of(recording);
+  for (const std::size_t i : {0u, 20u, 80u, 96u}) EXPECT_NEAR(measured.list[i].speed, 2e-6, 1e-12) << i;
+  time.assign(rows, 1.0);
+  EXPECT_EQ(samples_of(recording).list[20].speed, 0);
+}
+
+TEST(Samples_behaviour, without_the_load_or_speed_that_their_table_gives_do_not_count) {
+  Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
+  auto& columns = recording.tables[0].columns;
+  for (const char* channel : {"normal_force", "speed", "humidity"}) {
+    columns[channel].assign(101, 1e-4);
+    columns[channel][7] = NAN;
+    EXPECT_FALSE(samples_of(recording).list[7].counts) << channel;
+    EXPECT_TRUE(samples_of(recording).list[8].counts) << channel;
+    columns[channel].assign(101, NAN);  // a column without a value says nothing
+    EXPECT_TRUE(samples_of(recording).list[7].counts) << channel;
+    columns.erase(channel);
+  }
+}
+
+TEST(Samples_behaviour, of_a_noisy_motion_turn_where_the_motion_does) {
+  std::mt19937 random(5);
+  for (const double noise : {1e-9, 3e-9}) {  // 10 standard deviations: 10 and 30 % of the range
+    std::normal_distribution<double> normal(0, noise);
+    Column path = zigzag({0, 1e-7, -1e-7, 1e-7}, 4000);
+    path.insert(path.end(), 4000, 1e-7);
+    for (double& x : path) x += normal(random);
+    const Samples samples = samples_of(driven(Motion::sliding, path));
+    EXPECT_EQ(samples.parts, 4) << noise;
+    EXPECT_EQ(segment_of(samples, 14000), "hold") << noise;
+    const FoundSegments found = find_segments(path);
+    int changes = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) changes += found.segment[i] != found.segment[i - 1];
+    EXPECT_LE(changes, 6) << noise;
+  }
 }
 
 TEST(Samples_behaviour, do_not_take_jitter_below_a_fiftieth_of_the_range_for_a_turn) {
