@@ -7,11 +7,11 @@
 #include "core/error.h"
 #include "core/output_folder.h"
 #include "core/quantity.h"
-#include "fem/boundary_surface.h"
-#include "fem/case_setup.h"
-#include "fem/mesh_quality.h"
+#include "fem/case/case_setup.h"
+#include "fem/case/mesh_quality.h"
+#include "fem/cells/vtk_order.h"
+#include "fem/levels/boundary_surface.h"
 #include "fem/output/vtk_writer.h"
-#include "fem/vtk_order.h"
 #include "meshing/triangles/export.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "core/motion_program.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "fem/experiments/contact_experiment.h"
 
 namespace asperity {

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
-#include "fem/contact/coupling.h"
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
+#include "fem/mortar/coupling.h"
 
 namespace asperity::fem {
 
-/// One state of the contact; the bodies' history lives in ContactSystem::bodies().
-struct ContactState {
-  Vector<double> displacement;
+/// What a state of the contact is beside its displacement; each member also stands in
+/// fem/output/checkpoint.cc.
+struct InterfaceState {
   std::vector<double> multiplier;  ///< lambda of each row [Pa], also the pressure of an accepted state
   std::array<std::vector<double>, 2>
       shear;  ///< shear traction on the particle of each row along x and y [Pa]
@@ -24,6 +25,17 @@ struct ContactState {
   double approach = 0;       ///< displacement of the driven plane towards the substrate [m], from first touch
   RigidMotion motion;
   Coupling coupling;  ///< of the interfaces
+};
+
+/// One state of the contact; the bodies' history lives in ContactSystem::bodies().
+struct ContactState : InterfaceState {
+  Vector<double> displacement;
+
+  /// Becomes the other, which is not to be used any more.
+  void take(ContactState& other) {
+    displacement.swap(other.displacement);
+    static_cast<InterfaceState&>(*this) = std::move(static_cast<InterfaceState&>(other));
+  }
 };
 
 struct SolveReport {

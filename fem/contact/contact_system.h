@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "fem/contact/coupling.h"
-#include "fem/contact/interface_operator.h"
+#include "fem/mortar/coupling.h"
+#include "fem/mortar/interface_operator.h"
 #include "fem/solver/linear_solver.h"
 #include "fem/solver/plastic_bodies.h"
 #include "meshing/contact_mesh.h"

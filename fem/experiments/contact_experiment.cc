@@ -1,25 +1,20 @@
 #include "fem/experiments/contact_experiment.h"
 
-#include <omp.h>
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "core/atomic_file.h"
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "core/output_folder.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
+#include "fem/case/mesh_quality.h"
 #include "fem/experiments/energy_balance.h"
-#include "fem/experiments/free_rolling.h"
-#include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
 #include "fem/output/progress_line.h"
-#include "fem/output/result_file.h"
+#include "fem/programs/free_rolling.h"
 #include "fem/solver/load_step_error.h"
 
 namespace asperity::fem {
@@ -39,6 +34,8 @@ ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions&
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
+
+double ContactExperiment::wall_time() const { return time_before_ + seconds() - started_; }
 
 void ContactExperiment::say(const std::string& line) const {
   if (speaks() && options_.progress) options_.progress(line);
@@ -83,29 +80,18 @@ bool ContactExperiment::resume() {
   const auto checkpoint = read_checkpoint(options_.output / "checkpoint", provenance(), MPI_COMM_WORLD);
   if (!checkpoint) return false;
   if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() ||
-      checkpoint->multiplier.size() != state_.multiplier.size())
+      checkpoint->interface.multiplier.size() != state_.multiplier.size())
     throw WorkError("the checkpoint in '" + options_.output.string() +
                     "' belongs to another mesh; solve again with --overwrite");
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
-  state_.multiplier = checkpoint->multiplier;
-  state_.shear = checkpoint->shear;
-  state_.friction_history = checkpoint->friction_history;
-  state_.time = checkpoint->time;
-  state_.bonded.assign(checkpoint->bonded.begin(), checkpoint->bonded.end());
-  state_.approach = checkpoint->approach;
-  state_.motion = checkpoint->motion;
-  state_.coupling = checkpoint->coupling;
+  static_cast<InterfaceState&>(state_) = checkpoint->interface;
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
-  far_field_ = checkpoint->far_field;
-  lateral_far_field_ = checkpoint->lateral_far_field;
-  stiffness_at_peak_ = checkpoint->stiffness_at_peak;
-  lateral_stiffness_ = checkpoint->lateral_stiffness;
-  torsion_stiffness_ = checkpoint->torsion_stiffness;
+  stiffness_ = checkpoint->stiffness;
   time_before_ = checkpoint->wall_time;
-  say("resuming after step " + std::to_string(checkpoint->steps));
+  say("resuming after step " + std::to_string(checkpoint->steps()));
   return true;
 }
 
@@ -127,8 +113,8 @@ void ContactExperiment::run() {
     const double radius =
         std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                  6 * setup_.system.mesh.sizes.spacing_particle);
-    far_field_ = solver_->far_field_compliance(radius);
-    lateral_far_field_ = solver_->lateral_far_field_compliance(radius);
+    stiffness_.far_field = solver_->far_field_compliance(radius);
+    stiffness_.lateral_far_field = solver_->lateral_far_field_compliance(radius);
   }
   const std::size_t steps = program_.size(), first = records_.size();
   for (std::size_t k = first; k < steps; ++k) {
@@ -151,7 +137,7 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
     motion.y = state_.motion.y + station.motion.y - previous->motion.y;
   }
   if (!station.rolls_freely) return motion;
-  const double stiffness = solver_->has_friction() ? lateral_stiffness_ : 0.0;
+  const double stiffness = solver_->has_friction() ? stiffness_.lateral : 0.0;
   const RollingStep step =
       free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
   const double way = step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
@@ -174,22 +160,15 @@ double ContactExperiment::expected_approach(double target) const {
 
 int ContactExperiment::parts_needed(const ContactState& trial, double force_before, double force,
                                     double flow_turn) const {
-  const double approach_change = trial.approach - state_.approach - far_field_ * (force - force_before);
+  const double approach_change =
+      trial.approach - state_.approach - stiffness_.far_field * (force - force_before);
   return parts_of_step(flow_turn, approach_change, force - force_before, force,
                        input_.experiment.load_step_error);
 }
 
 void ContactExperiment::accept(ContactState& trial, double load) {
   load_ = load;
-  state_.displacement.swap(trial.displacement);
-  state_.multiplier = trial.multiplier;
-  state_.shear = trial.shear;
-  state_.friction_history = trial.friction_history;
-  state_.time = trial.time;
-  state_.bonded = trial.bonded;
-  state_.approach = trial.approach;
-  state_.motion = trial.motion;
-  state_.coupling = trial.coupling;
+  state_.take(trial);
   system_->bodies().accept_step();
 }
 
@@ -212,26 +191,37 @@ ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const
   return made;
 }
 
+void ContactExperiment::divide(std::vector<Target>& pending, int parts, bool divided) const {
+  const Target whole = pending.back();
+  pending.back().divided = divided;
+  for (int part = parts - 1; part > 0; --part) {
+    const double fraction = static_cast<double>(part) / parts;
+    pending.push_back({load_ + fraction * (whole.load - load_),
+                       between(state_.motion, whole.motion, fraction),
+                       state_.time + fraction * (whole.time - state_.time), divided});
+  }
+}
+
+void ContactExperiment::refuse_after(const Attempt& made) const {
+  const std::string why = made.failure.empty()
+                              ? "unbalanced force " + std::to_string(made.report.residual) + " of the load"
+                              : made.failure;
+  throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (" + why +
+                  ") after halving the step six times; use more Experiment/Load steps");
+}
+
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
   // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn
   // divided; what is reached in between is accepted and kept in the history.
   std::vector<Target> pending{{target, motion, state_.time + 1}};
   int failures = 0;
   BodyEnergies energies;
-  double force_before = records_.empty() ? 0 : records_.back().normal_force;
-  double plastic_work = records_.empty() ? 0 : records_.back().plastic_work;
-  double friction_work = records_.empty() ? 0 : records_.back().friction_work;
-  double adhesion_loss = records_.empty() ? 0 : records_.back().adhesion_loss, adhesion_energy = 0;
-  const auto divide = [&](int parts, bool divided) {
-    const Target whole = pending.back();
-    pending.back().divided = divided;
-    for (int part = parts - 1; part > 0; --part) {
-      const double fraction = static_cast<double>(part) / parts;
-      pending.push_back({load_ + fraction * (whole.load - load_),
-                         between(state_.motion, whole.motion, fraction),
-                         state_.time + fraction * (whole.time - state_.time), divided});
-    }
-  };
+  const HistoryRow before = records_.empty() ? HistoryRow() : records_.back();
+  double force_before = before.normal_force;
+  HistoryRow sums;
+  sums.plastic_work = before.plastic_work;
+  sums.friction_work = before.friction_work;
+  sums.adhesion_loss = before.adhesion_loss;
   while (!pending.empty()) {
     ContactState trial = state_;
     const Attempt made = attempt(trial, pending.back(), force_before);
@@ -241,13 +231,8 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     last_report_.penetration = report.penetration;
     last_report_.residual = report.residual;
     if (!report.converged) {
-      if (++failures > 6)
-        throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (" +
-                        (made.failure.empty()
-                             ? "unbalanced force " + std::to_string(report.residual) + " of the load"
-                             : made.failure) +
-                        ") after halving the step six times; use more Experiment/Load steps");
-      divide(2, pending.back().divided);
+      if (++failures > 6) refuse_after(made);
+      divide(pending, 2, pending.back().divided);
       continue;
     }
     energies = made.energies;
@@ -256,88 +241,31 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
                           ? 1
                           : parts_needed(trial, force_before, made.force, energies.flow_turn);
     if (parts > 1) {
-      divide(parts, true);
+      divide(pending, parts, true);
       continue;
     }
     accept(trial, pending.back().load);
     force_before = made.force;
     pending.pop_back();
-    friction_work += report.friction_work;
-    adhesion_loss += report.adhesion_loss;
-    adhesion_energy = report.adhesion_energy;
-    plastic_work += energies.plastic_work;
+    sums.friction_work += report.friction_work;
+    sums.adhesion_loss += report.adhesion_loss;
+    sums.adhesion_energy = report.adhesion_energy;
+    sums.plastic_work += energies.plastic_work;
   }
-  HistoryRow r = record(static_cast<int>(records_.size()) + 1, last_report_);
-  r.elastic_energy = energies.elastic;
-  r.hardening_energy = energies.hardening;
-  r.plastic_work = plastic_work;
-  r.friction_work = friction_work;
-  r.adhesion_energy = adhesion_energy;
-  r.adhesion_loss = adhesion_loss;
-  r.dissipated_energy = r.plastic_work - r.hardening_energy + r.friction_work + r.adhesion_loss;
-  r.plastic_volume = energies.plastic_volume;
-  r.load_step_error = energies.approach_error;
-  r.largest_plastic_strain = energies.largest_plastic_strain();
-  r.largest_von_mises = energies.largest_von_mises();
-  r.particle_plastic_strain = energies.plastic_strain[0],
-  r.substrate_plastic_strain = energies.plastic_strain[1];
-  r.particle_von_mises = energies.von_mises[0], r.substrate_von_mises = energies.von_mises[1];
-  records_.push_back(r);
+  records_.push_back(record(energies, sums));
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
-}
-
-HistoryRow ContactExperiment::record(int step, const SolveReport& report) {
-  const ContactResultants c = solver_->resultants(state_);
-  HistoryRow r;
-  r.step = r.time = step;
-  r.normal_force = c.force;
-  r.attraction = c.attraction;
-  r.driven_displacement = state_.approach;
-  r.normal_displacement = state_.approach - far_field_ * c.force;
-  const RigidMotion& start = program_.front().motion;
-  r.shift = state_.motion.x - start.x;
-  r.lateral_force = c.lateral_force[0];
-  r.shift_across = state_.motion.y - start.y;
-  r.lateral_force_across = c.lateral_force[1];
-  r.lateral_displacement = r.shift - lateral_far_field_ * r.lateral_force;
-  r.rolling_angle = state_.motion.roll - start.roll;
-  r.rolling_moment = c.rolling_moment;
-  r.torsion_angle = state_.motion.spin;
-  r.torsion_moment = c.torsion_moment;
-  r.sticking_share = c.active > 0 ? static_cast<double>(c.sticking) / c.active : 0;
-  // First touch moves the particle by the offset: outwards, so negative, where asperities meet first.
-  r.mean_plane_approach = r.normal_displacement + solver_->touch_offset();
-  r.contact_radius = std::sqrt(c.area / M_PI);
-  r.pressure_radius = c.pressure_radius;
-  r.load_centre_x = c.centre[0], r.load_centre_y = c.centre[1];
-  r.spots = c.spots, r.contact_perimeter = c.perimeter;
-  r.contact_area = c.area;
-  r.max_pressure = c.largest_pressure;
-  r.mean_pressure = c.area > 0 ? c.force / c.area : 0;
-  if (c.force > 0)
-    r.force_error =
-        std::max({std::abs(c.reaction_driven / c.force - 1), std::abs(c.reaction_fixed / c.force - 1),
-                  std::abs(c.lateral_reaction[0] - c.lateral_force[0]) / c.force,
-                  std::abs(c.lateral_reaction[1] - c.lateral_force[1]) / c.force});
-  r.moment_error = c.moment_error;
-  r.reaches_rim = c.reaches_rim;
-  r.newton_iterations = report.newton;
-  r.linear_iterations = report.linear;
-  r.penetration = report.penetration;
-  r.wall_time = time_before_ + seconds() - started_;
-  return r;
 }
 
 void ContactExperiment::measure_stiffness() {
   const auto without_far_field = [](double stiffness, double compliance) {
     return 1 / (1 / stiffness - compliance);
   };
-  stiffness_at_peak_ = without_far_field(solver_->elastic_stiffness(state_), far_field_);
+  stiffness_.normal = without_far_field(solver_->elastic_stiffness(state_), stiffness_.far_field);
   const Motion type = input_.experiment.type;
   const bool moves_as_written = type == Motion::program && solver_->has_friction();
   if (type == Motion::sliding || type == Motion::rolling || moves_as_written)
-    lateral_stiffness_ = without_far_field(solver_->lateral_stiffness(state_), lateral_far_field_);
-  if (type == Motion::torsion || moves_as_written) torsion_stiffness_ = solver_->torsion_stiffness(state_);
+    stiffness_.lateral = without_far_field(solver_->lateral_stiffness(state_), stiffness_.lateral_far_field);
+  if (type == Motion::torsion || moves_as_written) stiffness_.torsion = solver_->torsion_stiffness(state_);
 }
 
 void ContactExperiment::step_to(const Station& station, int index) {
@@ -346,77 +274,13 @@ void ContactExperiment::step_to(const Station& station, int index) {
   solve_with_retries(
       fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach),
       towards(station, index > 1 ? &program_[index - 2] : nullptr));
-  if (fraction == 1.0 && stiffness_at_peak_ == 0) measure_stiffness();
+  if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());
   const int every = input_.output.fields_every;
   if (input_.output.fields && (peak || last || (every > 0 && index % every == 0)))
     write_contact_fields(options_.output, index, *system_, *solver_, state_);
-  write_step(index);
-}
-
-void ContactExperiment::write_step(int index) {
-  Checkpoint c;
-  c.provenance = provenance();
-  c.steps = index;
-  c.load = load_;
-  c.far_field = far_field_;
-  c.lateral_far_field = lateral_far_field_;
-  c.stiffness_at_peak = stiffness_at_peak_;
-  c.lateral_stiffness = lateral_stiffness_;
-  c.torsion_stiffness = torsion_stiffness_;
-  c.wall_time = time_before_ + seconds() - started_;
-  c.records = records_;
-  c.displacement.assign(state_.displacement.begin(),
-                        state_.displacement.begin() + state_.displacement.locally_owned_size());
-  c.multiplier = state_.multiplier;
-  c.shear = state_.shear;
-  c.friction_history = state_.friction_history;
-  c.time = state_.time;
-  c.bonded.assign(state_.bonded.begin(), state_.bonded.end());
-  c.approach = state_.approach;
-  c.motion = state_.motion;
-  c.coupling = state_.coupling;
-  c.history = system_->bodies().save_history();
-  write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
-  if (speaks()) write_file_atomically(options_.output / "history.csv", format_history(history_of(records_)));
-}
-
-void ContactExperiment::say_load_steps() const {
-  constexpr double small = 0.005;  // of the approach, as much as a fine mesh leaves
-  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
-    return a.normal_force < b.normal_force;
-  });
-  const double share = peak.normal_displacement > 0 ? peak.load_step_error / peak.normal_displacement : 0;
-  if (share <= small) return;
-  const int enough = static_cast<int>(std::ceil(input_.experiment.load_steps * share / small));
-  say("the load steps leave the approach some " +
-      std::to_string(std::lround(1000 * share) / 10.0).substr(0, 4) +
-      " % too large; Experiment/Load steps = " + std::to_string(enough) + " would leave half a per cent");
-}
-
-void ContactExperiment::write_result() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  ResultSummary summary;
-  summary.provenance = provenance();
-  summary.peak_memory =
-      dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
-  summary.wall_time = time_before_ + seconds() - started_;
-  summary.ranks = ranks_;
-  summary.threads = omp_get_max_threads();
-  summary.cells = static_cast<long>(system_->forest().n_global_active_cells());
-  summary.unknowns = static_cast<long>(system_->level().size());
-  summary.contact_nodes = static_cast<long>(system_->rows().size());
-  summary.far_field = far_field_;
-  summary.lateral_far_field = lateral_far_field_;
-  summary.stiffness_at_peak = stiffness_at_peak_;
-  summary.lateral_stiffness = lateral_stiffness_;
-  summary.torsion_stiffness = torsion_stiffness_;
-  if (speaks())
-    write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
-  say_load_steps();
-  say("wrote " + (options_.output / "result.json").string());
+  write_step();
 }
 
 }  // namespace asperity::fem

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "core/provenance.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "fem/contact/contact_solver.h"
-#include "fem/experiments/program.h"
-#include "fem/solve_case.h"
+#include "fem/experiments/solve_options.h"
+#include "fem/output/measured_stiffness.h"
+#include "fem/programs/program.h"
 #include "results/history.h"
 
 namespace asperity::fem {
@@ -44,17 +45,22 @@ class ContactExperiment {
   };
   Attempt attempt(ContactState& trial, const Target& target, double force_before);
   void solve_with_retries(double target, const RigidMotion& motion);
+  /// The last target in equal parts, from the accepted state.
+  void divide(std::vector<Target>& pending, int parts, bool divided) const;
+  [[noreturn]] void refuse_after(const Attempt& made) const;
   /// Into how many parts a step that was tried has to be divided.
   int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;
   void accept(ContactState& trial, double load);
-  HistoryRow record(int step, const SolveReport& report);
-  void write_step(int step);
+  /// The row of the step that was accepted; `sums`: work that was dissipated up to its end.
+  HistoryRow record(const BodyEnergies& energies, const HistoryRow& sums) const;
+  void write_step();
   void write_result();
   /// Says how many load steps would do where those made leave more than the mesh should.
   void say_load_steps() const;
   void measure_stiffness();
   bool speaks() const { return rank_ == 0; }
   Provenance provenance() const;
+  double wall_time() const;  ///< of this run and those it goes on from [s]
   void say(const std::string& line) const;
 
   const CaseInput input_;
@@ -66,10 +72,9 @@ class ContactExperiment {
   std::unique_ptr<ContactSolver> solver_;
   ContactState state_;
   std::vector<HistoryRow> records_;
-  double far_field_ = 0, lateral_far_field_ = 0;  ///< [m/N]
-  double load_ = 0;                               ///< of the accepted state: force [N] or approach [m]
-  double started_ = 0, time_before_ = 0;          ///< wall time of this run's start and of earlier runs [s]
-  double stiffness_at_peak_ = 0, lateral_stiffness_ = 0, torsion_stiffness_ = 0;  ///< 0: not known
+  MeasuredStiffness stiffness_;
+  double load_ = 0;                       ///< of the accepted state: force [N] or approach [m]
+  double started_ = 0, time_before_ = 0;  ///< wall time of this run's start and of earlier runs [s]
   SolveReport last_report_;
 };
 

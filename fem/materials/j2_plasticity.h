@@ -10,9 +10,9 @@
 #include <limits>
 #include <memory>
 
+#include "fem/cells/hex_kernel.h"
+#include "fem/cells/step_failure.h"
 #include "fem/materials/hardening.h"
-#include "fem/solver/hex_kernel.h"
-#include "fem/step_failure.h"
 
 namespace asperity::fem {
 

@@ -14,28 +14,83 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void put(std::string& bytes, const std::vector<double>& values) {
+template <typename Element>
+void put(std::string& bytes, const std::vector<Element>& values) {
   const std::uint64_t count = values.size();
   bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-  bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(Element));
 }
 
-std::vector<double> take(const std::string& bytes, std::size_t& at) {
+template <typename Element>
+void take(const std::string& bytes, std::size_t& at, std::vector<Element>& values) {
   std::uint64_t count = 0;
-  if (at + sizeof count > bytes.size())
-    throw WorkError("the checkpoint is cut off; solve again with --overwrite");
+  const auto require = [&](std::uint64_t length) {
+    if (length > bytes.size() - at)
+      throw WorkError("the checkpoint is cut off; solve again with --overwrite");
+  };
+  require(sizeof count);
   std::memcpy(&count, bytes.data() + at, sizeof count);
   at += sizeof count;
-  if (at + count * sizeof(double) > bytes.size())
-    throw WorkError("the checkpoint is cut off; solve again with --overwrite");
-  std::vector<double> values(count);
-  std::memcpy(values.data(), bytes.data() + at, count * sizeof(double));
-  at += count * sizeof(double);
-  return values;
+  if (count > bytes.size()) require(bytes.size() + 1);
+  require(count * sizeof(Element));
+  values.resize(count);
+  std::memcpy(values.data(), bytes.data() + at, count * sizeof(Element));
+  at += count * sizeof(Element);
+}
+
+/// Hands on every number of a checkpoint: written and read by this one list.
+template <typename AnyCheckpoint, typename Do>
+void each_number(AnyCheckpoint& c, Do&& on) {
+  on(c.load), on(c.wall_time);
+  auto& s = c.stiffness;
+  for (auto* value : {&s.far_field, &s.lateral_far_field, &s.normal, &s.lateral, &s.torsion}) on(*value);
+  auto& i = c.interface;
+  on(i.time), on(i.approach);
+  for (auto* motion : {&i.motion, &i.coupling.frames})
+    on(motion->x), on(motion->y), on(motion->spin), on(motion->roll);
+  on(i.coupling.elastic.x), on(i.coupling.elastic.y), on(i.coupling.elastic.turn);
+}
+
+/// The same of its lists.
+template <typename AnyCheckpoint, typename Do>
+void each_list(AnyCheckpoint& c, Do&& on) {
+  on(c.displacement), on(c.history);
+  auto& i = c.interface;
+  on(i.multiplier), on(i.shear[0]), on(i.shear[1]), on(i.friction_history), on(i.bonded);
+}
+
+std::string part_of(const Checkpoint& c) {
+  std::string bytes;
+  std::vector<double> numbers, rows;
+  each_number(c, [&](double number) { numbers.push_back(number); });
+  for (const auto& record : c.records)
+    for (const auto& column : history_columns()) rows.push_back(record.*column.of_row);
+  put(bytes, numbers);
+  put(bytes, rows);
+  each_list(c, [&](const auto& list) { put(bytes, list); });
+  return bytes;
+}
+
+Checkpoint checkpoint_of(const std::string& bytes) {
+  Checkpoint c;
+  std::size_t at = 0, next = 0, expected = 0;
+  std::vector<double> numbers, rows;
+  take(bytes, at, numbers);
+  each_number(c, [&](double) { ++expected; });
+  if (numbers.size() != expected) throw WorkError("the checkpoint is damaged; solve again with --overwrite");
+  each_number(c, [&](double& number) { number = numbers[next++]; });
+  take(bytes, at, rows);
+  const auto& columns = history_columns();
+  for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
+    c.records.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i) c.records.back().*columns[i].of_row = rows[k + i];
+  }
+  each_list(c, [&](auto& list) { take(bytes, at, list); });
+  return c;
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/6";
+constexpr const char* format = "asperity-checkpoint/7";
 
 std::string part_name(int step, int rank) {
   return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin";
@@ -101,42 +156,13 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   const int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   if (rank == 0) make_folder(folder);
   MPI_Barrier(communicator);
-  std::string bytes;
-  std::vector<double> rows;
-  for (const auto& record : c.records)
-    for (const auto& column : history_columns()) rows.push_back(record.*column.of_row);
-  const RigidMotion& at = c.coupling.frames;
-  put(bytes, {static_cast<double>(c.steps),
-              c.load,
-              c.far_field,
-              c.lateral_far_field,
-              c.stiffness_at_peak,
-              c.lateral_stiffness,
-              c.torsion_stiffness,
-              c.wall_time,
-              c.approach,
-              c.motion.x,
-              c.motion.y,
-              c.motion.spin,
-              c.motion.roll,
-              at.x,
-              at.y,
-              at.spin,
-              at.roll,
-              c.coupling.elastic.x,
-              c.coupling.elastic.y,
-              c.coupling.elastic.turn,
-              c.time});
-  using Part = const std::vector<double>*;
-  for (const Part values : {Part(&rows), Part(&c.displacement), Part(&c.multiplier), Part(&c.shear[0]),
-                            Part(&c.shear[1]), Part(&c.friction_history), Part(&c.bonded), Part(&c.history)})
-    put(bytes, *values);
-  const std::string name = part_name(c.steps, rank);
+  const std::string bytes = part_of(c);
+  const std::string name = part_name(c.steps(), rank);
   write_file_atomically(folder / name, bytes);
   const auto parts = dealii::Utilities::MPI::gather(communicator, description(name, bytes).dump());
   if (rank != 0) return;
   nlohmann::json manifest{{"format", format},
-                          {"steps", c.steps},
+                          {"steps", c.steps()},
                           {"ranks", ranks},
                           {"columns", history_columns().size()},
                           {"inputs_sha256", c.provenance.inputs_sha256},
@@ -145,7 +171,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   write_file_atomically(folder / "latest.json", signed_text(manifest));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps) + "_", 0) != 0)
+    if (name.rfind("step_", 0) == 0 && name.rfind("step_" + std::to_string(c.steps()) + "_", 0) != 0)
       fs::remove(entry.path());
   }
 }
@@ -174,30 +200,8 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder, const Provenan
   const auto& described = manifest.at("parts").at(dealii::Utilities::MPI::this_mpi_process(communicator));
   const std::string bytes = read_part(folder, described);
   accept(folder, objection_to_part(folder, described, bytes));
-  std::size_t at = 0;
-  Checkpoint c;
-  const auto head = take(bytes, at);
-  if (head.size() != 21)
-    throw WorkError("the checkpoint in '" + folder.string() + "' is damaged; solve again with --overwrite");
+  Checkpoint c = checkpoint_of(bytes);
   c.provenance = now;
-  c.steps = static_cast<int>(head[0]);
-  c.load = head[1], c.far_field = head[2], c.lateral_far_field = head[3];
-  c.stiffness_at_peak = head[4], c.lateral_stiffness = head[5], c.torsion_stiffness = head[6];
-  c.wall_time = head[7], c.approach = head[8], c.motion = {head[9], head[10], head[11], head[12]};
-  c.coupling = {{head[13], head[14], head[15], head[16]}, {head[17], head[18], head[19]}};
-  c.time = head[20];
-  const auto rows = take(bytes, at);
-  const auto& columns = history_columns();
-  for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
-    c.records.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i) c.records.back().*columns[i].of_row = rows[k + i];
-  }
-  c.displacement = take(bytes, at);
-  c.multiplier = take(bytes, at);
-  for (auto& component : c.shear) component = take(bytes, at);
-  c.friction_history = take(bytes, at);
-  c.bonded = take(bytes, at);
-  c.history = take(bytes, at);
   return c;
 }
 

@@ -8,25 +8,23 @@
 #include <vector>
 
 #include "core/provenance.h"
-#include "fem/contact/contact_solver.h"
+#include "fem/contact/contact_state.h"
+#include "fem/output/measured_stiffness.h"
 #include "results/history.h"
 
 namespace asperity::fem {
 
 struct Checkpoint {
   Provenance provenance;
-  int steps = 0;  ///< accepted so far
-  double load = 0, far_field = 0, lateral_far_field = 0, wall_time = 0;
-  double stiffness_at_peak = 0, lateral_stiffness = 0, torsion_stiffness = 0;
-  std::vector<HistoryRow> records;
+  std::vector<HistoryRow> records;  ///< of the accepted steps
+  double load = 0;                  ///< of the last: force [N] or approach [m]
+  double wall_time = 0;             ///< [s]
+  MeasuredStiffness stiffness;
+  InterfaceState interface;
   std::vector<double> displacement;  ///< locally owned
-  std::vector<double> multiplier;
-  std::array<std::vector<double>, 2> shear;
-  std::vector<double> friction_history, bonded;  ///< see ContactState
-  RigidMotion motion;
-  Coupling coupling;  ///< see ContactState
-  double approach = 0, time = 0;
-  std::vector<double> history;  ///< PlasticBodies::save_history
+  std::vector<double> history;       ///< PlasticBodies::save_history
+
+  int steps() const { return static_cast<int>(records.size()); }
 };
 
 /// Collective. The checkpoint before stays valid until this one is complete.

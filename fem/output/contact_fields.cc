@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
+#include "fem/cells/vtk_order.h"
 #include "fem/output/vtk_writer.h"
-#include "fem/vtk_order.h"
 
 namespace asperity::fem {
 namespace {

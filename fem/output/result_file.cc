@@ -127,12 +127,12 @@ class Effective {
 /// The contact at the largest load.
 void add_contact(Effective& effective, const HistoryRow& peak, const DiscretisationError& error,
                  const ResultSummary& s) {
-  if (s.stiffness_at_peak > 0)
-    effective.add("normal_stiffness", s.stiffness_at_peak, "N/m", {error.stiffness()});
-  if (s.lateral_stiffness > 0)
-    effective.add("lateral_stiffness", s.lateral_stiffness, "N/m", {error.lateral_stiffness()});
-  if (s.torsion_stiffness > 0)
-    effective.add("torsion_stiffness", s.torsion_stiffness, "N m/rad", {error.torsion_stiffness()});
+  if (s.stiffness.normal > 0)
+    effective.add("normal_stiffness", s.stiffness.normal, "N/m", {error.stiffness()});
+  if (s.stiffness.lateral > 0)
+    effective.add("lateral_stiffness", s.stiffness.lateral, "N/m", {error.lateral_stiffness()});
+  if (s.stiffness.torsion > 0)
+    effective.add("torsion_stiffness", s.stiffness.torsion, "N m/rad", {error.torsion_stiffness()});
   effective.add("contact_radius", peak.contact_radius, "m", {0.5 * error.area()});
   effective.add("contact_area", peak.contact_area, "m^2", {error.area()});
   effective.add("mean_pressure", peak.mean_pressure, "Pa", {error.area()});
@@ -246,8 +246,8 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
         {"largest_load", setup.largest_load},
         {"control", setup.system.control == Control::force ? "force" : "displacement"},
         {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
-        {"far_field_compliance", s.far_field},
-        {"lateral_far_field_compliance", s.lateral_far_field},
+        {"far_field_compliance", s.stiffness.far_field},
+        {"lateral_far_field_compliance", s.stiffness.lateral_far_field},
         {"work_of_adhesion", input.interface.work_of_adhesion},
         {"opening_work", input.interface.opening_work},
         {"adhesion_law", input.interface.adhesion_law},

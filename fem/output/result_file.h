@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/provenance.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
+#include "fem/output/measured_stiffness.h"
 #include "results/history.h"
 
 namespace asperity::fem {
@@ -16,11 +17,7 @@ struct ResultSummary {
   int ranks = 1;
   unsigned threads = 1;
   long cells = 0, unknowns = 0, contact_nodes = 0;
-  double far_field = 0;          ///< compliance of the finite bodies taken out of the approach [m/N]
-  double lateral_far_field = 0;  ///< the same of the shift [m/N]
-  double lateral_stiffness = 0,
-         torsion_stiffness = 0;  ///< without slip, half-spaces [N/m], [N m/rad]; 0 if not known
-  double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
+  MeasuredStiffness stiffness;
 };
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup,

@@ -3,7 +3,7 @@
 
 #include <deal.II/lac/solver_cg.h>
 
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 
 namespace asperity::fem {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "fem/contact/interface_operator.h"
+#include "fem/cells/hex_kernel.h"
+#include "fem/levels/mesh_level.h"
 #include "fem/materials/j2_plasticity.h"
-#include "fem/solver/hex_kernel.h"
-#include "fem/solver/mesh_level.h"
+#include "fem/mortar/interface_operator.h"
 
 namespace asperity::fem {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 
 namespace asperity::fem {
 

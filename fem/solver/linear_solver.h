@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/contact/interface_operator.h"
+#include "fem/mortar/interface_operator.h"
 #include "fem/solver/hex_operator.h"
 
 namespace asperity::fem {

@@ -19,7 +19,7 @@
 #include <array>
 #include <cmath>
 
-#include "fem/solver/hex_kernel.h"
+#include "fem/cells/hex_kernel.h"
 
 namespace asperity::fem {
 

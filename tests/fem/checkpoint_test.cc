@@ -22,7 +22,6 @@ class CheckpointFile_analytic : public testing::Test {
   CheckpointFile_analytic() {
     Checkpoint c;
     c.provenance = ours;
-    c.steps = 1;
     c.load = 1e-4;
     c.records.resize(1);
     c.displacement = {1, 2, 3};

@@ -1,5 +1,5 @@
 // Programs that combine motions: their stations, and what contacts answer to them.
-#include "fem/experiments/combined_program.h"
+#include "fem/programs/combined_program.h"
 
 #include <gtest/gtest.h>
 

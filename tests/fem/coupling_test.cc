@@ -1,5 +1,5 @@
 // What both surfaces displace on the mean, taken out of displacements that are known.
-#include "fem/contact/coupling.h"
+#include "fem/mortar/coupling.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 #include "meshing/contact_mesh.h"
 #include "tests/support/verification.h"
 

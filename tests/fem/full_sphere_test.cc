@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "fem/case/mesh_quality.h"
 #include "fem/contact/contact_solver.h"
-#include "fem/mesh_quality.h"
 #include "tests/support/verification.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "fem/mesh_quality.h"
+#include "fem/case/mesh_quality.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "fem/boundary_surface.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "fem/contact/contact_system.h"
+#include "fem/levels/boundary_surface.h"
 #include "meshing/triangles/gap_query.h"
 #include "meshing/triangles/surface_check.h"
 #include "tests/fem/support/sphere_on_silicon.h"

@@ -1,6 +1,6 @@
 // The coupling of two non-matching interfaces: what it must reproduce for forces, moments and a uniform
 // pressure.
-#include "fem/contact/mortar.h"
+#include "fem/mortar/mortar.h"
 
 #include <gtest/gtest.h>
 

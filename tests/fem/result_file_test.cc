@@ -40,8 +40,8 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
   records.push_back(records.back());
   records.back().normal_force = -1e-6;
   ResultSummary summary;
-  summary.stiffness_at_peak = 3e4;
-  summary.torsion_stiffness = 1e-8;
+  summary.stiffness.normal = 3e4;
+  summary.stiffness.torsion = 1e-8;
   return nlohmann::json::parse(result_json(input, setup, records, summary))["effective"];
 }
 

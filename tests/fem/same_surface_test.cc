@@ -7,7 +7,7 @@
 
 #include "app/case_file.h"
 #include "app/study.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/csv.h"
-#include "fem/contact/mortar.h"
+#include "fem/mortar/mortar.h"
 #include "tests/fem/support/elastic_materials.h"
 #include "tests/fem/support/small_solid.h"
 #include "tests/support/shared_files.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "tests/fem/support/half_space.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"

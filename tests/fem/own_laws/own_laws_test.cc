@@ -10,7 +10,7 @@
 #include "app/case_declaration.h"
 #include "app/case_file.h"
 #include "core/error.h"
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/solve_case.h"

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/mortar.h"
-#include "fem/contact/rigid_motion.h"
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
+#include "fem/mortar/mortar.h"
+#include "fem/mortar/rigid_motion.h"
 
 namespace asperity::fem {
 

@@ -1,4 +1,4 @@
-#include "fem/contact/mortar.h"
+#include "fem/mortar/mortar.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

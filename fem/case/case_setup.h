@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/case.h"
+#include "fem/case/mesh_quality.h"
 #include "fem/contact/contact_system.h"
-#include "fem/experiments/program.h"
-#include "fem/mesh_quality.h"
+#include "fem/programs/program.h"
 #include "surfaces/surface_of_entry.h"
 
 namespace asperity::fem {

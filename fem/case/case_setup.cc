@@ -1,4 +1,4 @@
-#include "fem/case_setup.h"
+#include "fem/case/case_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/written_apart.h"
-#include "fem/experiments/combined_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
+#include "fem/programs/combined_program.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 

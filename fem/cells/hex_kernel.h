@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "fem/simd.h"
-#include "fem/solver/hex_gradients.h"
+#include "fem/cells/hex_gradients.h"
+#include "fem/cells/simd.h"
 
 namespace asperity::fem {
 

@@ -1,4 +1,4 @@
-#include "fem/contact/interface_operator.h"
+#include "fem/mortar/interface_operator.h"
 
 #include <algorithm>
 #include <array>

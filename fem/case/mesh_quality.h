@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 
 namespace asperity::fem {
 

@@ -1,4 +1,4 @@
-#include "fem/experiments/combined_program.h"
+#include "fem/programs/combined_program.h"
 
 #include <algorithm>
 #include <cmath>

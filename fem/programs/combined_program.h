@@ -5,7 +5,7 @@
 
 #include "core/case.h"
 #include "core/motion_program.h"
-#include "fem/experiments/program.h"
+#include "fem/programs/program.h"
 
 namespace asperity::fem {
 

@@ -1,4 +1,4 @@
-#include "fem/boundary_surface.h"
+#include "fem/levels/boundary_surface.h"
 
 #include <deal.II/grid/tria_accessor.h>
 

@@ -1,4 +1,4 @@
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_tools.h>

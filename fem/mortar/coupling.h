@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "fem/contact/rigid_motion.h"
+#include "fem/mortar/rigid_motion.h"
 
 namespace asperity::fem {
 

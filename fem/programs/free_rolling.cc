@@ -1,4 +1,4 @@
-#include "fem/experiments/free_rolling.h"
+#include "fem/programs/free_rolling.h"
 
 #include <cmath>
 

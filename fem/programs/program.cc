@@ -1,9 +1,9 @@
-#include "fem/experiments/program.h"
+#include "fem/programs/program.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fem/experiments/combined_program.h"
+#include "fem/programs/combined_program.h"
 
 namespace asperity::fem {
 namespace {

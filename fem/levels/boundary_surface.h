@@ -2,7 +2,7 @@
 // queries.
 #pragma once
 
-#include "fem/solver/mesh_level.h"
+#include "fem/levels/mesh_level.h"
 #include "meshing/triangles/triangle_surface.h"
 
 namespace asperity::fem {

@@ -12,8 +12,8 @@
 #include <memory>
 #include <vector>
 
+#include "fem/cells/simd.h"
 #include "fem/materials/j2_plasticity.h"
-#include "fem/simd.h"
 #include "meshing/contact_mesh.h"
 
 namespace asperity::fem {

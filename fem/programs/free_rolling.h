@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fem/experiments/program.h"
+#include "fem/programs/program.h"
 #include "results/history.h"
 
 namespace asperity::fem {

@@ -1,4 +1,4 @@
-#include "fem/contact/coupling.h"
+#include "fem/mortar/coupling.h"
 
 namespace asperity::fem {
 

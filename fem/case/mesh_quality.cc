@@ -1,4 +1,4 @@
-#include "fem/mesh_quality.h"
+#include "fem/case/mesh_quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "fem/contact/interface_operator.h"
-#include "fem/vtk_order.h"
+#include "fem/cells/vtk_order.h"
+#include "fem/mortar/interface_operator.h"
 #include "meshing/triangles/quality.h"
 
 namespace asperity::fem {
