@@ -18,6 +18,7 @@
 #include "fem/mesh_quality.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
+#include "fem/output/half_space_check.h"
 #include "fem/output/progress_line.h"
 #include "fem/output/result_file.h"
 #include "fem/solver/load_step_error.h"
@@ -413,6 +414,11 @@ void ContactExperiment::write_result() {
   summary.stiffness_at_peak = stiffness_at_peak_;
   summary.lateral_stiffness = lateral_stiffness_;
   summary.torsion_stiffness = torsion_stiffness_;
+  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
+    return a.normal_force < b.normal_force;
+  });
+  if (speaks()) summary.half_space = half_space_check(input_, setup_, peak);
+  if (summary.half_space) say(half_space_text(*summary.half_space, peak, stiffness_at_peak_));
   if (speaks())
     write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say_load_steps();

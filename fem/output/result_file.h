@@ -1,11 +1,13 @@
 // result.json of a solved case ("asperity-result/1").
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/provenance.h"
 #include "fem/case_setup.h"
+#include "half_space/case_contact.h"
 #include "results/history.h"
 
 namespace asperity::fem {
@@ -21,6 +23,8 @@ struct ResultSummary {
   double lateral_stiffness = 0,
          torsion_stiffness = 0;  ///< without slip, half-spaces [N/m], [N m/rad]; 0 if not known
   double stiffness_at_peak = 0;  ///< elastic stiffness at the largest load, half-spaces [N/m]; 0 if not known
+  std::optional<half_space::CaseContact>
+      half_space;  ///< the same contact by boundary elements, where they solve it
 };
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup,
