@@ -101,7 +101,11 @@ void say_yielding(const CaseInput& input, const PreviewedCase& preview,
   }
   if (yields) say("the numbers above are those of elastic bodies; where they yield the area is larger");
   if (!preview.contact.capped) {
-    if (yields) say("no pressure reaches the hardness of " + quantity(preview.hardness, Dimension::pressure));
+    if (yields && std::isfinite(preview.hardness))
+      say("no pressure reaches the hardness of " + quantity(preview.hardness, Dimension::pressure));
+    else if (yields)
+      say("a contact of three times the yield stress would go beyond half the Radius, which half-spaces do "
+          "not tell");
     return;
   }
   const auto& capped = *preview.contact.capped;
@@ -156,7 +160,13 @@ json numbers_of(const CaseContact& contact, const CasePreview& preview) {
 PreviewedCase preview_case(const CaseInput& input, double hardness) {
   PreviewedCase preview;
   preview.hardness = hardness > 0 ? hardness : tabor_hardness(input);
-  preview.contact = half_space::preview_of_case(input, preview.hardness);
+  try {
+    preview.contact = half_space::preview_of_case(input, preview.hardness);
+  } catch (const InputError&) {  // a contact of that hardness may be no half-space's where the elastic one is
+    if (hardness > 0 || std::isinf(preview.hardness)) throw;
+    preview.hardness = std::numeric_limits<double>::infinity();
+    preview.contact = half_space::preview_of_case(input, preview.hardness);
+  }
   bool rubs = false;
   try {
     check_case(input);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -55,11 +56,11 @@ class BoundedGradients {
   /// Approach, gap under load, and the error.
   void measure_gap() {
     s_.approach = load_.by_force ? mean_opening() : load_.value;
-    const auto sum = sums_over<6>(cells_, [&](std::size_t k, auto& sum) {
+    const auto sum = sums_over<7>(cells_, [&](std::size_t k, auto& sum) {
       const double g = displacement_[k] + gap_[k] - s_.approach, p = p_[k];
-      open_[k] = g;
+      const double before = std::exchange(open_[k], g);
       if (is_free(k))
-        sum[0] += g * g, sum[1] += p * std::abs(g);
+        sum[0] += g * g, sum[6] += g * before, sum[1] += p * std::abs(g);
       else if (p > 0)
         sum[1] += p * std::max(0.0, g);
       else
@@ -67,7 +68,7 @@ class BoundedGradients {
       sum[3] += p * displacement_[k];
       sum[4] += p, sum[5] += p > 0;
     });
-    squares_ = sum[0];
+    squares_ = sum[0], products_ = sum[6];
     const double mean_pressure = sum[5] > 0 ? sum[4] / sum[5] : 0;
     s_.error =
         sum[3] > 0 ? (sum[1] + mean_pressure * sum[2]) / sum[3] : std::numeric_limits<double>::infinity();
@@ -93,14 +94,23 @@ class BoundedGradients {
     return std::isinf(lowest) ? highest : 0.5 * (highest + lowest);
   }
 
-  /// One direction, its length, and the pressures after it.
-  void step() {
-    const double turn = keep_ && squares_before_ > 0 ? squares_ / squares_before_ : 0.0;
-    squares_before_ = squares_;
-    const auto along = sums_over<1>(cells_, [&](std::size_t k, auto& sum) {
-      direction_[k] = is_free(k) ? open_[k] + turn * direction_[k] : 0.0;
+  /// Turns the direction towards the gap of the cells between the bounds; what of the last one it keeps. The
+  /// gap along it, summed.
+  double turn_direction(double keep) {
+    return sums_over<1>(cells_, [&](std::size_t k, auto& sum) {
+      direction_[k] = is_free(k) ? open_[k] + keep * direction_[k] : 0.0;
       sum[0] += open_[k] * direction_[k];
     })[0];
+  }
+
+  /// One direction, its length, and the pressures after it. What a direction keeps of the last one is Polak
+  /// and Ribiere's share, without starting anew where cells open or close (Vollebregt 2014, J. Optim. Theory
+  /// Appl. 162, 931): on rough surfaces some do in most steps.
+  void step() {
+    const double keep = squares_before_ > 0 ? std::max(0.0, (squares_ - products_) / squares_before_) : 0.0;
+    squares_before_ = squares_;
+    double along = turn_direction(keep);
+    if (!(along > 0)) along = turn_direction(0);
     double length = 1 / compliance_.of_one_cell();  // a longer step is always felt
     if (squares_ > 0) {
       compliance_.apply(direction_, response_);
@@ -128,7 +138,6 @@ class BoundedGradients {
         count[1] += 1;
       }
     });
-    keep_ = counts[1] == 0;
     const double scale = load_.by_force ? fit_to_force() : 1.0;
     constexpr int most_steps_without = 20;  // what rounding adds up in is computed anew
     if (counts[0] + counts[1] > 0 || scale == 0 || ++steps_without_ > most_steps_without) return displace();
@@ -189,8 +198,7 @@ class BoundedGradients {
   NormalContactSolution& s_;
   Field &p_, &open_;
   Field displacement_, direction_, response_;
-  double squares_ = 0, squares_before_ = 0;
-  bool keep_ = false;
+  double squares_ = 0, squares_before_ = 0, products_ = 0;
   int steps_without_ = 0;
 };
 

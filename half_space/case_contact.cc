@@ -105,16 +105,18 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
   constexpr double larger = 1.3;
   double half_width = options.half_width > 0 ? options.half_width : derived_half_width(input);
   const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input);
-  for (int enlarged = 0;; ++enlarged, half_width *= larger) {
+  for (int enlarged = 0;; half_width *= larger) {
     if (half_width > input.radius / 2)
       throw InputError(input.file + ": the contact goes beyond " +
                        format_quantity(input.radius / 2, Dimension::length) +
                        " from the axis, half the Radius, where bodies are no half-spaces; lower the load");
+    const bool carries = options.hardness * 4 * half_width * half_width > largest_load(input);
+    if (!carries && input.experiment.control == ExperimentInput::Control::force) continue;
     const int n = cells_for(half_width, spacing, options.most_cells);
     CaseContact contact = contact_on(input, Surfaces(input, half_width), square_grid(half_width, n), options);
-    contact.enlarged = enlarged;
+    contact.enlarged = enlarged++;
     if (!contact.shape.reaches_edge) return contact;
-    if (enlarged == most_times)
+    if (contact.enlarged == most_times)
       throw InputError(input.file + ": the contact still reaches the edge of a square of " +
                        format_quantity(2 * half_width, Dimension::length) +
                        ", several times what load and roughness suggest; is the topography levelled?");
@@ -133,7 +135,9 @@ CasePreview preview_of_case(const CaseInput& input, double hardness) {
   preview.coarse = contact_on(input, surfaces, square_grid(options.half_width, grid.nx / 2), options);
   if (hardness < preview.fine.shape.largest_pressure) {
     options.hardness = hardness;
-    preview.capped = contact_on(input, surfaces, grid, options);
+    options.spacing = grid.dx;
+    options.most_cells = CaseContactOptions().most_cells;
+    preview.capped = contact_of_case(input, options);
   }
   return preview;
 }

@@ -57,7 +57,7 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
 /// first order, so that it is rather too large).
 struct CasePreview {
   CaseContact fine, coarse;
-  std::optional<CaseContact> capped;  ///< at the finer spacing with a hardness
+  std::optional<CaseContact> capped;  ///< at the finer spacing, with a hardness below the largest pressure
 
   double error_of_area() const;              ///< relative
   double error_of_largest_pressure() const;  ///< relative

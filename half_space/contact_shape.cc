@@ -35,14 +35,19 @@ int count_spots(const Grid& grid, const Field& pressure) {
 
 ContactShape contact_shape(const Grid& grid, const Field& pressure, double hardness) {
   ContactShape shape;
-  double closed = 0, at_bound = 0, sum = 0, moment_x = 0, moment_y = 0, sides_x = 0, sides_y = 0;
+  double closed = 0, at_bound = 0, sum = 0, moment_x = 0, moment_y = 0, sides_x = 0, sides_y = 0,
+         elastic_sides = 0;
   for (int iy = 0; iy < grid.ny; ++iy)
     for (int ix = 0; ix < grid.nx; ++ix) {
       const std::size_t cell = static_cast<std::size_t>(iy) * grid.nx + ix;
       const double p = pressure[cell];
       const bool presses = p > 0;
-      if (ix + 1 < grid.nx) sides_y += presses != (pressure[cell + 1] > 0);
-      if (iy + 1 < grid.ny) sides_x += presses != (pressure[cell + grid.nx] > 0);
+      const auto add_side = [&](double neighbour, double& sides) {
+        if (presses == (neighbour > 0)) return;
+        sides += 1, elastic_sides += std::max(p, neighbour) < hardness;
+      };
+      if (ix + 1 < grid.nx) add_side(pressure[cell + 1], sides_y);
+      if (iy + 1 < grid.ny) add_side(pressure[cell + grid.nx], sides_x);
       if (!presses) continue;
       closed += 1, at_bound += p >= hardness, sum += p;
       moment_x += p * grid.x(ix), moment_y += p * grid.y(iy);
@@ -55,7 +60,7 @@ ContactShape contact_shape(const Grid& grid, const Field& pressure, double hardn
   shape.area_of_cells = closed * cell;
   shape.area_at_bound = at_bound * cell;
   shape.perimeter = sides_x * grid.dx + sides_y * grid.dy;
-  shape.area = shape.area_of_cells - excess * (sides_x + sides_y) * cell;
+  shape.area = shape.area_of_cells - excess * elastic_sides * cell;
   shape.force = sum * cell;
   shape.mean_pressure = shape.area > 0 ? shape.force / shape.area : 0;
   if (sum > 0) shape.centre_x = moment_x / sum, shape.centre_y = moment_y / sum;

@@ -8,7 +8,8 @@ namespace asperity::half_space {
 struct ContactShape {
   double area_of_cells = 0;  ///< of the cells that press [m^2]
   /// The same less (pi - 1 + ln 2) / 24 of the perimeter times the spacing, by which cells count too much on
-  /// a straight edge of any direction (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114, 161) [m^2]
+  /// a straight edge of any direction, where the pressure falls to none (not at the hardness: there the
+  /// centres of cells decide) (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114, 161) [m^2]
   double area = 0;
   double perimeter = 0;               ///< sum of the sides between cells that press and cells that do not [m]
   double mean_pressure = 0;           ///< force over area [Pa]

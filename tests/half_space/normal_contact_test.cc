@@ -241,6 +241,8 @@ TEST(ContactShape_analytic, counts_spots_sides_and_bounds) {
   EXPECT_TRUE(shape.reaches_edge);
   EXPECT_DOUBLE_EQ(shape.area_of_cells, 5 * 2e-18);
   EXPECT_DOUBLE_EQ(shape.area_at_bound, 2e-18);
+  // The cell on the edge of the grid is at the bound.
+  EXPECT_NEAR(shape.area, (5 - (M_PI - 1 + std::log(2.0)) / 24 * 12) * 2e-18, 1e-30);
   EXPECT_DOUBLE_EQ(shape.perimeter, (2 * (3 * 2 + 1) + 2 * (2 + 1) + (2 + 1)) * 1e-9);
   EXPECT_DOUBLE_EQ(shape.force, 8e9 * 2e-18);
   EXPECT_DOUBLE_EQ(shape.largest_pressure, 4e9);

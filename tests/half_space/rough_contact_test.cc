@@ -177,6 +177,17 @@ TEST(CasePreview_behaviour, tells_the_error_of_two_spacings_and_caps_pressures) 
               preview.error_of_largest_pressure());
 }
 
+TEST(CaseContact_behaviour, is_enlarged_until_the_hardness_carries_the_load) {
+  CaseInput input = sphere_on_silicon();
+  CaseContactOptions options;
+  options.hardness = input.experiment.normal_load / std::pow(3 * derived_half_width(input), 2);
+  const CaseContact soft = contact_of_case(input, options);
+  EXPECT_FALSE(soft.shape.reaches_edge);
+  EXPECT_NEAR(soft.shape.area * options.hardness / input.experiment.normal_load, 1, 0.01);
+  options.hardness /= 100;
+  EXPECT_THROW(contact_of_case(input, options), InputError);
+}
+
 TEST(CaseContact_behaviour, refuses_what_is_no_half_space) {
   CaseInput input = sphere_on_silicon();
   CaseContactOptions options;
