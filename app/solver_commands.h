@@ -14,6 +14,8 @@ struct SolverCommand {
 };
 
 namespace solver_commands {
+inline constexpr SolverCommand preview{"preview",
+                                       "Say in seconds what a case will show, and the mesh that it needs"};
 inline constexpr SolverCommand mesh{
     "mesh", "Write the meshes of a case; print quality, counts and memory to solve it"};
 inline constexpr SolverCommand solve{"solve", "Solve one case: result.json, history.csv and fields"};

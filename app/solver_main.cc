@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/mesh_command.h"
+#include "app/preview_command.h"
 #include "app/program.h"
 #include "app/report_command.h"
 #include "app/solve_command.h"
@@ -10,6 +11,7 @@
 int main(int argc, char** argv) {
   using namespace asperity;
   return run_program(argc, argv, [](CLI::App& app) {
+    add_preview_command(app);
     add_mesh_command(app);
     add_solve_command(app);
     add_study_command(app);

@@ -9,6 +9,7 @@
 #include "core/quantity.h"
 #include "fem/case/case_setup.h"
 #include "fem/case/mesh_quality.h"
+#include "fem/case/solve_cost.h"
 #include "fem/cells/vtk_order.h"
 #include "fem/levels/boundary_surface.h"
 #include "fem/output/vtk_writer.h"
@@ -20,11 +21,6 @@ namespace {
 using namespace fem;
 namespace fs = std::filesystem;
 using Say = std::function<void(const std::string&)>;
-
-/// Peak memory of `asperity solve` on one process: program and libraries, then each unknown [byte]. Line
-/// through the maximum resident sets that result.json of runs/paper/surfaces.prm states: 295 MB for 122121
-/// unknowns (18 nm at the interface), 389 MB for 257358 (12 nm).
-constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
 
 const char* const body_name[2] = {"particle", "substrate"};
 
@@ -63,9 +59,7 @@ void say_counts(const Say& say, const meshing::ContactMeshOptions& options, cons
         length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
         std::to_string(map.finest_level(static_cast<meshing::Body>(body))) + " levels of refinement");
   say("both: " + std::to_string(level.size()) + " unknowns; to solve them takes about " +
-      text("%.2g GiB",
-           (bytes_of_program + static_cast<double>(level.size()) * bytes_per_unknown) / (1 << 30)) +
-      " of memory");
+      text("%.2g GiB", estimated_memory(static_cast<double>(level.size())) / (1 << 30)) + " of memory");
 }
 
 void say_quality(const Say& say, const HexMeshQuality& quality) {

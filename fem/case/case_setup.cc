@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/written_apart.h"
+#include "fem/case/solve_cost.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/programs/combined_program.h"
@@ -150,11 +151,6 @@ J2Material material_of(const BodyInput& body) {
   return material;
 }
 
-double hertz_separation(double r, double a, double R) {
-  const double s = r / a;
-  return a * a / (M_PI * R) * ((s * s - 2) * std::acos(1 / s) + std::sqrt(s * s - 1));
-}
-
 CaseInput with_derived_way(const CaseInput& input) {
   CaseInput derived = input;
   CaseSetup setup;
@@ -180,16 +176,6 @@ double derived_spacing(const CaseSetup& setup) {
   return spacing;
 }
 
-/// Unknowns of a mesh with this fine region, roughly: layers of cells that double in size away from both
-/// interfaces.
-double estimated_unknowns(const meshing::BodySizes& sizes, double layers) {
-  const auto nodes = [&](double region, double reach, double spacing) {
-    return 4 * region * (region + reach) / (spacing * spacing) * (4.0 / 3) * (layers + 1);
-  };
-  return 3 * (nodes(sizes.region_particle, sizes.reach_particle, sizes.spacing_particle) +
-              nodes(sizes.region_substrate, sizes.reach_substrate, sizes.spacing_substrate));
-}
-
 /// A derived mesh must fit a workstation: hours and some 3 GB.
 void require_affordable(const CaseInput& input, const CaseSetup& setup) {
   constexpr double most_unknowns = 4e6;
@@ -212,7 +198,8 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
                    "Mesh/Interface spacing leaves out");
 }
 
-/// All of a case's setup but its surfaces' heights.
+}  // namespace
+
 CaseSetup set_up_sizes(const CaseInput& input) {
   CaseSetup setup;
   find_hertz_scales(input, setup);
@@ -235,9 +222,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
     // goes further.
     const double reach =
         std::hypot(3 * std::hypot(upper_scales.rms, lower_scales.rms), attraction_reach(input.interface));
-    double r = 1.15 * a;
-    while (hertz_separation(r, a, R) < reach) r *= 1.02;
-    region = r + 2 * spacing;
+    region = hertz_reach(a, R, reach) + 2 * spacing;
   }
   const double largest_region = 0.5 * meshing::BodyMap::cap_fraction * R;
   if (region > largest_region) {
@@ -297,8 +282,6 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   if (input.mesh.interface_spacing == 0) require_affordable(input, setup);
   return setup;
 }
-
-}  // namespace
 
 void check_extent(const CaseInput& input) { set_up_sizes(with_derived_way(input)); }
 

@@ -43,13 +43,12 @@ CaseInput with_derived_way(const CaseInput& input);
 /// Throws InputError if the mesh parameters do not fit the bodies.
 CaseSetup set_up(const CaseInput& input);
 
+/// All of it but the surfaces' heights and what follows from them.
+CaseSetup set_up_sizes(const CaseInput& input);
+
 /// Throws what set_up throws, without making the surfaces.
 void check_extent(const CaseInput& input);
 
 J2Material material_of(const BodyInput& body);
-
-/// Separation of the surfaces outside a Hertzian contact, at distance r > a from its centre (Johnson 1985,
-/// eq. 3.42a).
-double hertz_separation(double r, double contact_radius, double sphere_radius);
 
 }  // namespace asperity::fem

@@ -8,6 +8,7 @@
 #include "core/atomic_file.h"
 #include "fem/experiments/contact_experiment.h"
 #include "fem/output/checkpoint.h"
+#include "fem/output/half_space_check.h"
 #include "fem/output/result_file.h"
 
 namespace asperity::fem {
@@ -119,6 +120,11 @@ void ContactExperiment::write_result() {
   summary.unknowns = static_cast<long>(system_->level().size());
   summary.contact_nodes = static_cast<long>(system_->rows().size());
   summary.stiffness = stiffness_;
+  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
+    return a.normal_force < b.normal_force;
+  });
+  if (speaks()) summary.half_space = half_space_check(input_, setup_, peak);
+  if (summary.half_space) say(half_space_text(*summary.half_space, peak, stiffness_.normal));
   if (speaks())
     write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say_load_steps();

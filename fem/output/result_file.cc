@@ -65,6 +65,16 @@ json resolved_roughness(const MeshedRoughness& r) {
           {"repeats_every", r.scales.period < r.region ? json(r.scales.period) : json(nullptr)}};
 }
 
+json half_space_numbers(const half_space::CaseContact& contact) {
+  return {{"contact_area", contact.shape.area},
+          {"mean_pressure", contact.shape.mean_pressure},
+          {"max_pressure", contact.shape.largest_pressure},
+          {"approach", contact.approach()},
+          {"first_touch", contact.first_touch},
+          {"normal_stiffness", contact.stiffness},
+          {"spacing", contact.grid.dx}};
+}
+
 /// Largest size of a column.
 double largest_size(const std::vector<HistoryRow>& records, double HistoryRow::*column) {
   double largest = 0;
@@ -306,6 +316,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
         {"steps", records.size()}}},
       {"versions",
        {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
+  if (s.half_space) result["half_space"] = half_space_numbers(*s.half_space);
   for (const auto& [entry, value] : interface_parameters(input.interface))
     result["inputs"][result_name(entry)] = value;
   return result.dump(1) + "\n";

@@ -1,12 +1,14 @@
 // result.json of a solved case ("asperity-result/1").
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/provenance.h"
 #include "fem/case/case_setup.h"
 #include "fem/output/measured_stiffness.h"
+#include "half_space/case_contact.h"
 #include "results/history.h"
 
 namespace asperity::fem {
@@ -18,6 +20,8 @@ struct ResultSummary {
   unsigned threads = 1;
   long cells = 0, unknowns = 0, contact_nodes = 0;
   MeasuredStiffness stiffness;
+  std::optional<half_space::CaseContact>
+      half_space;  ///< the same contact by boundary elements, where they solve it
 };
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup,

@@ -50,8 +50,8 @@ TEST(Start_behaviour, version_takes_less_than_60_megabytes_and_a_twentieth_of_a_
 
 TEST(Start_behaviour, commands_of_the_solver_are_listed_and_say_their_own_help) {
   const std::string help = test::call("--help").output;
-  for (const auto& command :
-       {solver_commands::mesh, solver_commands::solve, solver_commands::study, solver_commands::report}) {
+  for (const auto& command : {solver_commands::preview, solver_commands::mesh, solver_commands::solve,
+                              solver_commands::study, solver_commands::report}) {
     EXPECT_NE(help.find(command.says), std::string::npos) << help;
     const test::Outcome own = test::call(std::string(command.name) + " --help");
     EXPECT_EQ(own.status, 0);

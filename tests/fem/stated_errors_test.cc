@@ -1,6 +1,6 @@
 // Do the standard deviations that result.json states hold? Rough elastic contacts by finite elements against
-// boundary elements of the same surfaces at a fraction of the spacing (tests/fem/support/half_space.h), which
-// know nothing of meshes, mortars or multipliers.
+// boundary elements of the same surfaces at a fraction of the spacing (half_space/), which know nothing of
+// meshes, mortars or multipliers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fem/case/case_setup.h"
-#include "tests/fem/support/half_space.h"
+#include "half_space/case_contact.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/temporary_folder.h"
@@ -19,18 +19,6 @@ namespace {
 
 using namespace asperity;
 using namespace asperity::test;
-
-TEST(HalfSpace_analytic, hertz_contact_is_found_by_boundary_elements) {
-  const double R = 8.5e-6, E = 52.868e9, F = 100e-6, a = std::cbrt(3 * F * R / (4 * E));
-  const HalfSpaceContact c =
-      half_space_contact([&](double x, double y) { return (x * x + y * y) / (2 * R); }, 1.3 * a, 128, E, F);
-  const auto verified = [](const std::string& what) {
-    return Verified{"Stated errors", "boundary elements, 128 over 2.6 a: " + what, "Hertz (1882)"};
-  };
-  EXPECT_TRUE(verified("approach").within(c.approach, a * a / R, 1e-4));
-  EXPECT_TRUE(verified("largest pressure").within(c.largest_pressure, 1.5 * F / (M_PI * a * a), 1e-3));
-  EXPECT_TRUE(verified("contact area").within(c.area, M_PI * a * a, 0.006));
-}
 
 /// A rough silicon under the paper's smooth sphere, both elastic.
 struct RoughCase {
@@ -57,25 +45,22 @@ CaseInput input_of(const RoughCase& c) {
 /// Values of `effective` of the same contact by boundary elements in cells of `spacing` [nm] or a little
 /// less.
 std::map<std::string, double> references_of(const RoughCase& c, double spacing) {
-  const fem::CaseSetup setup = fem::set_up(input_of(c));
-  const double R = setup.system.mesh.sizes.radius, half = setup.system.mesh.sizes.region_particle,
-               force = c.load * 1e-6;
-  const auto& height = setup.system.mesh.substrate_height;
-  const auto gap = [&](double x, double y) {
-    return R - std::sqrt(R * R - x * x - y * y) - (height ? height(x, y) : 0.0);
-  };
-  const int n = 2 * static_cast<int>(std::ceil(half / (spacing * 1e-9)));
-  const HalfSpaceContact found = half_space_contact(gap, half, n, setup.reduced_modulus, force);
-  return {{"contact_area", found.area},
-          {"contact_radius", std::sqrt(found.area / M_PI)},
-          {"mean_pressure", force / found.area},
-          {"max_pressure", found.largest_pressure},
-          {"approach", found.approach},
-          {"approach_from_first_touch", found.approach - found.first_touch},
+  const CaseInput input = input_of(c);
+  half_space::CaseContactOptions options;
+  options.spacing = spacing * 1e-9;
+  options.half_width = fem::set_up_sizes(input).system.mesh.sizes.region_particle;
+  const half_space::CaseContact found = half_space::contact_of_case(input, options);
+  const auto& shape = found.shape;
+  return {{"contact_area", shape.area},
+          {"contact_radius", std::sqrt(shape.area / M_PI)},
+          {"mean_pressure", shape.mean_pressure},
+          {"max_pressure", shape.largest_pressure},
+          {"approach", found.approach()},
+          {"approach_from_first_touch", found.approach() - found.first_touch},
           {"first_touch", found.first_touch},
-          {"load_centre_x", found.centre_x},
-          {"load_centre_y", found.centre_y},
-          {"normal_stiffness", half_space_stiffness(gap, half, n, setup.reduced_modulus, force)}};
+          {"load_centre_x", shape.centre_x},
+          {"load_centre_y", shape.centre_y},
+          {"normal_stiffness", found.stiffness}};
 }
 
 /// Errors of one case over their stated standard deviations, by quantity.
@@ -114,6 +99,34 @@ void expect_coverage(const std::vector<RoughCase>& cases, double waves_per_refer
     EXPECT_TRUE(verified.above(within, 0.9 * static_cast<double>(values.size()), unit));
     EXPECT_GT(square, 0.05) << name;
   }
+}
+
+TEST(HalfSpaceSurfaces_analytic, gap_of_a_case_is_that_between_the_surfaces_of_its_meshes) {
+  CaseInput input = sphere_on_silicon(generated(0.7, 80, 1), generated(1.5, 80, 2), 20e-9, 0);
+  const fem::CaseSetup setup = fem::set_up(input);
+  const meshing::RoughGeometry geometry(setup.system.mesh);
+  const half_space::Grid grid = half_space::square_grid(0.9 * setup.system.mesh.sizes.region_particle, 10);
+  const half_space::Field gap = half_space::gap_of_case(input, grid);
+  const auto logical = [&](int tree, double x, double y) {  // of a place on a body's surface, by bisection
+    const auto coordinate = [&](int axis, double place) {
+      double low = 0, high = 1;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        meshing::Point3 p{0.5, 0.5, meshing::BodyMap::surface_coordinate(tree)};
+        p[axis] = middle;
+        (geometry.position(tree, p)[axis] < place ? low : high) = middle;
+      }
+      return 0.5 * (low + high);
+    };
+    return meshing::Point3{coordinate(0, x), coordinate(1, y), meshing::BodyMap::surface_coordinate(tree)};
+  };
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const double x = grid.x(i), y = grid.y(j);
+      const double upper = geometry.position(meshing::cap, logical(meshing::cap, x, y))[2],
+                   lower = geometry.position(meshing::block, logical(meshing::block, x, y))[2];
+      EXPECT_NEAR(gap[j * grid.nx + i], upper - lower, 1e-14) << x << " " << y;
+    }
 }
 
 TEST(StatedErrors_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {

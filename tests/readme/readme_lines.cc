@@ -27,6 +27,7 @@ ReadmeGroup one_case() {
             "", "", "512 x 512", "rough.gsf"},
            {"build/asperity surface afm --help", "", "", "--rms", ""},
            {"build/asperity case-template > case.prm", "", "", "", "case.prm"},
+           {"build/asperity preview case.prm", small_contact, "a smaller load", "real contact area", ""},
            {"build/asperity mesh case.prm --output meshes", small_contact, "a smaller load, a coarser mesh",
             "", "meshes"},
            {"build/asperity solve case.prm --output result", small_contact,

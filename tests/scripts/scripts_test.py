@@ -44,7 +44,7 @@ class Folders(unittest.TestCase):
     def check(self, files, lists=""):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name in "core results surfaces dem_compare diagnosis meshing fem report app".split():
+            for name in "core results surfaces half_space dem_compare diagnosis meshing fem report app".split():
                 (root / name).mkdir()
                 (root / name / "CMakeLists.txt").write_text(lists if name == "dem_compare" else "")
             for file, included in files.items():

@@ -1,0 +1,85 @@
+#include "app/preview_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/case_file.h"
+#include "app/solver_commands.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/output_folder.h"
+#include "core/quantity.h"
+#include "fem/preview_case.h"
+#include "report/fields/map_figure.h"
+
+namespace asperity {
+namespace {
+
+struct PreviewArguments {
+  std::string file, output, hardness;
+  std::vector<std::string> overrides;
+};
+
+void say(const std::string& line) { std::cout << line << std::endl; }
+
+/// White where nothing presses, dark red at the largest pressure.
+std::string pressure_picture(const half_space::CaseContact& contact) {
+  const auto& grid = contact.grid;
+  report::Map map;
+  map.nx = grid.nx, map.ny = grid.ny;
+  map.values = contact.solution.pressure;
+  return report::png_bytes(
+      report::paint(map, report::ColourScale::white_to_red(), {0, contact.shape.largest_pressure}));
+}
+
+void run_preview(const PreviewArguments& arguments) {
+  double hardness = 0;
+  if (!arguments.hardness.empty()) {
+    hardness = parse_quantity(arguments.hardness, Dimension::pressure);
+    if (!(hardness > 0)) throw InputError("--hardness must be above 0, such as \"9 GPa\"");
+  }
+  const Settings settings = read_settings(arguments.file, arguments.overrides);
+  const CaseInput input = case_from_settings(settings, arguments.file);
+  naming_lines_of_scans(settings, input, [&] {
+    const PreviewedCase preview = preview_case(input, hardness);
+    say_preview(input, preview, say);
+    if (arguments.output.empty()) return;
+    const std::filesystem::path folder = arguments.output;
+    make_folder(folder);
+    write_file_atomically(folder / "preview.json", preview_json(input, preview));
+    write_file_atomically(folder / "pressure.png", pressure_picture(preview.contact.fine));
+    if (preview.contact.capped)
+      write_file_atomically(folder / "pressure_capped.png", pressure_picture(*preview.contact.capped));
+    say("wrote preview.json and pictures of the pressure to " + folder.string());
+  });
+}
+
+}  // namespace
+
+void add_preview_command(CLI::App& app) {
+  const auto arguments = std::make_shared<PreviewArguments>();
+  CLI::App* command = app.add_subcommand(solver_commands::preview.name, solver_commands::preview.says);
+  command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")
+      ->required();
+  command->add_option("--output", arguments->output, "Folder for preview.json and pictures of the pressure");
+  command->add_option(
+      "--hardness", arguments->hardness,
+      "Largest pressure of bodies that yield, such as \"9 GPa\" (default: three times the lower yield "
+      "stress)");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)
+      ->take_all();
+  command->footer(
+      "The normal contact of elastic half-spaces with the case's surfaces, without friction, adhesion and "
+      "motion.");
+  command->callback([arguments] { run_preview(*arguments); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#include "fem/case/solve_cost.h"
+
+#include "fem/programs/program.h"
+
+namespace asperity::fem {
+
+double estimated_unknowns(const meshing::BodySizes& sizes, double layers) {
+  const auto nodes = [&](double region, double reach, double spacing) {
+    return 4 * region * (region + reach) / (spacing * spacing) * (4.0 / 3) * (layers + 1);
+  };
+  return 3 * (nodes(sizes.region_particle, sizes.reach_particle, sizes.spacing_particle) +
+              nodes(sizes.region_substrate, sizes.reach_substrate, sizes.spacing_substrate));
+}
+
+double estimated_memory(double unknowns) {
+  // Program and libraries, then each unknown. Line through the maximum resident sets that result.json of
+  // runs/paper/surfaces.prm states: 295 MB for 122121 unknowns (18 nm at the interface), 389 MB for 257358
+  // (12 nm).
+  constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
+  return bytes_of_program + unknowns * bytes_per_unknown;
+}
+
+SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup) {
+  // benchmarks/README.md: 20 steps of 1e5, 3e5 and 1e6 unknowns, both bodies yielding, take 9.7 to 11 us each
+  // unknown; steps of motion 15 to 17 us.
+  constexpr double pressing = 11e-6, moving = 16e-6;
+  SolveCost cost;
+  cost.unknowns = estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
+  cost.memory = estimated_memory(cost.unknowns);
+  cost.steps = static_cast<int>(make_program(input.experiment, setup.motion).size());
+  cost.seconds = cost.unknowns * cost.steps * (input.experiment.type == Motion::normal ? pressing : moving);
+  return cost;
+}
+
+}  // namespace asperity::fem

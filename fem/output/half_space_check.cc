@@ -1,0 +1,41 @@
+#include "fem/output/half_space_check.h"
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "fem/interface/adhesion_law.h"
+
+namespace asperity::fem {
+
+std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
+                                                        const HistoryRow& peak) {
+  if (input.experiment.type != Motion::normal || peak.plastic_volume > 0 || !(peak.normal_force > 0) ||
+      make_adhesion_laws(input.interface).closing)
+    return std::nullopt;
+  CaseInput pressed = input;
+  pressed.experiment.control = ExperimentInput::Control::force;
+  pressed.experiment.normal_load = peak.normal_force;
+  half_space::CaseContactOptions options;
+  options.half_width = setup.system.mesh.sizes.region_particle;
+  options.spacing = setup.system.mesh.sizes.spacing_particle / 2;
+  options.most_cells = 512;
+  try {
+    return half_space::contact_of_case(pressed, options);
+  } catch (const InputError&) {  // a contact that goes beyond the mesh's region, or the scan
+    return std::nullopt;
+  }
+}
+
+std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness) {
+  const auto number = [](double value) { return format_quantity(value, Dimension::none, 4); };
+  const auto pair = [&](const char* what, double half_spaces, double elements, double unit,
+                        const char* symbol) {
+    return std::string(what) + " " + number(half_spaces / unit) + " and " + number(elements / unit) + symbol;
+  };
+  return "half-spaces and finite elements: " +
+         pair("area", check.shape.area, peak.contact_area, 1e-12, " um^2, ") +
+         pair("largest pressure", check.shape.largest_pressure, peak.max_pressure, 1e9, " GPa, ") +
+         pair("approach", check.approach(), peak.mean_plane_approach, 1e-9, " nm, ") +
+         pair("stiffness", check.stiffness, stiffness, 1e3, " kN/m");
+}
+
+}  // namespace asperity::fem

@@ -1,0 +1,23 @@
+// The elastic normal contact of a solved case once more, by half-spaces: a judge that knows nothing of
+// meshes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fem/case/case_setup.h"
+#include "half_space/case_contact.h"
+#include "results/history.h"
+
+namespace asperity::fem {
+
+/// The same surfaces under the force of the step `peak`, on the square of the mesh's fine region in cells of
+/// half its spacing, 512 along a side at most. None where half-spaces do not solve the same problem: bodies
+/// that have yielded, attraction, motion; or where nothing presses.
+std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
+                                                        const HistoryRow& peak);
+
+/// Both answers in one line. stiffness: of finite elements [N/m].
+std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness);
+
+}  // namespace asperity::fem

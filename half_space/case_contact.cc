@@ -1,0 +1,154 @@
+#include "half_space/case_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "surfaces/surface_of_entry.h"
+
+namespace asperity::half_space {
+namespace {
+
+/// Both surfaces of a case over a square, from which gaps are made.
+class Surfaces {
+ public:
+  Surfaces(const CaseInput& input, double half_width) : radius_(input.radius) {
+    for (const BodyInput* body : {&input.particle, &input.substrate})
+      if (!body->topography.is_smooth()) heights_.push_back(heights_over(body->topography, 2 * half_width));
+  }
+  Field gap(const Grid& grid) const {
+    Field gap(grid.cells());
+#pragma omp parallel for schedule(static)
+    for (int iy = 0; iy < grid.ny; ++iy)
+      for (int ix = 0; ix < grid.nx; ++ix) {
+        const double x = grid.x(ix), y = grid.y(iy), r2 = x * x + y * y;
+        double g = r2 / (radius_ + std::sqrt(radius_ * radius_ - r2));
+        for (const auto& heights : heights_) g -= heights.height(x, y);
+        gap[static_cast<std::size_t>(iy) * grid.nx + ix] = g;
+      }
+    return gap;
+  }
+
+ private:
+  double radius_;
+  std::vector<HeightSampler> heights_;
+};
+
+double rms_of_both(const CaseInput& input) {
+  return std::hypot(topography_scales(input.particle.topography).rms,
+                    topography_scales(input.substrate.topography).rms);
+}
+
+double largest_load(const CaseInput& input) {
+  return input.experiment.control == ExperimentInput::Control::force
+             ? input.experiment.normal_load
+             : hertz_of(input).force(input.experiment.normal_approach);
+}
+
+/// Cells along a side: no fewer than the spacing takes, in numbers that transforms and coarser grids like.
+int cells_for(double half_width, double spacing, int most) {
+  int n = 128;
+  for (const int cells :
+       {128, 160, 192, 256, 320, 384, 512, 640, 768, 1024, 1280, 1536, 2048, 2560, 3072, 4096}) {
+    if (cells > most) break;
+    n = cells;
+    if (cells * spacing >= 2 * half_width) break;
+  }
+  return n;
+}
+
+CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const Grid& grid,
+                       const CaseContactOptions& options) {
+  CaseContact contact;
+  contact.grid = grid;
+  Field gap = surfaces.gap(grid);
+  contact.first_touch = *std::min_element(gap.begin(), gap.end());
+  const NormalContact half_spaces(grid, Boundary::free, hertz_of(input).reduced_modulus, std::move(gap));
+  NormalContactOptions how;
+  how.hardness = options.hardness;
+  const auto& experiment = input.experiment;
+  contact.solution = experiment.control == ExperimentInput::Control::force
+                         ? half_spaces.at_force(experiment.normal_load, how)
+                         : half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
+  contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
+  if (options.with_stiffness && !contact.shape.reaches_edge)
+    contact.stiffness = half_spaces.stiffness(contact.solution);
+  return contact;
+}
+
+double relative_difference(double one, double other) { return std::abs(one - other) / std::abs(one); }
+
+}  // namespace
+
+Field gap_of_case(const CaseInput& input, const Grid& grid) {
+  return Surfaces(input, 0.5 * std::max(grid.nx * grid.dx, grid.ny * grid.dy)).gap(grid);
+}
+
+double derived_spacing(const CaseInput& input) {
+  constexpr double cells_per_radius = 24, cells_per_wave = 8;
+  const double wave = std::min(topography_scales(input.particle.topography).shortest_wave,
+                               topography_scales(input.substrate.topography).shortest_wave);
+  return std::min(hertz_of(input).contact_radius(largest_load(input)) / cells_per_radius,
+                  wave / cells_per_wave);
+}
+
+double derived_half_width(const CaseInput& input) {
+  const double a = hertz_of(input).contact_radius(largest_load(input));
+  return 1.05 * hertz_reach(a, input.radius, 3 * rms_of_both(input));
+}
+
+CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& options) {
+  constexpr int most_times = 4;
+  constexpr double larger = 1.3;
+  double half_width = options.half_width > 0 ? options.half_width : derived_half_width(input);
+  const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input);
+  for (int enlarged = 0;; half_width *= larger) {
+    if (half_width > input.radius / 2)
+      throw InputError(input.file + ": the contact goes beyond " +
+                       format_quantity(input.radius / 2, Dimension::length) +
+                       " from the axis, half the Radius, where bodies are no half-spaces; lower the load");
+    const bool carries = options.hardness * 4 * half_width * half_width > largest_load(input);
+    if (!carries && input.experiment.control == ExperimentInput::Control::force) continue;
+    const int n = cells_for(half_width, spacing, options.most_cells);
+    CaseContact contact = contact_on(input, Surfaces(input, half_width), square_grid(half_width, n), options);
+    contact.enlarged = enlarged++;
+    if (!contact.shape.reaches_edge) return contact;
+    if (contact.enlarged == most_times)
+      throw InputError(input.file + ": the contact still reaches the edge of a square of " +
+                       format_quantity(2 * half_width, Dimension::length) +
+                       ", several times what load and roughness suggest; is the topography levelled?");
+  }
+}
+
+CasePreview preview_of_case(const CaseInput& input, double hardness) {
+  CasePreview preview;
+  CaseContactOptions options;
+  preview.fine = contact_of_case(input, options);
+  const Grid& grid = preview.fine.grid;
+  options.half_width = 0.5 * grid.nx * grid.dx;
+  options.spacing = 2 * grid.dx;
+  options.most_cells = grid.nx / 2;
+  const Surfaces surfaces(input, options.half_width);
+  preview.coarse = contact_on(input, surfaces, square_grid(options.half_width, grid.nx / 2), options);
+  if (hardness < preview.fine.shape.largest_pressure) {
+    options.hardness = hardness;
+    options.spacing = grid.dx;
+    options.most_cells = CaseContactOptions().most_cells;
+    preview.capped = contact_of_case(input, options);
+  }
+  return preview;
+}
+
+double CasePreview::error_of_area() const { return relative_difference(fine.shape.area, coarse.shape.area); }
+double CasePreview::error_of_largest_pressure() const {
+  return relative_difference(fine.shape.largest_pressure, coarse.shape.largest_pressure);
+}
+double CasePreview::error_of_stiffness() const {
+  return relative_difference(fine.stiffness, coarse.stiffness);
+}
+double CasePreview::error_of_approach() const { return std::abs(fine.approach() - coarse.approach()); }
+
+}  // namespace asperity::half_space

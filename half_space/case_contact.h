@@ -1,0 +1,71 @@
+// The normal contact of a case by half-spaces: both surfaces as its meshes have them, on the axis of the
+// sphere.
+//
+// gap(x, y) = R - sqrt(R^2 - r^2) - h_particle(x, y) - h_substrate(x, y): both heights grow out of their
+// material, at the same place (x, y), as in meshing/contact_mesh.h; counted from the mean surfaces, so that
+// the approach is theirs. One E* stands for both elastic bodies. Without friction and adhesion; yielding only
+// by a hardness.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "core/case.h"
+#include "half_space/contact_shape.h"
+#include "half_space/normal_contact.h"
+
+namespace asperity::half_space {
+
+struct CaseContactOptions {
+  double half_width = 0;  ///< of the square that is solved on [m]; 0: derived from load and roughness
+  double spacing = 0;     ///< of its cells [m], or a little less; 0: derived, see derived_spacing
+  int most_cells = 1024;  ///< along a side; the spacing grows where that is too few
+  double hardness = std::numeric_limits<double>::infinity();  ///< [Pa]
+  bool with_stiffness = true;
+};
+
+struct CaseContact {
+  Grid grid;
+  NormalContactSolution solution;
+  ContactShape shape;
+  double first_touch =
+      0;  ///< approach at which the undeformed surfaces touch [m], below 0 where asperities meet first
+  double stiffness = 0;  ///< [N/m]; 0: not asked for
+  int enlarged = 0;      ///< times that the contact reached the edge, and the square was made larger
+
+  double approach() const { return solution.approach; }  ///< of the mean surfaces [m]
+};
+
+/// Gap of the undeformed surfaces in the middle of each cell [m]; `input` as below. Throws ScanError where a
+/// scan is smaller than the grid.
+Field gap_of_case(const CaseInput& input, const Grid& grid);
+
+/// Cells that a contact needs: 24 over Hertz' radius, 8 over the shortest wave of either surface, with which
+/// the largest pressure reads some 5 % too small [m].
+double derived_spacing(const CaseInput& input);
+
+/// Half width of a square that holds the contact [m]: where smooth surfaces under Hertz' pressure would be
+/// three RMS heights apart.
+double derived_half_width(const CaseInput& input);
+
+/// The case at its largest load, or at its approach from first touch under control by displacement. Where
+/// contact reaches the edge of the square, it is enlarged. Throws InputError where it still does after four
+/// times, or where it goes beyond half the radius; ScanError where a scan is smaller than the square.
+CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& options = {});
+
+/// A case at two spacings, one twice the other, whose difference tells the error of the finer (errors of
+/// first order, so that it is rather too large).
+struct CasePreview {
+  CaseContact fine, coarse;
+  std::optional<CaseContact> capped;  ///< at the finer spacing, with a hardness below the largest pressure
+
+  double error_of_area() const;              ///< relative
+  double error_of_largest_pressure() const;  ///< relative
+  double error_of_stiffness() const;         ///< relative
+  double error_of_approach() const;          ///< [m]
+};
+
+/// hardness: of the softer body [Pa], infinite without one.
+CasePreview preview_of_case(const CaseInput& input, double hardness);
+
+}  // namespace asperity::half_space

@@ -1,0 +1,83 @@
+// asperity preview as a person calls it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/hertz.h"
+#include "tests/app/called_program.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::call;
+using test::Outcome;
+using test::smooth_case;
+using test::TemporaryFolder;
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+TEST(Preview_analytic, of_smooth_bodies_says_what_Hertz_says_and_writes_it) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "preview";
+  const Outcome outcome = call("preview " + file.string() + " --output " + output.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "real contact area");
+  EXPECT_CONTAINS(outcome.output, "unknowns");
+  const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
+  EXPECT_EQ(said["format"], "asperity-preview/1");
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  const auto value = [&](const char* name) { return said["elastic"][name]["value"].get<double>(); };
+  EXPECT_NEAR(value("contact_area") / hertz.contact_area(1e-3), 1, 0.01);
+  EXPECT_NEAR(value("max_pressure") / hertz.peak_pressure(1e-3), 1, 0.01);
+  EXPECT_NEAR(value("normal_stiffness") / hertz.normal_stiffness(1e-3), 1, 0.01);
+  EXPECT_NEAR(value("approach") / hertz.approach(1e-3), 1, 0.01);
+  EXPECT_GT(said["mesh"]["dofs"], 1000);
+  EXPECT_FALSE(said.contains("capped"));
+  EXPECT_EQ(read_file(output / "pressure.png").substr(1, 3), "PNG");
+}
+
+TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is_left_out) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "preview";
+  const std::string arguments =
+      "preview " + file.string() + " --output " + output.string() +
+      " --set 'Substrate/Yield stress=2 GPa' --set 'Particle/Yield stress=0.8 GPa' --set "
+      "'Interface/Work of adhesion=50 mJ/m^2' --set 'Substrate/Topography=generated(rms=1.5 "
+      "nm, rolloff=300 nm, cutoff=100 nm, seed=3)'";
+  const Outcome outcome = call(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "adhesion is left out");
+  EXPECT_CONTAINS(outcome.output, "hardness of 2.4 GPa");
+  EXPECT_CONTAINS(outcome.output, "asperities do from about");
+  const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
+  EXPECT_GT(said["capped"]["contact_area"]["value"], said["elastic"]["contact_area"]["value"]);
+  EXPECT_DOUBLE_EQ(said["capped"]["hardness"]["value"].get<double>(), 2.4e9);
+  EXPECT_EQ(said["left_out"].size(), 1u);
+  const Outcome harder = call(arguments + " --hardness '3 GPa'");
+  EXPECT_EQ(harder.status, 0) << harder.output;
+  EXPECT_CONTAINS(harder.output, "hardness of 3 GPa");
+}
+
+TEST(Preview_behaviour, says_what_solve_would_refuse_and_refuses_what_cannot_be_meant) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const Outcome spun = call("preview " + file.string() + " --set 'Experiment/Type=torsion'");
+  EXPECT_EQ(spun.status, 0) << spun.output;
+  EXPECT_CONTAINS(spun.output, "of torsion the pressing down is previewed");
+  EXPECT_CONTAINS(spun.output, "asperity solve would refuse it: ");
+  EXPECT_EQ(call("preview " + file.string() + " --hardness '-1 GPa'").status, 2);
+  EXPECT_EQ(call("preview " + file.string() + " --hardness soft").status, 2);
+  EXPECT_EQ(
+      call("preview " + file.string() + " --hardness '1 MPa' --set 'Substrate/Yield stress=4 GPa'").status,
+      2);
+  EXPECT_EQ(call("preview " + (folder.path / "none.prm").string()).status, 2);
+  EXPECT_EQ(call("preview").status, 2);
+}
+
+}  // namespace
+}  // namespace asperity
