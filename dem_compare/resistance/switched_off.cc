@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/roughness_trend.h"
 
