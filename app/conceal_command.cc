@@ -39,7 +39,7 @@ std::string list_of_effects() {
   for (const Motion mode : all_modes()) {
     text += "  " + name_of(mode) + ":";
     for (const auto& effect : concealable_effects(mode)) text += " " + effect;
-    for (const auto& effect : outsiders(mode)) text += " (" + effect + ")";
+    for (const auto& effect : out_of_catalogue_effects(mode)) text += " (" + effect + ")";
     text += "\n";
   }
   return text;

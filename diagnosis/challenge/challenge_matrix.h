@@ -10,9 +10,9 @@
 namespace asperity {
 
 struct ChallengeItem {
-  std::string name;  ///< of its folder
-  std::string
-      family;  ///< "single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::string name;    ///< of its folder
+  std::string family;  ///< "single", "finite_elements", "pair", "null", "out_of_catalogue", "decoy",
+                       ///< "indistinguishable"
   ConcealOptions options;
   std::vector<std::filesystem::path> cases;  ///< of family "finite_elements": what was solved
 };

@@ -13,6 +13,6 @@ std::vector<double> nearest_rising(const std::vector<double>& values);
 
 /// The nearest path in this direction (+1, -1); as it is where it comes back by more than noise does: a
 /// hundredth of its way.
-std::vector<double> one_way(const std::vector<double>& path, int direction);
+std::vector<double> monotonic_path(const std::vector<double>& path, int direction);
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "diagnosis/recording/median.h"
-#include "diagnosis/recording/one_way.h"
+#include "diagnosis/recording/monotonic_path.h"
 
 namespace asperity {
 namespace {
@@ -101,12 +101,12 @@ std::vector<std::string> inferred_segments(const std::vector<double>& path, bool
 }
 
 /// Lateral paths without the sensor's noise where they go one way.
-void drive_one_way(Samples& samples, const SampleRun& run) {
+void make_paths_monotonic(Samples& samples, const SampleRun& run) {
   for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
     std::vector<double> path;
     for (; to < run.end && samples.list[to].part == samples.list[from].part; ++to)
       path.push_back(samples.list[to].lateral_displacement);
-    path = one_way(path, path.back() >= path.front() ? 1 : -1);
+    path = monotonic_path(path, path.back() >= path.front() ? 1 : -1);
     for (std::size_t i = from; i < to; ++i) samples.list[i].lateral_displacement = path[i - from];
   }
 }
@@ -130,7 +130,7 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
     return !normal ? s.lateral_displacement : driven_is_force ? s.normal_force : s.normal_displacement;
   };
   Sample* list = samples.list.data();
-  if (!normal) drive_one_way(samples, run);
+  if (!normal) make_paths_monotonic(samples, run);
   double reversal = driven(list[run.begin]), hold_begin = 0;
   int direction = 0, hold = 0;
   double cycle = 0;

@@ -392,7 +392,7 @@ TEST(ChallengeMatrix_behaviour, has_the_levels_of_noise_of_each_family) {
   for (const auto& item : challenge_matrix(false, 0)) ++levels[item.family][item.options.noise];
   EXPECT_EQ(levels["null"], (std::map<double, int>{{0.003, 10}, {0.01, 10}, {0.03, 10}}));
   EXPECT_EQ(levels["pair"], (std::map<double, int>{{0.005, 20}, {0.01, 20}}));
-  EXPECT_EQ(levels["outsider"], (std::map<double, int>{{0.003, 6}, {0.01, 6}, {0.02, 6}}));
+  EXPECT_EQ(levels["out_of_catalogue"], (std::map<double, int>{{0.003, 6}, {0.01, 6}, {0.02, 6}}));
   EXPECT_EQ(levels["finite_elements"], (std::map<double, int>{{0.005, 10}, {0.01, 10}, {0.02, 10}}));
   EXPECT_EQ(levels["decoy"], (std::map<double, int>{{0.01, 8}}));
   EXPECT_EQ(levels["indistinguishable"], (std::map<double, int>{{0.01, 8}}));
@@ -521,7 +521,8 @@ TEST(ConcealedWorlds_regression, seeds_conceal_what_they_always_did) {
     EXPECT_NEAR(found.order, known.order, 1e-6) << name;
   }
   std::size_t effects = 0;
-  for (const Motion mode : all_modes()) effects += concealable_effects(mode).size() + outsiders(mode).size();
+  for (const Motion mode : all_modes())
+    effects += concealable_effects(mode).size() + out_of_catalogue_effects(mode).size();
   EXPECT_GE(known_worlds().size(), effects);
 }
 
