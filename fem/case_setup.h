@@ -37,8 +37,8 @@ struct CaseSetup {
 
 /// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so
 /// that two diameters of it are steady; six times the spin at which a smooth contact slips as a whole, for
-/// the spots of a rough one let go later.
-CaseInput with_derived_way(const CaseInput& input);
+/// the junctions of a rough one slip later.
+CaseInput with_derived_path_length(const CaseInput& input);
 
 /// Throws InputError if the mesh parameters do not fit the bodies.
 CaseSetup set_up(const CaseInput& input);

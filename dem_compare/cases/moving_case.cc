@@ -125,7 +125,7 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   };
   const Values forces = resampled_along(x, history.resistance, first, last);
   const CorrelatedMean force = correlated_mean(forces);
-  steady.force = {per_way(x, work, first, last),
+  steady.force = {per_path_length(x, work, first, last),
                   force.standard_error * student_factor(force.independent - 1)};
   steady.independent = force.independent;
   const Values rates = block_rates(x, total, first, last, count);

@@ -21,7 +21,7 @@ struct InterfacePoint {
   double pressure = 0;   ///< of contact [Pa]
   double gap = 0;        ///< [m]
   PlaneVector slip{};    ///< since the last accepted state [m]; none where the point sticks or is open
-  double slip_path = 0;  ///< length of the way slipped since first touch, this step's included [m]
+  double slip_path = 0;  ///< accumulated slip since first touch, this step's included [m]
   double slip_rate = 0;  ///< this step's slip over its time [m per unit of time]
   double time = 0, time_step = 0;
 };

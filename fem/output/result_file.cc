@@ -78,7 +78,7 @@ double root_of_squares(std::initializer_list<double> errors) {
   return std::sqrt(sum);
 }
 
-/// Work that is not accounted for along the way rolled, per angle [N m].
+/// Work that the energy balance of the distance rolled leaves open, per angle [N m].
 double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
   double angle = 0, largest_work = 0;
   for (std::size_t k = 1; k < records.size(); ++k)
@@ -155,7 +155,7 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
   const HistoryRow& last = records.back();
   if (peak.normal_displacement > 0) {
     const double steps = peak.load_step_error / peak.normal_displacement;
-    effective.add("load_step_error", steps, "", {load_step_doubt});
+    effective.add("load_step_error", steps, "", {uncertainty_of_load_step_error});
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
   if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
@@ -179,10 +179,10 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
   effective.add("dissipated_energy", last.dissipated_energy, "J", {error.plasticity()});
 }
 
-/// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
+/// Resistances of moving contacts: their fluctuation along the path and their discretisation error.
 void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak,
                 const std::vector<HistoryRow>& records, const DiscretisationError& error) {
-  if (input.experiment.type == Motion::program) {  // steady in nothing
+  if (input.experiment.type == Motion::program) {  // no part of it is steady
     effective.add("friction_work", records.back().friction_work, "J",
                   {error.resistance(1), records.back().energy_error});
     return;
@@ -249,7 +249,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
         {"far_field_compliance", s.far_field},
         {"lateral_far_field_compliance", s.lateral_far_field},
         {"work_of_adhesion", input.interface.work_of_adhesion},
-        {"opening_work", input.interface.opening_work},
+        {"work_of_adhesion_on_separation", input.interface.work_of_separation},
         {"adhesion_law", input.interface.adhesion_law},
         {"normal_displacement",
          "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, "
@@ -267,16 +267,17 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
          "from first touch; it "
          "falls with the number of steps"},
         {"sd",
-         "what the mesh and the load steps leave in doubt (docs/solver.md); of sliding_friction, "
+         "error of discretisation and load steps (docs/solver.md); of sliding_friction, "
          "rolling_moment and "
-         "torsion_moment with the fluctuation along the way; scatter over realisations is the study's"},
+         "torsion_moment with the fluctuation along the path; scatter over realisations is the study's"},
         {"rolling_moment",
          "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
          "up; "
-         "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of "
-         "rough surfaces take and give back; "
-         "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth "
-         "elastic bodies"},
+         "rolling_dissipation: dissipated energy per angle after a contact radius, without the conservative "
+         "topographic part of the moment; "
+         "rolling_noise_floor: discretisation noise: moment of smooth elastic bodies on meshes of six to "
+         "twelve "
+         "spacings in the contact radius"},
         {"sliding_friction",
          "lateral over normal force of the whole contact; the local friction_coefficient is an input, and "
          "where it is "

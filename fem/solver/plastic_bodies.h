@@ -56,7 +56,7 @@ class PlasticBodies {
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
   /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by
-  /// `force_change` [N] (0: too little to tell how the approach answers to the load); the accepted state
+  /// `force_change` [N] (0: too small for the tangent compliance); the accepted state
   /// stays. Throws as internal_force().
   BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
 
