@@ -1,5 +1,5 @@
 // Which recordings the proof is made of: every effect alone at three levels of noise, pairs, nulls, effects
-// outside of the catalogue, decoys, and settings that cannot tell effects apart.
+// outside of the catalogue, decoys, and settings in which effects are not distinguishable.
 #pragma once
 
 #include <string>

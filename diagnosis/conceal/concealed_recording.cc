@@ -54,7 +54,7 @@ void check(const ConcealOptions& options) {
                      "'; there are one_load, ramp_only, long_hold and small_loops");
 }
 
-/// Effects that these data cannot tell from those concealed.
+/// Effects that are not distinguishable from those concealed by these data.
 std::vector<std::string> look_alikes(const ConcealOptions& options) {
   const auto is = [&](const char* effect) { return options.effects == std::vector<std::string>{effect}; };
   if (options.setting == "one_load") {

@@ -15,8 +15,8 @@ struct ConcealOptions {
   std::vector<std::string> effects;  ///< of the catalogue or out of it; none: a null
   double noise = 0.01;               ///< standard deviation of a sample over the largest response
   unsigned seed = 1;
-  /// "one_load", "ramp_only": experiments that cannot tell some effects apart; "long_hold", "small_loops":
-  /// those in which one looks like another.
+  /// "one_load", "ramp_only": experiments in which some effects are not distinguishable; "long_hold",
+  /// "small_loops": those in which one looks like another.
   std::string setting;
 };
 

@@ -26,7 +26,7 @@ std::vector<double> nearest_rising(const std::vector<double>& values) {
 }
 
 std::vector<double> monotonic_path(const std::vector<double>& path, int direction) {
-  constexpr double noise = 0.01;  // of the way; more is a motion of its own
+  constexpr double noise = 0.01;  // of the path; more is a motion of its own
   if (path.size() < 2) return path;
   std::vector<double> along;
   for (const double x : path) along.push_back(direction * x);

@@ -13,7 +13,8 @@ namespace {
 /// A turn of the driven motion counts where it comes back by more than this part of its range: less is noise
 /// of the control.
 constexpr double turn_of_range = 0.02;
-/// A stretch is a hold where the driven motion stays within this part of its range for this part of the run.
+/// An interval is a hold where the driven motion stays within this part of its range for this part of the
+/// run.
 constexpr double hold_of_range = 0.01;
 constexpr double hold_of_samples = 0.02;
 
@@ -100,7 +101,7 @@ std::vector<std::string> inferred_segments(const std::vector<double>& path, bool
   return names;
 }
 
-/// Lateral paths without the sensor's noise where they go one way.
+/// Lateral paths without the sensor's noise where they are monotonic.
 void make_paths_monotonic(Samples& samples, const SampleRun& run) {
   for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
     std::vector<double> path;
@@ -143,11 +144,11 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
       // The direction of a segment is that of its ends: single samples jitter.
       std::size_t end = i;
       while (end + 1 < run.end && list[end + 1].part == s.part) ++end;
-      const double way = driven(list[end]) - driven(s);
+      const double travel = driven(list[end]) - driven(s);
       const int now = name == "hold"                           ? (direction == 0 ? 1 : direction)
                       : name == "backward" || name == "unload" ? -1
                       : name == "forward" || name == "load"    ? 1
-                                                               : (way >= 0 ? 1 : -1);
+                                                               : (travel >= 0 ? 1 : -1);
       if (first_direction == 0)
         first_direction = now;
       else if (direction != now && now == first_direction)
