@@ -21,7 +21,7 @@ struct MeshedRoughness {
   double cells_per_wave() const { return scales.shortest_wave / spacing; }
 };
 
-/// Says in one line which waves a rough body's mesh resolves, and what it leaves out.
+/// One line on which waves of a rough body its mesh resolves, and which not.
 std::string resolution_text(const MeshedRoughness& roughness, const std::string& body);
 
 struct CaseSetup {

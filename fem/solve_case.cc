@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-/// What can be said of a case before it is meshed.
+/// Checks of a case that need no mesh.
 void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };

@@ -20,8 +20,8 @@ constexpr int more_newton_steps_for_jumps = 10;
 // Conjugate gradients need a few tens of iterations; many times that indicate an indefinite matrix.
 constexpr int iterations_of_definite = 200, convex_steps = 3;
 
-// Steps without progress before the line search looks closely: full steps soon alternate between stick and
-// slip.
+// Steps without progress before the line search locates the minimum accurately: full steps soon alternate
+// between stick and slip.
 constexpr int patience_without = 3, patience_with_friction = 0;
 
 bool parallel(const ContactSystem& system) {

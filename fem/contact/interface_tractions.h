@@ -89,7 +89,7 @@ class InterfaceTractions {
   bool has_friction() const { return friction_ != nullptr; }
   /// Numbers that a state keeps of each row for friction.
   std::size_t history_size() const { return friction_ ? kept_of_all_laws + friction_->history().size() : 0; }
-  /// What a row of a state remembers for the law of friction; index: in FrictionLaw::history().
+  /// Internal variables of the friction law that a state stores for a row; index: in FrictionLaw::history().
   double remembered(const ContactState& state, std::size_t row, std::size_t index) const {
     return state.friction_history[row * history_size_ + kept_of_all_laws + index];
   }

@@ -1,4 +1,4 @@
-// How far the Newton iteration of the contact solver goes along a direction of descent of its convex energy.
+// Line search of the contact solver's Newton iteration along a direction of descent of its convex energy.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace asperity::fem {
 class LineSearch {
  public:
   /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress
-  /// after which the lowest energy is looked for closely.
+  /// after which the minimum of the energy is located accurately.
   LineSearch(double error, int patience) : patience_(patience) { restart(error); }
   void restart(double error) { least_ = error, barren_ = 0; }
   /// To be called with the unbalanced force that each step reached.

@@ -201,7 +201,7 @@ ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const
     solver_->push_rigidly(trial, expected_approach(target.load));
     made.report = solver_->solve(trial, target.load, target.motion, target.time - state_.time);
     if (!made.report.converged) return made;
-    // Where nothing presses, the error of a step belongs to another motion.
+    // Without normal force the approach is undefined and so is its load step error.
     if (target.load != load_) made.force = solver_->resultants(trial).force;
     made.energies = system_->bodies().try_step(state_.displacement, trial.displacement,
                                                telling_change(made.force - force_before, made.force));

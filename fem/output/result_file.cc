@@ -51,7 +51,7 @@ LawValues interface_parameters(const InterfaceInput& interface) {
                        with_defaults(parameters_of(friction_laws()), interface.parameters));
 }
 
-/// What of a body's roughness the mesh resolves.
+/// Resolution of a body's roughness by the mesh.
 json resolved_roughness(const MeshedRoughness& r) {
   if (!r.rough()) return nullptr;
   const auto finite = [](double value) { return std::isfinite(value) ? json(value) : json(nullptr); };
@@ -149,7 +149,7 @@ void add_contact(Effective& effective, const HistoryRow& peak, const Discretisat
   effective.add_absolute("load_centre_y", peak.load_centre_y, "m", error.load_centre());
 }
 
-/// What yields, and what stays.
+/// Plasticity: extreme stress and strain, yielded volume, residual imprint.
 void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak,
                   const std::vector<HistoryRow>& records, const DiscretisationError& error) {
   const HistoryRow& last = records.back();
@@ -159,7 +159,7 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
   if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
-    // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
+    // Without yielding there is no residual imprint; the value that the extrapolation gives is its error.
     const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
     const double sd = last.plastic_volume > 0
                           ? root_of_squares({error.plasticity() * depth, peak.load_step_error,
@@ -193,8 +193,8 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
   if (const auto sliding = steady_sliding(records)) {
-    // What exceeds the load's own friction is attraction's; a limit that no longer grows with the pressure
-    // acts on the area alone.
+    // Friction beyond the law's slope in the pressure comes from attraction; a limit that no longer grows
+    // with the pressure is proportional to the area.
     const auto law = make_friction_law(input.interface);
     const double by_load = law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope : 0.0;
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;

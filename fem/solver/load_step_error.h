@@ -77,7 +77,7 @@ inline double telling_change(double force_change, double force) {
 /// and force [N], and the force it reaches [N].
 inline int parts_of_step(double flow_turn, double approach_change, double force_change, double force,
                          double share) {
-  constexpr int most = 16;  // what is left then is stated
+  constexpr int most = 16;  // the remaining error is stated
   // The change of force vanishes where attraction softens; an error does not grow there.
   const double size =
       std::abs(approach_change) * std::max(std::abs(force_change), change_at_a_turn * std::abs(force));
