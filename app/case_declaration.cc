@@ -219,11 +219,13 @@ void add_interface(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       "Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
       Dimension::surface_energy, not_negative, "0 J/m^2", "",
-      "Work per area that attraction does as the surfaces close; 0: no adhesion."));
+      "Work of adhesion on approach: work per area of attraction as the surfaces close; 0: no adhesion."));
   entries.push_back(quantity(
-      "Interface", "Opening work", [](CaseInput& c) -> double& { return c.interface.opening_work; },
-      Dimension::surface_energy, not_negative, "0 J/m^2", "",
-      "Work per area to separate surfaces that were in contact, not below Work of adhesion; 0: the same."));
+      "Interface", "Work of adhesion on separation",
+      [](CaseInput& c) -> double& { return c.interface.work_of_separation; }, Dimension::surface_energy,
+      not_negative, "0 J/m^2", "",
+      "Work per area to separate surfaces that were in contact (adhesion hysteresis), not below Work of "
+      "adhesion; 0: the same as on approach."));
   std::vector<std::pair<std::string, std::string>> names;
   std::vector<std::string> falls;
   for (const auto& law : fem::adhesion_laws()) {
@@ -278,24 +280,25 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
   entries.push_back(not_physical(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0",
                                               "Steps at the largest load before unloading.")));
-  entries.push_back(quantity(section, "Distance", at(&ExperimentInput::distance), Dimension::length,
-                             not_negative, "0 m", "",
-                             "Lateral path of sliding and rolling, one way; 0: five radii of Hertz' contact, "
-                             "two contact diameters of them steady."));
-  entries.push_back(
-      quantity(section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-               "Angle of torsion, one way; 0: six times that at which a smooth contact slips as a whole."));
+  entries.push_back(quantity(
+      section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
+      "Path length of sliding and rolling in one direction; 0: five radii of Hertz' contact, "
+      "two contact diameters of them steady."));
+  entries.push_back(quantity(
+      section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
+      "Angle of torsion in one direction; 0: six times that at which a smooth contact slips as a whole."));
   entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true",
                          "Come back along the path: half a friction loop."));
-  entries.push_back(quantity(section, "Way back", at(&ExperimentInput::way_back), Dimension::length,
-                             not_negative, "0 m", "",
-                             "How far sliding and rolling come back with Reverse = true; 0: to where they "
-                             "began. A contact radius tells the stiffness "
-                             "of rolling: over the same track hills drop out."));
+  entries.push_back(
+      quantity(section, "Return distance", at(&ExperimentInput::return_distance), Dimension::length,
+               not_negative, "0 m", "",
+               "How far sliding and rolling come back with Reverse = true; 0: to where they "
+               "began. A contact radius is enough for the rolling stiffness: where the surface was rolled "
+               "over before, the conservative topographic part of the moment cancels."));
   entries.push_back(motion_program(section));
   entries.push_back(not_physical(whole_number(
       section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
-      "Equal steps of the motion one way; 0: fine steps where slip begins and after the reversal, "
+      "Equal steps of the motion in one direction; 0: fine steps where slip begins and after the reversal, "
       "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at "
       "the rim of a contact that spins.")));
 }
@@ -305,7 +308,7 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       "Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
       Dimension::length, not_negative, "0 m", "",
-      "Distance of nodes where contact can come; 0: a twelfth of Hertz' contact radius or a quarter of the "
+      "Node spacing in the potential contact zone; 0: a twelfth of Hertz' contact radius or a quarter of the "
       "roughness' shortest wave, "
       "whichever is less (the largest pressure then reads 10 to 25 % too small, with an eighth some 2 %; "
       "real area is good to some "

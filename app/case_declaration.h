@@ -18,7 +18,7 @@ struct CaseEntry {
   std::string documentation;  ///< one or two sentences
   /// Stores the text's value; throws InputError with the reason alone (the reader adds file and line).
   std::function<void(CaseInput&, const std::string&)> store;
-  /// One text for all ways to write a value: a quantity in SI, with 14 digits. Expects a value that `store`
+  /// One text for all spellings of a value: a quantity in SI, with 14 digits. Expects a value that `store`
   /// accepts.
   std::function<std::string(const std::string&)> canonical = [](const std::string& text) { return text; };
   /// Decides the answer, so that cases which differ in it are of different contacts or experiments. A new

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <set>
 
 #include "app/case_declaration.h"
 #include "core/error.h"
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "core/renamed_entries.h"
 #include "core/written_apart.h"
 #include "fem/materials/hardening.h"
 #include "surfaces/scan_spec.h"
@@ -192,6 +195,12 @@ void naming_lines_of_scans(const Settings& settings, const CaseInput& input,
         "/Topography";
     throw InputError(where_set(settings, path, input.file) + ": " + path + ": " + error.what());
   }
+}
+
+void warn_of_former_names(const Settings& settings) {
+  std::set<std::string> said;
+  for (const auto& hint : hints_of_former_names(settings))
+    if (said.insert(hint).second) std::cerr << "asperity: " << hint << std::endl;
 }
 
 void check_entry_exists(const Setting& setting) {

@@ -30,6 +30,9 @@ ScanParameters with_absolute_file(ScanParameters scan, const std::filesystem::pa
 void naming_lines_of_scans(const Settings& settings, const CaseInput& input,
                            const std::function<void()>& work);
 
+/// Says on standard error, once for each, which entries were written under the name of an earlier version.
+void warn_of_former_names(const Settings& settings);
+
 /// Refuses a setting whose name is no entry of a case file: names the nearest right one.
 void check_entry_exists(const Setting& setting);
 

@@ -96,7 +96,7 @@ void add_engine_commands(CLI::App& app) {
                      "Contact of particle and plate (default: as with the substrate)");
   engine->add_option("--load", run_arguments->load, "Normal load on the substrate, in a rail on each slope")
       ->capture_default_str();
-  engine->add_option("--amplitude", run_arguments->amplitude, "Of the loop; of the way in a rail")
+  engine->add_option("--amplitude", run_arguments->amplitude, "Of the loop; of the path in a rail")
       ->capture_default_str();
   engine->add_option("--rail-angle", run_arguments->rail_angle, "Inclination of the rail's slopes")
       ->capture_default_str();

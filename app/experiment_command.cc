@@ -65,7 +65,7 @@ std::string experiment_text(const LoopNumbers& numbers, double load) {
          line("slope from rest                    ", numbers.initial_slope, Dimension::stiffness) +
          line("slope after a reversal             ", numbers.reversal_slope, Dimension::stiffness) +
          line("plateau of the lateral force       ", numbers.plateau, Dimension::force) +
-         line("way from a reversal to the plateau ", numbers.plateau_travel, Dimension::length) +
+         line("path from a reversal to the plateau", numbers.plateau_travel, Dimension::length) +
          "plateau over normal load           " + format_quantity(numbers.plateau / load, Dimension::none, 5) +
          "\n";
 }
@@ -145,7 +145,7 @@ void add_law_commands(CLI::App& app) {
 
   const auto arguments = std::make_shared<CurveArguments>();
   CLI::App* curve = app.add_subcommand(
-      "law-curve", "Write what a reduced law says of a contact that is led one way, as CSV");
+      "law-curve", "Write what a reduced law says of a contact that is loaded monotonically, as CSV");
   curve->add_option("PARAMETERS.json", arguments->parameters, "Contact of particle and substrate")
       ->required();
   curve

@@ -79,7 +79,7 @@ void add_import_command(CLI::App& app) {
   command->add_option(
       "--column", a->columns,
       "For tables that are not recognised: \"channel [unit] = factor * column\"; once for each channel; "
-      "\"channel:forward\" and \"channel:backward\" for scans with both ways side by side");
+      "\"channel:forward\" and \"channel:backward\" for scans with both directions side by side");
   command->add_option("--control", a->control,
                       "Channel that drives the simulation (default: by format and mode)");
   command->add_option("--response", a->response, "Channel that is compared");

@@ -3,6 +3,7 @@
 #include "app/case_declaration.h"
 #include "app/case_file.h"
 #include "core/atomic_file.h"
+#include "core/renamed_entries.h"
 #include "core/sha256.h"
 #include "core/topography_spec.h"
 
@@ -37,7 +38,7 @@ std::string inputs_sha256(const Settings& settings, const std::filesystem::path&
       const TopographySpec topography(value);
       if (topography.scan()) value = by_content(*topography.scan());
     }
-    text += complete[i].path() + " = " + value + "\n";
+    text += former_path(complete[i].path()) + " = " + value + "\n";
   }
   return sha256(text);
 }

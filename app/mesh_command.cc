@@ -23,6 +23,7 @@ struct MeshArguments {
 void run_mesh(const MeshArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);
+  if (is_speaking_rank()) warn_of_former_names(settings);
   with_mpi(input.solver.threads, [&] {
     naming_lines_of_scans(settings, input, [&] {
       mesh_case(input, arguments.output, [](const std::string& line) {

@@ -33,6 +33,7 @@ void say(const std::string& line) {
 void run_solve(const SolveArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);
+  if (is_speaking_rank()) warn_of_former_names(settings);
   if (arguments.check) {
     naming_lines_of_scans(settings, input, [&] { check_case(input); });
     say("'" + arguments.file + "' is accepted; nothing was solved");

@@ -8,6 +8,7 @@
 #include "app/case_file.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/renamed_entries.h"
 #include "core/topography_spec.h"
 
 namespace asperity {
@@ -69,6 +70,7 @@ Setting case_setting(const std::string& path, const std::string& value, const st
   const auto slash = path.rfind('/');
   Setting setting{slash == std::string::npos ? "" : trim(path.substr(0, slash)),
                   slash == std::string::npos ? path : trim(path.substr(slash + 1)), value, where};
+  use_present_name(setting);
   check_entry_exists(setting);
   make_topography_absolute(setting, file);
   return setting;
@@ -94,6 +96,7 @@ Choice read_value(const Setting& written, const std::string& text, const fs::pat
   const std::string value = colon == std::string::npos ? first : trim(first.substr(colon + 1));
   Choice choice{colon == std::string::npos ? first : trim(first.substr(0, colon)),
                 {case_setting(written.entry, value, written.where, file)}};
+  choice.settings.front().former = written.former;
   for (auto part = parts.begin() + 1; part != parts.end(); ++part)
     choice.settings.push_back(read_assignment(*part, written.where, file));
   return choice;

@@ -49,8 +49,8 @@ std::function<bool(const std::string&)> names_with(const std::string& expression
   return chosen;
 }
 
-/// Before the first case is solved rather than when its turn comes: contacts and ways that the bodies have no
-/// room for, scans that are too small.
+/// Before the first case is solved rather than when its turn comes: contacts and paths that the bodies have
+/// no room for, scans that are too small.
 void check_cases(const Study& study) {
   for (const StudyCase& item : study.cases) {
     try {
@@ -66,6 +66,10 @@ void run_study(const StudyArguments& arguments) {
   Study study = read_study(arguments.file, arguments.overrides);
   std::function<bool(const std::string&)> chosen_name = [](const std::string&) { return true; };
   if (!arguments.only.empty()) chosen_name = names_with(arguments.only, study);
+  Settings all_settings;
+  for (const StudyCase& item : study.cases)
+    all_settings.insert(all_settings.end(), item.settings.begin(), item.settings.end());
+  warn_of_former_names(all_settings);
   check_cases(study);
   if (arguments.check) {
     std::cout << "all " << study.cases.size() << " cases of '" << arguments.file

@@ -90,7 +90,7 @@ Path read_path(const std::string& spacing, const fs::path& folder, double peak_m
 
 void print(const std::vector<Path>& paths) {
   std::printf("\n%9s %10s %9s %9s | loading: %5s %8s %7s | motion: %5s %8s %7s %7s %8s | %9s %8s %9s\n",
-              "spacing", "unknowns", "way [nm]", "wall [s]", "steps", "s", "newton", "steps", "s/step",
+              "spacing", "unknowns", "path [nm]", "wall [s]", "steps", "s", "newton", "steps", "s/step",
               "newton", "cg", "of load", "GiB", "B/unkn.", "energy");
   for (const auto& p : paths)
     std::printf(

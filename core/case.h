@@ -23,8 +23,8 @@ struct BodyInput {
 /// Laws at a point of the interface.
 struct InterfaceInput {
   LawValues parameters;  ///< of the laws of friction and adhesion; one that is left out has its default
-  double work_of_adhesion = 0;  ///< w of closing surfaces [J/m^2]; 0: no adhesion
-  double opening_work = 0;      ///< w of surfaces that were in contact [J/m^2]; 0: the same
+  double work_of_adhesion = 0;    ///< on approach [J/m^2]; 0: no adhesion
+  double work_of_separation = 0;  ///< on separation of surfaces that were in contact [J/m^2]; 0: the same
   std::string adhesion_law = "dugdale";
 };
 
@@ -40,20 +40,20 @@ struct ExperimentInput {
   bool unload = true;              ///< return to zero load after loading
   double retract = 0;  ///< beyond first touch, at the end of unloading under displacement control [m]
   int unload_steps = 10;
-  int cycles = 1;        ///< load-unload cycles (reloading follows unloading)
-  int hold_steps = 0;    ///< steps at the largest load before unloading
-  double distance = 0;   ///< lateral path of sliding and rolling, one way [m]
-  double angle = 0;      ///< torsion angle, one way [rad]
-  bool reverse = true;   ///< come back along the path
-  double way_back = 0;   ///< of a distance slid or rolled [m]; 0: all of it
-  std::string program;   ///< motions combined (core/motion_program.h)
-  int motion_steps = 0;  ///< equal steps one way; 0: fine where slip begins, then an interface spacing (half
-                         ///< of one in torsion)
+  int cycles = 1;              ///< load-unload cycles (reloading follows unloading)
+  int hold_steps = 0;          ///< steps at the largest load before unloading
+  double distance = 0;         ///< path length of sliding and rolling in one direction [m]
+  double angle = 0;            ///< torsion angle in one direction [rad]
+  bool reverse = true;         ///< come back along the path
+  double return_distance = 0;  ///< after the reversal of sliding or rolling [m]; 0: all of `distance`
+  std::string program;         ///< motions combined (core/motion_program.h)
+  int motion_steps = 0;        ///< equal steps in one direction; 0: fine where slip begins, then an interface
+                               ///< spacing (half of one in torsion)
 };
 
 struct MeshInput {
   double interface_spacing =
-      0;  ///< node spacing where contact can come [m]; 0: derived from load and roughness
+      0;  ///< node spacing in the potential contact zone [m]; 0: derived from load and roughness
   double contact_region =
       0;           ///< half width of the finely meshed square [m]; 0: derived from load and roughness
   int layers = 4;  ///< cells of each refinement level below the interface (grading)

@@ -8,7 +8,7 @@
 //   slide L         by a length along x; across: along y
 //   roll A          about its own y axis, which spins with it, by an angle, or by the length of the arc;
 //   without sliding in the
-//                   same part free of lateral force along its way
+//                   same part free of lateral force along its path
 //   spin A          about the normal by an angle
 //   indenter L      rolls freely between the substrate and a plane on top, an indenter, that moves by L: an
 //   arc of half of L in N steps      equal ones, at the end of a part; else fine where slip begins, then
@@ -34,7 +34,7 @@ struct ProgramPart {
   int steps = 0;                       ///< 0: derived
 
   bool rolls() const { return roll != 0 || rolled_arc != 0; }
-  /// Rolling that gives way to lateral force.
+  /// Rolling whose shift follows so that no lateral force builds up.
   bool rolls_freely() const { return rolls() && slide == 0 && slide_across == 0; }
 };
 

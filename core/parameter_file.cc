@@ -10,6 +10,7 @@
 #include "core/json_text.h"
 #include "core/nearest_name.h"
 #include "core/read_limits.h"
+#include "core/renamed_entries.h"
 #include "core/utf8.h"
 
 namespace asperity {
@@ -213,6 +214,7 @@ Settings read_settings(const fs::path& file, const std::vector<std::string>& ove
     reader.read(file);
     settings = std::move(reader.settings);
   }
+  use_present_names(settings);
   for (const auto& override_text : overrides) override_setting(settings, parse_override(override_text));
   return settings;
 }
@@ -225,8 +227,11 @@ Setting parse_override(const std::string& text) {
     throw InputError(
         where + ": write --set \"Section/Entry=value\", for example --set \"Experiment/Normal load=1 mN\"");
   const auto slash = path.rfind('/');
-  if (slash == std::string::npos) return {"", path, trim(text.substr(equals + 1)), where};
-  return {trim(path.substr(0, slash)), trim(path.substr(slash + 1)), trim(text.substr(equals + 1)), where};
+  Setting setting{"", path, trim(text.substr(equals + 1)), where};
+  if (slash != std::string::npos)
+    setting.section = trim(path.substr(0, slash)), setting.entry = trim(path.substr(slash + 1));
+  use_present_name(setting);
+  return setting;
 }
 
 void override_setting(Settings& settings, const Setting& setting) {

@@ -1,4 +1,5 @@
-// What a file may ask of the machine that reads it. docs/surfaces.md says what follows from these limits.
+// Limits on memory and time that reading a file may take. docs/surfaces.md says what follows from these
+// limits.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a contact that has yielded keeps of its approach.
+// Residual approach of a contact that has yielded.
 #pragma once
 
 #include <vector>

@@ -30,8 +30,8 @@ std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
   if (rows.rolling_radius == 0 && rows.sticking.empty())
     return first_flat_row(rows.position, rows.resistance, leg);
   for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
-    const double way = std::abs(rows.position[i] - rows.position[leg.first]);
-    if (rows.rolling_radius > 0 ? way * rows.rolling_radius >= rows.contact_radius[i]
+    const double path_length = std::abs(rows.position[i] - rows.position[leg.first]);
+    if (rows.rolling_radius > 0 ? path_length * rows.rolling_radius >= rows.contact_radius[i]
                                 : rows.sticking[i] <= few_sticking)
       return i;
   }
@@ -44,7 +44,7 @@ std::vector<MotionLeg> motion_legs(const Values& x) {
   std::vector<MotionLeg> legs;
   if (x.empty()) return legs;
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  // Loading moves a rough contact sideways by less than this share of any way that is meant.
+  // Loading moves a rough contact sideways by less than this share of any motion that is prescribed.
   constexpr double rest_share = 2e-5;
   const double rest = rest_share * (*high - *low);
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -69,7 +69,7 @@ SteadyRows steady_rows_of_first_leg(const MotionRows& rows) {
   return from <= legs.front().last ? SteadyRows{from, legs.front().last} : SteadyRows{};
 }
 
-double per_way(const Values& position, const Values& sum, std::size_t first, std::size_t last) {
+double per_path_length(const Values& position, const Values& sum, std::size_t first, std::size_t last) {
   return (sum[last] - sum[first]) / std::abs(position[last] - position[first]);
 }
 

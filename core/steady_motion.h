@@ -1,16 +1,16 @@
-// Where a motion of a contact is steady, and what resists it there: the one definition that result.json,
+// Where a motion of a contact is steady, and its resistance there: the one definition that result.json,
 // derive, compare and the study of resistances go by. SI units.
 //
 // A motion is cut into legs at its reversals. A leg is steady from its onset on, for three rows at least:
-// - sliding, spinning: from the first row with at most 2 % of the closed nodes sticking (nodes that have just
-// closed, or lie at the
-//   axis of a spin, may stick while the contact slips as a whole). Where a history does not say, from where
-//   the resistance has stopped to grow: two slopes in a row below a fiftieth of the steepest of the first
-//   three steps.
-// - rolling: after one contact radius of way, so that the contact that was pressed has been left.
-// What resists is the energy dissipated per way or angle on the first leg, over surfaces not yet passed:
-// hills give back what they take, so that the force of a short way is mostly theirs. Where a history tells no
-// energies, the mean force of all steady legs stands in: there and back hills push in opposite directions.
+// - sliding, spinning: from the first row with at most 2 % of the active contact nodes sticking (nodes
+//   that have just come into contact, or lie at the axis of a spin, may stick while the contact slips as a
+//   whole). Where a history does not say, from where the resistance has stopped to grow: two slopes in a row
+//   below a fiftieth of the steepest of the first three steps.
+// - rolling: after a path length of one contact radius, so that the contact that was pressed has been left.
+// The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
+// passed. The force has a conservative topographic part as well, which averages out over a long path only and
+// dominates the mean force of a short one. Where a history has no energies, the mean force of all steady legs
+// is taken: the conservative part changes its sign with the direction.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +26,13 @@ struct MotionLeg {
 /// Rows that do not move belong to no leg or stay inside of one.
 std::vector<MotionLeg> motion_legs(const std::vector<double>& position);
 
-/// Columns that tell where a motion is steady.
+/// Columns that decide where a motion is steady.
 struct MotionRows {
   std::vector<double> position;        ///< [m] or [rad]
   std::vector<double> resistance;      ///< [N] or [N m]
   std::vector<double> contact_radius;  ///< [m]; asked of a rolling motion alone
-  std::vector<double> sticking;        ///< share of the closed nodes; empty where it is not known
-  double rolling_radius = 0;           ///< way of the contact per angle [m]; 0: it does not roll
+  std::vector<double> sticking;        ///< share of the active contact nodes; empty where it is not known
+  double rolling_radius = 0;           ///< path length of the contact per angle [m]; 0: it does not roll
 };
 
 inline constexpr std::size_t fewest_steady_rows = 3;
@@ -48,8 +48,8 @@ struct SteadyRows {
 SteadyRows steady_rows_of_first_leg(const MotionRows& rows);
 
 /// Growth of a sum (a work, an energy) between two rows over their distance.
-double per_way(const std::vector<double>& position, const std::vector<double>& sum, std::size_t first,
-               std::size_t last);
+double per_path_length(const std::vector<double>& position, const std::vector<double>& sum, std::size_t first,
+                       std::size_t last);
 /// Running integral of the resistance over the position.
 std::vector<double> work_against_motion(const std::vector<double>& position,
                                         const std::vector<double>& resistance);

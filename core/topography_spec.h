@@ -99,7 +99,7 @@ class TopographySpec {
   std::string canonical() const;
   /// The same without the seed: realisations of one surface have the same.
   std::string family() const;
-  /// RMS as given [m]: 0 where smooth; NaN for a scan, which only its heights tell.
+  /// RMS as given [m]: 0 where smooth; NaN for a scan, whose RMS follows from its heights only.
   double rms() const;
 
  private:

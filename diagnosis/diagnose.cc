@@ -32,7 +32,7 @@ class Diagnoser {
       return remaining(problem_, baseline_, *scanner_of_noise, fit).p_value > significance;
     };
     search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
-    // What the best explanation leaves tells most about the noise.
+    // The residual of the best explanation is the best estimate of the noise.
     const bool explains =
         !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
     if (explains && prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples))) {
@@ -110,7 +110,7 @@ class Diagnoser {
       if (difference < 2 * as_good && predicts_as_well)
         alternative.told_apart_by = experiment_that_tells_apart(problem_, chosen.fit, rival->fit);
       else
-        alternative.told_apart_by = "these data tell them apart";
+        alternative.told_apart_by = "these data distinguish them";
       result_.alternatives.push_back(alternative);
     }
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;

@@ -11,7 +11,7 @@
 namespace asperity {
 
 struct DiagnoseOptions {
-  std::function<void(const std::string&)> progress;  ///< told what is being done; may be empty
+  std::function<void(const std::string&)> progress;  ///< called with what is being done; may be empty
   unsigned seed = 1;                                 ///< of the simulated noise that calibrates p-values
 };
 

@@ -91,7 +91,7 @@ void write_hexahedra(const fs::path& path, const MeshLevel& level, const Vector<
   write_vtk(path, mesh);
 }
 
-/// Tetrahedra as fine as the interface where contact can come.
+/// Tetrahedra as fine as the interface in the potential contact zone.
 meshing::TetrahedraOptions tetrahedra_options(const meshing::BodySizes& sizes, int body) {
   meshing::TetrahedraOptions options;
   options.fine_radius = body == 0 ? sizes.region_particle : sizes.region_substrate;
@@ -104,7 +104,7 @@ meshing::TetrahedraOptions tetrahedra_options(const meshing::BodySizes& sizes, i
 void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
     throw InputError("meshes are written by one process; start asperity mesh without mpirun");
-  const CaseSetup setup = set_up(with_derived_way(input));
+  const CaseSetup setup = set_up(with_derived_path_length(input));
   const meshing::ContactMeshOptions& options = setup.system.mesh;
   const meshing::RoughGeometry geometry(options);
   const auto forest = meshing::make_forest(MPI_COMM_WORLD, options);

@@ -171,7 +171,7 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
   try {
     check_case(input);
     rubs = fem::make_friction_law(input.interface) != nullptr;
-    const CaseInput derived = fem::with_derived_way(input);
+    const CaseInput derived = fem::with_derived_path_length(input);
     const fem::CaseSetup setup = fem::set_up_sizes(derived);
     const fem::SolveCost cost = fem::estimated_cost(derived, setup);
     preview.mesh = MeshPreview{setup.system.mesh.sizes.spacing_particle,

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-/// What can be said of a case before it is meshed.
+/// Checks of a case that need no mesh.
 void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
   const auto refuse = [&](const std::string& why) { throw InputError(input.file + ": " + why); };
@@ -29,9 +29,10 @@ void require_solvable(const CaseInput& input) {
   } catch (const InputError& error) {
     refuse(error.what());
   }
-  if (i.opening_work > 0 && i.opening_work < i.work_of_adhesion)
+  if (i.work_of_separation > 0 && i.work_of_separation < i.work_of_adhesion)
     refuse(
-        "Interface/Opening work is below Work of adhesion, which would make energy out of nothing; raise it, "
+        "Interface/Work of adhesion on separation is below Work of adhesion, which would create energy in "
+        "each cycle; raise it, "
         "or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
@@ -43,9 +44,10 @@ void require_solvable(const CaseInput& input) {
   if (e.type != Motion::normal && e.cycles > 1 && !e.reverse)
     refuse(
         "Experiment/Cycles above 1 need Reverse = true, so that each cycle starts where the first one did");
-  if (e.way_back > 0 &&
+  if (e.return_distance > 0 &&
       (!e.reverse || e.cycles > 1 || (e.type != Motion::sliding && e.type != Motion::rolling)))
-    refuse("Experiment/Way back is for one cycle of sliding or rolling with Reverse = true; set it to 0");
+    refuse(
+        "Experiment/Return distance is for one cycle of sliding or rolling with Reverse = true; set it to 0");
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void require_solvable(const CaseInput& input) {
 void check_case(const CaseInput& input) {
   require_solvable(input);
   if (input.particle.topography.scan() || input.substrate.topography.scan())
-    fem::set_up(fem::with_derived_way(input));
+    fem::set_up(fem::with_derived_path_length(input));
   else
     fem::check_extent(input);
 }

@@ -106,7 +106,7 @@ bool to_be_refined(const BodyMap& map, LogicalBox box, double layers) {
 }  // namespace
 
 LogicalBox logical_box(const dealii::Triangulation<3>& forest, const dealii::CellId& id) {
-  // p4est orders its trees in its own way; the index of the coarse cell is the order they were made in.
+  // p4est orders its trees itself; the index of the coarse cell is the order they were made in.
   const dealii::CellId coarse(id.get_coarse_cell_id(), std::vector<std::uint8_t>());
   LogicalBox box{forest.create_cell_iterator(coarse)->index(), {0, 0, 0}, 1.0};
   for (const auto child : id.get_child_indices()) {

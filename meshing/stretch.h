@@ -1,5 +1,5 @@
-// A one-dimensional grading: a uniform stretch of nodes near the origin that widens smoothly to a given
-// length.
+// A one-dimensional grading (stretching function): uniform node spacing near the origin that widens smoothly
+// up to a given length.
 #pragma once
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
+#include "core/renamed_entries.h"
 
 namespace asperity {
 namespace {
@@ -88,7 +89,7 @@ CaseResult case_result_of(const Json& document, const std::string& file) {
   for (const auto& [name, said] : object_in(document, {"balance"}).items())
     result.balance.push_back({name, number_of(said)});
   for (const auto& [path, said] : object_in(document, {"inputs", "entries"}).items())
-    result.physical_entries[path] = said.is_string() ? said.get<std::string>() : said.dump();
+    result.physical_entries[present_path(path)] = said.is_string() ? said.get<std::string>() : said.dump();
   result.rms_in_region = {number_in(document, {"inputs", "rms_in_region", "particle"}),
                           number_in(document, {"inputs", "rms_in_region", "substrate"})};
   result.roughness = {roughness_in(document, "particle"), roughness_in(document, "substrate")};
@@ -108,7 +109,7 @@ double number_of(const Json& value) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-bool CaseResult::tells(const std::string& name) const {
+bool CaseResult::has(const std::string& name) const {
   return std::any_of(effective.begin(), effective.end(),
                      [&](const auto& entry) { return entry.first == name; });
 }

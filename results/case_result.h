@@ -14,13 +14,13 @@
 
 namespace asperity {
 
-/// A number of `effective`; NaN where it is not told.
+/// A number of `effective`; NaN where the file does not state it.
 struct EffectiveNumber {
   double value = std::numeric_limits<double>::quiet_NaN(), sd = std::numeric_limits<double>::quiet_NaN();
   std::string unit;
 };
 
-/// What the mesh resolves of a body's roughness; NaN where it is not told.
+/// What the mesh resolves of a body's roughness; NaN where the file does not state it.
 struct ResolvedRoughness {
   double shortest_wave, cells_over_shortest_wave;  ///< [m], [-]
   double slope_variance_in_shorter_waves;          ///< share of the scan's
@@ -45,8 +45,8 @@ struct CaseResult {
   double wall_time, peak_memory;    ///< [s], [byte]
   nlohmann::ordered_json document;  ///< the whole file, for tables that show all of it
 
-  bool tells(const std::string& effective_name) const;
-  /// NaN where it is not told.
+  bool has(const std::string& effective_name) const;
+  /// NaN where the file does not state it.
   EffectiveNumber effective_number(const std::string& name) const;
   double balance_of(const std::string& name) const;
 };

@@ -14,7 +14,7 @@ std::string open_energy_words(const SolvedCase& solved) {
   const auto [share, allowed] = percents_apart(solved.open_energy(), limit);
   return share + " of its energy is not accounted for, more than " + allowed +
          (is_energy_refused(solved) ? ": none of its numbers can be relied on"
-                                    : ": its numbers are in doubt by about as much");
+                                    : ": its numbers are uncertain by about as much");
 }
 
 void refuse_open_energy(const SolvedCase& solved) {

@@ -1,5 +1,4 @@
-// How far a solved case's own balance of energy lets its numbers be believed: what was put in must be stored
-// or dissipated.
+// How reliable a solved case is by its own energy balance: the work put in must be stored or dissipated.
 #pragma once
 
 #include <string>

@@ -64,7 +64,7 @@ using HistoryRow = HistoryColumns<double>;
 /// Columns of equal length; those that a file does not have are empty.
 struct History : HistoryColumns<std::vector<double>> {
   /// Radius [m] of the contact as a whole, which spots of a rough one spread over: that of the pressure.
-  /// Where that is not told the contact radius, which was it before results told both.
+  /// Where a history lacks it, the contact radius: earlier versions had one column for both.
   const std::vector<double>& radius_of_whole() const {
     return pressure_radius.empty() ? contact_radius : pressure_radius;
   }
@@ -89,7 +89,7 @@ History read_history(const std::filesystem::path& file);
 /// others only those that are not.
 std::string format_history(const History& history);
 
-/// A stretch of steps in which the load grows, falls or stays; its turning points belong to both neighbours.
+/// Successive steps in which the load grows, falls or stays; the turning points belong to both neighbours.
 struct HistoryBranch {
   enum class Kind { loading, unloading, hold } kind = Kind::loading;
   std::size_t first = 0, last = 0;  ///< rows, inclusive

@@ -5,24 +5,25 @@
 namespace asperity {
 
 const std::vector<KnownEntry>& known_quantities() {
-  static const std::vector<KnownEntry> entries{{"Particle/Radius", Dimension::length, ""},
-                                               {"Particle/Young modulus", Dimension::pressure, ""},
-                                               {"Particle/Poisson ratio", Dimension::none, ""},
-                                               {"Particle/Yield stress", Dimension::pressure, "inf"},
-                                               {"Particle/Hardening modulus", Dimension::pressure, "0"},
-                                               {"Particle/Voce saturation", Dimension::pressure, "0"},
-                                               {"Particle/Voce rate", Dimension::none, "0"},
-                                               {"Substrate/Young modulus", Dimension::pressure, ""},
-                                               {"Substrate/Poisson ratio", Dimension::none, ""},
-                                               {"Substrate/Yield stress", Dimension::pressure, "inf"},
-                                               {"Substrate/Hardening modulus", Dimension::pressure, "0"},
-                                               {"Substrate/Voce saturation", Dimension::pressure, "0"},
-                                               {"Substrate/Voce rate", Dimension::none, "0"},
-                                               {"Interface/Friction coefficient", Dimension::none, "0"},
-                                               {"Interface/Shear strength", Dimension::pressure, "0"},
-                                               {"Interface/Work of adhesion", Dimension::surface_energy, "0"},
-                                               {"Interface/Opening work", Dimension::surface_energy, "0"},
-                                               {"Interface/Adhesion range", Dimension::length, "0"}};
+  static const std::vector<KnownEntry> entries{
+      {"Particle/Radius", Dimension::length, ""},
+      {"Particle/Young modulus", Dimension::pressure, ""},
+      {"Particle/Poisson ratio", Dimension::none, ""},
+      {"Particle/Yield stress", Dimension::pressure, "inf"},
+      {"Particle/Hardening modulus", Dimension::pressure, "0"},
+      {"Particle/Voce saturation", Dimension::pressure, "0"},
+      {"Particle/Voce rate", Dimension::none, "0"},
+      {"Substrate/Young modulus", Dimension::pressure, ""},
+      {"Substrate/Poisson ratio", Dimension::none, ""},
+      {"Substrate/Yield stress", Dimension::pressure, "inf"},
+      {"Substrate/Hardening modulus", Dimension::pressure, "0"},
+      {"Substrate/Voce saturation", Dimension::pressure, "0"},
+      {"Substrate/Voce rate", Dimension::none, "0"},
+      {"Interface/Friction coefficient", Dimension::none, "0"},
+      {"Interface/Shear strength", Dimension::pressure, "0"},
+      {"Interface/Work of adhesion", Dimension::surface_energy, "0"},
+      {"Interface/Work of adhesion on separation", Dimension::surface_energy, "0"},
+      {"Interface/Adhesion range", Dimension::length, "0"}};
   return entries;
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/parameter_file.h"
+#include "core/renamed_entries.h"
 #include "results/known_entries.h"
 
 namespace asperity {
@@ -48,8 +49,10 @@ void add_result_inputs(const CaseResult& result, Entries& entries) {
     for (const auto& entry : *known) {
       const std::string path = entry.path;
       if (path.rfind(section, 0) != 0) continue;
-      const std::string name = result_name(path.substr(section.size()));
-      if (inputs.contains(name)) entries[path] = entry_text(inputs[name]);
+      for (const std::string& written : {former_path(path), path}) {
+        const std::string name = result_name(written.substr(section.size()));
+        if (inputs.contains(name)) entries[path] = entry_text(inputs[name]);
+      }
     }
   if (!result.title.empty()) entries["Title"] = result.title;
 }

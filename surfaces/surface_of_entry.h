@@ -19,7 +19,7 @@ SelfAffineSpectrum surface_spectrum(const GeneratorParameters& parameters);
 double default_period(const SelfAffineSpectrum& spectrum);
 
 /// The grid on which a generated surface lives: its period, in square pixels of at most a quarter of the
-/// cut-off. Like the surface itself it depends on the entry alone, never on a mesh, load or way: the same
+/// cut-off. Like the surface itself it depends on the entry alone, never on a mesh, load or path: the same
 /// entry is the same surface in every case. Throws InputError where that takes more pixels than memory holds.
 struct GeneratorGrid {
   double period = 0;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/steady_motion.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/cases/steady_motion.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -35,9 +35,9 @@ Values sum_of(const Values& a, const Values& b, const Values& c) {
 
 void add_drift(const Values& rates, SteadyWay& steady) {
   const auto half = static_cast<long>(rates.size() / 2);
-  const Uncertain change = mean_of_stretches({rates.end() - half, rates.end()}) -
-                           mean_of_stretches({rates.begin(), rates.begin() + half});
-  const double mean = mean_of_stretches(rates).value;
+  const Uncertain change = mean_of_blocks({rates.end() - half, rates.end()}) -
+                           mean_of_blocks({rates.begin(), rates.begin() + half});
+  const double mean = mean_of_blocks(rates).value;
   steady.drift = change.value / mean;
   steady.drift_error = change.sd / std::abs(mean);
 }
@@ -121,14 +121,14 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   const std::size_t count = std::min(wanted, last - first);
   steady.stretches = static_cast<int>(count);
   const auto mean_rate = [&](const Values& sum) {
-    return mean_of_stretches(rates_of_stretches(x, sum, first, last, count));
+    return mean_of_blocks(block_rates(x, sum, first, last, count));
   };
   const Values forces = resampled_along(x, history.resistance, first, last);
   const CorrelatedMean force = correlated_mean(forces);
-  steady.force = {per_way(x, work, first, last),
+  steady.force = {per_path_length(x, work, first, last),
                   force.standard_error * student_factor(force.independent - 1)};
   steady.independent = force.independent;
-  const Values rates = rates_of_stretches(x, total, first, last, count);
+  const Values rates = block_rates(x, total, first, last, count);
   if (!history.has_energies && forces.size() >= 4)
     add_drift_of_force(forces, x[last] > x[first] ? 1 : -1, steady);
   if (history.has_energies && count >= fewest_stretches) add_drift(rates, steady);
@@ -141,7 +141,7 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   steady.dissipated.friction = mean_rate(history.friction);
   steady.dissipated.plastic = mean_rate(history.plastic);
   steady.dissipated.adhesion = mean_rate(history.adhesion);
-  steady.dissipated.total = mean_of_stretches(rates);
+  steady.dissipated.total = mean_of_blocks(rates);
   steady.independent = correlated_mean(rates).independent;
   steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.way;
   return steady;

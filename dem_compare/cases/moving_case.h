@@ -5,8 +5,8 @@
 //
 // Where a way is steady, and that the first one counts, core/steady_motion.h defines; derive, compare and the
 // study of resistances all take what is said here. It is cut into stretches of about a contact radius, four
-// at least; how they differ gives the uncertainty (stretches.h). The way back, over the own track, is told
-// apart: what has yielded there need not yield again.
+// at least; how they differ gives the uncertainty (block_averages.h). The way back, over the own track, is
+// told apart: what has yielded there need not yield again.
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/compare/hertz_verdict.h"
 #include "dem_compare/compare/mesh_family.h"
 #include "dem_compare/numbers/statistics.h"

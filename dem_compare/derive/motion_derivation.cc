@@ -86,7 +86,8 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
   if (probed.empty() && reversed.empty()) {
     report.not_told.push_back(
         "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
-        std::string(&mode == &rolling_mode() ? " and Experiment/Way back to a contact radius or more" : ""));
+        std::string(&mode == &rolling_mode() ? " and Experiment/Return distance to a contact radius or more"
+                                             : ""));
     return;
   }
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;

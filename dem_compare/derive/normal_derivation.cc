@@ -80,7 +80,7 @@ std::optional<CaseNumber> stiffness_of(const SolvedCase& solved) {
   const NormalNumbers numbers = normal_numbers(solved.history, solved.hertz());
   CaseNumber number{numbers.largest_force, realisation_of(solved), solved.interface_spacing(), unknown,
                     unknown};
-  if (solved.finished() && solved.result->tells("normal_stiffness")) {
+  if (solved.finished() && solved.result->has("normal_stiffness")) {
     const EffectiveNumber stiffness = solved.effective("normal_stiffness");
     number.value = stiffness.value, number.sd = stiffness.sd;
   } else {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 
 namespace asperity {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/resistance/findings.h"
 #include "dem_compare/resistance/length_sentences.h"
 #include "dem_compare/resistance/sentences.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/quantity.h"
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/resistance/paired_ways.h"
 
 namespace asperity {
@@ -23,7 +23,7 @@ const std::vector<VariedInput>& varied_inputs() {
       {"local friction", Dimension::none, {"Interface/Friction coefficient"}},
       {"works of adhesion",
        Dimension::surface_energy,
-       {"Interface/Work of adhesion", "Interface/Opening work"}},
+       {"Interface/Work of adhesion", "Interface/Work of adhesion on separation"}},
       {"yield stresses", Dimension::pressure, {"Particle/Yield stress", "Substrate/Yield stress"}}};
   return list;
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 
 namespace asperity {
 namespace {
@@ -29,7 +29,7 @@ double at(const Values& position, const Values& sum, double place) {
 
 /// Error of the mean of `deviations`, and what both balances leave open where they are of the whole.
 double error_of(const Values& deviations, WayPart part, double unbalanced, double other_unbalanced) {
-  const double of_stretches = mean_of_stretches(deviations).sd;
+  const double of_stretches = mean_of_blocks(deviations).sd;
   return part == WayPart::total ? std::hypot(of_stretches, unbalanced, other_unbalanced) : of_stretches;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/topography_spec.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
 
 namespace asperity {
@@ -66,7 +66,7 @@ Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay
   for (std::size_t i = 0; i < ways.size(); ++i)
     if (part == WayPart::total && std::isfinite(ways[i]->unbalanced))
       open_balances[i].sd = ways[i]->unbalanced / states[i]->scale();
-  const Uncertain paired = mean_of_stretches(slopes);
+  const Uncertain paired = mean_of_blocks(slopes);
   const double of_misfit = fit_trend(rms, means_in_common).slope.sd,
                of_balances = fit_trend(rms, open_balances).slope.sd;
   trend.slope = {paired.value, std::max(std::hypot(paired.sd, of_balances), of_misfit)};

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/paired_ways.h"
 #include "dem_compare/resistance/roughness_trend.h"
 
@@ -19,7 +19,7 @@ bool is_of(Mechanism mechanism, const std::string& entry) {
     return entry.size() >= name.size() && entry.compare(entry.size() - name.size(), name.size(), name) == 0;
   };
   if (mechanism == Mechanism::adhesion)
-    return entry == "Interface/Work of adhesion" || entry == "Interface/Opening work" ||
+    return entry == "Interface/Work of adhesion" || entry == "Interface/Work of adhesion on separation" ||
            entry == "Interface/Adhesion law" || entry == "Interface/Adhesion range";
   return ends_with("/Yield stress") || ends_with("/Hardening modulus") || ends_with("/Hardening") ||
          ends_with("/Voce saturation") || ends_with("/Voce rate");

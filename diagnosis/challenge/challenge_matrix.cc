@@ -73,8 +73,9 @@ class Matrix {
       for (int i = 0; i < (quick_ ? 1 : 6); ++i)
         add("null", mode, {}, i % 3 == 0 ? 0.003 : i % 3 == 1 ? middle_noise : 0.03);
     for (const Motion mode : all_modes())
-      for (const auto& effect : outsiders(mode))
-        for (const double noise : levels({0.003, middle_noise, 0.02})) add("outsider", mode, {effect}, noise);
+      for (const auto& effect : out_of_catalogue_effects(mode))
+        for (const double noise : levels({0.003, middle_noise, 0.02}))
+          add(out_of_catalogue, mode, {effect}, noise);
     for (int i = 0; i < (quick_ ? 1 : 2); ++i) {
       add("decoy", Motion::normal, {"thermal_drift"}, middle_noise, "long_hold");  // looks like creep
       add("decoy", Motion::normal, {"baseline_tilt"}, middle_noise);               // looks like attraction

@@ -1,5 +1,5 @@
 // Which recordings the proof is made of: every effect alone at three levels of noise, pairs, nulls, effects
-// outside of the catalogue, decoys, and settings that cannot tell effects apart.
+// outside of the catalogue, decoys, and settings in which effects are not distinguishable.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 namespace asperity {
 
 struct ChallengeItem {
-  std::string name;  ///< of its folder
-  std::string
-      family;  ///< "single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::string name;    ///< of its folder
+  std::string family;  ///< "single", "finite_elements", "pair", "null", "out_of_catalogue", "decoy",
+                       ///< "indistinguishable"
   ConcealOptions options;
   std::vector<std::filesystem::path> cases;  ///< of family "finite_elements": what was solved
 };

@@ -32,7 +32,7 @@ bool ChallengeScore::holds_the_truth() const {
 bool ChallengeScore::is_right() const {
   if (!failure.empty()) return false;
   if (truth.empty()) return verdict == "no_mismatch";
-  if (family == "outsider") return verdict == "unexplained" || verdict == "partly_explained";
+  if (family == out_of_catalogue) return verdict == "unexplained" || verdict == "partly_explained";
   if (family == "indistinguishable") return verdict == "ambiguous" && holds_the_truth();
   return names_the_truth() && (verdict == "explained" || verdict == "partly_explained");
 }
@@ -128,7 +128,7 @@ Json score_json(const ChallengeScore& score) {
 
 ChallengeScore score_from(const Json& json) {
   ChallengeScore score;
-  score.name = json.at("name"), score.family = json.at("family"), score.mode = json.at("mode"),
+  score.name = json.at("name"), score.family = family_named(json.at("family")), score.mode = json.at("mode"),
   score.noise = json.at("noise");
   score.truth = json.at("truth").get<std::vector<std::string>>();
   score.named = json.at("named").get<std::vector<std::string>>();

@@ -59,13 +59,13 @@ Blocks blocks_of(const Samples& samples) {
     group(keys, static_cast<int>(cycles.size()), blocks);
     return blocks;
   }
-  // Stretches of each segment: twenty, dealt out in turn.
-  blocks.name = "stretches";
-  constexpr int stretches = 20;
+  // Blocks of each segment: twenty, dealt out in turn.
+  blocks.name = "blocks";
+  constexpr int in_a_segment = 20;
   for (const auto& run : samples.runs)
     for (std::size_t i = run.begin; i < run.end; ++i)
-      keys[i] = static_cast<int>((i - run.begin) * stretches / (run.end - run.begin));
-  group(keys, stretches, blocks);
+      keys[i] = static_cast<int>((i - run.begin) * in_a_segment / (run.end - run.begin));
+  group(keys, in_a_segment, blocks);
   return blocks;
 }
 

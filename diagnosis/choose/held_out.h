@@ -1,4 +1,4 @@
-// Prediction of data that a fit has not seen: whole runs, cycles or stretches of load are left out in turn.
+// Prediction of data that a fit has not seen: whole runs, cycles or blocks of load are left out in turn.
 #pragma once
 
 #include "diagnosis/fit/model_fit.h"
@@ -10,7 +10,7 @@ struct HeldOut {
   double cost = 0;          ///< the same with Huber's costs, over the number of samples
   bool consistent = true;   ///< the effects' parameters are the same whichever block is left out
   int blocks = 0;
-  std::string block_name;  ///< "runs", "cycles", "rows", "stretches"
+  std::string block_name;  ///< "runs", "cycles", "rows", "blocks"
 };
 
 /// Blocks of the samples: index of each, and what they are.

@@ -16,7 +16,7 @@ constexpr double significance = 0.005;
 /// Log evidence within which two explanations are as good: odds of ten to one.
 constexpr double as_good = 2.3;
 
-/// What an explanation leaves, beyond what its laws may be off by.
+/// The residual of an explanation, beyond the model error of its laws.
 ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
                      const ModelFit& fit);
 

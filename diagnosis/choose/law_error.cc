@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Cosines along one coordinate, and the one whose weight is half of the first's: errors of laws vary over a
-/// quarter of the way.
+/// quarter of the range.
 constexpr int most_cosines = 12;
 constexpr double half_weight = 4;
 

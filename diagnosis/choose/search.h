@@ -22,7 +22,7 @@ struct SearchResult {
   double overdispersion = 1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered
 };
 
-/// Tells whether what an explanation leaves is noise.
+/// True if the residual of an explanation is noise.
 using IsNoise = std::function<bool(const ModelFit&)>;
 
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,

@@ -78,10 +78,10 @@ Samples loops(const Experiment& e, double load, double stroke, double speed, int
   double x = 0, time = 0;
   const double step = stroke / steps_of_branch;
   for (int cycle = 0; cycle < cycles; ++cycle)
-    for (int way = 0; way < 2; ++way)
+    for (int segment = 0; segment < 2; ++segment)
       for (int i = 0; i < steps_of_branch; ++i) {
         Sample s = typical(e);
-        const int direction = way == 0 ? 1 : -1;
+        const int direction = segment == 0 ? 1 : -1;
         x += direction * step;
         time += speed > 0 ? step / speed : 1;
         s.time = time;
@@ -91,7 +91,7 @@ Samples loops(const Experiment& e, double load, double stroke, double speed, int
         s.direction = direction;
         s.since_reversal = step * (i + 1);
         s.cycle = cycle;
-        s.segment = way;
+        s.segment = segment;
         samples.list.push_back(s);
       }
   end_run(samples, 0, false, false);

@@ -48,7 +48,7 @@ void add_repeated_steps(RecordingTable& table, const History& history, std::size
       table.columns["time"].push_back(static_cast<double>(i - first));
       for (const auto& channel : channels)
         table.columns[channel.name].push_back((history.*channel.values)[i]);
-      // A step belongs to the way that leads to it; the first one to that which leads on.
+      // A step belongs to the segment that leads to it; the first one to the segment that it begins.
       const std::size_t before = i > first ? i - 1 : i,
                         after = i > first ? i : std::min(i + 1, history.size() - 1);
       table.segment.push_back(position[after] >= position[before] ? up : down);
@@ -148,7 +148,7 @@ std::map<std::string, TrueParameter> known_parameters(const std::string& effect,
     return {{"shear_strength", entry("Interface/Shear strength", Dimension::pressure)}};
   if (effect == "adhesion_hysteresis")
     return {{"work_closing", work},
-            {"work_opening", entry("Interface/Opening work", Dimension::surface_energy)}};
+            {"work_opening", entry("Interface/Work of adhesion on separation", Dimension::surface_energy)}};
   if (effect == "adhesion") {
     const Hertz bodies = solved.hertz();
     const MaugisDugdale law{bodies.reduced_modulus, bodies.radius, work.value,
@@ -211,7 +211,7 @@ ConcealedRecording conceal_cases(const std::vector<std::filesystem::path>& folde
     concealed.truth.effects.push_back(effect);
   }
   concealed.truth.family = options.effects.empty() ? "null" : options.effects.size() == 1 ? "single" : "pair";
-  // A few steps are too coarse to tell noise from what they miss: the instrument says what its noise is.
+  // A few steps are too coarse to separate noise from model error: the instrument states its noise.
   const auto& response = recording.tables[0].column(recording.tables[0].response);
   double largest = 0;
   for (const double value : response) largest = std::max(largest, std::abs(value));

@@ -29,7 +29,7 @@ const std::vector<std::vector<std::string>>& exclusive() {
 
 void check(const ConcealOptions& options) {
   std::vector<std::string> known = concealable_effects(options.mode);
-  for (const auto& name : outsiders(options.mode)) known.push_back(name);
+  for (const auto& name : out_of_catalogue_effects(options.mode)) known.push_back(name);
   for (const auto& effect : options.effects) {
     if (std::find(known.begin(), known.end(), effect) != known.end()) continue;
     const std::string meant = nearest_name(effect, known);
@@ -54,7 +54,7 @@ void check(const ConcealOptions& options) {
                      "'; there are one_load, ramp_only, long_hold and small_loops");
 }
 
-/// Effects that these data cannot tell from those concealed.
+/// Effects that are not distinguishable from those concealed by these data.
 std::vector<std::string> look_alikes(const ConcealOptions& options) {
   const auto is = [&](const char* effect) { return options.effects == std::vector<std::string>{effect}; };
   if (options.setting == "one_load") {
@@ -72,14 +72,16 @@ std::string family_of(const ConcealOptions& options, const Truth& truth) {
   if (!truth.cannot_be_told_from.empty()) return "indistinguishable";
   if (options.effects.empty()) return "null";
   for (const auto& effect : truth.effects)
-    if (!effect.in_catalogue) return "outsider";
+    if (!effect.in_catalogue) return out_of_catalogue;
   return options.effects.size() == 1 ? "single" : "pair";
 }
 
 }  // namespace
 
 std::vector<std::string> concealable_effects(Motion mode) { return hidden::concealable(mode); }
-std::vector<std::string> outsiders(Motion mode) { return hidden::concealable_outsiders(mode); }
+std::vector<std::string> out_of_catalogue_effects(Motion mode) {
+  return hidden::concealable_out_of_catalogue(mode);
+}
 
 ConcealedRecording conceal(const ConcealOptions& options) {
   check(options);

@@ -12,11 +12,11 @@ namespace asperity {
 
 struct ConcealOptions {
   Motion mode = Motion::normal;
-  std::vector<std::string> effects;  ///< of the catalogue or outsiders; none: a null
+  std::vector<std::string> effects;  ///< of the catalogue or out of it; none: a null
   double noise = 0.01;               ///< standard deviation of a sample over the largest response
   unsigned seed = 1;
-  /// "one_load", "ramp_only": experiments that cannot tell some effects apart; "long_hold", "small_loops":
-  /// those in which one looks like another.
+  /// "one_load", "ramp_only": experiments in which some effects are not distinguishable; "long_hold",
+  /// "small_loops": those in which one looks like another.
   std::string setting;
 };
 
@@ -31,9 +31,9 @@ ConcealedRecording conceal(const ConcealOptions& options);
 /// Recording and truth.json in a folder.
 void write_concealed(const ConcealedRecording& concealed, const std::filesystem::path& folder);
 
-/// Effects that can be concealed in a mode; outsiders are not in the catalogue.
+/// Effects that can be concealed in a mode; out_of_catalogue_effects() are not in the catalogue.
 std::vector<std::string> concealable_effects(Motion mode);
-std::vector<std::string> outsiders(Motion mode);
+std::vector<std::string> out_of_catalogue_effects(Motion mode);
 
 /// A solved case's history as a recording of its mode with noise: the finite-element solver as truth.
 /// `folder` holds history.csv and result.json or case.prm; `effects` say what the case shows. Several cases:

@@ -95,7 +95,7 @@ void choose_normal_parameters(World& world, const WorldRequest& request, const N
       world.hide(id, "sudden displacement at a load of its own in each run", "jump",
                  between(random, 0.06, 0.15) * depth, false);
     else if (id == "piezo_hysteresis")
-      world.hide(id, "the sensor of displacement bends one way up and another down", "share",
+      world.hide(id, "the displacement sensor has another characteristic upwards than downwards", "share",
                  between(random, 0.04, 0.09), false);
     else if (id == "thermal_oscillation") {
       world.hide(id, "sinusoidal shift of the displacement", "amplitude", between(random, 0.03, 0.08) * depth,

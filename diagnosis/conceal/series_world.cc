@@ -30,7 +30,7 @@ std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
   if (request.asks_for("roughness_dependent_rolling"))
     roughness = {0.3e-9, 0.8e-9, 1.5e-9, 2.7e-9, 4e-9, 6e-9};
   if (request.mode == Motion::rail) angles = {25 * pi / 180, 45 * pi / 180, 60 * pi / 180};
-  // Both ways of rolling, as loops give them: what keeps its sign belongs to the instrument.
+  // Both directions of rolling, as loops give them: what keeps its sign belongs to the instrument.
   const std::vector<int> directions =
       request.mode == Motion::rolling ? std::vector<int>{1, -1} : std::vector<int>{1};
   std::vector<Row> rows;

@@ -14,8 +14,8 @@ struct SlidingProgram {
   std::vector<double> loads;     ///< [N]
   std::vector<double> speeds;    ///< of each load's runs [m/s]
   double amplitude = 250e-9;     ///< [m]
-  int cycles = 2, samples = 60;  ///< of one way
-  bool steps_speed = false;      ///< one long way with steps of speed
+  int cycles = 2, samples = 60;  ///< of one direction
+  bool steps_speed = false;      ///< one long stroke with steps of speed
 };
 
 SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
@@ -58,7 +58,7 @@ void choose_sliding_parameters(World& world, const WorldRequest& request, const 
   const double low = program.loads.front(), high = program.loads.back(), middle = std::sqrt(low * high);
   for (const auto& id : request.effects) {
     if (id == "lateral_compliance")
-      world.hide(id, "springs in series, stick and slip told by events", "compliance",
+      world.hide(id, "springs in series, stick and slip separated by events", "compliance",
                  between(random, 0.06, 0.2) * program.amplitude / (friction * high));
     else if (id == "adhesion_offset")
       // Beside stick-slip an offset also holds the difference between the top of the teeth and their mean.
@@ -281,11 +281,11 @@ World sliding_world(const WorldRequest& request) {
       };
       if (program.steps_speed) {
         const int n = program.samples;
-        const auto stretches = static_cast<double>(program.speeds.size());
+        const auto parts = static_cast<double>(program.speeds.size());
         for (std::size_t s = 0; s < program.speeds.size(); ++s)
           for (int i = 0; i < n; ++i)
-            sample(program.amplitude / stretches * (static_cast<double>(s) + (i + 1.0) / n),
-                   program.speeds[s], 0, "forward");
+            sample(program.amplitude / parts * (static_cast<double>(s) + (i + 1.0) / n), program.speeds[s], 0,
+                   "forward");
         continue;
       }
       const double v = program.speeds[r], A = program.amplitude;

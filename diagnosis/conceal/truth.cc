@@ -13,6 +13,8 @@ constexpr const char* file_name = "truth.json";
 
 }  // namespace
 
+std::string family_named(const std::string& name) { return name == "outsider" ? out_of_catalogue : name; }
+
 void write_truth(const Truth& truth, const std::filesystem::path& folder) {
   Json json;
   json["format"] = truth_format;
@@ -46,7 +48,7 @@ Truth read_truth(const std::filesystem::path& folder) {
     const Json json = parse_json(read_file(file), file.string());
     if (json.at("format") != truth_format)
       throw InputError(file.string() + ": 'format' is not '" + truth_format + "'");
-    truth.family = json.at("family");
+    truth.family = family_named(json.at("family"));
     for (const auto& entry : json.at("effects")) {
       TrueEffect effect;
       effect.id = entry.at("id");

@@ -29,8 +29,13 @@ struct TrueContribution {
   std::vector<double> in_noise;  ///< of each row
 };
 
+/// Family of recordings that hold an effect which is not in the catalogue.
+inline constexpr const char* out_of_catalogue = "out_of_catalogue";
+/// The family as a file names it; files of an earlier version call the one above "outsider".
+std::string family_named(const std::string& name);
+
 struct Truth {
-  std::string family;               ///< "single", "pair", "null", "outsider", "decoy", "indistinguishable"
+  std::string family;  ///< "single", "pair", "null", "out_of_catalogue", "decoy", "indistinguishable"
   std::vector<TrueEffect> effects;  ///< none: a null
   std::vector<std::string>
       cannot_be_told_from;  ///< effects that do as well on these data: the verdict ought to be ambiguous

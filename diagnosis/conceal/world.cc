@@ -21,8 +21,8 @@ double World::hide(const std::string& effect, const std::string& model, const st
   added.id = effect;
   added.model = model;
   for (const Motion mode : all_modes())
-    for (const auto& outsider : concealable_outsiders(mode))
-      if (outsider == effect) added.in_catalogue = false;
+    for (const auto& other : concealable_out_of_catalogue(mode))
+      if (other == effect) added.in_catalogue = false;
   if (!parameter.empty()) added.parameters[parameter] = {value, is_the_catalogues};
   effects.push_back(added);
   return value;
@@ -71,7 +71,7 @@ std::vector<std::string> concealable(Motion mode) {
   return {};
 }
 
-std::vector<std::string> concealable_outsiders(Motion mode) {
+std::vector<std::string> concealable_out_of_catalogue(Motion mode) {
   switch (mode) {
     case Motion::normal:
       return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};

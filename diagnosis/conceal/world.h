@@ -46,7 +46,7 @@ struct WorldRequest {
 
 /// Effects that can be concealed in a mode: of the catalogue, and outside of it.
 std::vector<std::string> concealable(Motion mode);
-std::vector<std::string> concealable_outsiders(Motion mode);
+std::vector<std::string> concealable_out_of_catalogue(Motion mode);
 
 World normal_world(const WorldRequest& request);
 World sliding_world(const WorldRequest& request);

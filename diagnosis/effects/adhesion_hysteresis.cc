@@ -1,7 +1,7 @@
 // More work to open the contact than it gave on closing. For a contact of radius a at displacement d (Maugis
 // 1992; JKR's general state)  f = 2 E* (a d - a^3/(3 R)),  the edge advances where the closing work w_c
-// allows and retreats where the opening work w_o does; between it stays pinned:  a <- a cut to [a_JKR(d;
-// w_c), a_JKR(d; w_o)].
+// allows and retreats where the work of adhesion on separation w_o does; between it stays pinned:  a <- a cut
+// to [a_JKR(d; w_c), a_JKR(d; w_o)].
 #include <algorithm>
 
 #include "dem_compare/laws/jkr.h"

@@ -16,7 +16,7 @@ class Creep : public Effect {
         "d = d_contact + q, tau dq/dt = A d_contact/d_H - q; held at the largest load: q = A [1 - "
         "exp(-t/tau)]",
         "Kelvin & Voigt; Johnson 1985, sec. 6.5; Chudoba & Richter 2001, eq. (1)",
-        "The contact goes on giving way while the load is held, quickly at first and then to a limit.",
+        "The approach keeps growing while the load is held, quickly at first and towards a limit.",
         EffectKind::contact,
         {Motion::normal},
         {},

@@ -15,7 +15,7 @@ class EffectiveRadius : public Effect {
         "Hertz 1882; Johnson 1985, ch. 4",
         "The sphere is flatter or more curved at the contact than its nominal radius says, or the bodies "
         "stiffer or softer: a normal "
-        "curve cannot tell these apart (a ratio of radii q stands for a ratio of moduli q^(1/2)).",
+        "curve cannot distinguish these (a ratio of radii q stands for a ratio of moduli q^(1/2)).",
         EffectKind::contact,
         {Motion::normal},
         {},

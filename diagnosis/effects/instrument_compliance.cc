@@ -1,4 +1,4 @@
-// Frame, cantilever or holder that gives way in series with the contact: d = d_contact + C f_n.
+// Compliance of frame, cantilever or holder in series with the contact: d = d_contact + C f_n.
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -7,18 +7,19 @@ namespace {
 class InstrumentCompliance : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{"instrument_compliance",
-                                     "Compliance of the instrument",
-                                     "d = d_contact + C f_n",
-                                     "Oliver & Pharr 1992, eq. (7)",
-                                     "Something between the displacement sensor and the contact gives way in "
-                                     "proportion to the load, so that part of the "
-                                     "recorded displacement never reaches the contact.",
-                                     EffectKind::instrument,
-                                     {Motion::normal},
-                                     {},
-                                     {},
-                                     2};
+    static const EffectDescription d{
+        "instrument_compliance",
+        "Compliance of the instrument",
+        "d = d_contact + C f_n",
+        "Oliver & Pharr 1992, eq. (7)",
+        "A compliance between the displacement sensor and the contact deforms in "
+        "proportion to the load, so that part of the "
+        "recorded displacement never reaches the contact.",
+        EffectKind::instrument,
+        {Motion::normal},
+        {},
+        {},
+        2};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

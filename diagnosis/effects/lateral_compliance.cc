@@ -1,4 +1,4 @@
-// What gives way in series with the sliding contact: x = x_contact + C f_l.
+// Lateral compliance in series with the sliding contact: x = x_contact + C f_l.
 #include "dem_compare/laws/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
 
@@ -8,18 +8,19 @@ namespace {
 class LateralCompliance : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{"lateral_compliance",
-                                     "Lateral compliance in series",
-                                     "x = x_contact + C f_l",
-                                     "Carpick, Ogletree & Salmeron 1997, eq. (1)",
-                                     "Indenter, cantilever or particle mounting gives way sideways: after a "
-                                     "reversal the force turns more slowly than the contact's "
-                                     "own stiffness would let it.",
-                                     EffectKind::instrument,
-                                     {Motion::sliding, Motion::rolling, Motion::rail},
-                                     {},
-                                     {},
-                                     2};
+    static const EffectDescription d{
+        "lateral_compliance",
+        "Lateral compliance in series",
+        "x = x_contact + C f_l",
+        "Carpick, Ogletree & Salmeron 1997, eq. (1)",
+        "Indenter, cantilever or particle mounting is laterally compliant: after a "
+        "reversal the force turns more slowly than the contact's "
+        "own stiffness would let it.",
+        EffectKind::instrument,
+        {Motion::sliding, Motion::rolling, Motion::rail},
+        {},
+        {},
+        2};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

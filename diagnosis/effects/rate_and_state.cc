@@ -31,10 +31,10 @@ class RateAndState : public Effect {
     return e.has_trace && e.has_time && e.slowest > 0 && e.fastest > least_ratio * e.slowest;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double mu = e.largest_response / e.largest_force, way = std::max(e.stroke, e.slowest * e.duration);
+    const double mu = e.largest_response / e.largest_force, path = std::max(e.stroke, e.slowest * e.duration);
     return {{"a", "", "direct effect", 0, mu, false, {0.01 * mu, 0.05 * mu}},
             {"b", "", "evolution effect", -mu, mu, false, {0.005 * mu, 0.02 * mu, 0.08 * mu}},
-            {"slip_distance", "m", "L", 1e-5 * way, way, true, {0.003 * way, 0.02 * way, 0.1 * way}}};
+            {"slip_distance", "m", "L", 1e-5 * path, path, true, {0.003 * path, 0.02 * path, 0.1 * path}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double a = p[0], b = p[1], length = p[2];

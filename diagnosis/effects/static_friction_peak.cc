@@ -25,15 +25,15 @@ class StaticFrictionPeak : public Effect {
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double way = e.stroke;
+    const double path = e.stroke;
     return {{"peak_ratio", "", "static over dynamic friction", 1, 10, false, {1.1, 1.5}},
             {"slip_length",
              "m",
              "L, over which the excess fades",
-             1e-4 * way,
-             way,
+             1e-4 * path,
+             path,
              true,
-             {0.01 * way, 0.05 * way, 0.2 * way}}};
+             {0.01 * path, 0.05 * path, 0.2 * path}}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double excess = p[0] - 1, length = p[1];

@@ -86,7 +86,7 @@ class StickSlip : public Effect {
         "Stick-slip",
         "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]",
         "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
-        "Sliding goes in jumps: force builds up while the contact sticks and drops when it lets go.",
+        "Sliding goes in jumps: force builds up while the contact sticks and drops when it slips.",
         EffectKind::contact,
         {Motion::sliding},
         {},
@@ -98,9 +98,9 @@ class StickSlip : public Effect {
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double f = e.largest_response, way = e.stroke;
+    const double f = e.largest_response, path = e.stroke;
     return {{"amplitude", "N", "A, drop of the force in an event", 1e-4 * f, 2 * f, true, {0.1 * f}},
-            {"period", "m", "p, path between events", 1e-4 * way, 0.5 * way, true, {0.1 * way}},
+            {"period", "m", "p, path between events", 1e-4 * path, 0.5 * path, true, {0.1 * path}},
             {"phase",
              "",
              "part of a period that has passed in the middle of a stroke",

@@ -172,7 +172,7 @@ DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) cons
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
                          const ModelFit* near) {
   const auto explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
-  // From a smaller explanation, most of the way is known.
+  // From a smaller explanation, most of the values are known.
   const std::size_t searched =
       near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;
   const Coordinates bounds = bounds_of(*explanation);

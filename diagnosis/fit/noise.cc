@@ -14,9 +14,9 @@ namespace {
 /// Of the square of a unit normal variable: its median, and the mean of its lowest 60 % (0.1288/0.6).
 constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
 
-/// Stretches of one table: contiguous counted samples of one part, residual over the given shape of noise.
-std::vector<std::vector<double>> stretches_of(const Samples& samples, const std::vector<double>& residual,
-                                              std::size_t table) {
+/// Blocks of one table: contiguous counted samples of one part, residual over the given shape of noise.
+std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::vector<double>& residual,
+                                           std::size_t table) {
   std::vector<std::vector<double>> list;
   for (const auto& run : samples.runs) {
     if (run.table != table || run.independent_rows) continue;
@@ -131,14 +131,14 @@ double scatter_of_series(const Samples& samples, const std::vector<double>& resi
 
 }  // namespace
 
-ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretches) {
+ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks) {
   const std::size_t lags[] = {1, 2, 3};
   double variance[3] = {};
   std::size_t count = 0;
   for (int l = 0; l < 3; ++l) {
     const std::size_t k = lags[l];
     std::vector<double> squares;
-    for (const auto& r : stretches)
+    for (const auto& r : blocks)
       for (std::size_t i = k; i + k < r.size(); ++i)
         squares.push_back(std::pow(r[i - k] - 2 * r[i] + r[i + k], 2));
     if (l == 0) count = squares.size();
@@ -183,7 +183,7 @@ Noise estimate_noise(const Recording& recording, const Samples& samples,
     const RecordingTable& table = recording.tables[t];
     const bool by_row = table.has(table.response + "_sd");
     const auto given = recording.noise.find(table.response);
-    const ShortScaleNoise fast = short_scale_noise(stretches_of(samples, residual, t));
+    const ShortScaleNoise fast = short_scale_noise(blocks_of(samples, residual, t));
     double sd = 0;
     std::string from;
     constexpr std::size_t enough = 30;

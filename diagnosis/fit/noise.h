@@ -24,7 +24,7 @@ struct ShortScaleNoise {
   double sd = 0, correlation = 0;
   std::size_t count = 0;  ///< of second differences
 };
-ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& stretches);
+ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks);
 
 /// From what is given, from repeats, else from the high frequencies of the residuals.
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual);

@@ -1,6 +1,6 @@
 // A table with a header row, its columns mapped to channels: "channel [unit] = factor * column * column". A
-// constant alone fills the column. "channel:forward" and "channel:backward" hold the two ways of a scan side
-// by side: each run becomes a loop, there and back.
+// constant alone fills the column. "channel:forward" and "channel:backward" hold the two directions of a scan
+// side by side: each run becomes a loop, there and back.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@ namespace {
 
 /// One entry of the map.
 struct MappedColumn {
-  std::string channel, way, unit, expression;  ///< way: "", "forward", "backward"
+  std::string channel, direction, unit, expression;  ///< direction: "", "forward", "backward"
 };
 
 MappedColumn parsed(const std::string& entry) {
@@ -34,10 +34,10 @@ MappedColumn parsed(const std::string& entry) {
   }
   const auto colon = left.find(':');
   if (colon != std::string::npos) {
-    mapped.way = left.substr(colon + 1);
+    mapped.direction = left.substr(colon + 1);
     left = left.substr(0, colon);
-    if (mapped.way != "forward" && mapped.way != "backward")
-      throw InputError("the column map '" + entry + "' has the way '" + mapped.way +
+    if (mapped.direction != "forward" && mapped.direction != "backward")
+      throw InputError("the column map '" + entry + "' has the direction '" + mapped.direction +
                        "'; it is forward or backward");
   }
   mapped.channel = left;
@@ -106,34 +106,35 @@ Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& optio
   table.control = is_normal ? std::vector<std::string>{"normal_displacement"}
                             : std::vector<std::string>{"lateral_displacement", "normal_force"};
   table.response = is_normal ? "normal_force" : "lateral_force";
-  std::map<std::string, std::vector<double>> by_way[2];
-  bool has_ways = false;
+  std::map<std::string, std::vector<double>> by_direction[2];
+  bool has_directions = false;
   for (const auto& entry : options.columns) {
     const MappedColumn mapped = parsed(entry);
     const std::vector<double> values = evaluated(mapped.expression, source, text.file);
-    has_ways = has_ways || !mapped.way.empty();
+    has_directions = has_directions || !mapped.direction.empty();
     RecordingTable one;
     add_channel(one, mapped.channel, values, unit_of(mapped, source));
-    for (int way = 0; way < 2; ++way)
-      if (mapped.way.empty() || (mapped.way == "forward") == (way == 0))
-        by_way[way][mapped.channel] = one.columns.at(mapped.channel);
+    for (int direction = 0; direction < 2; ++direction)
+      if (mapped.direction.empty() || (mapped.direction == "forward") == (direction == 0))
+        by_direction[direction][mapped.channel] = one.columns.at(mapped.channel);
   }
-  if (!has_ways) {
-    table.columns = by_way[0];
+  if (!has_directions) {
+    table.columns = by_direction[0];
     if (!table.has("run")) table.columns["run"].assign(source.rows(), 1);
     const std::string driven = options.control.empty() ? table.control.front() : options.control.front();
     if (is_normal && table.has(driven)) table.segment = find_segments(table.column(driven)).segment;
   } else {
     // Rows of one run (line of a scan): there in order, back in the reverse.
     const std::vector<double> runs =
-        by_way[0].count("run") ? by_way[0]["run"] : std::vector<double>(source.rows(), 1);
+        by_direction[0].count("run") ? by_direction[0]["run"] : std::vector<double>(source.rows(), 1);
     for (std::size_t from = 0, to = 0; from < runs.size(); from = to) {
       while (to < runs.size() && runs[to] == runs[from]) ++to;
-      for (int way = 0; way < 2; ++way)
+      for (int direction = 0; direction < 2; ++direction)
         for (std::size_t k = from; k < to; ++k) {
-          const std::size_t i = way == 0 ? k : from + to - 1 - k;
-          for (const auto& [channel, values] : by_way[way]) table.columns[channel].push_back(values[i]);
-          table.segment.push_back(way == 0 ? "forward" : "backward");
+          const std::size_t i = direction == 0 ? k : from + to - 1 - k;
+          for (const auto& [channel, values] : by_direction[direction])
+            table.columns[channel].push_back(values[i]);
+          table.segment.push_back(direction == 0 ? "forward" : "backward");
         }
     }
   }

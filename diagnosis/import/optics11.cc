@@ -1,6 +1,6 @@
 // Optics11: header "k (N/m)", "Tip radius (um)", "E[v=0.50] (Pa)"; table of time, load, indentation,
 // cantilever and piezo. Displacement: piezo less cantilever, from where the file's own indentation begins, so
-// that the way before contact is kept too.
+// that the approach before contact is kept too.
 #include <algorithm>
 #include <cmath>
 

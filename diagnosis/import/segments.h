@@ -12,7 +12,7 @@ struct FoundSegments {
 };
 
 /// Turning points are those from which the signal comes back by more than a part of its range (as in rainflow
-/// counting); between them, stretches of at least two hundredths of the samples in which it moves by less
+/// counting); between them, intervals of at least two hundredths of the samples in which it moves by less
 /// than a hundredth of the range are holds.
 FoundSegments find_segments(const std::vector<double>& signal);
 

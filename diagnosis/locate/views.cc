@@ -24,7 +24,7 @@ std::vector<NamedVariable> variables_for(Motion mode, bool trace, bool hold, boo
   const NamedVariable displacement{"normal_displacement",
                                    [](const Sample&s) { return s.normal_displacement; }},
       load{"normal_force", [](const Sample&s) { return s.normal_force; }},
-      way{"lateral_displacement", [](const Sample&s) { return s.lateral_displacement; }},
+      path{"lateral_displacement", [](const Sample&s) { return s.lateral_displacement; }},
       time{"time", [](const Sample&s) { return s.hold_time; }},
       cycle{"cycle", [](const Sample&s) { return s.cycle; }},
       speed{"speed", [](const Sample&s) { return s.speed; }},
@@ -36,7 +36,7 @@ std::vector<NamedVariable> variables_for(Motion mode, bool trace, bool hold, boo
   if (mode == Motion::normal)
     list.push_back(force_drives ? load : displacement);
   else if (trace)
-    list = {way, load};
+    list = {path, load};
   else
     list = {load};
   if (trace) list.push_back(cycle);

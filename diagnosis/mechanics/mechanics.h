@@ -38,7 +38,7 @@ using CoefficientChange = std::function<double(double coefficient, const SlipSta
 /// Limit of the lateral force [N] -> changed limit.
 using LimitChange = std::function<double(double limit, const SlipState&)>;
 
-/// Gives way later: tau dq/dt = share d_contact - q (Kelvin & Voigt), d_contact straight between samples.
+/// Delayed compliance: tau dq/dt = share d_contact - q (Kelvin & Voigt), d_contact straight between samples.
 struct DelayedPart {
   double share = 0, time_constant = 1;
   double delayed = 0, last = 0;  ///< q and d_contact at the last sample [m]

@@ -18,7 +18,7 @@ struct Experiment {
   double largest_force = 0, typical_force = 0;  ///< normal [N]
   double largest_displacement = 0;              ///< of the contact under the largest force, by Hertz [m]
   double largest_response = 0;                  ///< in units of the response
-  double stroke = 0;                            ///< lateral path of one way [m]
+  double stroke = 0;                            ///< path length in one direction [m]
   double duration = 0;                          ///< of the longest run [s]
   double hold_duration = 0;                     ///< of the longest hold [s]
   double slowest = 0, fastest = 0;     ///< speeds that a twentieth of the samples stay below and above [m/s]

@@ -6,7 +6,7 @@
 
 #include "diagnosis/recording/control_noise.h"
 #include "diagnosis/recording/median.h"
-#include "diagnosis/recording/one_way.h"
+#include "diagnosis/recording/monotonic_path.h"
 
 namespace asperity {
 namespace {
@@ -14,7 +14,8 @@ namespace {
 /// A turn of the driven motion counts where it comes back by more than this part of its range, and by more
 /// than its noise.
 constexpr double turn_of_range = 0.02;
-/// A stretch is a hold where the driven motion stays within this part of its range for this part of the run.
+/// An interval is a hold where the driven motion stays within this part of its range for this part of the
+/// run.
 constexpr double hold_of_range = 0.01;
 constexpr double hold_of_samples = 0.02;
 
@@ -117,13 +118,13 @@ std::vector<std::string> inferred_segments(const std::vector<double>& given, boo
   return names;
 }
 
-/// Lateral paths without the sensor's noise where they go one way.
-void drive_one_way(Samples& samples, const SampleRun& run) {
+/// Lateral paths without the sensor's noise where they are monotonic.
+void make_paths_monotonic(Samples& samples, const SampleRun& run) {
   for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
     std::vector<double> path;
     for (; to < run.end && samples.list[to].part == samples.list[from].part; ++to)
       path.push_back(samples.list[to].lateral_displacement);
-    path = one_way(path, path.back() >= path.front() ? 1 : -1);
+    path = monotonic_path(path, path.back() >= path.front() ? 1 : -1);
     for (std::size_t i = from; i < to; ++i) samples.list[i].lateral_displacement = path[i - from];
   }
 }
@@ -162,7 +163,7 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
     return !normal ? s.lateral_displacement : driven_is_force ? s.normal_force : s.normal_displacement;
   };
   Sample* list = samples.list.data();
-  if (!normal) drive_one_way(samples, run);
+  if (!normal) make_paths_monotonic(samples, run);
   double reversal = driven(list[run.begin]), hold_begin = 0;
   int direction = 0, hold = 0;
   double cycle = 0;
@@ -175,11 +176,11 @@ void follow(Samples& samples, const SampleRun& run, bool normal, bool has_speed,
       // The direction of a segment is that of its ends: single samples jitter.
       std::size_t end = i;
       while (end + 1 < run.end && list[end + 1].part == s.part) ++end;
-      const double way = driven(list[end]) - driven(s);
+      const double travel = driven(list[end]) - driven(s);
       const int now = name == "hold"                           ? (direction == 0 ? 1 : direction)
                       : name == "backward" || name == "unload" ? -1
                       : name == "forward" || name == "load"    ? 1
-                                                               : (way >= 0 ? 1 : -1);
+                                                               : (travel >= 0 ? 1 : -1);
       if (first_direction == 0)
         first_direction = now;
       else if (direction != now && now == first_direction)

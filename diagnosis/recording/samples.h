@@ -24,7 +24,7 @@ struct Sample {
   double cycle = 0;             ///< number of the loop, from 0
   double cycle_part = 0;        ///< part of its path that has passed, 0 to 1
   int segment = 0;              ///< index into Samples::segment_names
-  int part = 0;                 ///< number of the contiguous stretch of one run and segment
+  int part = 0;                 ///< number of the contiguous part of one run and segment
   int row = 0;                  ///< of the table
   std::size_t index = 0;        ///< place in the whole list, also after thinning
   double response = 0, sd = 0;  ///< sd: given with the row; 0: not given

@@ -20,7 +20,7 @@ namespace {
 /// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured
 /// correction.
 constexpr double block_half_width_in_radii = 0.7;
-/// Longest way from the middle of a roll [m] that a contact with this fine region has on the particle's
+/// Longest path from the middle of a roll [m] that a contact with this fine region has on the particle's
 /// finely meshed cap: no further up the sphere than where its slope makes the cap's cells, a lattice in
 /// projection, a fifteenth longer, and with the evenly spaced cells, half a region more on both sides
 /// (BodyMap), still on the cap.
@@ -151,7 +151,7 @@ J2Material material_of(const BodyInput& body) {
   return material;
 }
 
-CaseInput with_derived_way(const CaseInput& input) {
+CaseInput with_derived_path_length(const CaseInput& input) {
   CaseInput derived = input;
   CaseSetup setup;
   find_hertz_scales(input, setup);
@@ -283,7 +283,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   return setup;
 }
 
-void check_extent(const CaseInput& input) { set_up_sizes(with_derived_way(input)); }
+void check_extent(const CaseInput& input) { set_up_sizes(with_derived_path_length(input)); }
 
 CaseSetup set_up(const CaseInput& input) {
   CaseSetup setup = set_up_sizes(input);

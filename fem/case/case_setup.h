@@ -21,7 +21,7 @@ struct MeshedRoughness {
   double cells_per_wave() const { return scales.shortest_wave / spacing; }
 };
 
-/// Says in one line which waves a rough body's mesh resolves, and what it leaves out.
+/// One line on which waves of a rough body its mesh resolves, and which not.
 std::string resolution_text(const MeshedRoughness& roughness, const std::string& body);
 
 struct CaseSetup {
@@ -37,8 +37,8 @@ struct CaseSetup {
 
 /// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so
 /// that two diameters of it are steady; six times the spin at which a smooth contact slips as a whole, for
-/// the spots of a rough one let go later.
-CaseInput with_derived_way(const CaseInput& input);
+/// the junctions of a rough one slip later.
+CaseInput with_derived_path_length(const CaseInput& input);
 
 /// Throws InputError if the mesh parameters do not fit the bodies.
 CaseSetup set_up(const CaseInput& input);

@@ -36,13 +36,13 @@ struct Moments {
 template <typename Visit>
 void for_slopes(const meshing::HeightFunction& topography, const std::array<double, 2>& low,
                 const std::array<double, 2>& width, const std::array<double, 4>& height, const Visit& visit) {
-  constexpr double short_way =
+  constexpr double difference_step =
       1.0 / 64;  // of the cell: central differences that see every wave a mesh is refused for
   const double first = 0.5 - 0.5 / std::sqrt(3.0), second = 1 - first;
   for (const double s : {first, second})
     for (const double t : {first, second}) {
-      const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = short_way * width[0],
-                   ey = short_way * width[1];
+      const double x = low[0] + s * width[0], y = low[1] + t * width[1], ex = difference_step * width[0],
+                   ey = difference_step * width[1];
       visit((topography(x + ex, y) - topography(x - ex, y)) / (2 * ex),
             ((1 - t) * (height[1] - height[0]) + t * (height[3] - height[2])) / width[0]);
       visit((topography(x, y + ey) - topography(x, y - ey)) / (2 * ey),
@@ -206,8 +206,8 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
                               " (more than " + text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
     if (roughness.smooth() || quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
       throw InputError(file + ": " + name +
-                       ": the way from fine cells at the contact to the body's border distorts" + found +
-                       "use a shorter Experiment/Distance or another Mesh/Interface spacing");
+                       ": the transition from fine cells at the contact to the body's border distorts" +
+                       found + "use a shorter Experiment/Distance or another Mesh/Interface spacing");
     throw InputError(
         file + ": " + name + "/Topography: the roughness distorts" + found +
         "its slopes are too steep for a mesh, use a larger cutoff or a smaller rms, or filter the scan");

@@ -1,5 +1,5 @@
-// What a mesh of both bodies is worth before anything is solved on it: shape of its hexahedra, and how
-// closely the nodes of its interfaces follow the topographies.
+// Quality of the mesh of both bodies before a solution: shape of its hexahedra, and how closely its
+// interfaces follow the topographies.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct RoughnessFidelity {
   double rms_slope = 0;     ///< of the topography, <|grad h|^2>^(1/2) [-]
   double missed_slope = 0;  ///< rms of the topography's slope minus that of the facets [-]
 
-  /// What facets leave out: of Sq, and of the slope variance [-].
+  /// Shares of Sq and of the slope variance that facets do not represent [-].
   double missed_height_share() const { return smooth() ? 0 : sq_between / sq_topography; }
   double missed_slope_share() const {
     return rms_slope > 0 ? missed_slope * missed_slope / (rms_slope * rms_slope) : 0;
@@ -57,7 +57,7 @@ HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& po
 void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOptions& options,
                      const std::string& file);
 
-/// What facets leave out of a body's roughness where that is worth saying, in one line; else empty.
+/// One line on the roughness that a body's facets do not represent, where it is significant; else empty.
 std::string missed_roughness_text(const RoughnessFidelity& roughness, const std::string& body);
 
 }  // namespace asperity::fem

@@ -16,7 +16,7 @@ namespace asperity::fem {
 template <typename V>
 using SymmetricTensor = std::array<V, 6>;
 
-/// What the strain of a batch of cells leaves for the integration of forces.
+/// Quantities of a batch of cells that the strain evaluation leaves for the integration of forces.
 template <typename V>
 struct HexStrain {
   std::array<std::array<V, 9>, points_per_hex> inverse_jacobian;  ///< [q][3 * direction + component]

@@ -1,4 +1,4 @@
-// What breaks a step off that a smaller one may bring to its end: it is halved.
+// Failure of a step that a smaller one may avoid: it is halved.
 #pragma once
 
 #include <mpi.h>

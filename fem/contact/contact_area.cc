@@ -12,7 +12,7 @@ using Point = std::array<double, 2>;
 /// Of the area counted, taken for contact at least: spots of one or two nodes.
 constexpr double smallest_share = 0.25;
 
-/// Closed nodes that sides of faces join, by union and find.
+/// Clusters of active contact nodes that sides of faces join, by union and find.
 int count_spots(const std::vector<std::array<int, 4>>& quads, const std::vector<double>& pressure) {
   constexpr int sides[4][2] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
   std::vector<int> parent(pressure.size());
@@ -82,7 +82,7 @@ ContactShape contact_shape(const std::vector<std::array<int, 4>>& quads, const s
     const double s = edge_fraction(pressure[in], gap[out], std::hypot(b[0] - a[0], b[1] - a[1]), modulus);
     return Point{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])};
   };
-  double patches = 0, within = 0, rim = 0;  // areas of the closed nodes, within the edge, and of the outset
+  double patches = 0, within = 0, rim = 0;  // areas of the active nodes, within the edge, and of the outset
   for (const auto& quad : quads) {
     const auto is_closed = [&](int k) { return pressure[quad[around[k % 4]]] > 0; };
     const int closed = is_closed(0) + is_closed(1) + is_closed(2) + is_closed(3);

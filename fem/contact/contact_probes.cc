@@ -7,8 +7,8 @@
 namespace asperity::fem {
 namespace {
 
-/// Closed nodes move together: springs that are this many times the penalty, far stiffer than the bodies at
-/// the spacing's scale.
+/// Active contact nodes are tied: springs that are this many times the penalty, far stiffer than the bodies
+/// at the spacing's scale.
 constexpr double glue = 50;
 
 /// Weights of Hertz' distribution over the rows, of sum 1: sqrt(1 - r^2 / radius^2) times the area.

@@ -16,12 +16,12 @@ constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
 // Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 
-constexpr int way_of_jumps = 10;
-// Conjugate gradients need a few tens of iterations; many times that tell of an indefinite matrix.
+constexpr int more_newton_steps_for_jumps = 10;
+// Conjugate gradients need a few tens of iterations; many times that indicate an indefinite matrix.
 constexpr int iterations_of_definite = 200, convex_steps = 3;
 
-// Steps without progress before the line search looks closely: full steps soon go round in circles between
-// stick and slip.
+// Steps without progress before the line search locates the minimum accurately: full steps soon alternate
+// between stick and slip.
 constexpr int patience_without = 3, patience_with_friction = 0;
 
 bool parallel(const ContactSystem& system) {
@@ -40,8 +40,8 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
           HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
-  // Contacts that jump in or apart go a long way down in energy.
-  if (tractions_.has_adhesion()) options_.largest_newton *= way_of_jumps;
+  // Snap-in and pull-off release much energy and take many iterations.
+  if (tractions_.has_adhesion()) options_.largest_newton *= more_newton_steps_for_jumps;
 }
 
 ContactState ContactSolver::first_touch() const {
@@ -84,7 +84,7 @@ void ContactSolver::complete(Vector<double>& displacement, double approach) cons
 
 Vector<double> ContactSolver::linear_advance(double approach, const std::vector<RowStiffness>& stiffness,
                                              double accuracy, int* iterations) {
-  // The particle's rigid motion strains nothing: only the closed contacts resist it.
+  // A rigid motion of the particle strains no body: only the active contacts have stiffness against it.
   ContactState rigid = first_touch();
   push_rigidly(rigid, approach);
   std::vector<double> forces = system_.interface().gaps(rigid.displacement.begin());
@@ -137,7 +137,7 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
   residual = 0.0;
   if (parallel(system_)) residual.zero_out_ghost_values();
   system_.bodies().internal_force(state.displacement, residual, tangent);
-  // Not `residual *= -1`, which leaves out the ghost entries on their way to other ranks.
+  // Not `residual *= -1`, which leaves out the ghost entries that are being sent to other ranks.
   const std::size_t entries = residual.locally_owned_size() + level.partitioner()->n_ghost_indices();
   for (std::size_t i = 0; i < entries; ++i) residual.begin()[i] = -residual.begin()[i];
   tractions_.add_forces(residual.begin());
@@ -228,7 +228,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
   Vector<double> residual, direction;
   for (auto* v : {&residual, &direction}) level.initialise(*v);
   TangentField* tangent = system_.bodies().can_yield() ? &tangent_ : nullptr;
-  // What slipped slips on if the motion goes that way; at the start and after a reversal everything sticks.
+  // First guess of the stick-slip state: nodes that slipped keep slipping if the motion continues in their
+  // direction; at the start and after a reversal all nodes stick.
   if (tractions_.has_friction()) {
     tractions_.hold_unless_slipping_on(state);
     step_with_held_rows(state, target, tangent, residual, direction, report);
@@ -237,19 +238,20 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
 
   slip_stiffness_ = SlipStiffness::tangent;
   LineSearch search(error, tractions_.has_friction() ? patience_with_friction : patience_without);
-  bool closed = false;  // whether another update of the multipliers would change nothing of weight
+  bool closed = false;  // whether another update of the multipliers would change less than the tolerances
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {
     for (;;) {
-      // A multiplier update unbalances about as much as it changes: each is followed by a solution finer than
-      // that, the last one by the full accuracy.
+      // The residual after a multiplier update is about as large as the change of the multipliers: each
+      // update is followed by a solution more accurate than that, the last one by a solution to the full
+      // tolerance.
       const double wanted = closed ? 0.0
                             : report.updates == 0
                                 ? first_goal
                                 : std::min(first_goal, fraction_of_change * report.penetration);
       const double goal = std::max({options_.residual_tolerance, rounding_, wanted});
       if (error <= goal || report.newton >= options_.largest_newton) break;
-      // With no contact closed a spring of one contact's stiffness holds the particle: still a direction of
-      // descent.
+      // Without active contact nodes a spring with the stiffness of one contact regularises the system: the
+      // direction is still one of descent.
       const bool open = !tractions_.any_closed();
       const double spring = open && force_control()
                                 ? system_.reduced_modulus() * system_.options().mesh.sizes.spacing_particle
@@ -273,8 +275,9 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
       const double error_before = error;
       const double step = search.step(slope, slope_at);
       search.reached(error);
-      // Cut steps tell of slip that turns into stick: tangents let what slips run past it, secants lead
-      // there.
+      // Cut steps show that nodes change from slip to stick. The consistent tangent has no stiffness along
+      // the slip direction, so its steps overshoot that change; the secant stiffness, an upper bound of the
+      // convex energy, does not. The two alternate whenever one of them makes little progress.
       constexpr double little_progress = 0.5;
       const bool is_slow = error > little_progress * error_before;
       const bool stays = slip_stiffness_ == SlipStiffness::secant ? !is_slow : !is_slow && step >= 1;
@@ -300,7 +303,8 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
     }
     if (report.newton >= options_.largest_newton) break;
     if (!closed) {
-      // The update doubles what the penalty carried, which would make sticking rows slip for a moment.
+      // The update doubles the traction that the penalty carried, so that sticking rows would slip in the
+      // next evaluation.
       if (tractions_.has_friction()) tractions_.hold_sticking();
       system_.follow_slopes(state.displacement);
       tractions_.update_multipliers(state);

@@ -79,9 +79,11 @@ class ContactSolver {
   /// component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state,
                                                           const RigidMotion& motion);
-  /// Of the surfaces against each other, weighted with the pressure; none without tilted normals.
+  /// Mean elastic displacement of the surfaces relative to each other, weighted with the pressure; none
+  /// without tilted normals.
   SurfaceDisplacement mean_displacement(const ContactState& state) const;
-  /// Of the angle by which the particle has rolled: its driven plane moves along its own axes.
+  /// Rotates the driven plane's direction of motion by the angle rolled: it moves along the particle's own
+  /// axes.
   double upright() const { return std::cos(system_.coupling().frames.roll); }
   bool force_control() const { return system_.options().control == Control::force; }
   /// Sets what follows from the free entries, and the driven plane under displacement control.

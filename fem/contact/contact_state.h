@@ -16,8 +16,8 @@ struct InterfaceState {
   std::vector<double> multiplier;  ///< lambda of each row [Pa], also the pressure of an accepted state
   std::array<std::vector<double>, 2>
       shear;  ///< shear traction on the particle of each row along x and y [Pa]
-  /// Of each row, one after the other: slip path [m], shear limit [Pa] and what the law of friction
-  /// remembers; empty: no friction.
+  /// Of each row, one after the other: slip path [m], shear limit [Pa] and the internal
+  /// variables of the friction law; empty: no friction.
   std::vector<double> friction_history;
   double time = 0;           ///< see InterfacePoint
   std::vector<char> bonded;  ///< rows that were in contact and have not left the range of attraction since;

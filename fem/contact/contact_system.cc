@@ -94,12 +94,12 @@ void ContactSystem::couple() {
 void ContactSystem::couple_at(Coupling coupling, const Vector<double>& accepted) {
   if (!options_.tilted_normals) coupling.frames.spin = 0;
   const double radius = options_.mesh.sizes.radius;
-  // Far below what any gap can notice.
+  // Far below any change of a gap that matters.
   const double unnoticed = 1e-6 * options_.mesh.sizes.spacing_particle;
   const RigidMotion here = coupling_.surface(), there = coupling.surface();
-  const double way =
+  const double path_length =
       std::hypot(there.x - here.x, there.y - here.y) + radius * std::abs(there.roll - here.roll);
-  if (!options_.tilted_normals && way < unnoticed) return;
+  if (!options_.tilted_normals && path_length < unnoticed) return;
   if (there.roll != here.roll) level_->set_drive_tilt(-std::tan(there.roll));
   coupling_ = coupling;
   interface_before_ = std::make_unique<InterfaceOperator>(*interface_);

@@ -68,9 +68,9 @@ void InterfaceTractions::begin_step(const ContactState& accepted, const RigidMot
     const double open_part = by_motion > 1 ? 1 / by_motion : load_grows ? by_motion : 1.0;
     const auto& point = system_.interface_points()[system_.rows()[r].node];
     const auto before = turned(from, point, radius), after = turned(to, point, radius);
-    const double way[2] = {after[0] - before[0] + motion.x - accepted.motion.x,
-                           after[1] - before[1] + motion.y - accepted.motion.y};
-    for (int c = 0; c < 2; ++c) slip_origin_[c][r] += open_part * way[c];
+    const double slip[2] = {after[0] - before[0] + motion.x - accepted.motion.x,
+                            after[1] - before[1] + motion.y - accepted.motion.y};
+    for (int c = 0; c < 2; ++c) slip_origin_[c][r] += open_part * slip[c];
   }
   update_limits(accepted);
 }
@@ -84,9 +84,9 @@ InterfacePoint InterfaceTractions::point(const ContactState& state, std::size_t 
   point.pressure = pressure;
   point.gap = gap_[row];
   if (pressure > 0 && shear_[row].slips) point.slip = {slip_[0][row], slip_[1][row]};
-  const double way = std::hypot(point.slip[0], point.slip[1]);
-  point.slip_path = state.friction_history[row * history_size_] + way;
-  point.slip_rate = time_step_ > 0 ? way / time_step_ : 0;
+  const double step_slip = std::hypot(point.slip[0], point.slip[1]);
+  point.slip_path = state.friction_history[row * history_size_] + step_slip;
+  point.slip_rate = time_step_ > 0 ? step_slip / time_step_ : 0;
   point.time = time_, point.time_step = time_step_;
   return point;
 }
@@ -269,16 +269,17 @@ double InterfaceTractions::friction_work(const ContactState& state) const {
       work -= system_.areas()[r] * (tx * slip_[0][r] + ty * slip_[1][r]);
       continue;
     }
-    const double way[2] = {0.5 * (here[0][r] - start_[0][r] + seen_before[0][r] - start_before_[0][r]),
-                           0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
-    // What slips does so at its limit, which has changed from the one before: also where contact began or
-    // ended on the way.
+    const double slip[2] = {0.5 * (here[0][r] - start_[0][r] + seen_before[0][r] - start_before_[0][r]),
+                            0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
+    // Slipping rows transmit their shear limit, taken as the mean of both states: also where contact began or
+    // ended within the step.
     const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r],
                  size = std::hypot(bx, by);
-    // Slip that turned on the way ends against its mean: it has dissipated, how much the ends do not tell.
+    // Slip that reversed within the step ends against its mean: it dissipated, but the amount does not follow
+    // from both ends and counts as zero.
     if (size > 0)
       work += system_.areas()[r] * 0.5 * (limit_before_[r] + now) *
-              std::max(0.0, -(bx * way[0] + by * way[1]) / size);
+              std::max(0.0, -(bx * slip[0] + by * slip[1]) / size);
   }
   return work;
 }

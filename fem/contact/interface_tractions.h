@@ -20,10 +20,10 @@
 
 namespace asperity::fem {
 
-/// How rows that slip resist further slip: by the derivative of their traction, nothing along it; or by
-/// traction over trial traction, which bounds their convex potential from above, so that a whole step always
-/// leads down (Weiszfeld 1937; Chan & Mulet 1999, SIAM J. Numer. Anal. 36, 354), but slowly where much slips
-/// far.
+/// Stiffness of rows that slip. Tangent: the derivative of their traction, zero along the slip direction (the
+/// consistent tangent). Secant: traction over trial traction, which bounds their convex potential from above,
+/// so that a whole step always lowers the energy (Weiszfeld 1937; Chan & Mulet 1999, SIAM J. Numer. Anal. 36,
+/// 354), but convergence is slow where many rows slip far.
 enum class SlipStiffness { tangent, secant };
 
 class InterfaceTractions {
@@ -33,9 +33,10 @@ class InterfaceTractions {
                      double penalty);
 
   /// To be called at the last accepted state, with the interfaces coupled for the step to `motion`: slip is
-  /// counted from there. A row that is open slips only from where it closes, which its gaps at the accepted
-  /// displacements before and after the coupling tell; where the load grows, one that the motion does not
-  /// close slips from the beginning. time_step: from the accepted state's time.
+  /// counted from there. A row that is open slips only from where it comes into contact, which follows from
+  /// its gaps at the accepted displacements before and after the coupling; where the load grows, a row that
+  /// the motion alone does not bring into contact slips from the beginning. time_step: from the accepted
+  /// state's time.
   void begin_step(const ContactState& accepted, const RigidMotion& motion,
                   const std::vector<double>& gaps_before, const std::vector<double>& gaps, bool load_grows,
                   double time_step);
@@ -60,8 +61,8 @@ class InterfaceTractions {
   bool has_adhesion() const { return adhesion_.closing != nullptr; }
   /// Attraction of a row at a gap [m].
   AdhesionLaw::Attraction attraction(const ContactState& state, int row, double gap) const;
-  /// Bonds of the evaluated rows at the end of a step: those that touch are formed, those out of range are
-  /// broken. What their attraction changes is made up by the multipliers. Returns the energy that is lost
+  /// Bonds of the evaluated rows at the end of a step: those in contact are formed, those out of range are
+  /// broken. The multipliers balance the change of attraction. Returns the energy that is lost
   /// [J].
   double update_bonds(ContactState& state, const std::vector<double>& gaps) const;
   /// Makes time and history of `state`, which begin_step() was given, those of the evaluated rows at the end
@@ -88,7 +89,7 @@ class InterfaceTractions {
   bool has_friction() const { return friction_ != nullptr; }
   /// Numbers that a state keeps of each row for friction.
   std::size_t history_size() const { return friction_ ? kept_of_all_laws + friction_->history().size() : 0; }
-  /// What a row of a state remembers for the law of friction; index: in FrictionLaw::history().
+  /// Internal variables of the friction law that a state stores for a row; index: in FrictionLaw::history().
   double remembered(const ContactState& state, std::size_t row, std::size_t index) const {
     return state.friction_history[row * history_size_ + kept_of_all_laws + index];
   }

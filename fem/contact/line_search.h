@@ -1,4 +1,4 @@
-// How far the Newton iteration of the contact solver goes along a direction of descent of its convex energy.
+// Line search of the contact solver's Newton iteration along a direction of descent of its convex energy.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@ namespace asperity::fem {
 class LineSearch {
  public:
   /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress
-  /// after which the lowest energy is looked for closely.
+  /// after which the minimum of the energy is located accurately.
   LineSearch(double error, int patience) : patience_(patience) { restart(error); }
   void restart(double error) { least_ = error, barren_ = 0; }
-  /// To be told of the unbalanced force that each step reached.
+  /// To be called with the unbalanced force that each step reached.
   void reached(double error) {
     barren_ = error < progress * least_ ? 0 : barren_ + 1;
     least_ = std::min(least_, error);
@@ -28,7 +28,8 @@ class LineSearch {
   }
 
  private:
-  /// Directions that leave the softening of attraction out, or resist slip by its secant, may fall far short.
+  /// Directions without the softening of attraction, or with the secant stiffness of slip, may be far too
+  /// short.
   template <typename SlopeAt>
   static double lengthened(double slope, const SlopeAt& slope_at) {
     double step = 1, here = slope;
@@ -37,9 +38,9 @@ class LineSearch {
     return step;
   }
 
-  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more nodes closed than in
-  /// equilibrium the iteration comes back in few full steps, with fewer it creeps. `here`: the slope after a
-  /// whole step.
+  /// Steps that overshoot are cut. Far too long ones are cut only in part: with more active nodes than in
+  /// equilibrium the iteration recovers in few full steps, with fewer it converges slowly. `here`: the slope
+  /// after a whole step.
   template <typename SlopeAt>
   static double with_few_cuts(double slope, double here, const SlopeAt& slope_at) {
     double step = 1;
@@ -50,8 +51,8 @@ class LineSearch {
     return step;
   }
 
-  /// Where that goes round in circles (reversed yielding without hardening), the lowest energy is found more
-  /// closely.
+  /// Where the iteration cycles (reversed yielding without hardening), the minimum of the energy is located
+  /// more accurately.
   template <typename SlopeAt>
   static double to_lowest(double slope, double slope_high, const SlopeAt& slope_at) {
     double low = 0, high = 1, slope_low = slope, step = 1;

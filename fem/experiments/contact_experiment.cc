@@ -27,7 +27,7 @@ double seconds() {
 }  // namespace
 
 ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions& options)
-    : input_(with_derived_way(input)),
+    : input_(with_derived_path_length(input)),
       options_(options),
       setup_(set_up(input_)),
       program_(make_program(input_.experiment, setup_.motion)) {
@@ -131,7 +131,7 @@ void ContactExperiment::run() {
 RigidMotion ContactExperiment::towards(const Station& station, const Station* previous) const {
   RigidMotion motion = station.motion;
   if (!previous) return motion;
-  // What free rolling gave way to stays.
+  // The shift by which free rolling has relieved lateral force stays.
   if (input_.experiment.type == Motion::program) {
     motion.x = state_.motion.x + station.motion.x - previous->motion.x;
     motion.y = state_.motion.y + station.motion.y - previous->motion.y;
@@ -140,10 +140,10 @@ RigidMotion ContactExperiment::towards(const Station& station, const Station* pr
   const double stiffness = solver_->has_friction() ? stiffness_.lateral : 0.0;
   const RollingStep step =
       free_rolling(program_, records_, {setup_.motion.rolling_radius, setup_.hertz_radius, stiffness});
-  const double way = step.way_per_angle * (motion.roll - state_.motion.roll) - step.back;
+  const double path_length = step.path_per_angle * (motion.roll - state_.motion.roll) - step.back;
   const double heading = 0.5 * (motion.spin + state_.motion.spin);
-  motion.x = state_.motion.x + way * std::cos(heading);
-  motion.y = state_.motion.y + way * std::sin(heading);
+  motion.x = state_.motion.x + path_length * std::cos(heading);
+  motion.y = state_.motion.y + path_length * std::sin(heading);
   return motion;
 }
 
@@ -180,7 +180,7 @@ ContactExperiment::Attempt ContactExperiment::attempt(ContactState& trial, const
     solver_->push_rigidly(trial, expected_approach(target.load));
     made.report = solver_->solve(trial, target.load, target.motion, target.time - state_.time);
     if (!made.report.converged) return made;
-    // Where nothing presses, the error of a step belongs to another motion.
+    // Without normal force the approach is undefined and so is its load step error.
     if (target.load != load_) made.force = solver_->resultants(trial).force;
     made.energies = system_->bodies().try_step(state_.displacement, trial.displacement,
                                                telling_change(made.force - force_before, made.force));

@@ -26,17 +26,17 @@ class ContactExperiment {
   bool resume();
   void step_to(const Station& station, int index);
   double expected_approach(double target) const;
-  /// Where the particle goes for a station, after the one before: that, but for what keeps a rolling one free
-  /// of lateral force.
+  /// Motion prescribed at a station, after the one before; a freely rolling particle is shifted further so
+  /// that no lateral force builds up.
   RigidMotion towards(const Station& station, const Station* before) const;
-  /// Where a step, or a part of one, goes.
+  /// Target of a step, or of a part of one.
   struct Target {
     double load;  ///< force [N] or approach [m]
     RigidMotion motion;
     double time;           ///< see InterfacePoint
     bool divided = false;  ///< for what finite load steps leave
   };
-  /// What a step to a target came to; from `report` alone where it has not converged.
+  /// Outcome of a step to a target; from `report` alone where it has not converged.
   struct Attempt {
     SolveReport report;
     double force;  ///< [N]
@@ -55,7 +55,7 @@ class ContactExperiment {
   HistoryRow record(const BodyEnergies& energies, const HistoryRow& sums) const;
   void write_step();
   void write_result();
-  /// Says how many load steps would do where those made leave more than the mesh should.
+  /// Recommends a number of load steps where their error exceeds that of the mesh.
   void say_load_steps() const;
   void measure_stiffness();
   bool speaks() const { return rank_ == 0; }

@@ -9,7 +9,7 @@
 namespace asperity::fem {
 namespace {
 
-/// What the work up to a step has become: stored in the bodies and in attraction, or dissipated [J].
+/// Stored energy (bodies and attraction) plus dissipation up to a step [J].
 double stored_energy(const HistoryRow& r) {
   return r.elastic_energy + r.plastic_work + r.friction_work + r.adhesion_energy + r.adhesion_loss;
 }

@@ -1,4 +1,4 @@
-// Work put into the bodies along a path, against what it has become.
+// Energy balance along a path: external work against stored energy and dissipation.
 #pragma once
 
 #include <vector>

@@ -33,9 +33,9 @@ AdhesionLaws make_adhesion_laws(const InterfaceInput& input) {
   AdhesionLaws laws;
   if (input.work_of_adhesion == 0) return laws;
   laws.closing = make_adhesion_law(input.adhesion_law, input.work_of_adhesion, input.parameters);
-  laws.opening = input.opening_work == 0
+  laws.opening = input.work_of_separation == 0
                      ? laws.closing
-                     : make_adhesion_law(input.adhesion_law, input.opening_work, input.parameters);
+                     : make_adhesion_law(input.adhesion_law, input.work_of_separation, input.parameters);
   return laws;
 }
 

@@ -3,8 +3,8 @@
 // A law is one class in one file of adhesion/, which also declares it: its entries of a case file, and how it
 // is made from them. Attraction acts beside the contact pressure, which is what keeps the surfaces from
 // overlapping: friction is that of the contact pressure alone, so that attraction works like more load
-// (Derjaguin 1934). With an opening work above the closing one, a point that has been in contact attracts by
-// the law of the larger work until its gap leaves the law's range.
+// (Derjaguin 1934). With a larger work of adhesion on separation than on approach, a point that has been in
+// contact attracts by the law of the larger work until its gap leaves the law's range.
 #pragma once
 
 #include <memory>
@@ -44,7 +44,7 @@ ParameterEntry adhesion_range(const std::string& symbol);
 /// The law of that name. Throws InputError with the names there are, or naming the entry that it lacks.
 std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, const LawValues& values);
 
-/// Laws of closing and of opening surfaces; both null: no adhesion.
+/// Laws of surfaces on approach (closing) and on separation (opening); both null: no adhesion.
 struct AdhesionLaws {
   std::shared_ptr<const AdhesionLaw> closing, opening;
 };

@@ -1,4 +1,4 @@
-// The largest shear traction that a point of the interface transmits; what moves beyond it slips (slip.h).
+// The largest shear traction that a point of the interface transmits; beyond it the point slips (slip.h).
 //
 // A law is one class in one file of friction/, which also declares it: its entries of a case file, and how it
 // is made from them.
@@ -21,7 +21,7 @@ struct InterfacePoint {
   double pressure = 0;   ///< of contact [Pa]
   double gap = 0;        ///< [m]
   PlaneVector slip{};    ///< since the last accepted state [m]; none where the point sticks or is open
-  double slip_path = 0;  ///< length of the way slipped since first touch, this step's included [m]
+  double slip_path = 0;  ///< accumulated slip since first touch, this step's included [m]
   double slip_rate = 0;  ///< this step's slip over its time [m per unit of time]
   double time = 0, time_step = 0;
 };
@@ -34,17 +34,17 @@ struct ShearLimit {
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
-  /// Under a pressure of 0 or more; never falls as the pressure grows. history: what the point remembers of
-  /// the last accepted state. A step iterates the limit and the slip under it in turn
+  /// Under a pressure of 0 or more; never falls as the pressure grows. history: internal variables of the
+  /// point at the last accepted state. A step iterates the limit and the slip under it in turn
   /// (interface_tractions.h), which converges where the limit falls less per slip than the bodies' shear
   /// stress does; a limit that falls faster would let the contact jump.
   virtual ShearLimit limit(const InterfacePoint& point, const double* history) const = 0;
-  /// Names of the numbers that a point remembers, which are zero at first, in the fields of the interface.
+  /// Names of a point's internal variables, which are zero at first, in the fields of the interface.
   virtual std::vector<std::string> history() const { return {}; }
   /// Makes the history that of a state that is accepted.
   virtual void remember(const InterfacePoint&, double* /*history*/) const {}
 
-  /// Of a point that has not slipped and remembers nothing.
+  /// Of a point that has not slipped, with internal variables of zero.
   ShearLimit initial_limit(double pressure) const;
 };
 

@@ -62,7 +62,7 @@ class MeshLevel {
   /// Unknowns (local) that follow the driven plane's displacement along z, and how much of it they get.
   const std::vector<std::pair<int, double>>& driven_share() const { return driven_share_; }
   /// The driven plane moves by `tilt` times as much along x as along z: under a particle that has rolled by
-  /// an angle, -tan(angle) keeps its way upright.
+  /// an angle, -tan(angle) keeps its motion upright.
   void set_drive_tilt(double tilt);
   /// Local z dofs, owned here, of the nodes of the fixed plane that are not hanging.
   const std::vector<int>& fixed_z() const { return fixed_z_; }

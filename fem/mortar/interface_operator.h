@@ -4,7 +4,7 @@
 // along z the gap opens, along x and y it slips. The weights of a row are the same for the three components.
 // Where the row has a slope m, slip along m opens the gap too: the row's normal is n = (m_x, m_y, 1), to
 // first order in slopes. Rows, jumps and forces are in the substrate's frame; where the particle's frame is
-// turned, its displacements are turned on their way in and its forces back on their way out. The rows are the
+// turned, its displacements are rotated into the substrate's frame and its forces back. The rows are the
 // contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
 // G_coarse = G P exactly and spares triple products when the active set changes. Interface values are
 // gathered on all ranks; each rank works on its share of the rows.

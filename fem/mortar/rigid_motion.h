@@ -21,7 +21,7 @@ inline bool operator==(const RigidMotion& a, const RigidMotion& b) {
   return a.x == b.x && a.y == b.y && a.spin == b.spin && a.roll == b.roll;
 }
 
-/// The motion a fraction of the way from one to another.
+/// The motion interpolated between two, at a fraction from the first to the second.
 inline RigidMotion between(const RigidMotion& a, const RigidMotion& b, double fraction) {
   const auto mix = [&](double one, double other) { return one + fraction * (other - one); };
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.spin, b.spin), mix(a.roll, b.roll)};

@@ -1,6 +1,6 @@
-// What the mesh leaves in doubt of the numbers of a single case, as standard deviations.
+// Discretisation error of the numbers of a single case, as standard deviations.
 //
-// How well a contact is resolved is told by its edge: kappa = perimeter * spacing / area, 2 h / a for a
+// Measure of how well a contact is resolved: kappa = perimeter * spacing / area, 2 h / a for a
 // circle of radius a, four spacings over the width of a square spot for kappa 1. It needs no knowledge of
 // spectra and sees what has yielded. Errors of the area are those of the edge, so of first order in kappa.
 // The constants are root mean square errors, each from the cases that its comment names; where they come from

@@ -13,7 +13,7 @@ std::string moment(double value) {
   return text;
 }
 
-/// What moves sideways.
+/// Tangential motions and forces.
 std::string motion_of(const HistoryRow& r) {
   std::string text;
   if (r.shift != 0)

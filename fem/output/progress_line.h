@@ -1,4 +1,4 @@
-// What the program says of a step while it works.
+// The progress line of an accepted step.
 #pragma once
 
 #include <string>

@@ -51,7 +51,7 @@ LawValues interface_parameters(const InterfaceInput& interface) {
                        with_defaults(parameters_of(friction_laws()), interface.parameters));
 }
 
-/// What of a body's roughness the mesh resolves.
+/// Resolution of a body's roughness by the mesh.
 json resolved_roughness(const MeshedRoughness& r) {
   if (!r.rough()) return nullptr;
   const auto finite = [](double value) { return std::isfinite(value) ? json(value) : json(nullptr); };
@@ -88,7 +88,7 @@ double root_of_squares(std::initializer_list<double> errors) {
   return std::sqrt(sum);
 }
 
-/// Work that is not accounted for along the way rolled, per angle [N m].
+/// Work that the energy balance of the distance rolled leaves open, per angle [N m].
 double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
   double angle = 0, largest_work = 0;
   for (std::size_t k = 1; k < records.size(); ++k)
@@ -159,17 +159,17 @@ void add_contact(Effective& effective, const HistoryRow& peak, const Discretisat
   effective.add_absolute("load_centre_y", peak.load_centre_y, "m", error.load_centre());
 }
 
-/// What yields, and what stays.
+/// Plasticity: extreme stress and strain, yielded volume, residual imprint.
 void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak,
                   const std::vector<HistoryRow>& records, const DiscretisationError& error) {
   const HistoryRow& last = records.back();
   if (peak.normal_displacement > 0) {
     const double steps = peak.load_step_error / peak.normal_displacement;
-    effective.add("load_step_error", steps, "", {load_step_doubt});
+    effective.add("load_step_error", steps, "", {uncertainty_of_load_step_error});
   }
   const ResidualImprint imprint = imprint_of(records, peak.normal_force);
   if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
-    // Nothing stays where nothing yielded; what extrapolation of the loading says there is its error.
+    // Without yielding there is no residual imprint; the value that the extrapolation gives is its error.
     const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
     const double sd = last.plastic_volume > 0
                           ? root_of_squares({error.plasticity() * depth, peak.load_step_error,
@@ -189,10 +189,10 @@ void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow
   effective.add("dissipated_energy", last.dissipated_energy, "J", {error.plasticity()});
 }
 
-/// Resistances of moved contacts: their fluctuation along the way and what the mesh leaves.
+/// Resistances of moving contacts: their fluctuation along the path and their discretisation error.
 void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak,
                 const std::vector<HistoryRow>& records, const DiscretisationError& error) {
-  if (input.experiment.type == Motion::program) {  // steady in nothing
+  if (input.experiment.type == Motion::program) {  // no part of it is steady
     effective.add("friction_work", records.back().friction_work, "J",
                   {error.resistance(1), records.back().energy_error});
     return;
@@ -203,8 +203,8 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
   if (const auto sliding = steady_sliding(records)) {
-    // What exceeds the load's own friction is attraction's; a limit that no longer grows with the pressure
-    // acts on the area alone.
+    // Friction beyond the law's slope in the pressure comes from attraction; a limit that no longer grows
+    // with the pressure is proportional to the area.
     const auto law = make_friction_law(input.interface);
     const double by_load = law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope : 0.0;
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
@@ -259,7 +259,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
         {"far_field_compliance", s.stiffness.far_field},
         {"lateral_far_field_compliance", s.stiffness.lateral_far_field},
         {"work_of_adhesion", input.interface.work_of_adhesion},
-        {"opening_work", input.interface.opening_work},
+        {"work_of_adhesion_on_separation", input.interface.work_of_separation},
         {"adhesion_law", input.interface.adhesion_law},
         {"normal_displacement",
          "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, "
@@ -277,16 +277,17 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
          "from first touch; it "
          "falls with the number of steps"},
         {"sd",
-         "what the mesh and the load steps leave in doubt (docs/solver.md); of sliding_friction, "
+         "error of discretisation and load steps (docs/solver.md); of sliding_friction, "
          "rolling_moment and "
-         "torsion_moment with the fluctuation along the way; scatter over realisations is the study's"},
+         "torsion_moment with the fluctuation along the path; scatter over realisations is the study's"},
         {"rolling_moment",
          "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
          "up; "
-         "rolling_dissipation: dissipated energy per angle after a contact radius, without what the hills of "
-         "rough surfaces take and give back; "
-         "rolling_noise_floor: what meshes of six to twelve spacings in the contact radius show on smooth "
-         "elastic bodies"},
+         "rolling_dissipation: dissipated energy per angle after a contact radius, without the conservative "
+         "topographic part of the moment; "
+         "rolling_noise_floor: discretisation noise: moment of smooth elastic bodies on meshes of six to "
+         "twelve "
+         "spacings in the contact radius"},
         {"sliding_friction",
          "lateral over normal force of the whole contact; the local friction_coefficient is an input, and "
          "where it is "

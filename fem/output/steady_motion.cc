@@ -19,10 +19,10 @@ std::vector<double> values_of(const std::vector<HistoryRow>& records, Column col
 struct Steady {
   MotionRows rows;
   SteadyRows where;
-  double way() const { return std::abs(rows.position[where.last] - rows.position[where.first]); }
+  double path_length() const { return std::abs(rows.position[where.last] - rows.position[where.first]); }
   double mean_force() const {
-    return per_way(rows.position, work_against_motion(rows.position, rows.resistance), where.first,
-                   where.last);
+    return per_path_length(rows.position, work_against_motion(rows.position, rows.resistance), where.first,
+                           where.last);
   }
 };
 
@@ -36,9 +36,9 @@ Steady steady_part(const std::vector<HistoryRow>& records, Column position, Colu
   return steady;
 }
 
-double dissipated_per_way(const std::vector<HistoryRow>& records, const Steady& steady) {
-  return per_way(steady.rows.position, values_of(records, &HistoryRow::dissipated_energy), steady.where.first,
-                 steady.where.last);
+double dissipated_per_path_length(const std::vector<HistoryRow>& records, const Steady& steady) {
+  return per_path_length(steady.rows.position, values_of(records, &HistoryRow::dissipated_energy),
+                         steady.where.first, steady.where.last);
 }
 
 double fluctuation(const Steady& steady) {
@@ -60,26 +60,27 @@ std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& re
   double load = 0;
   for (std::size_t i = steady.where.first; i <= steady.where.last; ++i)
     load += records[i].normal_force / static_cast<double>(steady.where.last - steady.where.first + 1);
-  return SteadyResistance{dissipated_per_way(records, steady) / load, fluctuation(steady) / load,
-                          steady.way()};
+  return SteadyResistance{dissipated_per_path_length(records, steady) / load, fluctuation(steady) / load,
+                          steady.path_length()};
 }
 
 std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records) {
   const Steady steady = steady_part(records, &HistoryRow::torsion_angle, &HistoryRow::torsion_moment, 0);
   if (!steady.where.reached()) return std::nullopt;
-  return SteadyResistance{dissipated_per_way(records, steady), fluctuation(steady), steady.way()};
+  return SteadyResistance{dissipated_per_path_length(records, steady), fluctuation(steady),
+                          steady.path_length()};
 }
 
 std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius) {
   const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
-  return SteadyResistance{steady.mean_force(), fluctuation(steady), steady.way()};
+  return SteadyResistance{steady.mean_force(), fluctuation(steady), steady.path_length()};
 }
 
 std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
   const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
-  return dissipated_per_way(records, steady);
+  return dissipated_per_path_length(records, steady);
 }
 
 }  // namespace asperity::fem

@@ -9,21 +9,21 @@
 namespace asperity::fem {
 
 struct SteadyResistance {
-  double mean;  ///< of sliding over the normal force [-], of torsion and rolling [N m]
-  double sd;    ///< standard deviation of the force or moment along the way, in the same unit
-  double way;   ///< [m] or [rad]
+  double mean;         ///< of sliding over the normal force [-], of torsion and rolling [N m]
+  double sd;           ///< standard deviation of the force or moment along the path, in the same unit
+  double path_length;  ///< [m] or [rad]
 };
 
-/// What is dissipated per way over the normal force; none if it never slides as a whole.
+/// Energy dissipated per path length, over the normal force; none if it never slides as a whole.
 std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& records);
-/// What is dissipated per angle.
+/// Energy dissipated per angle.
 std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& records);
 /// Largest rolling moment of smooth elastic bodies without friction, eight spacings in the contact radius:
 /// noise of the mesh, over the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
 constexpr double rolling_noise = 5e-4;
-/// Mean moment against the motion: mostly that of hills, which give back what they take.
+/// Mean moment against the motion; on rough surfaces mostly the conservative topographic part.
 std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius);
-/// Energy dissipated per angle on the same way: what resists.
+/// Energy dissipated per angle over the same path: the rolling resistance.
 std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius);
 
 }  // namespace asperity::fem

@@ -24,7 +24,7 @@ struct MotionExtent {
 
 MotionExtent extent_of(const std::vector<Station>& stations);
 
-/// Where the particle begins so that its way lies evenly about the axis of the meshes.
+/// Where the particle begins so that its path lies evenly about the axis of the meshes.
 RigidMotion start_of(const MotionExtent& extent);
 
 }  // namespace asperity::fem

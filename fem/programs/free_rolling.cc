@@ -5,12 +5,12 @@
 namespace asperity::fem {
 namespace {
 
-/// Of the lateral force, what acts along the way the particle rolls.
+/// Of the lateral force, what acts along the rolling direction.
 double along(const HistoryRow& r) {
   return std::cos(r.torsion_angle) * r.lateral_force + std::sin(r.torsion_angle) * r.lateral_force_across;
 }
 
-double way_between(const HistoryRow& a, const HistoryRow& b) {
+double path_between(const HistoryRow& a, const HistoryRow& b) {
   const double heading = 0.5 * (a.torsion_angle + b.torsion_angle);
   return std::cos(heading) * (b.shift - a.shift) + std::sin(heading) * (b.shift_across - a.shift_across);
 }
@@ -36,15 +36,15 @@ RollingStep free_rolling(const std::vector<Station>& program, const std::vector<
   const HistoryRow& last = records.back();
   step.back = along(last) / contact.lateral_stiffness;
   if (is_left_from_before(program, records, contact)) {
-    step.way_per_angle = contact.radius - last.normal_displacement;
+    step.path_per_angle = contact.radius - last.normal_displacement;
     return step;
   }
   if (records.size() < 2) return step;
   const HistoryRow& before = records[records.size() - 2];
   const double rolled = last.rolling_angle - before.rolling_angle;
   if (rolled != 0 && program[records.size() - 1].rolls_freely)
-    step.way_per_angle =
-        (way_between(before, last) + along(before) / contact.lateral_stiffness - 0.25 * step.back) / rolled;
+    step.path_per_angle =
+        (path_between(before, last) + along(before) / contact.lateral_stiffness - 0.25 * step.back) / rolled;
   return step;
 }
 

@@ -1,4 +1,4 @@
-// How a particle that rolls freely goes on: so that no lateral force stays on it.
+// The next step of a particle that rolls freely: its shift relieves the lateral force.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@ struct RollingContact {
 };
 
 struct RollingStep {
-  double way_per_angle = 0;  ///< [m/rad]
+  double path_per_angle = 0;  ///< [m/rad]
   double back =
-      0;  ///< way along which the lateral force that the last step left along it is given way to [m]
+      0;  ///< shift against the rolling direction that relieves the lateral force left by the last step [m]
 };
 
-/// The next step of a program of which `records` (one at least) are done. A quarter of what is given way to
-/// enters the way per angle, which is shorter than the radius by about the approach.
+/// The next step of a program of which `records` (one at least) are done. A quarter of
+/// that shift corrects the path length per angle, which is shorter than the radius by about the approach.
 RollingStep free_rolling(const std::vector<Station>& program, const std::vector<HistoryRow>& records,
                          const RollingContact& contact);
 

@@ -49,8 +49,9 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
                        : rolling ? scales.largest_shift
                                  : scales.full_slip_shift;
   const double largest = torsion ? scales.largest_angle : scales.largest_shift;
-  const auto path = [&](double way, double scale) {
-    return e.motion_steps > 0 ? even_path(way, e.motion_steps) : graded_path(way, scale * onset, largest);
+  const auto path = [&](double distance, double scale) {
+    return e.motion_steps > 0 ? even_path(distance, e.motion_steps)
+                              : graded_path(distance, scale * onset, largest);
   };
   const auto add = [&](double position) {
     Station station{1.0, start, rolling};
@@ -63,9 +64,9 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
   };
   for (const double position : path(length, 1)) add(position);
   if (!e.reverse) return;
-  const double back_way = e.way_back > 0 ? std::min(e.way_back, length) : length;
-  // Slip after a reversal begins over twice the way (Masing).
-  for (const double back : path(back_way, 2)) add(length - back);
+  const double return_distance = e.return_distance > 0 ? std::min(e.return_distance, length) : length;
+  // Slip after a reversal begins over twice the distance (Masing).
+  for (const double back : path(return_distance, 2)) add(length - back);
 }
 
 }  // namespace

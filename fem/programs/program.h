@@ -1,4 +1,4 @@
-// The way of an experiment through loads and positions, in stations that are solved one after the other.
+// The path of an experiment through loads and positions, in stations that are solved one after the other.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace asperity::fem {
 struct Station {
   double load = 0;     ///< fraction of the largest load (force control) or approach (displacement control)
   RigidMotion motion;  ///< of the particle's frame
-  bool rolls_freely = false;  ///< the shift gives way to lateral force
+  bool rolls_freely = false;  ///< the shift relieves lateral force
 };
 
 /// Lengths and angles that the steps of a motion follow from.
@@ -24,7 +24,7 @@ struct MotionScales {
 };
 
 /// Loading and unloading advance evenly in the approach of a Hertzian contact; the motion lies between them,
-/// at the largest load. A particle that rolls does so half of its way on either side of the axis of the
+/// at the largest load. A particle that rolls does so half of its path on either side of the axis of the
 /// meshes. The last unloading step keeps a thousandth of the load: without any contact nothing holds the
 /// particle. To retract is to go on evenly beyond first touch.
 std::vector<Station> make_program(const ExperimentInput& experiment, const MotionScales& scales);

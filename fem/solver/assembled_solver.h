@@ -2,7 +2,7 @@
 // rigid-body modes.
 //
 // Slower than the matrix-free path and several times its memory, but independent of the mesh's hierarchy: the
-// reference that checks it, and the way for operators whose kernels are not written yet. Vanek, Mandel &
+// reference that checks it, and the choice for operators without a matrix-free kernel. Vanek, Mandel &
 // Brezina, Computing 56 (1996) 179: aggregation with rigid-body modes as near-kernel.
 #pragma once
 

@@ -16,7 +16,7 @@ class LevelTransfer {
  public:
   LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse);
 
-  /// fine += P coarse. The constrained entries of `coarse` are set on the way.
+  /// fine += P coarse. Sets the constrained entries of `coarse` as well.
   void prolongate_and_add(Vector<float>& fine, const Vector<float>& coarse) const;
   /// coarse = C^T P^T fine (condensed).
   void restrict_to(Vector<float>& coarse, const Vector<float>& fine) const;

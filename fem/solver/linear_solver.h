@@ -22,9 +22,9 @@ class LinearSolver {
   virtual void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
                       double driven_spring) = 0;
 
-  /// To be told that the rows and the interface have changed (sliding); an update follows.
+  /// To be called when the rows and the interface have changed (sliding); an update follows.
   virtual void recouple(const RigidMotion& motion) = 0;
-  /// To be told that only the slopes of the rows have changed; an update follows.
+  /// To be called when only the slopes of the rows have changed; an update follows.
   virtual void follow_slopes() = 0;
 
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after

@@ -1,4 +1,4 @@
-// What finite load steps leave in the approach of bodies that yield.
+// Error of the approach of yielding bodies from finite load steps.
 //
 // Radial return flows in the direction n at the end of a step. Along the path it turns from n0, where
 // yielding sets in, so the increment of plastic strain is off by e = |de_p| (n - n0) / 2. By reciprocity that
@@ -25,7 +25,7 @@ namespace asperity::fem {
 
 /// Of the stated error itself, relative: it is of first order, and was 0.98 to 1.92 times the true one, alike
 /// for few and many steps (tests/fem/plastic_contact_test.cc).
-constexpr double load_step_doubt = 0.5;
+constexpr double uncertainty_of_load_step_error = 0.5;
 
 struct FlowTurn {
   std::array<double, 6> strain{};  ///< e = |de_p| (n at the step's end - n where yielding sets in) / 2
@@ -38,21 +38,22 @@ inline FlowTurn flow_turn(const SymmetricTensor<Simd<double>>& start,
                           const SymmetricTensor<Simd<double>>& trial, double limit,
                           const SymmetricTensor<Simd<double>>& increment,
                           const SymmetricTensor<Simd<double>>& change_of_stress, int lane) {
-  double flow = 0, way_square = 0, along = 0, start_square = 0;
+  double flow = 0, step_square = 0, along = 0, start_square = 0;
   for (int c = 0; c < 6; ++c) {
     const double count = c < 3 ? 1 : 2, a = start[c][lane], d = trial[c][lane] - a;
     flow += count * increment[c][lane] * increment[c][lane];
-    way_square += count * d * d, along += count * a * d, start_square += count * a * a;
+    step_square += count * d * d, along += count * a * d, start_square += count * a * a;
   }
   flow = std::sqrt(flow);
   if (flow == 0) return {};
-  // The straight way comes to the yield surface, from inside or along it, at this share of itself.
+  // The straight path in stress space comes to the yield surface, from inside or along it, at this share of
+  // itself.
   const double inside = start_square - limit * limit;
   const double share =
-      way_square > 0
-          ? std::clamp((-along + std::sqrt(std::max(0.0, along * along - way_square * inside))) / way_square,
-                       0.0, 1.0)
-          : 0.0;
+      step_square > 0 ? std::clamp((-along + std::sqrt(std::max(0.0, along * along - step_square * inside))) /
+                                       step_square,
+                                   0.0, 1.0)
+                      : 0.0;
   FlowTurn turn;
   for (int c = 0; c < 6; ++c) {
     const double onset = start[c][lane] + share * (trial[c][lane] - start[c][lane]);
@@ -62,11 +63,11 @@ inline FlowTurn flow_turn(const SymmetricTensor<Simd<double>>& start,
   return turn;
 }
 
-/// A change of force [N] too small beside the force reached to tell how the bodies answer to it: at turning
+/// A change of force [N] too small beside the force reached to give the tangent compliance: at turning
 /// points.
 constexpr double change_at_a_turn = 0.01;
 
-/// The change of force by which a step tells how the bodies answer to it; 0 where it is too small for that.
+/// The change of force that gives the tangent compliance of a step; 0 where it is too small for that.
 inline double telling_change(double force_change, double force) {
   return std::abs(force_change) > change_at_a_turn * std::abs(force) ? force_change : 0.0;
 }
@@ -76,8 +77,8 @@ inline double telling_change(double force_change, double force) {
 /// and force [N], and the force it reaches [N].
 inline int parts_of_step(double flow_turn, double approach_change, double force_change, double force,
                          double share) {
-  constexpr int most = 16;  // what is left then is stated
-  // The change of force vanishes where attraction gives way; an error does not grow there.
+  constexpr int most = 16;  // the remaining error is stated
+  // The change of force vanishes where attraction softens; an error does not grow there.
   const double size =
       std::abs(approach_change) * std::max(std::abs(force_change), change_at_a_turn * std::abs(force));
   if (share <= 0 || size == 0 || flow_turn == 0) return 1;

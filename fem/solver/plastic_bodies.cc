@@ -187,7 +187,7 @@ BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vecto
   sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
   sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
   sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
-  // Where the load stays, so does what is known of the approach.
+  // At constant load the tangent compliance, and so the error of the approach, stays as it was.
   const double all_left_over = dealii::Utilities::MPI::sum(left_over, comm);
   sum.approach_error = tried_approach_error_ =
       force_change != 0 ? all_left_over / force_change : approach_error_;

@@ -24,10 +24,10 @@ struct BodyEnergies {
   double largest_plastic_strain() const { return std::max(plastic_strain[0], plastic_strain[1]); }
   double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
   double largest_yield_ratio = 0;  ///< von Mises over initial yield stress
-  /// What the turn of the flow within the last step leaves, as wide as it was, over the volume [J]; see
+  /// Error from the rotation of the flow direction within the last step at its size, over the volume [J]; see
   /// load_step_error.h.
   double flow_turn = 0;
-  double approach_error = 0;  ///< what all steps have left in the approach [m]
+  double approach_error = 0;  ///< accumulated error of all steps in the approach [m]
 };
 
 /// Stress and history of a cell, averages over its points (for output).
@@ -40,7 +40,7 @@ class PlasticBodies {
  public:
   struct PointHistory : PlasticState<Simd<double>> {
     SymmetricTensor<Simd<double>>
-        flow_error{};  ///< what finite steps have left in the plastic strain (load_step_error.h)
+        flow_error{};  ///< error of the plastic strain from finite steps (load_step_error.h)
   };
   using History = std::array<PointHistory, points_per_hex>;
 
@@ -55,8 +55,8 @@ class PlasticBodies {
   /// a return map fails.
   void internal_force(const Vector<double>& u, Vector<double>& f, TangentField* tangent) const;
 
-  /// What the step from the accepted state `u_before` to `u` does, in which the contact force grows by
-  /// `force_change` [N] (0: too little to tell how the approach answers to the load); the accepted state
+  /// Energies and internal variables of the step from the accepted state `u_before` to `u`, in which the
+  /// contact force grows by `force_change` [N] (0: too small for the tangent compliance); the accepted state
   /// stays. Throws as internal_force().
   BodyEnergies try_step(const Vector<double>& u_before, const Vector<double>& u, double force_change);
 

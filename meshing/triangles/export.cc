@@ -12,7 +12,7 @@ namespace asperity::meshing {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& known) {
-  throw InputError("cannot tell the format of '" + path.string() +
+  throw InputError("cannot recognise the format of '" + path.string() +
                    "' from its extension; end the name with " + known);
 }
 

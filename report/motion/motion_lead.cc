@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/cases/stretches.h"
 #include "dem_compare/resistance/sentences.h"
 #include "report/motion/resistance_section.h"
 #include "report/page/axis.h"

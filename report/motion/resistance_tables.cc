@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/resistance/sentences.h"
 #include "report/motion/resistance_section.h"
 #include "report/page/display_units.h"

@@ -73,14 +73,14 @@ TEST(ContactKey_behaviour, leaves_out_title_mesh_solver_output_and_steps_alone) 
 TEST(CaseFile_behaviour, remembers_its_physical_entries_for_result_json) {
   const test::TemporaryFolder folder;
   const CaseInput input = read_case(folder.write("case.prm", test::smooth_case()),
-                                    {"Interface/Opening work=0.2 J/m^2", "Mesh/Layers=3"});
+                                    {"Interface/Work of adhesion on separation=0.2 J/m^2", "Mesh/Layers=3"});
   std::size_t physical = 0;
   for (const auto& entry : case_entries()) {
     physical += entry.is_physical;
     EXPECT_EQ(input.physical_entries.count(path_of(entry)), entry.is_physical ? 1u : 0u) << path_of(entry);
   }
   EXPECT_EQ(input.physical_entries.size(), physical);
-  EXPECT_EQ(input.physical_entries.at("Interface/Opening work"), "0.2 J/m^2");
+  EXPECT_EQ(input.physical_entries.at("Interface/Work of adhesion on separation"), "0.2 J/m^2");
   EXPECT_EQ(input.physical_entries.at("Particle/Yield stress"), "inf");
 }
 

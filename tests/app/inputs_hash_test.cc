@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/case_file.h"
+#include "core/sha256.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,7 +46,7 @@ TEST_F(InputsHash_analytic, is_another_for_each_entry_that_decides_the_answer) {
                                         "Mesh/Layers=5",
                                         "Interface/Friction coefficient=0.1",
                                         "Interface/Work of adhesion=0.1 J/m^2",
-                                        "Interface/Opening work=0.1 J/m^2",
+                                        "Interface/Work of adhesion on separation=0.1 J/m^2",
                                         "Interface/Adhesion range=1 nm",
                                         "Interface/Adhesion law=exponential",
                                         "Solver/Tolerance=1e-7",
@@ -57,6 +58,18 @@ TEST_F(InputsHash_analytic, is_another_for_each_entry_that_decides_the_answer) {
                                         "Substrate/Topography=generated(rms=1 nm, seed=2)",
                                         "Particle/Topography=generated(rms=1 nm, seed=1)"};
   for (const auto& other : others) EXPECT_TRUE(all.insert(hash({other})).second) << other;
+}
+
+/// Checkpoints and results of the version before go on to be of the same inputs.
+TEST_F(InputsHash_analytic, of_a_renamed_entry_stays_that_of_its_first_name) {
+  const std::string before = sha256(
+      "asperity-inputs/1\nParticle/Radius = 8.5e-06\nParticle/Young modulus = 71000000000\n"
+      "Particle/Poisson ratio = 0.17\nSubstrate/Young modulus = 179000000000\nSubstrate/Poisson ratio = "
+      "0.25\n"
+      "Interface/Opening work = 0.1\nExperiment/Normal load = 0.001\nExperiment/Way back = 2e-07\n");
+  EXPECT_EQ(hash({"Interface/Opening work=0.1 J/m^2", "Experiment/Way back=200 nm"}), before);
+  EXPECT_EQ(hash({"Interface/Work of adhesion on separation=0.1 J/m^2", "Experiment/Return distance=200 nm"}),
+            before);
 }
 
 TEST_F(InputsHash_analytic, goes_by_the_content_of_a_scan_and_not_by_its_folder) {

@@ -51,6 +51,23 @@ TEST(Program_behaviour, refuses_a_wrong_study_with_status_2_and_one_sentence) {
                 ":2: there is no entry 'Radus' in subsection Particle; did you mean 'Radius'?\n");
 }
 
+TEST(Program_behaviour, reads_an_entry_under_its_former_name_and_says_the_present_one_once) {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("study.prm", smooth_case() +
+                                    "subsection Interface\n set Work of adhesion = 0.1 J/m^2\n"
+                                    " set Opening work = 0.2 J/m^2\n set Adhesion range = 10 nm\nend\n"
+                                    "subsection Study\n subsection Vary\n"
+                                    "  set Experiment/Normal load = 1 mN, 2 mN\n end\nend\n");
+  const Outcome outcome = call("study " + file.string() + " --check");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const std::string hint = "asperity: " + file.string() +
+                           ":14: 'Opening work' is now called 'Work of adhesion on separation'; the former "
+                           "name is still read\n";
+  EXPECT_CONTAINS(outcome.output, hint);
+  EXPECT_EQ(outcome.output.find("'Opening work'"), outcome.output.rfind("'Opening work'"));
+}
+
 TEST(Program_behaviour, ends_with_status_1_when_a_case_of_a_study_fails) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", smooth_case());

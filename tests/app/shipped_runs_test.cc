@@ -70,7 +70,7 @@ TEST(ShippedRuns_behaviour, the_papers_rolling_and_rails_roll_wafers_and_indente
 TEST(ShippedRuns_behaviour, single_motions_and_the_benchmark_are_accepted) {
   EXPECT_GT(read_case(runs / "paper" / "sliding.prm").experiment.distance, 0);
   EXPECT_EQ(read_case(runs / "paper" / "program.prm").experiment.type, Motion::program);
-  EXPECT_GT(read_case(runs / "paper" / "rolling.prm").interface.opening_work, 0);
+  EXPECT_GT(read_case(runs / "paper" / "rolling.prm").interface.work_of_separation, 0);
   EXPECT_EQ(read_case(runs / ".." / "benchmarks" / "rough_sliding.prm").experiment.type, Motion::sliding);
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/case_file.h"
 #include "core/error.h"
+#include "core/renamed_entries.h"
 #include "core/topography_spec.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
@@ -113,6 +114,23 @@ TEST(Study_behaviour, an_entry_set_on_the_command_line_replaces_it_or_the_values
   EXPECT_EQ(value_of(study.cases[0], "Experiment/Normal load"), "10 uN");
   EXPECT_EQ(value_of(study.cases[0], "Mesh/Layers"), "2");
   EXPECT_EQ(study.parallel_cases, 3);
+}
+
+TEST(Study_behaviour, reads_former_names_of_entries_where_it_varies_them_and_says_so) {
+  const Study study = study_of(
+      "subsection Study\n subsection Vary\n"
+      "  set Experiment/Way back = 100 nm, 200 nm; Interface/Opening work = 0.1 J/m^2\n end\nend\n");
+  ASSERT_EQ(study.cases.size(), 2u);
+  EXPECT_EQ(study.axes[0].name, "Return distance");
+  EXPECT_EQ(value_of(study.cases[1], "Experiment/Return distance"), "200 nm");
+  EXPECT_EQ(value_of(study.cases[1], "Interface/Work of adhesion on separation"), "0.1 J/m^2");
+  const auto hints = hints_of_former_names(study.cases[1].settings);
+  ASSERT_EQ(hints.size(), 2u);
+  EXPECT_CONTAINS(hints[0] + hints[1], "'Way back' is now called 'Return distance'");
+  EXPECT_CONTAINS(hints[0] + hints[1], "'Opening work' is now called 'Work of adhesion on separation'");
+  EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Vary\n  set Experiment/Way back = 100 nm\n"
+                                "  set Experiment/Return distance = 200 nm\n end\nend\n"),
+                  "former name");
 }
 
 TEST(Study_behaviour, takes_a_base_case_from_another_file_and_overrides_it) {

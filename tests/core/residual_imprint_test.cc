@@ -25,7 +25,8 @@ TEST(ResidualImprint_analytic, a_hertzian_unloading_from_an_imprint_leaves_it_at
   EXPECT_NEAR(residual_imprint(up, up_force, down, down_force).depth, imprint, 1e-12);
 }
 
-/// Rough bodies load along another power below the first step than Hertz': what that leaves in doubt is told.
+/// Rough bodies load along another power below the first step than Hertz': the uncertainty that follows is
+/// stated.
 TEST(ResidualImprint_analytic, tells_how_far_an_extrapolated_loading_is_from_Hertz) {
   const std::vector<double> up{1.0, 1.5}, force{1.0, 2.0};  // d = F^0.585
   const double power = std::log(1.5) / std::log(2.0), low = 0.01;

@@ -20,7 +20,7 @@ TEST(SteadyMotion_analytic, legs_end_where_the_motion_turns) {
   EXPECT_TRUE(motion_legs({3, 3, 3}).empty());
 }
 
-/// Rest is a share of the whole way, wherever it lies.
+/// Rest is a share of the whole path, wherever it lies.
 TEST(SteadyMotion_analytic, creeping_by_two_hundred_thousandths_of_the_way_is_rest) {
   EXPECT_EQ(motion_legs({1000, 1000.000015, 1001}).front().first, 1u);
   EXPECT_EQ(motion_legs({1000, 1000.000025, 1001}).front().first, 0u);
@@ -46,7 +46,7 @@ TEST(SteadyMotion_analytic, rolling_is_steady_after_a_contact_radius_of_way_in_e
   for (const double direction : {1.0, -1.0}) {
     rows.position.clear(), rows.contact_radius.assign(7, 3.0);
     for (int i = 0; i < 7; ++i) rows.position.push_back(0.5 + direction * 0.1 * i);
-    rows.contact_radius[3] = 3.5;  // 3 of way: still short of it
+    rows.contact_radius[3] = 3.5;  // path length 3: still short of it
     EXPECT_EQ(steady_onset(rows, {0, 6, direction > 0 ? 1 : -1}), 4u);
   }
 }
@@ -67,8 +67,8 @@ TEST(SteadyMotion_analytic, work_is_the_area_under_the_resistance) {
   const std::vector<double> position{0, 2, 3, 1}, resistance{1, 3, 5, -1};
   EXPECT_EQ(work_against_motion(position, resistance), (std::vector<double>{0, 4, 8, 4}));
   EXPECT_TRUE(work_against_motion({}, {}).empty());
-  EXPECT_EQ(per_way(position, {0, 4, 8, 14}, 1, 2), 4);
-  EXPECT_EQ(per_way(position, {0, 4, 8, 14}, 2, 3), 3);  // per distance, there and back
+  EXPECT_EQ(per_path_length(position, {0, 4, 8, 14}, 1, 2), 4);
+  EXPECT_EQ(per_path_length(position, {0, 4, 8, 14}, 2, 3), 3);  // per distance, there and back
 }
 
 }  // namespace

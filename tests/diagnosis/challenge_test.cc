@@ -36,7 +36,7 @@ TEST(Challenge_behaviour, has_every_effect_at_three_levels_of_noise_and_all_fami
     }
   EXPECT_EQ(noise.size(), concealed);
   for (const char* family :
-       {"single", "finite_elements", "pair", "null", "outsider", "decoy", "indistinguishable"})
+       {"single", "finite_elements", "pair", "null", "out_of_catalogue", "decoy", "indistinguishable"})
     EXPECT_GT(families[family], 5) << family;
   EXPECT_LT(challenge_matrix(true).size(), challenge_matrix(false).size() / 2);
 }
@@ -80,8 +80,8 @@ TEST(Challenge_behaviour, nulls_outsiders_and_look_alikes_have_right_answers_of_
   EXPECT_FALSE(scored("null", {}, "unexplained", {}).is_right());
   EXPECT_TRUE(scored("finite_elements", {}, "no_mismatch", {}).is_right());
   EXPECT_FALSE(scored("finite_elements", {}, "explained", {"a"}).is_right());
-  EXPECT_TRUE(scored("outsider", {"pop_in"}, "unexplained", {}).is_right());
-  EXPECT_FALSE(scored("outsider", {"pop_in"}, "explained", {"a"}).is_right());
+  EXPECT_TRUE(scored("out_of_catalogue", {"pop_in"}, "unexplained", {}).is_right());
+  EXPECT_FALSE(scored("out_of_catalogue", {"pop_in"}, "explained", {"a"}).is_right());
   ChallengeScore alike = scored("indistinguishable", {"a"}, "ambiguous", {"b"});
   EXPECT_FALSE(alike.is_right());
   alike.alternatives = {{"b"}, {"a"}};

@@ -17,9 +17,9 @@ using test::TemporaryFolder;
 
 TEST(ConcealedRecording_behaviour, every_effect_stands_out_of_its_noise_in_its_own_experiment) {
   for (const Motion mode : all_modes())
-    for (const auto* list : {"catalogue", "outsiders"})
+    for (const auto* list : {"catalogue", "out_of_catalogue"})
       for (const auto& effect :
-           list == std::string("catalogue") ? concealable_effects(mode) : outsiders(mode))
+           list == std::string("catalogue") ? concealable_effects(mode) : out_of_catalogue_effects(mode))
         for (const unsigned seed : {1u, 2u, 3u}) {
           const ConcealedRecording concealed = conceal({mode, {effect}, 0.01, seed, ""});
           ASSERT_EQ(concealed.truth.effects.size(), 1u);

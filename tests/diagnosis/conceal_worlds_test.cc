@@ -42,7 +42,7 @@ TEST(SlidingWorld_analytic, goes_there_and_back_between_two_ends_in_even_steps) 
   EXPECT_NEAR(*std::max_element(x.begin(), x.end()), A, 1e-15);
   EXPECT_NEAR(*std::min_element(x.begin(), x.end()), -A, 1e-15);
   EXPECT_NEAR(x[0], step, 1e-15);
-  EXPECT_NEAR(x[29], A, 1e-15);  // half a way first, then two loops of four
+  EXPECT_NEAR(x[29], A, 1e-15);  // half a stroke first, then two loops of four
   ASSERT_EQ(std::count(run.begin(), run.end(), 1.0), 30 + 4 * 60);
   for (std::size_t i = 1; i < 270; ++i) {
     EXPECT_NEAR(std::abs(x[i] - x[i - 1]), step, 1e-15) << i;
@@ -53,7 +53,7 @@ TEST(SlidingWorld_analytic, goes_there_and_back_between_two_ends_in_even_steps) 
   EXPECT_EQ(cycle[269], 1);
 }
 
-/// Force at the end of each way of the first run, and its load.
+/// Force at the end of each stroke of the first run, and its load.
 struct LoopEnds {
   double load = 0, forward = 0, backward = 0, half = 0;
   explicit LoopEnds(const Silent& silent) : load(silent.of("normal_force")[0]) {
@@ -115,7 +115,7 @@ TEST(SlidingWorld_analytic, friction_changes_as_its_effects_say) {
                 fast.friction() + fast.parameter("coefficient") * std::log(speed[i] / 1e-6), 1e-9);
   }
   const Silent run_in(Motion::sliding, {"run_in"});
-  const LoopEnds first(run_in);  // half a loop has passed at the end of the first way back
+  const LoopEnds first(run_in);  // half a loop has passed at the end of the first stroke back
   EXPECT_NEAR(first.backward / (-run_in.friction() * first.load),
               1 + run_in.parameter("change") * std::exp(-0.5 / run_in.parameter("cycles")), 1e-9);
   const Silent peak(Motion::sliding, {"static_friction_peak"});
@@ -392,7 +392,7 @@ TEST(ChallengeMatrix_behaviour, has_the_levels_of_noise_of_each_family) {
   for (const auto& item : challenge_matrix(false, 0)) ++levels[item.family][item.options.noise];
   EXPECT_EQ(levels["null"], (std::map<double, int>{{0.003, 10}, {0.01, 10}, {0.03, 10}}));
   EXPECT_EQ(levels["pair"], (std::map<double, int>{{0.005, 20}, {0.01, 20}}));
-  EXPECT_EQ(levels["outsider"], (std::map<double, int>{{0.003, 6}, {0.01, 6}, {0.02, 6}}));
+  EXPECT_EQ(levels["out_of_catalogue"], (std::map<double, int>{{0.003, 6}, {0.01, 6}, {0.02, 6}}));
   EXPECT_EQ(levels["finite_elements"], (std::map<double, int>{{0.005, 10}, {0.01, 10}, {0.02, 10}}));
   EXPECT_EQ(levels["decoy"], (std::map<double, int>{{0.01, 8}}));
   EXPECT_EQ(levels["indistinguishable"], (std::map<double, int>{{0.01, 8}}));
@@ -521,7 +521,8 @@ TEST(ConcealedWorlds_regression, seeds_conceal_what_they_always_did) {
     EXPECT_NEAR(found.order, known.order, 1e-6) << name;
   }
   std::size_t effects = 0;
-  for (const Motion mode : all_modes()) effects += concealable_effects(mode).size() + outsiders(mode).size();
+  for (const Motion mode : all_modes())
+    effects += concealable_effects(mode).size() + out_of_catalogue_effects(mode).size();
   EXPECT_GE(known_worlds().size(), effects);
 }
 

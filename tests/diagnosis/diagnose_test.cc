@@ -49,8 +49,9 @@ Recording indentation(const std::function<double(double d, double t)>& force, do
 
 /// Friction loops at three loads. `force_change` of position, load and direction is added to an
 /// elastic-sliding loop whose spring is `compliance` + Mindlin's.
-Recording loops(double compliance, const std::function<double(double x, double load, int way)>& force_change,
-                double noise, unsigned seed) {
+Recording loops(double compliance,
+                const std::function<double(double x, double load, int direction)>& force_change, double noise,
+                unsigned seed) {
   Recording r;
   r.mode = Motion::sliding;
   r.particle = borosilicate();
@@ -69,9 +70,9 @@ Recording loops(double compliance, const std::function<double(double x, double l
     const double spring = 1 / (1 / (8 * sliding_modulus(e.particle, e.substrate) * a) + compliance);
     double q = 0, x = 0, t = 0;
     for (int cycle = 0; cycle < 3; ++cycle)
-      for (const int way : {1, -1})
+      for (const int direction : {1, -1})
         for (int i = 0; i < 100; ++i) {
-          const double step = way * 1 * nm;
+          const double step = direction * 1 * nm;
           x += step;
           q = std::max(-limit, std::min(limit, q + spring * step));
           table.columns["run"].push_back(run);
@@ -79,8 +80,9 @@ Recording loops(double compliance, const std::function<double(double x, double l
           table.columns["time"].push_back(t += 0.01);
           table.columns["lateral_displacement"].push_back(x);
           table.columns["normal_force"].push_back(load);
-          table.columns["lateral_force"].push_back(q + force_change(x, load, way) + noise * normal(random));
-          table.segment.push_back(way > 0 ? "forward" : "backward");
+          table.columns["lateral_force"].push_back(q + force_change(x, load, direction) +
+                                                   noise * normal(random));
+          table.segment.push_back(direction > 0 ? "forward" : "backward");
         }
   }
   r.tables = {table};
@@ -163,8 +165,8 @@ TEST(Diagnose_analytic, a_pair_is_named_as_a_pair) {
 }
 
 TEST(Diagnose_analytic, what_no_effect_can_do_stays_unexplained_and_is_located) {
-  const auto ripple = [](double x, double load, int way) {
-    return way * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1);
+  const auto ripple = [](double x, double load, int direction) {
+    return direction * 0.06 * load * std::sin(2 * 3.14159 * x / (37 * nm) + 1);
   };
   const Diagnosis d = diagnose(loops(0, ripple, 4 * uN, 6));
   EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
@@ -219,13 +221,13 @@ Recording rolling_on(const std::vector<double>& roughnesses) {
   std::normal_distribution<double> normal;
   for (const double rms : roughnesses)
     for (int i = 1; i <= 10; ++i)
-      for (const int way : {1, -1}) {
+      for (const int direction : {1, -1}) {
         const double load = 200 * i * uN, friction = 3e-4 + 6e-4 * std::exp(-rms / (1.2 * nm));
         table.columns["normal_force"].push_back(load);
         table.columns["rms_roughness"].push_back(rms);
-        table.columns["lateral_force"].push_back(way * friction * load + 0.01 * uN * normal(random));
+        table.columns["lateral_force"].push_back(direction * friction * load + 0.01 * uN * normal(random));
         table.columns["lateral_force_sd"].push_back(0.01 * uN);
-        table.segment.push_back(way > 0 ? "forward" : "backward");
+        table.segment.push_back(direction > 0 ? "forward" : "backward");
       }
   r.tables = {table};
   return r;

@@ -268,14 +268,14 @@ TEST(StickSlip_analytic, is_a_saw_tooth_about_the_limit_counted_from_the_middle_
   SlipState state;
   const auto at = [&](double path) { return state.path = path, change(100 * uN, state); };
   const double middle = e.stroke / 2;
-  EXPECT_NEAR(at(middle), 100 * uN - 1 * uN, 1e-15);           // a quarter of the way up from -2 uN
+  EXPECT_NEAR(at(middle), 100 * uN - 1 * uN, 1e-15);           // a quarter of the rise from -2 uN
   EXPECT_NEAR(at(middle + 5 * nm), 100 * uN + 1 * uN, 1e-12);  // three quarters
   EXPECT_NEAR(at(middle + 15 * nm), at(middle + 5 * nm), 1e-12);
   EXPECT_NEAR(at(middle - 5 * nm), at(middle + 5 * nm), 1e-12);
   EXPECT_EQ(at(0), 100 * uN);  // before sliding there are no events
 }
 
-/// A saw-tooth on the way there and back.
+/// A saw-tooth in both directions.
 TEST(StickSlip_analytic, reads_period_and_amplitude_off_the_residuals) {
   const double amplitude = 3 * uN, period = 9 * nm;
   Samples samples = test::lateral_path(1e-3, {0, 200 * nm, 0}, 800);
@@ -428,11 +428,14 @@ TEST(Simulate_analytic, a_compliance_in_series_with_partial_slip_takes_its_part)
   const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
   Mechanics m = assembled(e, "partial_slip", {});
   m.lateral.compliance = C;
-  const auto way = [&](double q) { return 1.5 * most / k * (1 - std::pow(1 - q, 2.0 / 3)) + C * q * most; };
+  const auto path_to = [&](double q) {
+    return 1.5 * most / k * (1 - std::pow(1 - q, 2.0 / 3)) + C * q * most;
+  };
   for (const double q : {0.3, 0.8})
     for (const double sign : {1.0, -1.0})
-      EXPECT_NEAR(simulate(m, test::lateral_path(load, {0, sign * way(q)}, 41)).back() / (sign * q * most), 1,
-                  5e-3)
+      EXPECT_NEAR(
+          simulate(m, test::lateral_path(load, {0, sign * path_to(q)}, 41)).back() / (sign * q * most), 1,
+          5e-3)
           << q;
 }
 

@@ -172,10 +172,10 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
         Sample s = part.list[i];
         s.cycle = static_cast<double>(i / 300);
         s.part = samples.parts + static_cast<int>(i / 150);
-        const double way = s.direction > 0 ? s.lateral_displacement : 1e-7 - s.lateral_displacement;
-        s.since_reversal = way;
-        // The second half of each way ten times as fast.
-        s.speed = way > 5e-8 ? 1e-5 : 1e-6;
+        const double travelled = s.direction > 0 ? s.lateral_displacement : 1e-7 - s.lateral_displacement;
+        s.since_reversal = travelled;
+        // The second half of each stroke ten times as fast.
+        s.speed = travelled > 5e-8 ? 1e-5 : 1e-6;
         s.time = (samples.list.empty() || i == 0 ? 0 : samples.list.back().time) + 6.7e-10 / s.speed;
         samples.list.push_back(s);
       }

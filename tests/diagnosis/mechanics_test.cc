@@ -247,9 +247,9 @@ TEST(Mechanics_analytic, sliding_ends_at_mu_times_load_and_reverses) {
 TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
   const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load);
-  const Samples way = lateral_path(load, {0, 200 * nm}, 2001);
+  const Samples path = lateral_path(load, {0, 200 * nm}, 2001);
   const auto end = [&](const std::vector<std::pair<std::string, std::vector<double>>>& effects) {
-    return simulate(with(e, effects), way).back();
+    return simulate(with(e, effects), path).back();
   };
   EXPECT_NEAR(end({{"adhesion_offset", {0.2e-3}}}), 0.2 * 1.2e-3, 1e-12);
   EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * boost::math::double_constants::pi * a * a,
@@ -257,13 +257,13 @@ TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
   EXPECT_NEAR(end({{"surface_tilt", {0.02}}}), 0.2e-3 + std::tan(0.02) * load, 1e-12);
   EXPECT_NEAR(end({{"lateral_zero_offset", {5 * uN}}}), 0.2e-3 + 5 * uN, 1e-12);
   EXPECT_NEAR(end({{"velocity_dependence", {0.01}}}),
-              (0.2 + 0.01 * std::log(way.list[9].speed / std::sqrt(e.slowest * e.fastest))) * load, 1e-12);
+              (0.2 + 0.01 * std::log(path.list[9].speed / std::sqrt(e.slowest * e.fastest))) * load, 1e-12);
 }
 
 TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
   const Experiment e = experiment(Motion::sliding);
-  const Samples way = lateral_path(1e-3, {0, 100 * nm}, 10001);
-  const auto f = simulate(with(e, {{"static_friction_peak", {1.5, 20 * nm}}}), way);
+  const Samples path = lateral_path(1e-3, {0, 100 * nm}, 10001);
+  const auto f = simulate(with(e, {{"static_friction_peak", {1.5, 20 * nm}}}), path);
   EXPECT_NEAR(*std::max_element(f.begin(), f.end()), 0.3e-3, 0.001e-3);
   const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
   const double slipped = 80 * nm - 0.3e-3 / k;  // sliding begins when the spring holds mu_s f_n
@@ -272,16 +272,16 @@ TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
 
 TEST(Mechanics_analytic, running_in_fades_over_the_cycles) {
   const Experiment e = experiment(Motion::sliding);
-  Samples way = lateral_path(1e-3, {0, 100 * nm}, 101);
-  for (auto& s : way.list) s.cycle = 4;
-  EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), way).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)),
+  Samples path = lateral_path(1e-3, {0, 100 * nm}, 101);
+  for (auto& s : path.list) s.cycle = 4;
+  EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), path).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)),
               1e-12);
 }
 
 TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_its_period) {
   const Experiment e = experiment(Motion::sliding);
-  const Samples way = lateral_path(1e-3, {0, 200 * nm}, 20001);
-  const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm, 0.1}}}), way);
+  const Samples path = lateral_path(1e-3, {0, 200 * nm}, 20001);
+  const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm, 0.1}}}), path);
   double low = 1, high = 0;
   int drops = 0;
   for (std::size_t i = 6001; i < f.size(); ++i) {
@@ -296,15 +296,15 @@ TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_
 
 TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
   Experiment e = experiment(Motion::sliding);
-  Samples way = lateral_path(1e-3, {0, 4000 * nm}, 4001);
+  Samples path = lateral_path(1e-3, {0, 4000 * nm}, 4001);
   double time = 0;
-  for (std::size_t i = 0; i < way.list.size(); ++i) {
+  for (std::size_t i = 0; i < path.list.size(); ++i) {
     const double v = i < 2000 ? e.slowest : e.fastest;
-    way.list[i].speed = v;
-    way.list[i].time = time += 1 * nm / v;
+    path.list[i].speed = v;
+    path.list[i].time = time += 1 * nm / v;
   }
   const double a = 0.01, b = 0.015, L = 50 * nm, ratio = std::log(e.fastest / e.slowest);
-  const auto f = simulate(with(e, {{"rate_and_state", {a, b, L}}}), way);
+  const auto f = simulate(with(e, {{"rate_and_state", {a, b, L}}}), path);
   EXPECT_NEAR((f[2000] - f[1999]) / 1e-3, a * ratio,
               0.05 * a * ratio);  // within a step of 1 nm some of the decay
   EXPECT_NEAR((f[4000] - f[1999]) / 1e-3, (a - b) * ratio, 1e-6);

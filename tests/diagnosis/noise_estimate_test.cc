@@ -113,7 +113,7 @@ TEST(NoiseEstimate_behaviour, takes_only_runs_of_the_same_control_and_speed_for_
   EXPECT_EQ(noise_of(recording, residual).from[0], "high frequencies");
 }
 
-/// Loops that are alike in their way and not in their load are no repeats.
+/// Loops that are alike in their path and not in their load are no repeats.
 TEST(NoiseEstimate_behaviour, compares_every_channel_that_drives) {
   Recording recording = repeated_runs({std::vector<double>(40, 1.0), std::vector<double>(40, 1.5)});
   recording.mode = Motion::sliding;

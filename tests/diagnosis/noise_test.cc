@@ -5,7 +5,7 @@
 #include <random>
 
 #include "diagnosis/fit/noise.h"
-#include "diagnosis/recording/one_way.h"
+#include "diagnosis/recording/monotonic_path.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -95,14 +95,14 @@ TEST(OneWay_analytic, pools_what_falls_and_leaves_what_rises) {
 TEST(OneWay_behaviour, takes_the_jitter_of_a_sensor_out_of_a_stroke_and_keeps_a_reversal) {
   std::vector<double> path;
   for (int i = 0; i < 200; ++i) path.push_back(i + (i % 2 ? 0.7 : 0));
-  const auto smooth = one_way(path, 1);
+  const auto smooth = monotonic_path(path, 1);
   for (std::size_t i = 1; i < smooth.size(); ++i) EXPECT_GE(smooth[i], smooth[i - 1]);
   for (std::size_t i = 0; i < smooth.size(); ++i) EXPECT_NEAR(smooth[i], path[i], 0.7);
   std::vector<double> mirrored = path;
   for (double& x : mirrored) x = -x;
-  EXPECT_EQ(one_way(mirrored, -1)[100], -smooth[100]);
+  EXPECT_EQ(monotonic_path(mirrored, -1)[100], -smooth[100]);
   for (int i = 0; i < 20; ++i) path.push_back(199 - i);
-  EXPECT_EQ(one_way(path, 1), path);
+  EXPECT_EQ(monotonic_path(path, 1), path);
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ TEST(Samples_behaviour, go_the_way_their_segment_is_named_for_or_else_that_of_it
   EXPECT_EQ(directions("out", "home"), (std::pair{1, -1}));
   EXPECT_EQ(directions("backward", "forward"), (std::pair{-1, 1}));
   EXPECT_EQ(directions("unload", "load"), (std::pair{-1, 1}));
-  EXPECT_EQ(directions("backward", "hold"), (std::pair{-1, -1}));  // a hold keeps the way that led to it
+  EXPECT_EQ(directions("backward", "hold"),
+            (std::pair{-1, -1}));  // a hold keeps the direction that led to it
   EXPECT_EQ(directions("hold", "home"), (std::pair{1, -1}));
 }
 
@@ -226,12 +227,12 @@ TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {
   EXPECT_EQ(few.runs[0].end, few.list.size());
   EXPECT_EQ(few.list.front().index, 0u);
   EXPECT_EQ(few.list.back().index, 2000u);
-  std::size_t begin = 0, rest = 0;  // of the way back
+  std::size_t begin = 0, rest = 0;  // of the second half
   for (const auto& s : few.list) {
     if (s.direction > 0) continue;
     ++(s.since_reversal < 0.15e-7 ? begin : rest);
   }
-  // 0.15 of the way with four times the density of the other 0.85.
+  // 0.15 of the path with four times the density of the other 0.85.
   EXPECT_NEAR(static_cast<double>(begin) / static_cast<double>(rest), 4 * 0.15 / 0.85, 0.1);
   EXPECT_EQ(thinned(all, 2001).list.size(), 2001u);
 }
@@ -287,7 +288,7 @@ TEST(Experiment_analytic, knows_the_sizes_of_an_approach) {
   EXPECT_TRUE(e.has_unloading && e.has_off_contact);
   EXPECT_EQ(e.hold_duration, 0);
   EXPECT_EQ(e.yield_hint, 0);
-  // One way alone.
+  // One direction alone.
   recording = driven(Motion::normal, zigzag({0, 5e-8}, 100));
   e = experiment_of(recording, samples_of(recording));
   EXPECT_FALSE(e.has_unloading || e.has_both_directions || e.has_off_contact);

@@ -37,16 +37,16 @@ double width_of_contact(const FrictionalContact& contact) {
 }
 
 /// Kendall (1975), Wear 33:351: the rim in front gives back the closing work, the rim behind takes the
-/// opening work, over the width of contact: M = R 2a (w_opening - w_closing). Steady once what was bonded at
-/// the start has left the attraction's range: after `transient` contact radii. Attraction reaches over
-/// `region` contact radii.
+/// work of adhesion on separation, over the width of contact: M = R 2a (w_opening - w_closing). Steady once
+/// what was bonded at the start has left the attraction's range: after `transient` contact radii. Attraction
+/// reaches over `region` contact radii.
 void expect_hysteresis_resists(double closing, double opening, double range, double transient,
                                double region) {
   FrictionalContactOptions o;
   o.friction = 0;
   o.cells_per_radius = 8;
   o.region = region;
-  o.way = 2 * (transient + 1) * 260e-9;
+  o.path_length = 2 * (transient + 1) * 260e-9;
   o.adhesion = {std::make_shared<fem::Dugdale>(closing, range),
                 std::make_shared<fem::Dugdale>(opening, range)};
   FrictionalContact contact(o);
@@ -86,7 +86,7 @@ TEST(AdhesiveRollingNightly_analytic, in_the_limit_of_DMT_hysteresis_of_adhesion
 /// resists a roll that brings the particle's centre ahead by xi with M = 4 F_c (a/a0)^(3/2) xi. That is (P_a
 /// - P) xi, P_a = 4 E* a^3 / (3 R): what tilting a bonded circle takes, less what the load gives. Krijt,
 /// Dominik & Tielens (2014), J. Phys. D 47, 175302: the rim moves where its energy release G (1 -+ e)^2, e =
-/// 3 P_a xi / ((P_a - P) a), falls below the closing or rises above the opening work.
+/// 3 P_a xi / ((P_a - P) a), falls below the work of adhesion on approach or rises above that on separation.
 struct PinnedContact {
   FrictionalContact contact;
   double surplus, critical,
@@ -97,7 +97,7 @@ struct PinnedContact {
                                           double closing_range) {
     FrictionalContactOptions o;
     o.friction = 0;
-    o.way = 140e-9;
+    o.path_length = 140e-9;
     o.cells_per_radius = cells;
     o.adhesion = {std::make_shared<fem::Dugdale>(closing, closing_range),
                   std::make_shared<fem::Dugdale>(opening, 1e-9)};

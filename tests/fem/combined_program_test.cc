@@ -81,7 +81,7 @@ TEST(CombinedProgram_behaviour, moves_part_by_part_with_steps_no_wider_than_thos
   EXPECT_NEAR(last.motion.spin, 0.05, 1e-12);
   EXPECT_NEAR(last.motion.roll - first.roll, 0.1, 1e-12);
   EXPECT_NEAR(last.load, 0.5, 1e-12);
-  // The contact's way lies evenly about the axis of the meshes: x from -x0 to 200 - x0.
+  // The contact's path lies evenly about the axis of the meshes: x from -x0 to 200 - x0.
   EXPECT_NEAR(first.x, -0.5 * (100 + 100 * std::cos(0.05)), 1e-9);
   EXPECT_NEAR(first.roll, -0.05, 1e-12);
   const auto free =
@@ -100,8 +100,8 @@ TEST(CombinedProgram_behaviour, unloads_from_the_load_it_ends_with) {
   EXPECT_DOUBLE_EQ(program[3].load, 0.5 * std::pow(0.5, 1.5));
 }
 
-/// Far beyond full slip the past is forgotten: friction mu P against the way across, and nothing along the
-/// way before.
+/// Far beyond full slip the past is forgotten: friction mu P against the motion across, and nothing along the
+/// direction before.
 TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_against_its_last_way) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 24e-9, "slide 60 nm; slide across 100 nm");
@@ -127,7 +127,7 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
 }
 
 /// A sphere that rolls along a rail spins on its flanks: no more than full slip, and less the shallower the
-/// rail, for rolling brings fresh surface that has not slipped. Smooth equal bodies; the way between the
+/// rail, for rolling brings fresh surface that has not slipped. Smooth equal bodies; the path between the
 /// flanks is held, as symmetry does on a rail. `largest_across`: relative error of the force across; it falls
 /// with the first power of the spacing, here and in the reference.
 void expect_steady_spin(double spin_number, double largest_across) {
@@ -143,10 +143,10 @@ void expect_steady_spin(double spin_number, double largest_across) {
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const double G = 71e9 / 2 / 1.17, E = 71e9 / 2 / (1 - 0.17 * 0.17), R = input.radius, P = 100e-6,
                mu = input.interface.parameters["Friction coefficient"];
-  const double a = std::cbrt(0.75 * P * R / E), spin_per_way = spin_number * mu * P / (G * a * a * a),
-               way = 5 * a;
-  input.experiment.program = "roll " + format_quantity(way, Dimension::length, 8) + " and spin " +
-                             format_quantity(spin_per_way * way, Dimension::angle, 8);
+  const double a = std::cbrt(0.75 * P * R / E), spin_per_length = spin_number * mu * P / (G * a * a * a),
+               path_length = 5 * a;
+  input.experiment.program = "roll " + format_quantity(path_length, Dimension::length, 8) + " and spin " +
+                             format_quantity(spin_per_length * path_length, Dimension::angle, 8);
   const auto history = run(input, folder.path);
   const auto along = history.numbers("lateral_force [N]"),
              across = history.numbers("lateral_force_across [N]"),
@@ -159,7 +159,7 @@ void expect_steady_spin(double spin_number, double largest_across) {
                sideways = std::abs(c * across[last] - s * along[last]) / (mu * P);
   const double spun_back = moment[last] / (mu * P * a), lost = (slip[last] - slip[last - 2]) /
                                                                (rolled[last] - rolled[last - 2]) / R /
-                                                               spin_per_way / (mu * P * a);
+                                                               spin_per_length / (mu * P * a);
   std::printf(
       "G a^3 phi/(mu P) %.2f, spun by %.3f rad: forward %.4f, across %.4f (%.4f), moment %.4f (%.4f), slip "
       "per angle of spin %.4f, open %.2g\n",
@@ -188,7 +188,7 @@ TEST(CombinedProgramNightly_other_code, a_rolling_sphere_that_spins_fast_nears_f
 
 /// From Cattaneo's shift to Carter's rolling with creep: friction takes all the work that shift and roll put
 /// in. A moment whose lever arm is not that of the centre the roll turns about would leave Q times approach
-/// over radius per way: an eighth of it.
+/// over radius per path length: an eighth of it.
 TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_shifted_and_then_rolled) {
   const test::TemporaryFolder folder;
   CaseInput input = program_case("smooth", 24e-9, "slide 3 nm; slide 2 nm and roll 400 nm");
@@ -213,7 +213,7 @@ TEST(CombinedProgram_analytic, friction_takes_all_the_work_of_a_sphere_that_is_s
           put_in, into_friction, 0.01)));
 }
 
-/// Between two planes, of which the upper moves: half of its way, and no lateral force that a particle
+/// Between two planes, of which the upper moves: half of its path, and no lateral force that a particle
 /// without drive could hold.
 TEST(CombinedProgram_analytic, of_rough_yielding_bodies_balances_its_energy_and_resumes_within_any_part) {
   const test::TemporaryFolder folder;

@@ -44,16 +44,16 @@ std::vector<CreepForce> contact_series(const std::filesystem::path& path, std::s
   return series;
 }
 
-/// Rolled over `way` contact lengths with the shift lagging by `creep`, from a first shift that makes `guess`
-/// of mu P.
-fem::ContactResultants roll_steadily(FrictionalContact& c, double creep, double guess, double way) {
+/// Rolled over `path_length` contact lengths with the shift lagging by `creep`, from a first shift that makes
+/// `guess` of mu P.
+fem::ContactResultants roll_steadily(FrictionalContact& c, double creep, double guess, double path_length) {
   const double a = c.contact_radius, h = a / c.options.cells_per_radius, R = c.options.radius;
   const double mean = a * std::sqrt(c.options.semi_axis_across);
   fem::RigidMotion motion;
   motion.x =
       guess * c.friction_force * (1 / (8 * c.system.reduced_shear_modulus() * mean) + c.lateral_far_field);
   auto r = c.step(motion);
-  for (double x = h; x < way * a * (1 + 1e-9); x += h) {
+  for (double x = h; x < path_length * a * (1 + 1e-9); x += h) {
     motion.roll = x / R, motion.x += h * (1 + creep);
     r = c.step(motion);
   }
@@ -78,7 +78,7 @@ void expect_creep_force(const CreepForce& point, double cells) {
   auto o = elliptic(2, 0.33, 0.28, 1.301 / (6.304 * 12.61));
   const double a_over_R = 6.304 / 625;
   o.cells_per_radius = cells;
-  o.way = 2 * 2.2 * a_over_R * o.radius;  // the fine region is square, as wide as the contact
+  o.path_length = 2 * 2.2 * a_over_R * o.radius;  // the fine region is square, as wide as the contact
   FrictionalContact c(o);
   EXPECT_NEAR(c.contact_radius / o.radius, a_over_R, 0.002 * a_over_R);
   const auto r = roll_steadily(c, point.creep, point.force, 3.5);

@@ -75,7 +75,7 @@ TEST(LoadStepError_analytic, a_step_is_divided_by_its_share_of_the_approach_over
   EXPECT_EQ(parts_of_step(size, approach, force, 5 * force, 0.005), 16) << "at most";
   EXPECT_EQ(parts_of_step(size, approach, force, 5 * force, 0), 1) << "never";
   EXPECT_EQ(parts_of_step(0, approach, force, 5 * force, 0.005), 1) << "nothing has yielded";
-  // Where attraction gives way the force hardly changes: a hundredth of it counts.
+  // Where attraction softens the force hardly changes: a hundredth of it counts.
   EXPECT_EQ(parts_of_step(0.012 * approach * 0.01 * force, approach, 1e-9 * force, force, 0.005), 3);
 }
 

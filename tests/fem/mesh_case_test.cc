@@ -59,7 +59,7 @@ CaseInput rolling(double spacing, double distance) {
   input.experiment.normal_load = 300e-6;
   input.experiment.distance = distance;
   input.interface.work_of_adhesion = 77e-3;
-  input.interface.opening_work = 154e-3;
+  input.interface.work_of_separation = 154e-3;
   input.interface.adhesion_law = "exponential";
   input.interface.parameters["Adhesion range"] = 1e-9;
   return input;

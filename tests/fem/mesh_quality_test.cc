@@ -102,8 +102,8 @@ TEST(MeshQuality_behaviour,
   }
 }
 
-/// The way that a case is told to roll at most, rather than so far that it is refused [m].
-double longest_way(CaseInput input) {
+/// The longest path that the message of a refused case names [m].
+double longest_path(CaseInput input) {
   input.experiment.distance = 100e-6;
   try {
     check_extent(input);
@@ -117,15 +117,15 @@ double longest_way(CaseInput input) {
 
 TEST(MeshQuality_behaviour, cells_are_good_for_the_longest_way_that_a_contact_may_roll) {
   struct Contact {
-    double load, spacing, way;
+    double load, spacing, path_length;
   };
-  for (const auto& [load, spacing, way] :
+  for (const auto& [load, spacing, path_length] :
        {Contact{100e-6, 32e-9, 5e-6}, {3e-3, 100e-9, 3.9e-6}, {15e-3, 200e-9, 2e-6}}) {
     CaseInput input = sphere_on_silicon("smooth", "smooth", spacing, 0);
     input.experiment.type = Motion::rolling;
     input.experiment.normal_load = load;
-    input.experiment.distance = longest_way(input);
-    EXPECT_GT(input.experiment.distance, way) << load;
+    input.experiment.distance = longest_path(input);
+    EXPECT_GT(input.experiment.distance, path_length) << load;
     EXPECT_GT(Meshed(input).quality().smallest_scaled_jacobian[0], smallest_allowed_scaled_jacobian) << load;
   }
 }
@@ -305,7 +305,8 @@ TEST(MeshQuality_behaviour, bad_cells_of_a_rough_body_are_blamed_on_what_makes_t
     return test::message_of<InputError>([&] { require_quality(quality, {}, "test.prm"); });
   };
   quality.without_roughness[1] = 0.1;
-  EXPECT_NE(message().find("the way from fine cells at the contact to the body's border"), std::string::npos)
+  EXPECT_NE(message().find("the transition from fine cells at the contact to the body's border"),
+            std::string::npos)
       << message();
   EXPECT_EQ(message().find("slopes"), std::string::npos) << message();
   quality.without_roughness[1] = 0.5;

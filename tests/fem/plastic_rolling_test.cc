@@ -16,14 +16,14 @@ using test::FrictionalContact;
 using test::FrictionalContactOptions;
 
 struct Pass {
-  double moment;        ///< mean over the middle of the way [N m]
-  double work;          ///< of the moment over the whole way [J]
+  double moment;        ///< mean over the middle of the path [N m]
+  double work;          ///< of the moment over the whole path [J]
   double plastic_work;  ///< of the pass but for pressing in and lifting [J]
 };
 
-/// Rolls forward by `way` contact radii under load, lifts off but for a thousandth, goes back and presses
-/// down again.
-std::vector<Pass> passes(int yielding_body, int count, double cells, double way) {
+/// Rolls forward by `path_length` contact radii under load, lifts off but for a thousandth, goes back and
+/// presses down again.
+std::vector<Pass> passes(int yielding_body, int count, double cells, double path_length) {
   FrictionalContactOptions o;
   o.friction = 0, o.cells_per_radius = cells, o.loaded = false, o.tilted_normals = true;
   // Hertz' p0 is 2.6 Y: yielding spreads below the contact, and repeated passes shake down (Johnson 1985, ch.
@@ -32,11 +32,11 @@ std::vector<Pass> passes(int yielding_body, int count, double cells, double way)
                a = std::cbrt(3 * o.load * o.radius / (4 * E));
   o.yield_stress = 1.5 * o.load / (M_PI * a * a) / 2.6;
   o.yielding_body = yielding_body;
-  o.way = 1.2 * way * a;
+  o.path_length = 1.2 * path_length * a;
   FrictionalContact c(o);
   const double h = a / cells;
   fem::RigidMotion start;
-  start.x = -0.5 * way * a, start.roll = start.x / o.radius;
+  start.x = -0.5 * path_length * a, start.roll = start.x / o.radius;
   std::vector<Pass> result;
   for (int pass = 0; pass < count; ++pass) {
     fem::RigidMotion motion = start;
@@ -45,12 +45,12 @@ std::vector<Pass> passes(int yielding_body, int count, double cells, double way)
     const double pressed = c.plastic_work;
     int counted = 0;
     double before = 0;
-    for (double x = h; x < way * a * (1 + 1e-9); x += h) {
+    for (double x = h; x < path_length * a * (1 + 1e-9); x += h) {
       motion.x = start.x + x, motion.roll = motion.x / o.radius;
       const double moment = c.step(motion).rolling_moment;
       p.work += 0.5 * (before + moment) * h / o.radius;
       before = moment;
-      if (x < 0.4 * way * a || x > 0.9 * way * a) continue;
+      if (x < 0.4 * path_length * a || x > 0.9 * path_length * a) continue;
       p.moment += moment;
       ++counted;
     }

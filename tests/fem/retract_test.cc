@@ -21,7 +21,7 @@ using namespace asperity;
 
 CaseInput drawn_back(double opening_work) {
   CaseInput input = test::sphere_on_silicon("smooth", "smooth", 40e-9, 0);
-  input.interface.work_of_adhesion = 0.02, input.interface.opening_work = opening_work;
+  input.interface.work_of_adhesion = 0.02, input.interface.work_of_separation = opening_work;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 5e-9;
   input.experiment.control = ExperimentInput::Control::displacement;
   input.experiment.normal_approach = 4e-9;
@@ -72,7 +72,8 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
   EXPECT_LT(-strongest, unit);
 }
 
-/// Opening work that is larger is lost over the area that was in contact, once it has opened.
+/// Work of adhesion on separation that is larger is lost over the area that was in contact, once it has
+/// opened.
 TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
   const test::TemporaryFolder folder;
   const auto history = run(drawn_back(0.04), folder.path);

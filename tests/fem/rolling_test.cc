@@ -19,12 +19,12 @@ using test::FrictionalContactOptions;
 
 const char* const of_load_times_radius = "of load times contact radius";
 
-/// Largest and mean moment over load and contact radius, over a contact radius of way.
+/// Largest and mean moment over load and contact radius, over a contact radius of path length.
 std::array<double, 2> frictionless_moment(double cells) {
   FrictionalContactOptions o;
   o.friction = 0;
   o.cells_per_radius = cells;
-  o.way = 2 * 260e-9;
+  o.path_length = 2 * 260e-9;
   FrictionalContact contact(o);
   const double a = contact.contact_radius, h = a / o.cells_per_radius, unit = o.load * a;
   double largest = 0, sum = 0;
@@ -63,15 +63,15 @@ TEST(Rolling_analytic, a_smooth_elastic_sphere_without_friction_meets_no_resista
 TEST(RollingNightly_analytic, nor_does_it_on_a_finer_mesh) { expect_no_resistance(12); }
 
 /// Six contact radii of a small sphere are a fifth of a radian to both sides. There a load leans on a
-/// hemisphere that is held at its equator, which gives way a little more: a moment that is given back on the
-/// other side, and no resistance.
+/// hemisphere that is held at its equator, which is a little more compliant: a moment that is given back on
+/// the other side, and no resistance.
 TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
   FrictionalContactOptions o;
   o.radius = 2.5e-6;
   o.friction = 0;
   o.cells_per_radius = 8;
   constexpr double far = 0.185;
-  o.way = 2 * far * o.radius;
+  o.path_length = 2 * far * o.radius;
   FrictionalContact contact(o);
   const double a = contact.contact_radius, h = a / o.cells_per_radius, unit = o.load * a;
   const auto mean_moment = [&](double side) {
@@ -94,8 +94,8 @@ TEST(Rolling_analytic, nor_does_a_small_sphere_that_rolls_far) {
 }
 
 struct Creep {
-  double along = 0, across = 0;  ///< by which the particle leads pure rolling, per way rolled
-  double spin = 0;               ///< per way rolled, times the contact radius
+  double along = 0, across = 0;  ///< by which the particle leads pure rolling, per length rolled
+  double spin = 0;               ///< per length rolled, times the contact radius
 };
 /// Forces over G a^2, moment over G a^3.
 struct Reaction {
@@ -104,28 +104,28 @@ struct Reaction {
 
 FrictionalContactOptions rolling_contact(double friction) {
   FrictionalContactOptions o;
-  // a/R = 0.01: the way rolled per angle differs from R by a quarter of (a/R)^2, which would be a creep of
-  // its own.
+  // a/R = 0.01: the distance rolled per angle differs from R by a quarter of (a/R)^2, which would be a creep
+  // of its own.
   o.load = 100e-6 / 27;
   o.friction = friction;
   o.cells_per_radius = 8;
   return o;
 }
 
-/// Shear at the end of a way of 3.5 contact radii, started from `guess`, which the transient forgets over
+/// Shear at the end of a path of 3.5 contact radii, started from `guess`, which the transient forgets over
 /// about a radius.
 Reaction steady_reaction(FrictionalContactOptions o, const Creep& creep, const Reaction& guess) {
   const double nu = o.poisson[0], G = o.youngs[0] / (2 * (1 + nu)), R = o.radius;
   const double a = std::cbrt(3 * o.load * R * (1 - nu * nu) / (2 * o.youngs[0])), h = a / o.cells_per_radius,
-               way = 3.5 * a;
-  o.way = 2 * way;
+               path_length = 3.5 * a;
+  o.path_length = 2 * path_length;
   FrictionalContact contact(o);
   fem::RigidMotion start;
   start.x = guess.x * (2 - nu) / 4 * a, start.y = guess.y * (2 - nu) / 4 * a,
   start.spin = guess.torsion * 3 / 8;
   contact.step(start);
   Reaction reaction{};
-  for (double x = h; x < way * (1 + 1e-9); x += h) {
+  for (double x = h; x < path_length * (1 + 1e-9); x += h) {
     fem::RigidMotion m = start;
     // Along the direction in which it heads: the axis that it rolls about turns with it.
     const double turn = x / a * creep.spin, heading = start.spin + 0.5 * turn,
@@ -139,9 +139,9 @@ Reaction steady_reaction(FrictionalContactOptions o, const Creep& creep, const R
   return reaction;
 }
 
-/// Small enough for full stick (G a^2 creep = 0.02 mu P), and large where the way rolled per angle, which
-/// differs from the radius by 3e-5 of it, would count: along x, where friction has to be larger for that; a
-/// spin makes the rim slip first.
+/// Small enough for full stick (G a^2 creep = 0.02 mu P), and large where the distance rolled per angle,
+/// which differs from the radius by 3e-5 of it, would count: along x, where friction has to be larger for
+/// that; a spin makes the rim slip first.
 constexpr double small = 1e-3, small_along = 5e-3, friction = 3, friction_along = 15, friction_spin = 6;
 
 /// Coefficient of a circular contact at nu = 0.17.

@@ -20,7 +20,7 @@ CasesOfSurface rough_cases(const std::filesystem::path& file) {
   CasesOfSurface found;
   for (const auto& item : read_study(file).cases) {
     if (item.realisation > 1) continue;
-    const CaseInput input = fem::with_derived_way(case_from_settings(item.settings, file));
+    const CaseInput input = fem::with_derived_path_length(case_from_settings(item.settings, file));
     const double region =
         std::cbrt(input.experiment.normal_load) + input.experiment.distance;  // grows with what is meshed
     for (int body = 0; body < 2; ++body) {

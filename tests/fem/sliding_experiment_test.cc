@@ -93,7 +93,7 @@ TEST(Program_behaviour, of_sliding_begins_finely_and_comes_back) {
   EXPECT_EQ(program.back().motion.x, 0);
   EXPECT_EQ(program.back().load, 1e-3);
   // A short way back: what comes before is the same, so that a solved case can be gone on with.
-  e.way_back = 30, e.unload = false;
+  e.return_distance = 30, e.unload = false;
   const auto shorter = fem::make_program(e, {10, 0, 8, 0});
   ASSERT_LT(shorter.size(), program.size());
   EXPECT_EQ(shorter.back().motion.x, 70);
@@ -223,8 +223,8 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   input.experiment.distance = 200e-9;
   input.experiment.motion_steps = 5;
   input.experiment.load_steps = 8;
-  input.experiment.way_back = 60e-9;  // where slip turns within steps
-  input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.3;
+  input.experiment.return_distance = 60e-9;  // where slip turns within steps
+  input.interface.work_of_adhesion = 0.05, input.interface.work_of_separation = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
   input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   const auto whole = solve_experiment(input, folder.path / "whole");
@@ -257,7 +257,7 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   input.experiment.load_steps = 4;
   input.experiment.reverse = false;
   input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
-  input.interface.work_of_adhesion = 0.05, input.interface.opening_work = 0.1;
+  input.interface.work_of_adhesion = 0.05, input.interface.work_of_separation = 0.1;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
   const auto whole = solve_experiment(input, folder.path / "whole");
   const auto needed = whole.history.numbers("newton_iterations");
@@ -288,14 +288,14 @@ TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
   CaseInput input = sliding("smooth", 25e-9);
   input.experiment.distance = 0;
   const double a = fem::set_up(input).hertz_radius;
-  EXPECT_DOUBLE_EQ(fem::with_derived_way(input).experiment.distance, 5 * a);
+  EXPECT_DOUBLE_EQ(fem::with_derived_path_length(input).experiment.distance, 5 * a);
   input.experiment.distance = 1e-7;
-  EXPECT_EQ(fem::with_derived_way(input).experiment.distance, 1e-7);
+  EXPECT_EQ(fem::with_derived_path_length(input).experiment.distance, 1e-7);
   input.experiment.type = Motion::torsion;
   // Six times 0.64 mu P (1/G1 + 1/G2) / a^2 (Lubkin 1951).
   const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
-  EXPECT_NEAR(fem::with_derived_way(input).experiment.angle,
+  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.angle,
               3.84 * input.interface.parameters["Friction coefficient"] * input.experiment.normal_load *
                   compliance / (a * a),
               1e-9);
@@ -305,7 +305,7 @@ TEST(SolveCase_behaviour, derives_a_region_over_which_the_attraction_ends) {
   CaseInput input = sliding("smooth", 25e-9);
   input.mesh.contact_region = 0;
   const double without = fem::set_up(input).system.mesh.sizes.region_particle;
-  input.interface.work_of_adhesion = input.interface.opening_work = 0.05;
+  input.interface.work_of_adhesion = input.interface.work_of_separation = 0.05;
   input.interface.adhesion_law = "dugdale", input.interface.parameters["Adhesion range"] = 10e-9;
   const auto setup = fem::set_up(input);
   // Gap beside Hertz' contact (Johnson 1985, eq. 3.42a).
@@ -335,12 +335,12 @@ TEST(SolveCase_behaviour, refuses_motions_that_it_cannot_make) {
   input.interface.work_of_adhesion = 0.1;
   EXPECT_NE(message(input).find("Adhesion range"), std::string::npos);
   input.interface.parameters["Adhesion range"] = 1e-9;
-  input.interface.opening_work = 0.05;
-  EXPECT_NE(message(input).find("Opening work"), std::string::npos);
-  input.interface.opening_work = 0.2;
-  input.experiment.way_back = 1e-8;
+  input.interface.work_of_separation = 0.05;
+  EXPECT_NE(message(input).find("Work of adhesion on separation"), std::string::npos);
+  input.interface.work_of_separation = 0.2;
+  input.experiment.return_distance = 1e-8;
   input.experiment.type = Motion::torsion;
-  EXPECT_NE(message(input).find("Way back"), std::string::npos);
+  EXPECT_NE(message(input).find("Return distance"), std::string::npos);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(SteadyRolling_analytic, counts_after_a_contact_radius_of_the_first_way) {
     const auto steady = steady_rolling(rolled(50, back), radius);
     ASSERT_TRUE(steady);
     EXPECT_NEAR(steady->mean, resistance, 1e-9 * resistance);
-    EXPECT_NEAR(steady->way, 40 * 0.1 * contact_radius / radius, 1e-9);
+    EXPECT_NEAR(steady->path_length, 40 * 0.1 * contact_radius / radius, 1e-9);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(SteadySliding_analytic, is_what_the_first_way_dissipates_and_not_the_mean_o
   ASSERT_TRUE(steady);
   EXPECT_NEAR(steady->mean, out / load, 1e-9);
   EXPECT_NEAR(steady->sd, 0, 1e-9);
-  EXPECT_NEAR(steady->way, 16 * step, 1e-15);
+  EXPECT_NEAR(steady->path_length, 16 * step, 1e-15);
 }
 
 }  // namespace

@@ -28,6 +28,15 @@ Json whole() {
         "versions": {"asperity": "0.1.0"}})");
 }
 
+TEST(CaseResult_behaviour, of_an_earlier_version_has_its_entries_under_their_present_names) {
+  Json document = whole();
+  document["inputs"]["entries"] = {{"Interface/Opening work", "0.2 J/m^2"}, {"Experiment/Way back", "1 nm"}};
+  const CaseResult result = case_result_of(document, "made");
+  ASSERT_EQ(result.physical_entries.size(), 2u);
+  EXPECT_EQ(result.physical_entries.at("Interface/Work of adhesion on separation"), "0.2 J/m^2");
+  EXPECT_EQ(result.physical_entries.at("Experiment/Return distance"), "1 nm");
+}
+
 TEST(CaseResult_behaviour, has_each_part_of_the_file_under_its_name) {
   const CaseResult result = case_result_of(whole(), "made");
   EXPECT_EQ(result.title, "A case");
@@ -53,8 +62,8 @@ TEST(CaseResult_behaviour, has_each_part_of_the_file_under_its_name) {
   EXPECT_EQ(result.effective_number("rolling_moment").sd, 1e-13);
   EXPECT_EQ(result.effective_number("rolling_moment").unit, "N m");
   EXPECT_TRUE(std::isnan(result.effective_number("spots").sd));
-  EXPECT_TRUE(result.tells("spots"));
-  EXPECT_FALSE(result.tells("pull_off_force"));
+  EXPECT_TRUE(result.has("spots"));
+  EXPECT_FALSE(result.has("pull_off_force"));
   EXPECT_TRUE(std::isnan(result.effective_number("pull_off_force").value));
   EXPECT_EQ(result.balance_of("energy"), -0.003);
   EXPECT_TRUE(std::isnan(result.balance_of("moment")));

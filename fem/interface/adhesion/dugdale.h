@@ -1,6 +1,6 @@
 // Dugdale's attraction: a constant stress s = w/h0 out to the gap h0, for which Maugis solved the sphere
 // (Maugis 1992, J. Colloid Interface Sci. 150:243; Dugdale 1960). w: work of adhesion [J/m^2], h0: range [m].
-// Its end is a ramp of the same work, between 0.75 and 1.25 h0 unless told otherwise: a jump has no tangent,
+// Its end is a ramp of the same work, between 0.75 and 1.25 h0 by default: a jump has no tangent,
 // and steep ramps need fine meshes.
 #pragma once
 

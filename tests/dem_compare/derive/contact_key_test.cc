@@ -57,13 +57,16 @@ TEST_P(OneEntryApart_behaviour, two_cases_are_two_contacts_whatever_their_order)
 }
 
 INSTANTIATE_TEST_SUITE_P(ContactKey, OneEntryApart_behaviour,
-                         testing::Values("set Opening work = 100 mJ/m^2", "set Adhesion law = van_der_waals",
-                                         "set Adhesion range = 2 nm", "set Shear strength = 1 GPa"));
+                         testing::Values("set Work of adhesion on separation = 100 mJ/m^2",
+                                         "set Adhesion law = van_der_waals", "set Adhesion range = 2 nm",
+                                         "set Shear strength = 1 GPa"));
 
 TEST(ContactKey_behaviour, of_realisations_is_the_same_and_their_order_changes_nothing) {
   const test::TemporaryFolder root;
-  const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, "set Opening work = 0.1 J/m^2"),
-                 b = write_adhesive(root.path / "b", 1.1e-13, 2, "set Opening work = 100 mJ/m^2");
+  const fs::path a = write_adhesive(root.path / "a", 1e-13, 1,
+                                    "set Work of adhesion on separation = 0.1 J/m^2"),
+                 b = write_adhesive(root.path / "b", 1.1e-13, 2,
+                                    "set Work of adhesion on separation = 100 mJ/m^2");
   const auto one = derived({a, b, root.path}), other = derived({root.path, b, a});
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one, other);
@@ -120,7 +123,7 @@ TEST(ContactKey_behaviour, of_a_result_of_an_earlier_version_is_taken_from_what_
   write_file_atomically(a / "result.json", result.dump());
   fs::remove(a / "case.prm");
   const ContactInputs inputs = contact_inputs(read_solved_case(a));
-  EXPECT_EQ(inputs.at("Interface/Opening work"), "200 mJ/m^2");
+  EXPECT_EQ(inputs.at("Interface/Work of adhesion on separation"), "200 mJ/m^2");
   EXPECT_EQ(inputs.at("Particle/Yield stress"), "inf");
   EXPECT_TRUE(adheres(inputs));
 }
@@ -128,8 +131,8 @@ TEST(ContactKey_behaviour, of_a_result_of_an_earlier_version_is_taken_from_what_
 /// Two studies may have a cell of the same name.
 TEST(CaseCollection_behaviour, tells_contacts_of_several_studies_apart_that_bear_one_name) {
   const test::TemporaryFolder root;
-  for (const auto& [name, law] :
-       {std::pair{"one", "set Opening work = 60 mJ/m^2"}, std::pair{"two", "set Opening work = 90 mJ/m^2"}}) {
+  for (const auto& [name, law] : {std::pair{"one", "set Work of adhesion on separation = 60 mJ/m^2"},
+                                  std::pair{"two", "set Work of adhesion on separation = 90 mJ/m^2"}}) {
     write_adhesive(root.path / name / "case", 1e-13, 1, law);
     write_file_atomically(root.path / name / "study.json",
                           R"({"format": "asperity-study/1", "title": "S", "axes": [{"name": "Surface",

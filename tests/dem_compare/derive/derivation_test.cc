@@ -368,7 +368,7 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
   const std::string text = to_text(derived(forward));
   EXPECT_NE(text.find("no case was reversed after full slip; set Experiment/Reverse = true"),
             std::string::npos);
-  EXPECT_EQ(text.find("Experiment/Way back"), std::string::npos);  // that is for rolling
+  EXPECT_EQ(text.find("Experiment/Return distance"), std::string::npos);  // that is for rolling
 }
 
 TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {

@@ -69,17 +69,17 @@ inline Samples approach_and_back(double low, double high, int n) {
   return samples;
 }
 
-/// Straight ways between turning points at one load, `n` samples each.
+/// Straight paths between turning points at one load, `n` samples each.
 inline Samples lateral_path(double load, const std::vector<double>& turns, int n) {
   Samples samples;
-  for (std::size_t way = 0; way + 1 < turns.size(); ++way)
+  for (std::size_t leg = 0; leg + 1 < turns.size(); ++leg)
     for (int i = 0; i < n; ++i) {
       Sample s;
-      s.lateral_displacement = turns[way] + (turns[way + 1] - turns[way]) * i / (n - 1);
+      s.lateral_displacement = turns[leg] + (turns[leg + 1] - turns[leg]) * i / (n - 1);
       s.normal_force = load;
       s.speed = 1e-5;
       s.time = static_cast<double>(samples.list.size());
-      s.direction = turns[way + 1] > turns[way] ? 1 : -1;
+      s.direction = turns[leg + 1] > turns[leg] ? 1 : -1;
       s.radius = 8.5e-6;
       samples.list.push_back(s);
     }

@@ -22,9 +22,9 @@ struct FrictionalContactOptions {
   bool tilted_normals = false;
   fem::AdhesionLaws adhesion;
   double region =
-      1.25;        ///< half width of where surfaces can meet or attract, over the contact's larger semi-axis
-  double way = 0;  ///< that the particle can roll or slide along x, centred on the origin [m]
-  bool loaded = true;  ///< or left at first touch, for loads in steps
+      1.25;  ///< half width of where surfaces can meet or attract, over the contact's larger semi-axis
+  double path_length = 0;  ///< that the particle can roll or slide along x, centred on the origin [m]
+  bool loaded = true;      ///< or left at first touch, for loads in steps
   double semi_axis_across =
       1;  ///< of the contact's ellipse along y, over that along x: 1, or larger for a flatter particle
   double yield_stress = std::numeric_limits<double>::infinity();  ///< of one body [Pa]
@@ -113,7 +113,7 @@ struct FrictionalContact {
     s.offset_substrate_x = 0.37 * s.spacing_particle, s.offset_substrate_y = 0.21 * s.spacing_particle;
     s.region_particle = o.region * a * o.semi_axis_across;
     s.region_substrate = s.region_particle + 3 * s.spacing_particle;
-    s.reach_particle = s.reach_substrate = o.way / 2;
+    s.reach_particle = s.reach_substrate = o.path_length / 2;
     for (int b = 0; b < 2; ++b) options.materials[b] = fem::J2Material::elastic(o.youngs[b], o.poisson[b]);
     if (o.semi_axis_across > 1) {
       const double flatter = (1 - HertzEllipse(o.semi_axis_across).curvature_across) / (2 * o.radius),

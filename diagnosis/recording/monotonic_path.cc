@@ -1,4 +1,4 @@
-#include "diagnosis/recording/one_way.h"
+#include "diagnosis/recording/monotonic_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ std::vector<double> nearest_rising(const std::vector<double>& values) {
   return rising;
 }
 
-std::vector<double> one_way(const std::vector<double>& path, int direction) {
-  constexpr double noise = 0.01;  // of the way; more is a motion of its own
+std::vector<double> monotonic_path(const std::vector<double>& path, int direction) {
+  constexpr double noise = 0.01;  // of the path; more is a motion of its own
   if (path.size() < 2) return path;
   std::vector<double> along;
   for (const double x : path) along.push_back(direction * x);

@@ -1,4 +1,4 @@
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -14,7 +14,7 @@ double student_factor(double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(std::max(1.0, degrees_of_freedom)), two_sigma) / 2;
 }
 
-Uncertain mean_of_stretches(const std::vector<double>& values) {
+Uncertain mean_of_blocks(const std::vector<double>& values) {
   if (values.empty()) return {std::numeric_limits<double>::quiet_NaN()};
   if (values.size() < 2) return {values.front()};
   const CorrelatedMean mean = correlated_mean(values);
@@ -36,8 +36,8 @@ Uncertain mean_of_realisations(const std::vector<Uncertain>& values) {
                                               : std::numeric_limits<double>::quiet_NaN()};
 }
 
-std::vector<double> rates_of_stretches(const std::vector<double>& x, const std::vector<double>& sum,
-                                       std::size_t first, std::size_t last, std::size_t count) {
+std::vector<double> block_rates(const std::vector<double>& x, const std::vector<double>& sum,
+                                std::size_t first, std::size_t last, std::size_t count) {
   const double length = (x[last] - x[first]) / static_cast<double>(count);
   std::vector<double> rates;
   std::size_t i = first;

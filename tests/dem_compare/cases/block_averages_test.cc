@@ -1,4 +1,4 @@
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@ TEST(Stretches_analytic, student_factor_widens_to_what_tables_have) {
 
 TEST(Stretches_analytic, rates_add_up_to_the_whole_whatever_the_rows) {
   const std::vector<double> x{0, 1, 1.5, 4, 6}, sum{0, 2, 3, 8, 12};
-  for (const double rate : rates_of_stretches(x, sum, 0, 4, 3)) EXPECT_NEAR(rate, 2, 1e-12);
+  for (const double rate : block_rates(x, sum, 0, 4, 3)) EXPECT_NEAR(rate, 2, 1e-12);
   // Backwards the sum still grows.
   const std::vector<double> back{6, 4, 1.5, 1, 0};
-  for (const double rate : rates_of_stretches(back, {0, 4, 9, 10, 12}, 0, 4, 5)) EXPECT_NEAR(rate, 2, 1e-12);
+  for (const double rate : block_rates(back, {0, 4, 9, 10, 12}, 0, 4, 5)) EXPECT_NEAR(rate, 2, 1e-12);
 }
 
 TEST(Stretches_analytic, two_sds_hold_the_truth_19_times_in_20_even_of_few_stretches) {
@@ -34,7 +34,7 @@ TEST(Stretches_analytic, two_sds_hold_the_truth_19_times_in_20_even_of_few_stret
   for (int i = 0; i < repetitions; ++i) {
     std::vector<double> values(5);
     for (double& value : values) value = normal(random);
-    const Uncertain mean = mean_of_stretches(values);
+    const Uncertain mean = mean_of_blocks(values);
     within += std::abs(mean.value - 1) < 2 * mean.sd;
   }
   // Autocorrelations of five values are themselves uncertain: the share may be a little off 0.954.

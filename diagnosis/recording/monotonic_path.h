@@ -1,6 +1,6 @@
-// The path that a sensor's noise hides: a drive that goes one way in a segment does not come back between
+// The path that a sensor's noise hides: a drive that is monotonic in a segment does not come back between
 // samples, but its recorded displacement may, and a stiff contact would answer with a reversal of its force.
-// In its place the nearest path (least squares) that goes one way only, found by pooling adjacent violators
+// In its place the nearest monotonic path (least squares), found by pooling adjacent violators
 // (Ayer et al. 1955; Barlow et al. 1972).
 #pragma once
 
@@ -12,7 +12,7 @@ namespace asperity {
 std::vector<double> nearest_rising(const std::vector<double>& values);
 
 /// The nearest path in this direction (+1, -1); as it is where it comes back by more than noise does: a
-/// hundredth of its way.
-std::vector<double> one_way(const std::vector<double>& path, int direction);
+/// hundredth of its length.
+std::vector<double> monotonic_path(const std::vector<double>& path, int direction);
 
 }  // namespace asperity
