@@ -4,20 +4,17 @@
 #include <limits>
 
 #include "dem_compare/cases/stretches.h"
-#include "dem_compare/resistance/sentences.h"
-#include "report/motion/resistance_section.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
 
 constexpr double per_cent = 100;
 
-std::string cell(const Uncertain& number) {
-  return std::isfinite(number.value) ? answer_html(number_text(number)) : "–";
-}
+std::string cell(const Uncertain& number) { return std::isfinite(number.value) ? number_text(number) : "–"; }
 
 std::string share_of(const Uncertain& part, const Uncertain& whole) {
   return std::isfinite(part.value) ? cell(Uncertain{part.value / whole.value * per_cent,
@@ -55,8 +52,8 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
   table.head.emplace_back(slides ? "mean force [µN]" : "mean moment [pN m]");
   table.head.emplace_back("fluctuates by (sd)");
-  for (const char* head : {"balance open [%]", spins ? "way [rad]" : "way [contact radii]",
-                           "way back over first", "real area over Hertz"})
+  for (const char* head : {"balance open [%]", spins ? "path [rad]" : "path [contact radii]",
+                           "second pass over first", "real area over Hertz"})
     table.head.emplace_back(head);
   for (const auto& contact : study.contacts)
     for (const auto* state : contact.of(mode)) {
@@ -82,7 +79,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 std::string rail_table(const MovingStudy& study) {
   Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]", "yielding [%]", "bonds [%]",
                "M_ro cos + M_to sin [pN m]", "over it", "spin moment [pN m]", "over torsion alone",
-               "way [contact radii]"},
+               "path [contact radii]"},
               {},
               true};
   for (const auto& contact : study.contacts)
@@ -178,7 +175,8 @@ std::string contribution_table(const ResistanceFindings& findings) {
              "The same surfaces, seed by seed, with a mechanism and without it. Switching yielding off also "
              "changes "
              "what slip "
-             "takes, because hills stay higher and the real contact is another; the last columns say so.");
+             "takes, because the topography stays higher and the real contact is another; the last columns "
+             "say so.");
 }
 
 std::string input_table(const ResistanceFindings& findings) {

@@ -88,7 +88,7 @@ std::string what_was_asked(const SolvedCase& solved) {
   if (type != "normal")
     words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
   if (type != "normal")
-    return words + ". What resists this motion, and which mechanism takes how much of it?";
+    return words + ". How large is its resistance, and how much does each mechanism dissipate?";
   return words +
          ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), "
          "and what stays "
