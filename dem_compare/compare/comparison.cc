@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "dem_compare/cases/stretches.h"
-#include "dem_compare/compare/hertz_verdict.h"
 #include "dem_compare/compare/mesh_family.h"
 #include "dem_compare/numbers/statistics.h"
 
@@ -138,7 +137,6 @@ Comparison compare_with_hertz(const CaseCollection& collection, double tolerance
       result.loads.push_back(at_load(point.force, group, family, tolerance));
     judge_all_loads(result);
     result.is_control = is_smooth_control(group, result.numbers.force);
-    result.verdict = verdict_against_hertz(result, tolerance);
     comparison.groups.push_back(std::move(result));
   }
   return comparison;

@@ -13,6 +13,7 @@
 #include "report/page/page.h"
 #include "report/page/words.h"
 #include "report/result/result_tables.h"
+#include "report/sentences/hertz_words.h"
 #include "results/energy_balance.h"
 
 namespace asperity::report {
@@ -181,7 +182,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   std::string body = paragraph(what_was_asked(solved));
   body += state_warning(solved) + energy_warning(solved);
   const std::vector<std::string> trust = trust_sentences(solved, group);
-  const std::string pressed = capitalised(readable(group.verdict));
+  const std::string pressed = capitalised(readable(verdict_against_hertz(group, tolerance)));
   const std::optional<MotionLead> motion = motion_lead(solved);
   if (is_energy_refused(solved)) {
     body +=

@@ -6,19 +6,15 @@
 #include <filesystem>
 #include <regex>
 
+#include "core/printed.h"
 #include "report/page/axis.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
 
 /// Balances of a converged solve lie below it; nobody reads further digits.
 constexpr double smallest_share = 1e-5;
-
-std::string printed(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
 
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;

@@ -8,6 +8,7 @@
 #include "report/page/axis.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {

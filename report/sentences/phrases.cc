@@ -65,6 +65,39 @@ std::string number_text(const Uncertain& number) {
   return (has_sd ? "(" + text + ") " : text + "·") + power_of_ten(exponent);
 }
 
+std::string plus_minus(const Scatter& scatter, double unit, int digits) {
+  if (!std::isfinite(scatter.mean)) return "–";
+  // Beyond these decimals of the chosen unit a number is zero to whoever reads the table.
+  constexpr int most_decimals = 4;
+  if (scatter.mean == 0 && !(scatter.sd > 0)) return "0";
+  const double sd = scatter.sd / unit;
+  const double mean =
+      std::abs(scatter.mean / unit) < 0.5 * std::pow(10, -most_decimals) ? 0.0 : scatter.mean / unit;
+  const auto place = [](double x) {
+    return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -most_decimals;
+  };
+  const auto decimals = [](int wanted) { return std::clamp(wanted, 0, most_decimals); };
+  if (!std::isfinite(sd)) return printed("%.*f", decimals(digits - 1 - place(std::abs(mean))), mean);
+  // As many decimals as show two digits of the scatter, but not more digits of the mean than asked for plus
+  // one.
+  const int shown = decimals(std::min(1 - place(sd), digits - place(std::abs(mean))));
+  return printed("%.*f ± %.*f", shown, mean, shown, sd);
+}
+
+std::string mesh_error_text(const Estimate& estimate) {
+  if (!estimate.mesh || !std::isfinite(estimate.mesh->relative_error)) return "–";
+  const double error = 100 * estimate.mesh->relative_error, doubt = 100 * estimate.mesh->standard_error;
+  constexpr double whole_percents_from = 9.95;
+  const int decimals =
+      std::max(std::abs(error), std::isfinite(doubt) ? doubt : 0) < whole_percents_from ? 1 : 0;
+  const std::string size = printed("%.*f", decimals, std::abs(error));
+  const bool is_zero = size.find_first_of("123456789") == std::string::npos;
+  return (is_zero     ? ""
+          : error < 0 ? "−"
+                      : "+") +
+         size + (std::isfinite(doubt) ? printed(" ± %.*f", decimals, doubt) : "") + " %";
+}
+
 std::string interval_text(double low, double high) {
   return number_text({low}) + (low == high ? "" : " to " + number_text({high}));
 }

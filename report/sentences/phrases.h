@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dem_compare/cases/motion_mode.h"
+#include "dem_compare/numbers/statistics.h"
 #include "dem_compare/resistance/trend.h"
 
 namespace asperity::report {
@@ -18,6 +19,11 @@ std::string say(const std::string& pattern, std::initializer_list<std::string> t
 std::string motion_name(const MotionMode& mode, bool capital = false);
 /// "31.2 ± 4.1", "(3.79 ± 0.54) 10⁻⁴": two digits of the sd; one that is not known, or zero, is left out.
 std::string number_text(const Uncertain& number);
+/// "0.93 ± 0.02" in `digits` significant digits of the scatter's mean; "–" if it is not known.
+std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
+
+/// "+1.9 ± 0.7 %", with its standard error where that is known; "–" if the error is not known.
+std::string mesh_error_text(const Estimate& estimate);
 /// "1.31 to 1.34"; "1.31" where both are the same.
 std::string interval_text(double low, double high);
 /// "+3.1 ± 0.5 %"

@@ -7,6 +7,7 @@
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 #include "report/result/result_tables.h"
 #include "report/result/surface_spectra.h"
 #include "surfaces/surface_of_entry.h"
