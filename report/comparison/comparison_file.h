@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/side_by_side.h"
@@ -15,6 +16,8 @@ std::string comparison_csv(const Comparison& comparison);
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 std::string comparison_markdown(const Comparison& comparison);
 
+/// Of its rows, in the order in which they come.
+std::vector<std::string> contacts_of(const SideBySide& comparison);
 /// The four columns, one row per contact, quantity and load.
 std::string side_by_side_csv(const SideBySide& comparison);
 nlohmann::ordered_json side_by_side_json(const SideBySide& comparison);

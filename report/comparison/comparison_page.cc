@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/printed.h"
+#include "report/comparison/comparison_file.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
@@ -122,14 +123,6 @@ std::string good_enough(const SideBySide& comparison, const std::string& contact
            verdict.is_own_fit ? "fitted to this measurement: judges nothing" : escaped(good_words(verdict))});
   const std::string title = "Where each simplification is good " + within_text(comparison.tolerance);
   return table.rows.empty() ? "" : details_html(title, table_html(table));
-}
-
-std::vector<std::string> contacts_of(const SideBySide& comparison) {
-  std::vector<std::string> contacts;
-  for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
-      contacts.push_back(row.contact);
-  return contacts;
 }
 
 std::string verdicts_of(const SideBySide& comparison, const std::string& contact) {

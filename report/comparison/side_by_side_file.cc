@@ -150,6 +150,14 @@ Json verdict_json(const LawVerdict& verdict, double tolerance) {
 
 }  // namespace
 
+std::vector<std::string> contacts_of(const SideBySide& comparison) {
+  std::vector<std::string> contacts;
+  for (const auto& row : comparison.rows)
+    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
+      contacts.push_back(row.contact);
+  return contacts;
+}
+
 std::string side_by_side_csv(const SideBySide& comparison) {
   const auto cells = [](const Uncertain& number) {
     return csv_cell(number.value) + "," + csv_cell(number.sd);
@@ -193,10 +201,6 @@ Json side_by_side_json(const SideBySide& comparison) {
 }
 
 std::string side_by_side_markdown(const SideBySide& comparison) {
-  std::vector<std::string> contacts;
-  for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
-      contacts.push_back(row.contact);
   std::string text = printed(
       "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
       "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise "
@@ -206,7 +210,7 @@ std::string side_by_side_markdown(const SideBySide& comparison) {
       "beside it. Numbers in [ ] are notes at the end.\n",
       100 * comparison.tolerance);
   Notes notes;
-  for (const auto& contact : contacts) {
+  for (const auto& contact : contacts_of(comparison)) {
     std::vector<const ComparisonRow*> rows;
     for (const auto& row : comparison.rows)
       if (row.contact == contact) rows.push_back(&row);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/printed.h"
 #include "dem_compare/cases/stretches.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
@@ -23,9 +24,7 @@ std::string share_of(const Uncertain& part, const Uncertain& whole) {
 }
 
 std::string rounded(double value, int digits = 3) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  return std::isfinite(value) ? buffer : "–";
+  return std::isfinite(value) ? printed("%.*g", digits, value) : "–";
 }
 
 /// Shortest first way of the cases.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <regex>
 
@@ -96,9 +95,7 @@ std::string in_units(double value, Dimension dimension, int digits) {
   // Heights and imprints are thought of in nanometres also where they are less than one.
   constexpr double nm = 1e-9, tenth = 0.1 * nm;
   if (dimension == Dimension::length && std::abs(value) < nm && std::abs(value) >= tenth) {
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, "%.*g nm", digits, value / nm);
-    return buffer;
+    return printed("%.*g nm", digits, value / nm);
   }
   return readable(format_quantity(value, dimension, digits));
 }
@@ -140,9 +137,7 @@ std::string departure_text(double ratio) {
 std::string percent_text(double share, int digits) {
   if (!std::isfinite(share)) return "–";
   if (share != 0 && std::abs(share) < smallest_share) return "&lt; 0.001 %";
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
-  return buffer;
+  return printed("%.*g %%", digits, 100 * share);
 }
 
 std::string percent_bound(double share) { return percent_text(std::max(std::abs(share), smallest_share)); }
