@@ -34,6 +34,14 @@ struct LoadComparison {
   Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
 };
 
+/// What is known at a load: its name in files, SI unit, and where cases and comparison hold it.
+struct LoadColumn {
+  const char *name, *unit;
+  Estimate LoadComparison::*estimate;
+  double LoadPoint::*of_case;
+};
+const std::vector<LoadColumn>& load_columns();
+
 /// Numbers of a group at its largest load.
 struct GroupNumbers {
   double force = 0;  ///< [N]

@@ -57,9 +57,10 @@ std::optional<std::pair<double, double>> mesh_doubt(const Rows& rows, double tol
 }
 
 bool is_its_own_fit(const std::vector<Departure>& departures) {
-  constexpr double rounding_of_records = 1e-4;
-  return std::all_of(departures.begin(), departures.end(),
-                     [](const auto& departure) { return std::abs(departure.value) < rounding_of_records; });
+  return std::all_of(departures.begin(), departures.end(), [](const Departure& departure) {
+    constexpr double rounding_of_records = 1e-4;
+    return std::abs(departure.value) < rounding_of_records;
+  });
 }
 
 /// A rail's angle tells verdicts apart; other quantities have none.

@@ -28,28 +28,6 @@ Json estimate_json(const Estimate& estimate, const char* unit) {
   return object;
 }
 
-/// What is known at a load, as files name it.
-struct LoadColumn {
-  const char *name, *unit;
-  Estimate LoadComparison::*estimate;
-};
-const std::vector<LoadColumn>& load_columns() {
-  static const std::vector<LoadColumn> columns{
-      {"approach", "m", &LoadComparison::approach},
-      {"stiffness", "N/m", &LoadComparison::stiffness},
-      {"unloading_stiffness", "N/m", &LoadComparison::unloading_stiffness},
-      {"contact_area", "m^2", &LoadComparison::contact_area},
-      {"mean_pressure", "Pa", &LoadComparison::mean_pressure},
-      {"largest_pressure", "Pa", &LoadComparison::largest_pressure},
-      {"plastic_volume", "m^3", &LoadComparison::plastic_volume},
-      {"force_ratio", "1", &LoadComparison::force_ratio},
-      {"stiffness_ratio", "1", &LoadComparison::stiffness_ratio},
-      {"unloading_stiffness_ratio", "1", &LoadComparison::unloading_ratio},
-      {"contact_area_ratio", "1", &LoadComparison::area_ratio},
-      {"largest_pressure_ratio", "1", &LoadComparison::pressure_ratio}};
-  return columns;
-}
-
 Json numbers_json(const GroupNumbers& numbers) {
   return {{"normal_force_N", numbers.force},
           {"hertz",

@@ -76,7 +76,7 @@ std::string plus_minus(const Scatter& scatter, double unit, int digits) {
   const auto place = [](double x) {
     return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : -most_decimals;
   };
-  const auto decimals = [](int wanted) { return std::clamp(wanted, 0, most_decimals); };
+  const auto decimals = [&](int wanted) { return std::clamp(wanted, 0, most_decimals); };
   if (!std::isfinite(sd)) return printed("%.*f", decimals(digits - 1 - place(std::abs(mean))), mean);
   // As many decimals as show two digits of the scatter, but not more digits of the mean than asked for plus
   // one.

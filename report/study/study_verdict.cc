@@ -120,7 +120,8 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
 std::string study_verdict(const CaseCollection& collection, const std::vector<StudyCurve>& curves) {
   std::vector<std::string> sentences;
   for (const auto& curve : curves)
-    sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(verdict_against_hertz(curve.last(), tolerance)));
+    sentences.push_back("<b>" + readable(curve.label) +
+                        "</b>: " + readable(verdict_against_hertz(curve.last(), tolerance)));
   for (const auto& sentence :
        {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
     if (!sentence.empty()) sentences.push_back(sentence);

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "dem_compare/resistance/trend.h"
-#include "dem_compare/resistance/trend.h"
 
 namespace asperity {
 namespace {

@@ -227,8 +227,9 @@ TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance
     for (const auto& load : group.loads) is_a_load = is_a_load || load.force == group.hertzian_from;
     EXPECT_TRUE(is_a_load);
     const std::string from = format_quantity(group.hertzian_from, Dimension::force, 3);
-    if (group.hertzian_from > group.loads.front().force)
+    if (group.hertzian_from > group.loads.front().force) {
       EXPECT_EQ(words.find("at " + from + ", within"), std::string::npos) << words;
+    }
   }
 }
 
