@@ -48,7 +48,7 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
                         : Tile{imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
                                numbers.residual_imprint.mean > 0
                                    ? "approach that has not come back"
-                                   : "none that can be told from the error of the computation"});
+                                   : "not significant beside the error of the computation"});
   if (std::isfinite(numbers.fitted_radius.mean))
     tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
                      "the sphere has " + in_units(hertz.radius, Dimension::length)});
@@ -118,7 +118,7 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
   return section_html(
       "Load against approach",
       figure_html("", to_svg(load_approach_chart(solved)),
-                  "How far the bodies come together under a growing force, and on the way back. The dashed "
+                  "How far the bodies come together under a growing force, and while unloading. The dashed "
                   "line is Hertz's law for "
                   "the same bodies, smooth and elastic. A rough contact starts softer, because at first only "
                   "the highest "

@@ -153,7 +153,7 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
              ", Hertz's exponent 1.5). Leaving the zero of approach free as well "
              "takes out the soft beginning, where only the highest asperities carry. The imprint is the "
              "approach that has not come back; "
-             "one that is smaller than its scatter or mesh error, or negative, is none that could be told.");
+             "one that is smaller than its scatter or mesh error, or negative, is not significant.");
 }
 
 std::string case_list(const CaseCollection& collection) {
