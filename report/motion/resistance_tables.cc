@@ -18,24 +18,18 @@ constexpr double per_cent = 100;
 std::string cell(const Uncertain& number) { return std::isfinite(number.value) ? number_text(number) : "–"; }
 
 std::string share_of(const Uncertain& part, const Uncertain& whole) {
-  return std::isfinite(part.value) ? cell(Uncertain{part.value / whole.value * per_cent,
-                                                    part.sd / std::abs(whole.value) * per_cent})
-                                   : "–";
+  return cell(ratio(part, {whole.value, 0}) * per_cent);
 }
 
 std::string rounded(double value, int digits = 3) {
   return std::isfinite(value) ? printed("%.*g", digits, value) : "–";
 }
 
-/// Shortest first way of the cases.
-double shortest_way(const MovingState& state) {
-  double way = std::numeric_limits<double>::infinity();
-  for (const auto& item : state.cases) way = std::min(way, item.way_in_radii);
-  return way;
-}
-
-Uncertain per_nm_in_percent(const Uncertain& slope, double mean) {
-  return {slope.value * nm / mean * per_cent, slope.sd * nm / std::abs(mean) * per_cent};
+/// Of the first passes.
+double shortest_path(const std::vector<MovingCase>& cases) {
+  double path = std::numeric_limits<double>::infinity();
+  for (const auto& item : cases) path = std::min(path, item.way_in_radii);
+  return path;
 }
 
 }  // namespace
@@ -67,7 +61,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
       row.push_back(cell(state->force * (1 / unit)));
       row.push_back(rounded(state->fluctuation / unit));
       row.push_back(rounded(per_cent * std::abs(state->unbalanced) / std::abs(state->resistance.value), 2));
-      row.push_back(rounded(shortest_way(*state)));
+      row.push_back(rounded(shortest_path(state->cases)));
       row.push_back(cell(state->back_over_first));
       row.push_back(rounded(state->contact_area / (M_PI * state->hertz_radius * state->hertz_radius)));
       table.rows.push_back(std::move(row));
@@ -87,12 +81,10 @@ std::string rail_table(const MovingStudy& study) {
                                    in_units(rail.load, Dimension::force), cell(rail.resistance * (1 / pN_m))};
       for (const auto& part : {rail.parts.friction, rail.parts.plastic, rail.parts.adhesion})
         row.push_back(share_of(part, rail.parts.total));
-      double way = std::numeric_limits<double>::infinity();
-      for (const auto& item : rail.cases) way = std::min(way, item.way_in_radii);
       for (const auto& number :
            {rail.sum * (1 / pN_m), rail.over_sum(), rail.spin_moment * (1 / pN_m), rail.spin_over_torsion})
         row.push_back(cell(number));
-      row.push_back(rounded(way));
+      row.push_back(rounded(shortest_path(rail.cases)));
       table.rows.push_back(std::move(row));
     }
   return table.rows.empty()
@@ -145,8 +137,8 @@ std::string trend_table(const ResistanceFindings& findings) {
     for (const auto& at : trend.loads) {
       std::vector<std::string> row{motion_name(*trend.mode), in_units(at.load, Dimension::force)};
       for (const Trend* part : {&at.total, &at.friction, &at.plastic, &at.adhesion})
-        row.push_back(cell(per_nm_in_percent(part->slope, at.total.mean.value)));
-      row.push_back(cell(per_nm_in_percent(at.force.slope, at.force.mean.value)));
+        row.push_back(share_of(per_nanometre(part->slope), at.total.mean));
+      row.push_back(share_of(per_nanometre(at.force.slope), at.force.mean));
       table.rows.push_back(std::move(row));
     }
   return table_html(table) + note(
