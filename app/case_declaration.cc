@@ -1,7 +1,6 @@
 #include "app/case_declaration.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "core/error.h"
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
+#include "core/printed.h"
 #include "core/quantity.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
@@ -44,11 +44,7 @@ std::string kind_of(Dimension dimension) {
   }
 }
 
-std::string canonical_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.14g", value);
-  return text;
-}
+std::string canonical_number(double value) { return printed("%.14g", value); }
 
 template <class T>
 using Member = std::function<T&(CaseInput&)>;

@@ -13,6 +13,7 @@
 #include "core/output_folder.h"
 #include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/side_by_side.h"
+#include "report/comparison/comparison_file.h"
 #include "report/comparison/comparison_page.h"
 #include "results/energy_balance.h"
 
@@ -52,15 +53,15 @@ void run_compare(const CompareArguments& arguments) {
   const SideBySide columns = compare_side_by_side(input, PublishedColumn(read_published(arguments.published)),
                                                   engine, arguments.tolerance);
 
-  auto object = to_json(comparison);
-  object["side_by_side"] = to_json(columns);
-  const std::string json = object.dump(1) + "\n",
-                    markdown = to_markdown(comparison) + "\n" + to_markdown(columns);
+  auto object = report::comparison_json(comparison);
+  object["side_by_side"] = report::side_by_side_json(columns);
+  const std::string json = object.dump(1) + "\n", markdown = report::comparison_markdown(comparison) + "\n" +
+                                                             report::side_by_side_markdown(columns);
   make_folder(output);
   write_file_atomically(output / "comparison.json", json);
   write_file_atomically(output / "comparison.md", markdown);
-  write_file_atomically(output / "comparison.csv", to_csv(comparison));
-  write_file_atomically(output / "side_by_side.csv", to_csv(columns));
+  write_file_atomically(output / "comparison.csv", report::comparison_csv(comparison));
+  write_file_atomically(output / "side_by_side.csv", report::side_by_side_csv(columns));
   write_file_atomically(output / "comparison.html", report::comparison_page(columns));
   std::cout << (arguments.json ? json : markdown) << std::flush;
   // The other columns are worth having without it.

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
+#include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/diagnose.h"
 #include "report/diagnosis/diagnosis_page.h"
@@ -30,19 +30,14 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
   for (const auto& effect : d.left_out) {
     text += "  " + effect.id + " (" + (effect.kind == EffectKind::contact ? "contact" : "instrument") +
             "): " + effect.equation + "\n";
-    for (const auto& p : effect.parameters) {
-      char line[200];
-      std::snprintf(line, sizeof line, "    %s = %.4g %s (95 %%: %.4g to %.4g)\n", p.name.c_str(), p.value,
-                    p.unit.c_str(), p.low, p.high);
-      text += line;
-    }
+    for (const auto& p : effect.parameters)
+      text += printed("    %s = %.4g %s (95 %%: %.4g to %.4g)\n", p.name.c_str(), p.value, p.unit.c_str(),
+                      p.low, p.high);
   }
   for (const auto& a : d.alternatives) {
     std::string names;
     for (const auto& effect : a.effects) names += (names.empty() ? "" : " + ") + effect.id;
-    char line[64];
-    std::snprintf(line, sizeof line, " (probability %.2g)", a.probability);
-    text += "  or: " + names + line + "; " + a.told_apart_by + "\n";
+    text += "  or: " + names + printed(" (probability %.2g)", a.probability) + "; " + a.told_apart_by + "\n";
   }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
   return text + "wrote " + (output / "diagnosis.json").string() + " and " +

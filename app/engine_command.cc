@@ -9,6 +9,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/quantity.h"
 #include "dem_compare/engines/engine.h"
 #include "dem_compare/engines/engine_input.h"
@@ -116,14 +117,12 @@ void add_engine_commands(CLI::App& app) {
       " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
   engine->callback([run_arguments] { run_engine(*run_arguments); });
 
-  std::string written_engines;
-  for (const auto& key : engine_input_names()) written_engines += (written_engines.empty() ? "" : ", ") + key;
   const auto input_arguments = std::make_shared<InputArguments>();
   CLI::App* input = app.add_subcommand(
       "engine-input", "Write a contact as what a user pastes into a discrete element engine");
   input->add_option("PARAMETERS.json", input_arguments->parameters, "Contact as asperity derived it")
       ->required();
-  input->add_option("--engine", input_arguments->engine, written_engines)->required();
+  input->add_option("--engine", input_arguments->engine, joined(engine_input_names(), ", "))->required();
   input->add_option("--output", input_arguments->output, "File to write (default: print)");
   input->add_option(
       "--load", input_arguments->load,

@@ -11,6 +11,7 @@
 #include "core/csv.h"
 #include "core/output_folder.h"
 #include "dem_compare/paper/analysis.h"
+#include "report/paper/paper_files.h"
 
 namespace asperity {
 namespace {
@@ -28,7 +29,7 @@ void run_paper(const PaperArguments& arguments) {
       arguments.series.empty()
           ? analyse_paper(published)
           : PaperAnalysis{{series_section(published, read_friction_series(arguments.series))}, {}};
-  const std::string text = paper_text(analysis), json = paper_json(analysis);
+  const std::string text = report::paper_text(analysis), json = report::paper_json(analysis);
   if (!arguments.output.empty()) {
     const fs::path output = arguments.output;
     make_folder(output);
@@ -36,7 +37,7 @@ void run_paper(const PaperArguments& arguments) {
     write_file_atomically(output / "paper.json", json);
     for (std::size_t i = 0; i < analysis.sections.size(); ++i)
       write_file_atomically(output / ("numbers_" + std::to_string(i + 1) + ".csv"),
-                            paper_csv(analysis.sections[i]));
+                            report::paper_csv(analysis.sections[i]));
     for (const auto& curve : analysis.curves)
       write_file_atomically(output / (curve.name + ".csv"), format_csv(curve.columns, curve.values));
   }

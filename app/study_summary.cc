@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/printed.h"
 #include "results/case_result.h"
 
 namespace asperity {
@@ -56,12 +56,7 @@ std::string quoted(const std::string& cell) {
 }
 
 /// Nothing for NaN.
-std::string number(double value) {
-  if (std::isnan(value)) return "";
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value);
-  return buffer;
-}
+std::string number(double value) { return std::isnan(value) ? "" : printed("%.9g", value); }
 
 /// An effective quantity over the realisations of one cell of the matrix.
 class Scatter {

@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/printed.h"
 #include "core/read_limits.h"
 
 namespace asperity {
@@ -104,6 +105,14 @@ std::string format_csv(const std::vector<std::string>& names,
     text += '\n';
   }
   return text;
+}
+
+std::string csv_cell(double value) { return std::isfinite(value) ? printed("%.9g", value) : ""; }
+
+std::string csv_cell(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + "\"";
 }
 
 }  // namespace asperity

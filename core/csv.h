@@ -27,4 +27,9 @@ CsvTable read_csv(const std::filesystem::path& path);
 std::string format_csv(const std::vector<std::string>& names,
                        const std::vector<std::vector<double>>& columns);
 
+/// A number to 9 significant digits, empty where it is not finite; a text in quotation marks, those within
+/// doubled.
+std::string csv_cell(double value);
+std::string csv_cell(const std::string& text);
+
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/joined.h"
+
 namespace asperity {
 namespace {
 
@@ -22,9 +24,7 @@ std::string common_beginning(const std::vector<std::string>& texts) {
     const auto words = split(text, " ");
     common.erase(std::mismatch(common.begin(), common.end(), words.begin(), words.end()).first, common.end());
   }
-  std::string joined;
-  for (const auto& word : common) joined += (joined.empty() ? "" : " ") + word;
-  return joined;
+  return joined(common, " ");
 }
 
 }  // namespace

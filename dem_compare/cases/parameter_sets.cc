@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "dem_compare/cases/case_collection.h"
 #include "results/energy_balance.h"
 
@@ -57,8 +58,7 @@ class Collector {
     remarks_.erase(std::unique(remarks_.begin(), remarks_.end()), remarks_.end());
     found_.remarks = remarks_;
     if (found_.sets.empty()) {
-      std::string reasons;
-      for (const auto& sentence : found_.remarks) reasons += (reasons.empty() ? "" : "; ") + sentence;
+      const std::string reasons = joined(found_.remarks, "; ");
       throw InputError("no case is complete" + (reasons.empty() ? "" : ": " + reasons) +
                        "; finish them with 'asperity solve --resume' or 'asperity study --resume'");
     }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "dem_compare/cases/block_averages.h"
-#include "dem_compare/compare/hertz_verdict.h"
 #include "dem_compare/compare/mesh_family.h"
 #include "dem_compare/numbers/statistics.h"
 
@@ -71,23 +70,11 @@ double doubt_of(const Estimate& ratio, double own_mesh_doubt, double step_error)
 }
 
 LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& family, double tolerance) {
-  const auto estimate = [&](double LoadPoint::*member) {
-    return family.estimate([=](const NormalNumbers& n) { return n.at_load(force, member); });
-  };
   LoadComparison load;
   load.force = force;
-  load.approach = estimate(&LoadPoint::approach);
-  load.stiffness = estimate(&LoadPoint::stiffness);
-  load.unloading_stiffness = estimate(&LoadPoint::unloading_stiffness);
-  load.contact_area = estimate(&LoadPoint::contact_area);
-  load.mean_pressure = estimate(&LoadPoint::mean_pressure);
-  load.largest_pressure = estimate(&LoadPoint::largest_pressure);
-  load.plastic_volume = estimate(&LoadPoint::plastic_volume);
-  load.force_ratio = estimate(&LoadPoint::force_ratio);
-  load.stiffness_ratio = estimate(&LoadPoint::stiffness_ratio);
-  load.unloading_ratio = estimate(&LoadPoint::unloading_ratio);
-  load.area_ratio = estimate(&LoadPoint::area_ratio);
-  load.pressure_ratio = estimate(&LoadPoint::pressure_ratio);
+  for (const auto& column : load_columns())
+    load.*column.estimate =
+        family.estimate([&](const NormalNumbers& n) { return n.at_load(force, column.of_case); });
   for (const auto& numbers : group.numbers) {
     const double error =
         numbers.at_load(force, &LoadPoint::step_error) / numbers.at_load(force, &LoadPoint::stiffness);
@@ -121,6 +108,25 @@ bool is_smooth_control(const CaseGroup& group, double force) {
 
 }  // namespace
 
+const std::vector<LoadColumn>& load_columns() {
+  using Load = LoadComparison;
+  using Point = LoadPoint;
+  static const std::vector<LoadColumn> columns{
+      {"approach", "m", &Load::approach, &Point::approach},
+      {"stiffness", "N/m", &Load::stiffness, &Point::stiffness},
+      {"unloading_stiffness", "N/m", &Load::unloading_stiffness, &Point::unloading_stiffness},
+      {"contact_area", "m^2", &Load::contact_area, &Point::contact_area},
+      {"mean_pressure", "Pa", &Load::mean_pressure, &Point::mean_pressure},
+      {"largest_pressure", "Pa", &Load::largest_pressure, &Point::largest_pressure},
+      {"plastic_volume", "m^3", &Load::plastic_volume, &Point::plastic_volume},
+      {"force_ratio", "1", &Load::force_ratio, &Point::force_ratio},
+      {"stiffness_ratio", "1", &Load::stiffness_ratio, &Point::stiffness_ratio},
+      {"unloading_stiffness_ratio", "1", &Load::unloading_ratio, &Point::unloading_ratio},
+      {"contact_area_ratio", "1", &Load::area_ratio, &Point::area_ratio},
+      {"largest_pressure_ratio", "1", &Load::pressure_ratio, &Point::pressure_ratio}};
+  return columns;
+}
+
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance) {
   Comparison comparison{collection.title,   tolerance,          {},
                         collection.missing, collection.remarks, collection.planned};
@@ -138,7 +144,6 @@ Comparison compare_with_hertz(const CaseCollection& collection, double tolerance
       result.loads.push_back(at_load(point.force, group, family, tolerance));
     judge_all_loads(result);
     result.is_control = is_smooth_control(group, result.numbers.force);
-    result.verdict = verdict_against_hertz(result, tolerance);
     comparison.groups.push_back(std::move(result));
   }
   return comparison;

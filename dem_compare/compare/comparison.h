@@ -1,7 +1,7 @@
-// Rough, yielding contact against Hertz: ratios at each load with their scatter, and the verdict in words.
+// Rough, yielding contact against Hertz: ratios at each load with their scatter, and what they are judged to
+// be.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -33,6 +33,14 @@ struct LoadComparison {
   double stiffness_doubt = 0, unloading_doubt = 0, force_doubt = 0;
   Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
 };
+
+/// What is known at a load: its name in files, SI unit, and where cases and comparison hold it.
+struct LoadColumn {
+  const char *name, *unit;
+  Estimate LoadComparison::*estimate;
+  double LoadPoint::*of_case;
+};
+const std::vector<LoadColumn>& load_columns();
 
 /// Numbers of a group at its largest load.
 struct GroupNumbers {
@@ -71,7 +79,6 @@ struct GroupComparison {
   bool is_control = false;
   /// At every load: within; at one load at least: outside; else not known.
   Judged judged_at_all_loads = Judged::not_known;
-  std::string verdict;
 };
 
 struct Comparison {
@@ -84,17 +91,5 @@ struct Comparison {
 };
 
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance);
-
-/// Loads at which the curves are compared, one row per group and load, as CSV: each number with its standard
-/// deviation over realisations and its mesh error in columns of their own.
-std::string to_csv(const Comparison& comparison);
-nlohmann::ordered_json to_json(const Comparison& comparison);
-std::string to_markdown(const Comparison& comparison);
-
-/// "0.93 +- 0.02" in `digits` significant digits of the scatter's mean; "-" if it is not known.
-std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
-
-/// "+1.9 ± 0.7 %", with its standard error where that is known; "-" if the error is not known.
-std::string mesh_error_text(const Estimate& estimate);
 
 }  // namespace asperity

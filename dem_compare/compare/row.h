@@ -64,7 +64,6 @@ struct ComparisonRow {
   double rail_angle = std::numeric_limits<double>::quiet_NaN();  ///< of a rail [rad]
   FiniteElementValue finite_elements;
   ComparedValue reduced_law, engine, published;
-  std::string verdict{};  ///< on this load alone
 
   Motion mode() const { return display_of(quantity).mode; }
 };

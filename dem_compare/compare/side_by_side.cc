@@ -237,7 +237,6 @@ SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedCol
   SideBySide result;
   result.tolerance = tolerance;
   result.rows = assembly.rows();
-  for (auto& row : result.rows) row.verdict = row_verdict(row, tolerance);
   result.verdicts = verdicts(result.rows, tolerance);
   result.remarks = assembly.remarks();
   result.engine = engine.engine();

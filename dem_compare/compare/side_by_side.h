@@ -1,8 +1,7 @@
 // Finite elements, reduced law, live engine and published measurement side by side: per mode, load and
-// roughness, with ratios, verdicts in words, and the loads on which each simplification is good enough.
+// roughness, with ratios, verdicts, and the loads on which each simplification is good enough.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -34,11 +33,5 @@ struct SideBySideInput {
 
 SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published,
                                 EngineColumn& engine, double tolerance);
-
-std::string to_csv(const SideBySide& comparison);
-nlohmann::ordered_json to_json(const SideBySide& comparison);
-std::string to_markdown(const SideBySide& comparison);
-/// How closely the engine does what the law says, over all lines of both; "" if none ran.
-std::string engine_sentence(const SideBySide& comparison);
 
 }  // namespace asperity

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
+
+#include "core/joined.h"
+#include "core/printed.h"
 
 namespace asperity {
 namespace {
@@ -12,13 +14,9 @@ constexpr int value_digits = 4, error_digits = 2;
 
 /// 460, not 4.6e+02.
 std::string digits_of(double value, int digits) {
-  char buffer[32];
   constexpr double large = 1e5;
-  if (std::abs(value) >= std::pow(10.0, digits - 1) && std::abs(value) < large)
-    std::snprintf(buffer, sizeof buffer, "%.0f", value);
-  else
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  return buffer;
+  const bool is_whole = std::abs(value) >= std::pow(10.0, digits - 1) && std::abs(value) < large;
+  return is_whole ? printed("%.0f", value) : printed("%.*g", digits, value);
 }
 
 }  // namespace
@@ -72,9 +70,7 @@ std::string extent_of(const std::vector<CaseNumber>& numbers) {
   if (!same_load(low, high)) text += " to " + format_quantity(high, Dimension::force);
   text += realisations.size() == 1 ? ", 1 realisation"
                                    : ", " + std::to_string(realisations.size()) + " realisations";
-  std::string list;
-  for (const auto& spacing : spacings) list += (list.empty() ? "" : " and ") + spacing;
-  return list.empty() ? text : text + ", spacing " + list;
+  return spacings.empty() ? text : text + ", spacing " + joined({spacings.begin(), spacings.end()}, " and ");
 }
 
 std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all) {

@@ -1,7 +1,8 @@
 #include "dem_compare/derive/length_choice.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "core/printed.h"
 
 namespace asperity {
 
@@ -38,15 +39,13 @@ nlohmann::ordered_json to_json(const LengthChoice& choice) {
 void tell_choice(const LengthChoice& choice, LawReport& report) {
   report.findings.push_back("lambda = r: " + to_text(choice.with_radius));
   report.findings.push_back("lambda = a: " + to_text(choice.with_contact));
-  char odds[96];
   const bool contact_is_likelier = choice.log_odds >= 0;
   constexpr double most_that_matters = 6;  // powers of ten
   const double tens = std::abs(choice.log_odds) / std::log(10.0);
-  if (tens > most_that_matters)
-    std::snprintf(odds, sizeof odds, "more than 10^6");
-  else
-    std::snprintf(odds, sizeof odds, "%.3g", std::exp(std::abs(choice.log_odds)));
-  std::string text = std::string("odds ") + odds + " to 1 for lambda = " + (contact_is_likelier ? "a" : "r");
+  std::string text =
+      "odds " +
+      (tens > most_that_matters ? "more than 10^6" : printed("%.3g", std::exp(std::abs(choice.log_odds)))) +
+      " to 1 for lambda = " + (contact_is_likelier ? "a" : "r");
   if (std::isfinite(choice.contact_error))
     text += "; a contact predicted from the others is off by " + percent(choice.contact_error) + " with a, " +
             percent(choice.radius_error) + " with r";

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/derive/length_choice.h"
 #include "dem_compare/derive/power_law.h"
@@ -234,9 +234,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     friction.length_scale = choice.scale();
     tell_choice(choice, report);
     report.details["length"] = to_json(choice);
-    char odds[64];
-    std::snprintf(odds, sizeof odds, "; ln of the odds for a over r: %.3g", choice.log_odds);
-    friction.provenance = provenance + odds;
+    friction.provenance = provenance + printed("; ln of the odds for a over r: %.3g", choice.log_odds);
   } else {
     law = fit_resistance(points, LengthScale::none);
     report.findings.push_back(to_text(law));

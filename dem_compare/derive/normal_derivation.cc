@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "dem_compare/cases/normal_numbers.h"
 #include "dem_compare/derive/power_law.h"
 #include "dem_compare/numbers/statistics.h"
@@ -202,11 +202,10 @@ void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawRe
   if (yielded == 0) return;
   report.details["yielded"]["from_load"] = from;
   constexpr double um3 = 1e-18;
-  char volume[32];
-  std::snprintf(volume, sizeof volume, "%.2g um^3", largest / um3);
   report.findings.push_back("material yielded in " + std::to_string(yielded) + " of " +
                             std::to_string(set.cases.size()) + " cases, seen first at " +
-                            format_quantity(from, Dimension::force) + " (plastic volume up to " + volume +
+                            format_quantity(from, Dimension::force) + " (plastic volume up to " +
+                            printed("%.2g um^3", largest / um3) +
                             "): E* and its exponent are those of the first loading; unloading and reloading "
                             "are stiffer, and k_n is theirs");
   for (auto* quantity : {&parameters.reduced_modulus, &parameters.normal_stiffness})

@@ -1,10 +1,9 @@
 #include "dem_compare/engines/engine.h"
 
-#include <cstdio>
-
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
+#include "core/printed.h"
 #include "core/quantity.h"
 #include "dem_compare/engines/run_program.h"
 
@@ -77,18 +76,14 @@ nlohmann::ordered_json to_json(const EngineRun& run, const EngineExperiment& exp
 }
 
 std::string to_text(const EngineRun& run, const EngineExperiment& experiment) {
-  char line[200];
   std::string text = run.engine + (run.version.empty() ? "" : " (" + run.version + ")") + ", " +
                      engine_experiment_name(experiment.type) + ", normal load " +
                      format_quantity(experiment.load, Dimension::force, 4);
-  std::snprintf(line, sizeof line, ", %.1f s\n\n%-42s %14s %14s  %-8s %9s\n", run.wall_time, "", "engine",
-                "law", "unit", "departs");
-  text += line;
-  for (const auto& m : run.measurements) {
-    std::snprintf(line, sizeof line, "%-42s %14.6g %14.6g  %-8s %+8.3f %%\n", m.name.c_str(), m.measured,
-                  m.law, m.unit.c_str(), 100 * (m.ratio() - 1));
-    text += line;
-  }
+  text += printed(", %.1f s\n\n%-42s %14s %14s  %-8s %9s\n", run.wall_time, "", "engine", "law", "unit",
+                  "departs");
+  for (const auto& m : run.measurements)
+    text += printed("%-42s %14.6g %14.6g  %-8s %+8.3f %%\n", m.name.c_str(), m.measured, m.law,
+                    m.unit.c_str(), 100 * (m.ratio() - 1));
   return text;
 }
 

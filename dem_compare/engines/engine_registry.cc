@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "dem_compare/engines/engine.h"
 #include "dem_compare/engines/input_notes.h"
@@ -33,12 +34,6 @@ class FunctionEngine : public WrittenEngine {
   std::string key_, name_;
   std::string (*contact_input_)(InputNotes&);
 };
-
-std::string joined(const std::vector<std::string>& names, const std::string& separator) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : separator) + name;
-  return list;
-}
 
 std::vector<std::string> runnable_keys() {
   std::vector<std::string> keys;

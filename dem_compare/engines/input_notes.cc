@@ -2,26 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "dem_compare/engines/needed_cases.h"
 #include "dem_compare/engines/text_number.h"
 
 namespace asperity {
 namespace {
 
-std::string signed_percent(double error) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%+.1f %%", 100 * error);
-  return text;
-}
+std::string signed_percent(double error) { return printed("%+.1f %%", 100 * error); }
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+std::string short_number(double value) { return printed("%.4g", value); }
 
 }  // namespace
 

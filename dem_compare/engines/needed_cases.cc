@@ -1,5 +1,7 @@
 #include "dem_compare/engines/needed_cases.h"
 
+#include "core/joined.h"
+
 namespace asperity {
 namespace {
 
@@ -41,9 +43,7 @@ std::vector<NeededCase> needed_cases(const ContactParameters& parameters) {
 }
 
 std::string to_text(const NeededCase& needed) {
-  std::string text;
-  for (const auto& quantity : needed.quantities) text += (text.empty() ? "" : " and ") + quantity;
-  return text + " (a case with Experiment/Type = " + needed.experiment + ")";
+  return joined(needed.quantities, " and ") + " (a case with Experiment/Type = " + needed.experiment + ")";
 }
 
 std::string needed_cases_text(const ContactParameters& parameters) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "core/error.h"
+#include "core/printed.h"
 
 namespace asperity {
 
@@ -15,9 +15,7 @@ inline std::string text_number(double value) {
     throw InputError(
         "a number for the engine is beyond what a computer holds; look for a quantity that is too large or "
         "too small in the record");
-  char text[40];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
+  return printed("%.12g", value);
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "reduced_law_headers.h"  // generated: every header of this folder
 
@@ -27,10 +28,9 @@ template <class Named>
   std::vector<std::string> names;
   for (const auto& entry : known) names.push_back(entry.name);
   const std::string nearest = nearest_name(written, names);
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw InputError("no " + what + " '" + written + "'" +
-                   (nearest.empty() ? "; there are: " + list : "; did you mean '" + nearest + "'?"));
+  throw InputError(
+      "no " + what + " '" + written + "'" +
+      (nearest.empty() ? "; there are: " + joined(names, ", ") : "; did you mean '" + nearest + "'?"));
 }
 
 const Registered& find_law(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
 
@@ -28,9 +29,8 @@ double value_of(const LawParameter& parameter, const std::string& text) {
   if (parameter.choices.empty()) return parse_quantity(text, dimension_of(parameter.unit));
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), text);
   if (found != parameter.choices.end()) return static_cast<double>(found - parameter.choices.begin());
-  std::string list;
-  for (const auto& choice : parameter.choices) list += (list.empty() ? "" : ", ") + choice;
-  throw InputError("there is no " + parameter.name + " '" + text + "'; there are " + list);
+  throw InputError("there is no " + parameter.name + " '" + text + "'; there are " +
+                   joined(parameter.choices, ", "));
 }
 
 }  // namespace

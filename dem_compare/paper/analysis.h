@@ -85,9 +85,4 @@ inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6},
 /// "45 deg" of an angle in rad.
 std::string whole_degrees(double angle);
 
-std::string paper_text(const PaperAnalysis& analysis);
-std::string paper_json(const PaperAnalysis& analysis);
-/// Of one section's numbers.
-std::string paper_csv(const PaperSection& section);
-
 }  // namespace asperity

@@ -1,6 +1,6 @@
 // Hertz and Mindlin for the paper's pairs (sec. 3.2, 4.2, 4.4).
-#include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/analysis.h"
 #include "dem_compare/paper/hertz_collision.h"
@@ -122,8 +122,7 @@ PaperSection sliding_section(const Published& p) {
   const PublishedSurface& surface = p.surfaces.front();
   const double printed_G = p.quoted("fitted_shear_modulus", Dimension::pressure).value,
                needed_radius = k_fit / (mindlin_factor * printed_G);
-  char needed[20];
-  std::snprintf(needed, sizeof needed, "%.3f um", needed_radius / 1e-6);
+  const std::string needed = printed("%.3f um", needed_radius / 1e-6);
   const double limit = surface.sliding.value * load;
   const Uncertain limit_h = propagate([&](const auto& x) { return x[0] * (load + x[1]); },
                                       {surface.sliding, surface.sliding_offset});

@@ -1,6 +1,6 @@
 // Statements of the text about orders of magnitude (sec. 4.3, 4.5, 4.7, 5).
-#include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/paper/analysis.h"
 
 namespace asperity {
@@ -13,9 +13,7 @@ PaperSection magnitudes_section(const Published& p) {
       const Uncertain ratio =
           propagate([&](const auto& x) { return x[0] * (load + x[1]) / (x[2] * (load + x[3])); },
                     {s.sliding, s.sliding_offset, s.rolling_r, s.rolling_r_offset});
-      char what[90];
-      std::snprintf(what, sizeof what, "%s: sliding over rolling force at %g mN", s.name.c_str(), load * 1e3);
-      rows.push_back({what,
+      rows.push_back({printed("%s: sliding over rolling force at %g mN", s.name.c_str(), load * 1e3),
                       display::none,
                       {},
                       ratio,

@@ -1,6 +1,6 @@
 // Rolling and torsion in the rails (sec. 4.7, 4.8).
-#include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/paper/analysis.h"
@@ -83,10 +83,9 @@ PaperSection torsion_section(const Published& p) {
   const double R = p.radius(), load = p.quoted("loop_load", Dimension::force).value;
   const Uncertain with_r = p.quoted("torsion_r"), with_a = p.quoted("torsion_a");
   for (const double f : {1e-4, 5e-4, 1e-3, 3e-3}) {
-    char what[60];
-    std::snprintf(what, sizeof what, "0.064 a/r at %g mN", f * 1e3);
     const double a_over_r = hertz.contact_radius(f) / R;
-    rows.push_back({what, display::none, with_r, Uncertain{with_a.value * a_over_r, with_a.sd * a_over_r},
+    rows.push_back({printed("0.064 a/r at %g mN", f * 1e3), display::none, with_r,
+                    Uncertain{with_a.value * a_over_r, with_a.sd * a_over_r},
                     f == 1e-4 ? "the two scalings are not equivalent over the measured loads" : ""});
   }
   const double equal_a = with_r.value / with_a.value * R;  // f = (4/3) E* a^3/R

@@ -1,6 +1,6 @@
 // Rolling: the laws in roughness, and the slip in the mean offset (sec. 4.5, 4.6).
-#include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/paper/analysis.h"
 #include "dem_compare/paper/friction_series.h"
 
@@ -14,9 +14,8 @@ PaperSection series_section(const Published& p, const std::vector<FrictionPoint>
   });
   PaperSection section{"Mean rolling friction of the series (eq:fs1b)", {}};
   const auto add = [&](const std::string& scale, const FrictionFit& fit) {
-    char remark[100];
-    std::snprintf(remark, sizeof remark, "correlation of both %.2f, reduced chi2 %.2f", fit.correlation,
-                  fit.chi2_reduced);
+    const std::string remark =
+        printed("correlation of both %.2f, reduced chi2 %.2f", fit.correlation, fit.chi2_reduced);
     section.numbers.push_back({"rolling friction, lambda = " + scale, display::none, {}, fit.coefficient});
     section.numbers.push_back({"rolling offset, lambda = " + scale, display::uN, {}, fit.offset, remark});
   };
@@ -60,11 +59,8 @@ PaperSection rolling_section(const Published& p) {
       const Uncertain ratio =
           propagate([&](const auto& x) { return x[0] * a_over_r * (load + x[1]) / (x[2] * (load + x[3])); },
                     {s.rolling_a, s.rolling_a_offset, s.rolling_r, s.rolling_r_offset});
-      char what[100];
-      std::snprintf(what, sizeof what, "%s: force with lambda = a over that with r, %g mN", s.name.c_str(),
-                    load * 1e3);
       rows.push_back(
-          {what,
+          {printed("%s: force with lambda = a over that with r, %g mN", s.name.c_str(), load * 1e3),
            display::none,
            {},
            ratio,

@@ -4,6 +4,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/json_text.h"
 #include "core/nearest_name.h"
 #include "core/printable.h"
@@ -31,10 +32,9 @@ void check_keys(const Json& object, const std::vector<std::string>& known, const
   for (const auto& item : object.items()) {
     if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
     const std::string meant = nearest_name(item.key(), known);
-    std::string list;
-    for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
-    refuse(file, "there is no " + quoted(item.key()) + " in '" + where + "'; " +
-                     (meant.empty() ? "it may hold " + list : "did you mean '" + meant + "'?"));
+    refuse(file,
+           "there is no " + quoted(item.key()) + " in '" + where + "'; " +
+               (meant.empty() ? "it may hold " + joined(known, ", ") : "did you mean '" + meant + "'?"));
   }
 }
 

@@ -113,6 +113,13 @@ bool MeasuredTrend::is_opposite() const {
   const auto told = [](const Uncertain& slope) { return std::abs(slope.value) > two_sigma * slope.sd; };
   return told(simulated) && told(measured) && simulated.value * measured.value < 0;
 }
+Agreement MeasuredTrend::agreement() const {
+  constexpr double two_sigma = 2;
+  if (!std::isfinite(sigmas())) return Agreement::unknown;
+  if (is_opposite()) return Agreement::opposite;
+  if (std::abs(sigmas()) > two_sigma) return Agreement::contradict;
+  return sign_of(measured) == Trend::Sign::none ? Agreement::no_trend : Agreement::agree;
+}
 
 AgainstPublished against_published(const MovingStudy& study, const std::vector<RoughnessTrend>& trends,
                                    const Published& published) {

@@ -25,6 +25,10 @@ struct MeasuredMagnitude {
   double sigmas() const;   ///< difference over both sds
 };
 
+/// At two standard deviations; `no_trend`: the measured trend is not significant and the simulated one agrees
+/// with it.
+enum class Agreement { unknown, agree, no_trend, contradict, opposite };
+
 /// Change per metre of RMS of the silicon's contact.
 struct MeasuredTrend {
   const RoughnessTrend* trend = nullptr;
@@ -32,8 +36,8 @@ struct MeasuredTrend {
   Uncertain simulated, measured;
   Uncertain over() const;
   double sigmas() const;
-  /// Both have a sign at two standard deviations, and not the same.
-  bool is_opposite() const;
+  bool is_opposite() const;  ///< both are significant, and have different signs
+  Agreement agreement() const;
 };
 
 /// mu and h of sliding, and of rolling with lambda = r, over two measured loads or more.

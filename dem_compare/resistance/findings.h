@@ -1,6 +1,5 @@
 // What a study of moving contacts says on the paper's two open questions: which length rolling and torsion
-// resistance follow, and why rolling friction falls and sliding friction rises with roughness. Numbers, and
-// the answers in sentences. SI units.
+// resistance follow, and why rolling friction falls and sliding friction rises with roughness. SI units.
 #pragma once
 
 #include <optional>
@@ -36,19 +35,5 @@ struct ResistanceFindings {
 /// `published`: the paper's numbers; without them nothing is set beside them.
 ResistanceFindings find_resistances(const CaseCollection& collection,
                                     const std::optional<Published>& published);
-
-/// Plain text; "+-" before an uncertainty.
-struct ResistanceAnswers {
-  std::string headline;
-  std::vector<std::string> length;       ///< on lambda
-  std::vector<std::string> roughness;    ///< trends with RMS, and which mechanism makes them
-  std::vector<std::string> mechanisms;   ///< what switching one off changes
-  std::vector<std::string> inputs;       ///< what goes with local friction, works of adhesion, yield stresses
-  std::vector<std::string> mesh;         ///< what another spacing makes of it
-  std::vector<std::string> rails;        ///< rolling and spinning at once beside the sum of both on their own
-  std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
-  std::vector<std::string> care;         ///< what stands in the way of more
-};
-ResistanceAnswers answers(const ResistanceFindings& findings);
 
 }  // namespace asperity

@@ -162,10 +162,15 @@ CoefficientOverLoads coefficient_over_loads(double rms, const std::vector<double
   return {rms, line.slope, {offset.value - mean_load, offset.sd}};
 }
 
-Trend::Sign RoughnessTrend::sign() const {
-  Trend all;
-  all.slope = relative;
-  return all.sign();
+Trend::Sign RoughnessTrend::sign() const { return sign_of(relative); }
+
+Uncertain RoughnessTrend::relative_of(Trend TrendAtLoad::*part) const {
+  std::vector<Uncertain> shares;
+  for (const auto& at : loads) {
+    const Uncertain& slope = (at.*part).slope;
+    shares.push_back({slope.value / at.total.mean.value, slope.sd / std::abs(at.total.mean.value)});
+  }
+  return cautious_mean(shares);
 }
 
 bool differ_by_roughness(const MovingContact& one, const MovingContact& other) {

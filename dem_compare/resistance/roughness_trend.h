@@ -36,6 +36,8 @@ struct RoughnessTrend {
   Trend coefficient;                               ///< of mu over RMS
 
   Trend::Sign sign() const;
+  /// Slope of a part over the mean of the whole per metre, over the loads.
+  Uncertain relative_of(Trend TrendAtLoad::*part) const;
 };
 
 /// True for contacts that differ by the RMS of the substrate alone; a smooth substrate goes with every

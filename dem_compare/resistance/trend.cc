@@ -10,11 +10,13 @@ constexpr double two_sigma = 2;
 
 }  // namespace
 
-Trend::Sign Trend::sign() const {
-  if (!slope.has_sd()) return Sign::unknown;
-  if (std::abs(slope.value) <= two_sigma * slope.sd) return Sign::none;
-  return slope.value > 0 ? Sign::rises : Sign::falls;
+Trend::Sign sign_of(const Uncertain& number) {
+  if (!number.has_sd()) return Trend::Sign::unknown;
+  if (std::abs(number.value) <= two_sigma * number.sd) return Trend::Sign::none;
+  return number.value > 0 ? Trend::Sign::rises : Trend::Sign::falls;
 }
+
+Trend::Sign Trend::sign() const { return sign_of(slope); }
 
 Uncertain Trend::relative() const {
   const double share = slope.value / mean.value;

@@ -16,11 +16,13 @@ struct Trend {
   int points = 0;
 
   enum class Sign { unknown, none, rises, falls };
-  /// At two standard deviations; unknown where there is no sd.
   Sign sign() const;
   /// Slope over the mean.
   Uncertain relative() const;
 };
+
+/// At two standard deviations; unknown where there is no sd.
+Trend::Sign sign_of(const Uncertain& number);
 
 /// Points that are not numbers are left out; fewer than two different x give an unknown slope.
 Trend fit_trend(const std::vector<double>& x, const std::vector<Uncertain>& y);

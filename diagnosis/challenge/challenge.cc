@@ -10,9 +10,9 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/json_text.h"
 #include "diagnosis/diagnose.h"
-#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "core/joined.h"
 #include "diagnosis/challenge/challenge.h"
-#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

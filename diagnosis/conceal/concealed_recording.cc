@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "diagnosis/conceal/add_noise.h"
 #include "diagnosis/conceal/world.h"
-#include "diagnosis/recording/joined.h"
 
 namespace asperity {
 namespace {

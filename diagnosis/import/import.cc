@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "diagnosis/import/text_formats.h"
 
@@ -14,11 +15,10 @@ const TextFormat& format_of(const InstrumentText& text, const std::string& asked
   for (const auto& format : text_formats()) {
     if (asked.empty() ? format.recognises(text) : asked == format.name) return format;
   }
-  std::string list;
-  for (const auto& name : import_formats()) list += (list.empty() ? "" : ", ") + name;
   const std::string meant = nearest_name(asked, import_formats());
-  throw InputError("there is no format '" + asked + "'; " +
-                   (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
+  throw InputError(
+      "there is no format '" + asked + "'; " +
+      (meant.empty() ? "there are " + joined(import_formats(), ", ") : "did you mean '" + meant + "'?"));
 }
 
 /// What the options say over what the file says; what neither says is asked for.

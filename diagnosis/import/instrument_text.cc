@@ -5,6 +5,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/read_limits.h"
 #include "core/utf8.h"
 #include "diagnosis/recording/file_size.h"
@@ -152,9 +153,7 @@ std::optional<std::size_t> InstrumentTable::find(const std::string& name) const 
 
 const std::vector<double>& InstrumentTable::column(const std::string& name, const std::string& file) const {
   if (const auto c = find(name)) return columns[*c];
-  std::string list;
-  for (const auto& known : names) list += (list.empty() ? "" : ", ") + known;
-  throw InputError(file + ": there is no column '" + name + "' among " + list);
+  throw InputError(file + ": there is no column '" + name + "' among " + joined(names, ", "));
 }
 
 std::string instrument_unit(const std::string& unit) {

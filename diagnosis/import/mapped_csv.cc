@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "diagnosis/import/segments.h"
 #include "diagnosis/import/text_formats.h"
 #include "diagnosis/recording/trimmed.h"
@@ -93,13 +94,10 @@ bool is_csv(const InstrumentText&) { return true; }
 
 Recording read_mapped_csv(const InstrumentText& text, const ImportOptions& options) {
   const InstrumentTable source = table_under(text, header_line(text));
-  if (options.columns.empty()) {
-    std::string list;
-    for (const auto& name : source.names) list += (list.empty() ? "" : ", ") + name;
+  if (options.columns.empty())
     throw InputError(text.file +
                      ": say what its columns are with --column \"channel [unit] = column\"; there are " +
-                     list);
-  }
+                     joined(source.names, ", "));
   const bool is_normal = options.mode == Motion::normal;
   RecordingTable table;
   table.file = is_normal ? "loading.csv" : "loops.csv";

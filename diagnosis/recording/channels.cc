@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
-#include "diagnosis/recording/joined.h"
 #include "diagnosis/recording/recording.h"
 
 namespace asperity {

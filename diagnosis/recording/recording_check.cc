@@ -1,8 +1,10 @@
 // What a recording must be before it is compared with anything.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "core/error.h"
+#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "diagnosis/recording/recording.h"
 
@@ -27,13 +29,9 @@ void check_body(const Recording& recording, const RecordedBody& body, const std:
 
 void check_law(const Recording& recording, const std::string& kind, const std::string& value,
                const std::vector<std::string>& known) {
-  std::string list;
-  for (const auto& name : known) {
-    if (name == value) return;
-    list += (list.empty() ? "" : ", ") + name;
-  }
+  if (std::find(known.begin(), known.end(), value) != known.end()) return;
   throw InputError(file_of(recording, "recording.json") + ": there is no law '" + value + "' for '" + kind +
-                   "'; use " + list);
+                   "'; use " + joined(known, ", "));
 }
 
 void check_simulation(const Recording& recording) {
@@ -121,13 +119,9 @@ void check_table(const Recording& recording, const RecordingTable& table) {
 const std::vector<double>& RecordingTable::column(const std::string& channel) const {
   const auto found = columns.find(channel);
   if (found != columns.end()) return found->second;
-  std::string list;
   std::vector<std::string> names;
-  for (const auto& [name, values] : columns) {
-    list += (list.empty() ? "" : ", ") + name;
-    names.push_back(name);
-  }
-  throw InputError(file + ": there is no column '" + channel + "' among " + list);
+  for (const auto& column : columns) names.push_back(column.first);
+  throw InputError(file + ": there is no column '" + channel + "' among " + joined(names, ", "));
 }
 
 void check_recording(const Recording& recording) {

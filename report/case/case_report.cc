@@ -13,6 +13,7 @@
 #include "report/page/page.h"
 #include "report/page/words.h"
 #include "report/result/result_tables.h"
+#include "report/sentences/hertz_words.h"
 #include "results/energy_balance.h"
 
 namespace asperity::report {
@@ -47,7 +48,7 @@ std::vector<Tile> tiles_of(const GroupNumbers& numbers) {
                         : Tile{imprint_text(numbers.residual_imprint.mean), "imprint left after unloading",
                                numbers.residual_imprint.mean > 0
                                    ? "approach that has not come back"
-                                   : "none that can be told from the error of the computation"});
+                                   : "not significant beside the error of the computation"});
   if (std::isfinite(numbers.fitted_radius.mean))
     tiles.push_back({in_units(numbers.fitted_radius, um, "µm"), "radius a Hertz fit would report",
                      "the sphere has " + in_units(hertz.radius, Dimension::length)});
@@ -117,7 +118,7 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
   return section_html(
       "Load against approach",
       figure_html("", to_svg(load_approach_chart(solved)),
-                  "How far the bodies come together under a growing force, and on the way back. The dashed "
+                  "How far the bodies come together under a growing force, and while unloading. The dashed "
                   "line is Hertz's law for "
                   "the same bodies, smooth and elastic. A rough contact starts softer, because at first only "
                   "the highest "
@@ -181,7 +182,7 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   std::string body = paragraph(what_was_asked(solved));
   body += state_warning(solved) + energy_warning(solved);
   const std::vector<std::string> trust = trust_sentences(solved, group);
-  const std::string pressed = capitalised(readable(group.verdict));
+  const std::string pressed = capitalised(readable(verdict_against_hertz(group, tolerance)));
   const std::optional<MotionLead> motion = motion_lead(solved);
   if (is_energy_refused(solved)) {
     body +=

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <map>
 #include <tuple>
 
+#include "core/printed.h"
+#include "report/comparison/comparison_file.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
+#include "report/sentences/verdict_words.h"
 
 namespace asperity::report {
 namespace {
@@ -71,13 +74,9 @@ std::vector<std::string> laws_of(const Rows& rows) {
 }
 
 std::string value_cell(const ComparedValue& value, double factor) {
-  char text[64];
   if (!value.known()) return "–";
-  if (std::isfinite(value.sd))
-    std::snprintf(text, sizeof text, "%.4g ± %.2g", value.value / factor, value.sd / factor);
-  else
-    std::snprintf(text, sizeof text, "%.4g", value.value / factor);
-  return text;
+  return printed("%.4g", value.value / factor) +
+         (std::isfinite(value.sd) ? printed(" ± %.2g", value.sd / factor) : "");
 }
 
 std::string reasons(const Rows& rows) {
@@ -90,7 +89,7 @@ std::string reasons(const Rows& rows) {
   return text.empty() ? "" : note(text + ".");
 }
 
-std::string table_of(const Rows& rows) {
+std::string table_of(const Rows& rows, double tolerance) {
   const auto& display = display_of(rows.front()->quantity);
   const std::string unit = std::string(display.unit).empty() ? "" : std::string(" [") + display.unit + "]";
   Table table{{"load [µN]"}, {}, false};
@@ -103,14 +102,12 @@ std::string table_of(const Rows& rows) {
   }
   table.head.push_back("verdict");
   for (const auto* row : rows) {
-    char load[32];
-    std::snprintf(load, sizeof load, "%.4g", row->load / uN);
-    std::vector<std::string> cells{load};
+    std::vector<std::string> cells{printed("%.4g", row->load / uN)};
     for (const auto& source : sources()) {
       if (is_law(source)) cells.push_back(escaped(row->reduced_law.source));
       cells.push_back(value_cell(source.value(*row), display.factor));
     }
-    cells.push_back("<span class='wrapped'>" + escaped(row->verdict) + "</span>");
+    cells.push_back("<span class='wrapped'>" + escaped(row_verdict_text(*row, tolerance)) + "</span>");
     table.rows.push_back(cells);
   }
   return table_html(table);
@@ -124,18 +121,8 @@ std::string good_enough(const SideBySide& comparison, const std::string& contact
           {escaped(verdict.law), display_of(verdict.quantity).words + rail_words(verdict.rail_angle),
            escaped(verdict.reference),
            verdict.is_own_fit ? "fitted to this measurement: judges nothing" : escaped(good_words(verdict))});
-  char title[64];
-  std::snprintf(title, sizeof title, "Where each simplification is good within %.3g %%",
-                100 * comparison.tolerance);
+  const std::string title = "Where each simplification is good " + within_text(comparison.tolerance);
   return table.rows.empty() ? "" : details_html(title, table_html(table));
-}
-
-std::vector<std::string> contacts_of(const SideBySide& comparison) {
-  std::vector<std::string> contacts;
-  for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
-      contacts.push_back(row.contact);
-  return contacts;
 }
 
 std::string verdicts_of(const SideBySide& comparison, const std::string& contact) {
@@ -145,13 +132,13 @@ std::string verdicts_of(const SideBySide& comparison, const std::string& contact
     std::vector<std::string> sentences;
     for (const auto& verdict : comparison.verdicts)
       if (verdict.contact == contact && verdict.reference == reference)
-        sentences.push_back(escaped(verdict.text));
+        sentences.push_back(escaped(verdict_text(verdict, comparison.tolerance)));
     if (!sentences.empty()) html += verdict_html(headline, sentences);
   }
   return html;
 }
 
-std::string quantity_block(const Rows& rows) {
+std::string quantity_block(const Rows& rows, double tolerance) {
   const Chart chart = quantity_chart(rows);
   // One load and one value make no figure.
   std::size_t points = 0;
@@ -160,8 +147,8 @@ std::string quantity_block(const Rows& rows) {
       points < 2 ? "" : figure_html("", to_svg(chart), "Bars are standard deviations where one is known.");
   std::string title = display_of(rows.front()->quantity).words;
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return "<h3>" + title + rail_words(rows.front()->rail_angle) + "</h3>\n" + figure + table_of(rows) +
-         reasons(rows);
+  return "<h3>" + title + rail_words(rows.front()->rail_angle) + "</h3>\n" + figure +
+         table_of(rows, tolerance) + reasons(rows);
 }
 
 }  // namespace
@@ -213,7 +200,7 @@ std::string comparison_page(const SideBySide& comparison) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::string section = verdicts_of(comparison, contacts[i]) + good_enough(comparison, contacts[i]);
     for (const auto& rows : groups)
-      if (rows.front()->contact == contacts[i]) section += quantity_block(rows);
+      if (rows.front()->contact == contacts[i]) section += quantity_block(rows, comparison.tolerance);
     body += "<a id='contact-" + std::to_string(i + 1) + "'></a>" + section_html(contacts[i], section);
   }
   const std::time_t now = std::time(nullptr);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/printed.h"
 #include "report/page/colour_scale.h"
 #include "report/page/display_units.h"
 
@@ -255,9 +255,7 @@ Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
   chart.y_label = label;
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
-  char band[48];
-  std::snprintf(band, sizeof band, "Hertz ± %.3g %%", 100 * tolerance);
-  chart.band_label = band;
+  chart.band_label = printed("Hertz ± %.3g %%", 100 * tolerance);
   chart.y_from_zero = false;
   chart.width = 520;
   chart.series = over_load(curves, ratio, 1, unit);

@@ -1,9 +1,9 @@
 #include "report/diagnosis/diagnosis_page.h"
 
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
+#include "core/printed.h"
 #include "report/diagnosis/diagnosis_figures.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"
@@ -12,14 +12,9 @@ namespace asperity::report {
 namespace {
 
 std::string number(double value, int digits = 3) {
-  char text[48];
   // Whole numbers up to a million are written out.
   const double size = std::abs(value);
-  if (size >= std::pow(10, digits) && size < 1e6)
-    std::snprintf(text, sizeof text, "%.0f", value);
-  else
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+  return size >= std::pow(10, digits) && size < 1e6 ? printed("%.0f", value) : printed("%.*g", digits, value);
 }
 
 std::string with_unit(double value, const std::string& unit, int digits = 3) {

@@ -140,19 +140,19 @@ std::string motion_figure(const SolvedCase& solved) {
                             figure_html("Forces", to_svg(program_forces_chart(solved)),
                                         "The forces that press and move the particle, step by step; how far "
                                         "it has moved stands in history.csv. Where the whole "
-                                        "contact slips, the lateral force points along the way and is the "
+                                        "contact slips, the lateral force points along the path and is the "
                                         "friction that the load allows.") +
                             figure_html("Moments", to_svg(program_moments_chart(solved)),
                                         "Rolling: about the contact; torsion: about the normal. A moment "
                                         "stays when its motion has ended, until another "
                                         "motion makes the contact slip."));
   const std::string back =
-      " After the reversal everything sticks first and slip begins anew over twice the way (Masing's rule).";
+      " After the reversal everything sticks first and slip begins anew over twice the path (Masing's rule).";
   if (largest(solved.history.lateral_displacement) > 0 && solved.entries.text("Experiment/Type") == "sliding")
     return section_html(
         "Sliding",
         figure_html(
-            "Lateral force along the way", to_svg(friction_loop_chart(solved)),
+            "Lateral force along the path", to_svg(friction_loop_chart(solved)),
             "The force that slides the particle at its largest load. It rises as steeply as sticking elastic "
             "bodies resist, "
             "bends where slip grows inwards from the rim, and stays level once the whole contact slips." +
@@ -161,16 +161,15 @@ std::string motion_figure(const SolvedCase& solved) {
                 "friction that went in."));
   if (largest(solved.history.rolling_angle) > 0)
     return section_html("Rolling",
-                        figure_html("Moment about the contact along the way", to_svg(rolling_chart(solved)),
+                        figure_html("Moment about the contact along the path", to_svg(rolling_chart(solved)),
                                     "The moment that rolls the particle at its largest load, free of lateral "
-                                    "force. Rough surfaces are hills: the "
-                                    "moment that one takes on the way up comes back on the way down, and on "
-                                    "the way back with the other sign. What is "
-                                    "dissipated is the area that way out and way back enclose; "
+                                    "force. The conservative topographic part of "
+                                    "rough surfaces averages out along the path, and has the other sign on "
+                                    "the return distance. What is dissipated is the area between both; "
                                     "effective.rolling_dissipation in result.json gives it per angle."));
   if (largest(solved.history.torsion_angle) > 0)
     return section_html("Torsion",
-                        figure_html("Moment along the way", to_svg(torsion_chart(solved)),
+                        figure_html("Moment along the path", to_svg(torsion_chart(solved)),
                                     "The moment that spins the particle about the normal at its largest "
                                     "load; it levels off where the whole contact "
                                     "slips." +

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/resistance/sentences.h"
-#include "report/motion/resistance_section.h"
+#include "dem_compare/cases/block_averages.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
@@ -24,19 +23,19 @@ std::string lead_number(const Uncertain& number) {
 /// "23.4 ± 0.3 µN" or "pN m".
 std::string resistance_text(const Uncertain& number, const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode();
-  return answer_html(lead_number(number * (1 / (slides ? uN : pN_m)))) + (slides ? " µN" : " pN m");
+  return lead_number(number * (1 / (slides ? uN : pN_m))) + (slides ? " µN" : " pN m");
 }
 
 std::string share_text(const Uncertain& part, const Uncertain& whole) {
   constexpr double per_cent = 100;
-  return answer_html(lead_number(ratio(part, {whole.value, 0}) * per_cent)) + " %";
+  return lead_number(ratio(part, {whole.value, 0}) * per_cent) + " %";
 }
 
 /// By mechanism; what takes nothing is named too.
 std::string mechanisms_sentence(const ResistanceParts& parts) {
   if (!std::isfinite(parts.total.value) || parts.total.value == 0)
-    return "Its history does not tell how much of it slip, yielding and bonds take.";
-  return "Of it slip takes " + share_text(parts.friction, parts.total) + ", yielding " +
+    return "Its dissipation by mechanism is not identifiable from its history.";
+  return "Of it slip dissipates " + share_text(parts.friction, parts.total) + ", yielding " +
          share_text(parts.plastic, parts.total) + " and bonds that form and break " +
          share_text(parts.adhesion, parts.total) + ".";
 }
@@ -52,28 +51,28 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const SteadyWay& way = moving.first;
   const Uncertain resistance = way.resistance();
   std::vector<Tile> tiles{
-      {answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))),
+      {lead_number(coefficient_of(moving, mode, solved.hertz().radius)),
        slides ? "effective friction coefficient" : motion_name(mode) + " moment over load and radius",
        "steady resistance at " + in_units(moving.load, Dimension::force)},
       {resistance_text(resistance, mode), slides ? "lateral resistance" : motion_name(mode) + " resistance",
-       "fluctuates along the way by " + resistance_text({way.fluctuation, NAN}, mode)}};
+       "fluctuates along the path by " + resistance_text({way.fluctuation, NAN}, mode)}};
   if (!slides)
-    tiles.push_back({answer_html(lead_number(
-                         resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load))))),
-                     "the same over load and contact radius", "that of Hertz"});
+    tiles.push_back(
+        {lead_number(resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load)))),
+         "the same over load and contact radius", "that of Hertz"});
   const ResistanceParts& parts = way.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
-    tiles.push_back({share_text(parts.friction, parts.total), "taken by slip", ""});
-    tiles.push_back({share_text(parts.plastic, parts.total), "taken by yielding", ""});
-    tiles.push_back({share_text(parts.adhesion, parts.total), "taken by bonds", "that form and break"});
+    tiles.push_back({share_text(parts.friction, parts.total), "dissipated by slip", ""});
+    tiles.push_back({share_text(parts.plastic, parts.total), "dissipated by yielding", ""});
+    tiles.push_back({share_text(parts.adhesion, parts.total), "dissipated by bonds", "that form and break"});
   }
   const EffectiveNumber stiffness = solved.effective(mode.stiffness_key);
   constexpr double kN_per_m = 1e3, nN_m = 1e-9;
   if (std::isfinite(stiffness.value))
-    tiles.push_back({answer_html(lead_number(Uncertain{stiffness.value, stiffness.sd} *
-                                             (1 / (slides ? kN_per_m : nN_m)))) +
-                         (slides ? " kN/m" : " nN m/rad"),
-                     motion_name(mode) + " stiffness", "without slip"});
+    tiles.push_back(
+        {lead_number(Uncertain{stiffness.value, stiffness.sd} * (1 / (slides ? kN_per_m : nN_m))) +
+             (slides ? " kN/m" : " nN m/rad"),
+         motion_name(mode) + " stiffness", "without slip"});
   return tiles;
 }
 
@@ -86,8 +85,7 @@ std::string against_local_friction(const SolvedCase& solved, const MovingCase& m
                           : 3 * M_PI / 16 * mu * moving.load * solved.hertz().contact_radius(moving.load);
   return "Smooth elastic bodies with the local friction that went in, " +
          format_quantity(mu, Dimension::none) + ", resist with " + resistance_text({full, NAN}, mode) +
-         "; this contact with " + answer_html(lead_number(moving.first.resistance() * (1 / full))) +
-         " times that.";
+         "; this contact with " + lead_number(moving.first.resistance() * (1 / full)) + " times that.";
 }
 
 std::string noise_sentence(const SolvedCase& solved, const MotionMode& mode) {
@@ -105,27 +103,26 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
   if (!moving.first.reached()) {
     lead.headline =
         name +
-        ": no steady resistance is known, for the way ends before the motion is steady for three steps (" +
+        ": no steady resistance is known, for the path ends before the motion is steady for three steps (" +
         mode.way_entry + " must be more)";
     return lead;
   }
   const bool slides = &mode == &sliding_mode();
   lead.headline = name + " under " + in_units(moving.load, Dimension::force) + " takes " +
                   resistance_text(moving.first.resistance(), mode) + ", " +
-                  answer_html(lead_number(coefficient_of(moving, mode, solved.hertz().radius))) +
-                  " of the load" + (slides ? "" : " times the particle’s radius") + ". " +
+                  lead_number(coefficient_of(moving, mode, solved.hertz().radius)) + " of the load" +
+                  (slides ? "" : " times the particle’s radius") + ". " +
                   mechanisms_sentence(moving.first.dissipated);
   for (const auto& sentence : {against_local_friction(solved, moving, mode), noise_sentence(solved, mode)})
     if (!sentence.empty()) lead.sentences.push_back(sentence);
   if (moving.first.still_changes())
-    lead.sentences.push_back("It still changes along the way, by " +
+    lead.sentences.push_back("It still changes along the path, by " +
                              percent_text(std::abs(moving.first.drift)) +
                              " from its first half to its second.");
   if (moving.back.reached())
-    lead.sentences.push_back(
-        "On the way back, over the own track, it is " +
-        answer_html(lead_number(ratio(moving.back.resistance(), moving.first.resistance()))) +
-        " times that.");
+    lead.sentences.push_back("In the second pass, on the return distance, it is " +
+                             lead_number(ratio(moving.back.resistance(), moving.first.resistance())) +
+                             " times that.");
   lead.tiles = tiles_of_motion(solved, moving, mode);
   return lead;
 }

@@ -1,21 +1,18 @@
 #include "report/motion/resistance_section.h"
 
-#include <cctype>
-#include <cmath>
-#include <regex>
-
-#include "dem_compare/resistance/sentences.h"
 #include "report/motion/resistance_charts.h"
 #include "report/motion/resistance_tables.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
+#include "report/sentences/resistance_answers.h"
 
 namespace asperity::report {
 namespace {
 
 std::string list_html(const std::vector<std::string>& sentences) {
   std::string html = "<ul>";
-  for (const auto& sentence : sentences) html += "<li>" + answer_html(sentence) + "</li>";
+  for (const auto& sentence : sentences) html += "<li>" + readable(sentence) + "</li>";
   return sentences.empty() ? "" : html + "</ul>\n";
 }
 
@@ -67,8 +64,8 @@ std::string rms_figures(const ResistanceFindings& findings) {
     figures.push_back(
         figure(name + " resistance over roughness", resistance_over_rms(trend, findings.published),
                "One line per load; surfaces of one spectrum, scaled. Bars are standard deviations."));
-    figures.push_back(figure(name + ": what takes it", parts_over_rms(trend, middle),
-                             "Dissipated per way by each mechanism, at " +
+    figures.push_back(figure(name + ": dissipation by mechanism", parts_over_rms(trend, middle),
+                             "Dissipated per path length by each mechanism, at " +
                                  in_units(middle.load, Dimension::force) +
                                  ". What rises or falls here makes the whole rise or fall."));
   }
@@ -79,45 +76,33 @@ std::string motion_section(const MovingStudy& study, const MotionMode& mode) {
   if (!moves(study, mode)) return "";
   const bool slides = &mode == &sliding_mode();
   std::string explanation =
-      "Resistance is the energy dissipated per " + std::string(slides ? "way" : "angle") +
-      " along the steady part of the first way, over surfaces not passed before. Hills of rough "
-      "surfaces give back what they take, so the mean " +
-      (slides ? std::string("force") : std::string("moment")) +
-      " of a short way is mostly theirs; over a long one both agree. ± holds how stretches of "
-      "the way and realisations differ, and what the "
-      "energy balance leaves open. Slip, yielding and bonds (opened with more work than they "
-      "gave when closing) are their shares.";
+      say("Resistance is the energy dissipated per {} along the steady part of the first pass, over surfaces "
+          "not passed "
+          "before. The conservative topographic part gives back what it takes, so the mean {} of a short "
+          "path is mostly "
+          "its own; over a long one both agree. ± holds the scatter of blocks of the path (block averaging) "
+          "and of "
+          "realisations, and what the energy balance leaves open. Slip, yielding and bonds (opened with more "
+          "work than "
+          "they gave when closing) are their shares.",
+          {slides ? "path length" : "angle", slides ? "force" : "moment"});
   if (&mode == &rolling_mode())
     explanation +=
-        " The mesh itself shows moments of up to 5·10⁻⁴ P a on smooth elastic bodies (rolling_noise_floor in "
-        "result.json); they come and go, "
-        "and dissipate nothing.";
-  return section_html("What resists " + motion_name(mode),
+        " The discretisation itself shows moments of up to 5·10⁻⁴ P a on smooth elastic bodies "
+        "(rolling_noise_floor "
+        "in result.json); they come and go, and dissipate nothing.";
+  return section_html(motion_name(mode, true) + ": dissipation by mechanism",
                       figures_over_load(study, mode) + resistance_table(study, mode) + note(explanation));
 }
 
 }  // namespace
 
-std::string answer_html(const std::string& sentence) {
-  static const std::vector<std::pair<std::regex, std::string>> symbols{
-      {std::regex(R"( \+- )"), " ± "},
-      {std::regex(R"(\blambda\b)"), "λ"},
-      {std::regex(R"(\bsigma\b)"), "σ"},
-      {std::regex(R"(\bmu\b)"), "µ"},
-      {std::regex(R"(10\^(\d+))"), "10<sup>$1</sup>"},
-      {std::regex(R"(10\^-(\d+))"), "10<sup>−$1</sup>"},
-      {std::regex(R"((^|[ (])-(\d))"), "$1−$2"}};
-  std::string html = readable(sentence);
-  for (const auto& [pattern, symbol] : symbols) html = std::regex_replace(html, pattern, symbol);
-  return html;
-}
-
 std::string resistance_verdict(const ResistanceFindings& findings) {
   const ResistanceAnswers said = answers(findings);
   std::vector<std::string> sentences;
   for (const auto* list : {&said.length, &said.roughness})
-    for (const auto& sentence : *list) sentences.push_back(answer_html(sentence));
-  return verdict_html(answer_html(said.headline), sentences);
+    for (const auto& sentence : *list) sentences.push_back(readable(sentence));
+  return verdict_html(readable(said.headline), sentences);
 }
 
 std::string resistance_sections(const ResistanceFindings& findings) {
@@ -132,7 +117,7 @@ std::string resistance_sections(const ResistanceFindings& findings) {
                              "Nor why their rolling friction fell and their sliding "
                              "friction rose with roughness. Statements are made at two standard "
                              "deviations (exponents against a law: three); where they do not "
-                             "suffice, it says that it cannot be told.") +
+                             "suffice, it says that the answer is not identifiable.") +
                        exponent_table(findings));
   for (const MotionMode* mode : all_motions()) html += motion_section(findings.study, *mode);
   if (!said.rails.empty())

@@ -1,5 +1,5 @@
-// The part of a study's page on moving contacts: what resists sliding, rolling and torsion, and what that
-// says on the paper's open questions.
+// The part of a study's page on moving contacts: dissipation in sliding, rolling and torsion by
+// mechanism, and what that says on the paper's open questions.
 #pragma once
 
 #include <string>
@@ -12,8 +12,5 @@ namespace asperity::report {
 std::string resistance_verdict(const ResistanceFindings& findings);
 /// Figures and tables, with the sentences that they support.
 std::string resistance_sections(const ResistanceFindings& findings);
-
-/// A sentence of the answers for HTML: escaped, with its symbols.
-std::string answer_html(const std::string& sentence);
 
 }  // namespace asperity::report

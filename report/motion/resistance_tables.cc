@@ -3,43 +3,33 @@
 #include <cmath>
 #include <limits>
 
+#include "core/printed.h"
 #include "dem_compare/cases/block_averages.h"
-#include "dem_compare/resistance/sentences.h"
-#include "report/motion/resistance_section.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
 
 constexpr double per_cent = 100;
 
-std::string cell(const Uncertain& number) {
-  return std::isfinite(number.value) ? answer_html(number_text(number)) : "–";
-}
+std::string cell(const Uncertain& number) { return std::isfinite(number.value) ? number_text(number) : "–"; }
 
 std::string share_of(const Uncertain& part, const Uncertain& whole) {
-  return std::isfinite(part.value) ? cell(Uncertain{part.value / whole.value * per_cent,
-                                                    part.sd / std::abs(whole.value) * per_cent})
-                                   : "–";
+  return cell(ratio(part, {whole.value, 0}) * per_cent);
 }
 
 std::string rounded(double value, int digits = 3) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  return std::isfinite(value) ? buffer : "–";
+  return std::isfinite(value) ? printed("%.*g", digits, value) : "–";
 }
 
-/// Shortest first way of the cases.
-double shortest_way(const MovingState& state) {
-  double way = std::numeric_limits<double>::infinity();
-  for (const auto& item : state.cases) way = std::min(way, item.way_in_radii);
-  return way;
-}
-
-Uncertain per_nm_in_percent(const Uncertain& slope, double mean) {
-  return {slope.value * nm / mean * per_cent, slope.sd * nm / std::abs(mean) * per_cent};
+/// Of the first passes.
+double shortest_path(const std::vector<MovingCase>& cases) {
+  double path = std::numeric_limits<double>::infinity();
+  for (const auto& item : cases) path = std::min(path, item.way_in_radii);
+  return path;
 }
 
 }  // namespace
@@ -55,8 +45,8 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
   table.head.emplace_back(slides ? "mean force [µN]" : "mean moment [pN m]");
   table.head.emplace_back("fluctuates by (sd)");
-  for (const char* head : {"balance open [%]", spins ? "way [rad]" : "way [contact radii]",
-                           "way back over first", "real area over Hertz"})
+  for (const char* head : {"balance open [%]", spins ? "path [rad]" : "path [contact radii]",
+                           "second pass over first", "real area over Hertz"})
     table.head.emplace_back(head);
   for (const auto& contact : study.contacts)
     for (const auto* state : contact.of(mode)) {
@@ -71,7 +61,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
       row.push_back(cell(state->force * (1 / unit)));
       row.push_back(rounded(state->fluctuation / unit));
       row.push_back(rounded(per_cent * std::abs(state->unbalanced) / std::abs(state->resistance.value), 2));
-      row.push_back(rounded(shortest_way(*state)));
+      row.push_back(rounded(shortest_path(state->cases)));
       row.push_back(cell(state->back_over_first));
       row.push_back(rounded(state->contact_area / (M_PI * state->hertz_radius * state->hertz_radius)));
       table.rows.push_back(std::move(row));
@@ -82,7 +72,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 std::string rail_table(const MovingStudy& study) {
   Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]", "yielding [%]", "bonds [%]",
                "M_ro cos + M_to sin [pN m]", "over it", "spin moment [pN m]", "over torsion alone",
-               "way [contact radii]"},
+               "path [contact radii]"},
               {},
               true};
   for (const auto& contact : study.contacts)
@@ -91,12 +81,10 @@ std::string rail_table(const MovingStudy& study) {
                                    in_units(rail.load, Dimension::force), cell(rail.resistance * (1 / pN_m))};
       for (const auto& part : {rail.parts.friction, rail.parts.plastic, rail.parts.adhesion})
         row.push_back(share_of(part, rail.parts.total));
-      double way = std::numeric_limits<double>::infinity();
-      for (const auto& item : rail.cases) way = std::min(way, item.way_in_radii);
       for (const auto& number :
            {rail.sum * (1 / pN_m), rail.over_sum(), rail.spin_moment * (1 / pN_m), rail.spin_over_torsion})
         row.push_back(cell(number));
-      row.push_back(rounded(way));
+      row.push_back(rounded(shortest_path(rail.cases)));
       table.rows.push_back(std::move(row));
     }
   return table.rows.empty()
@@ -149,8 +137,8 @@ std::string trend_table(const ResistanceFindings& findings) {
     for (const auto& at : trend.loads) {
       std::vector<std::string> row{motion_name(*trend.mode), in_units(at.load, Dimension::force)};
       for (const Trend* part : {&at.total, &at.friction, &at.plastic, &at.adhesion})
-        row.push_back(cell(per_nm_in_percent(part->slope, at.total.mean.value)));
-      row.push_back(cell(per_nm_in_percent(at.force.slope, at.force.mean.value)));
+        row.push_back(share_of(per_nanometre(part->slope), at.total.mean));
+      row.push_back(share_of(per_nanometre(at.force.slope), at.force.mean));
       table.rows.push_back(std::move(row));
     }
   return table_html(table) + note(
@@ -178,7 +166,8 @@ std::string contribution_table(const ResistanceFindings& findings) {
              "The same surfaces, seed by seed, with a mechanism and without it. Switching yielding off also "
              "changes "
              "what slip "
-             "takes, because hills stay higher and the real contact is another; the last columns say so.");
+             "takes, because the topography stays higher and the real contact is another; the last columns "
+             "say so.");
 }
 
 std::string input_table(const ResistanceFindings& findings) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/printed.h"
 
 namespace asperity::report {
 namespace {
@@ -40,19 +41,11 @@ std::string tick_label(double value, const Axis& axis) {
   const int decimals = step > 0 ? std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-6))) : 0;
   constexpr int most_decimals = 4;
   constexpr double largest_plain = 1e6;
-  char buffer[48];
-  if (decimals > most_decimals || std::abs(value) >= largest_plain)
-    std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  else
-    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, std::abs(value) < step / 2 ? 0.0 : value);
-  return buffer;
+  if (decimals > most_decimals || std::abs(value) >= largest_plain) return printed("%.3g", value);
+  return printed("%.*f", decimals, std::abs(value) < step / 2 ? 0.0 : value);
 }
 
-std::string coordinate(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2f", value);
-  return buffer;
-}
+std::string coordinate(double value) { return printed("%.2f", value); }
 
 std::string escaped(const std::string& text) {
   std::string safe;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/printed.h"
 
 namespace asperity::report {
 
@@ -44,11 +45,7 @@ Colour ColourScale::at(double t) const {
   return colour;
 }
 
-std::string hex(const Colour& colour) {
-  char buffer[8];
-  std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
-  return buffer;
-}
+std::string hex(const Colour& colour) { return printed("#%02x%02x%02x", colour[0], colour[1], colour[2]); }
 
 std::string line_colour(std::size_t index) {
   static const char* const colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",

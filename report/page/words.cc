@@ -2,23 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <regex>
 
+#include "core/printed.h"
 #include "report/page/axis.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
 
 /// Balances of a converged solve lie below it; nobody reads further digits.
 constexpr double smallest_share = 1e-5;
-
-std::string printed(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
 
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;
@@ -88,7 +83,7 @@ std::string what_was_asked(const SolvedCase& solved) {
   if (type != "normal")
     words += ". The local friction of its surfaces is " + entries.text("Interface/Friction coefficient", "0");
   if (type != "normal")
-    return words + ". What resists this motion, and which mechanism takes how much of it?";
+    return words + ". How large is its resistance, and how much does each mechanism dissipate?";
   return words +
          ". How stiff is this contact, where does it differ from the smooth elastic contact of Hertz (1882), "
          "and what stays "
@@ -100,9 +95,7 @@ std::string in_units(double value, Dimension dimension, int digits) {
   // Heights and imprints are thought of in nanometres also where they are less than one.
   constexpr double nm = 1e-9, tenth = 0.1 * nm;
   if (dimension == Dimension::length && std::abs(value) < nm && std::abs(value) >= tenth) {
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, "%.*g nm", digits, value / nm);
-    return buffer;
+    return printed("%.*g nm", digits, value / nm);
   }
   return readable(format_quantity(value, dimension, digits));
 }
@@ -144,9 +137,7 @@ std::string departure_text(double ratio) {
 std::string percent_text(double share, int digits) {
   if (!std::isfinite(share)) return "–";
   if (share != 0 && std::abs(share) < smallest_share) return "&lt; 0.001 %";
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, "%.*g %%", digits, 100 * share);
-  return buffer;
+  return printed("%.*g %%", digits, 100 * share);
 }
 
 std::string percent_bound(double share) { return percent_text(std::max(std::abs(share), smallest_share)); }

@@ -1,13 +1,14 @@
 #include "report/result/result_tables.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "core/printed.h"
 #include "report/curves/curves.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
@@ -15,10 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string general(double value, int digits = 4) {
-  if (!std::isfinite(value)) return "–";
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  return buffer;
+  return std::isfinite(value) ? printed("%.*g", digits, value) : "–";
 }
 
 std::string spaced(std::string name) {
@@ -53,11 +51,7 @@ void add_rows(Table& table, const std::string& name, const Json& value) {
 }
 
 /// Memory is written in bytes.
-std::string memory_text(double bytes) {
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, "%.3g GiB", bytes / (1024.0 * 1024 * 1024));
-  return buffer;
-}
+std::string memory_text(double bytes) { return printed("%.3g GiB", bytes / (1024.0 * 1024 * 1024)); }
 
 const char* meaning_of_balance(const std::string& name) {
   if (name == "force") return "contact tractions against the reactions at the supports";

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "dem_compare/compare/comparison.h"
-#include "dem_compare/resistance/resistance_file.h"
 #include "report/case/case_report.h"
+#include "report/motion/resistance_file.h"
 #include "report/motion/resistance_section.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"

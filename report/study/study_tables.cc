@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/printed.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
 #include "report/result/result_tables.h"
 #include "report/result/surface_spectra.h"
+#include "report/sentences/phrases.h"
 #include "surfaces/surface_of_entry.h"
 #include "surfaces/virtual_afm.h"
 
@@ -34,25 +36,19 @@ Table load_by_load(const std::vector<StudyCurve>& curves, std::vector<std::strin
 /// Mesh error of a small difference, which says more in its own unit than in per cent.
 std::string absolute_mesh_error(const Estimate& estimate, double unit) {
   if (!estimate.mesh) return "–";
-  char buffer[32];
   const double error = (estimate.mean - estimate.mesh->extrapolated) / unit;
-  std::snprintf(buffer, sizeof buffer, "%.2f", std::abs(error));
-  return (error < 0 ? "−" : "+") + std::string(buffer);
+  return (error < 0 ? "−" : "+") + printed("%.2f", std::abs(error));
 }
 
 std::string spectrum_cells(const GeneratorParameters& generator, std::vector<std::string>& row) {
   const SelfAffineSpectrum& spectrum = generator.spectrum;
-  char hurst[16];
-  std::snprintf(hurst, sizeof hurst, "%.3g", spectrum.hurst);
   row.insert(row.end(), {in_units(spectrum.rms, Dimension::length),
                          generator.window > 0 ? "scans of " + in_units(generator.window, Dimension::length)
                                               : "the whole surface",
-                         hurst, in_units(spectrum.rolloff, Dimension::length),
+                         printed("%.3g", spectrum.hurst), in_units(spectrum.rolloff, Dimension::length),
                          in_units(spectrum.cutoff, Dimension::length),
                          in_units(correlation_length(spectrum), Dimension::length)});
-  char slope[16];
-  std::snprintf(slope, sizeof slope, "%.3f", surface_spectrum(generator).rms_slope());
-  return slope;
+  return printed("%.3f", surface_spectrum(generator).rms_slope());
 }
 
 }  // namespace
@@ -157,7 +153,7 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
              ", Hertz's exponent 1.5). Leaving the zero of approach free as well "
              "takes out the soft beginning, where only the highest asperities carry. The imprint is the "
              "approach that has not come back; "
-             "one that is smaller than its scatter or mesh error, or negative, is none that could be told.");
+             "one that is smaller than its scatter or mesh error, or negative, is not significant.");
 }
 
 std::string case_list(const CaseCollection& collection) {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "dem_compare/compare/hertz_verdict.h"
 #include "report/page/axis.h"
 #include "report/page/page.h"
 #include "report/page/words.h"
 #include "report/result/result_tables.h"
+#include "report/sentences/hertz_words.h"
 #include "results/energy_balance.h"
 
 namespace asperity::report {
@@ -120,7 +120,8 @@ std::string worst_balance_sentence(const CaseCollection& collection) {
 std::string study_verdict(const CaseCollection& collection, const std::vector<StudyCurve>& curves) {
   std::vector<std::string> sentences;
   for (const auto& curve : curves)
-    sentences.push_back("<b>" + readable(curve.label) + "</b>: " + readable(curve.last().verdict));
+    sentences.push_back("<b>" + readable(curve.label) +
+                        "</b>: " + readable(verdict_against_hertz(curve.last(), tolerance)));
   for (const auto& sentence :
        {numerical_error_sentence(curves), mesh_sentence(curves), worst_balance_sentence(collection)})
     if (!sentence.empty()) sentences.push_back(sentence);

@@ -36,7 +36,7 @@ TEST(MotionFigures_analytic, show_mindlins_loop_between_plus_and_minus_mu_P) {
   EXPECT_NEAR(*std::max_element(law.y.begin(), law.y.end()), 30, 1e-9);
   EXPECT_NEAR(law.y.back(), -30, 1e-9);
   EXPECT_NEAR(law.x.back(), 0, 1e-9);
-  EXPECT_NE(report::motion_figure(moved("sliding")).find("Lateral force along the way"), std::string::npos);
+  EXPECT_NE(report::motion_figure(moved("sliding")).find("Lateral force along the path"), std::string::npos);
 }
 
 TEST(MotionFigures_analytic, show_lubkins_loop_between_plus_and_minus_full_slip) {
@@ -45,7 +45,7 @@ TEST(MotionFigures_analytic, show_lubkins_loop_between_plus_and_minus_full_slip)
   const double full = 3 * M_PI / 16 * 30e-6 * 0.25928e-6 / 1e-12;  // 3 pi mu P a / 16 in pN m
   EXPECT_NEAR(chart.series[1].y[200], full, 2e-3 * full);
   EXPECT_NEAR(chart.series[1].y.back(), -full, 5e-3 * full);
-  EXPECT_NE(report::motion_figure(moved("torsion")).find("Moment along the way"), std::string::npos);
+  EXPECT_NE(report::motion_figure(moved("torsion")).find("Moment along the path"), std::string::npos);
 }
 
 TEST(MotionFigures_behaviour, show_forces_and_moments_of_a_program_over_its_steps) {

@@ -18,7 +18,7 @@ TEST(MotionLead_analytic, of_sliding_gives_the_friction_coefficient_and_what_tak
   ASSERT_TRUE(lead);
   EXPECT_TRUE(test::has(lead->headline, "Sliding under 100 µN takes 20")) << lead->headline;
   EXPECT_TRUE(test::has(lead->headline, "0.2")) << lead->headline;
-  EXPECT_TRUE(test::has(lead->headline, "slip takes 60")) << lead->headline;
+  EXPECT_TRUE(test::has(lead->headline, "slip dissipates 60")) << lead->headline;
   EXPECT_TRUE(test::has(lead->headline, "yielding 30")) << lead->headline;
   EXPECT_TRUE(test::has(lead->headline, "form and break 10")) << lead->headline;
   ASSERT_GE(lead->tiles.size(), 5u);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "dem_compare/resistance/sentences.h"
 #include "dem_compare/resistance/trend.h"
 
 namespace asperity {
@@ -84,14 +83,6 @@ TEST(Trend_analytic, exponent_of_a_power_law_is_found_in_units_of_any_size) {
   const Trend trend = fit_exponent_of({1e-4, 3e-4, 1e-3}, {law(1e-4), law(3e-4), law(1e-3)});
   EXPECT_NEAR(trend.slope.value, 4. / 3., 1e-9);
   EXPECT_GT(trend.slope.sd, 0);
-}
-
-TEST(Sentences_behaviour, numbers_have_two_digits_of_their_sd) {
-  EXPECT_EQ(number_text({31.234, 4.12}), "31.2 +- 4.1");
-  EXPECT_EQ(number_text({3.79e-4, 5.4e-5}), "(3.79 +- 0.54) 10^-4");
-  EXPECT_EQ(number_text({-1e-4, 0.5}), "0.00 +- 0.50");
-  EXPECT_EQ(number_text({0.25}), "0.25");
-  EXPECT_EQ(number_text({NAN}), "unknown");
 }
 
 TEST(Trend_analytic, mean_of_slopes_that_may_err_together_is_no_better_than_each) {

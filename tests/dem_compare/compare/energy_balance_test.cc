@@ -38,9 +38,8 @@ TEST(EnergyBalance_analytic, open_by_more_than_one_per_cent_is_said_by_derive_an
   EXPECT_TRUE(any_has(found.remarks, "2.3 % of its energy is not accounted for, more than 1 %"));
   EXPECT_EQ(derive_parameters(found.sets.front()).parameters.derivation["in_doubt"].size(), 1u);
   const Comparison comparison = compare_with_hertz(collect_cases({folder}), 0.05);
-  EXPECT_TRUE(any_has(comparison.remarks, "2.3 %"));
-  EXPECT_NE(to_markdown(comparison).find("2.3 % of its energy"), std::string::npos);
-  EXPECT_EQ(to_json(comparison)["in_doubt"].size(), 1u);
+  EXPECT_EQ(comparison.remarks.size(), 1u);
+  EXPECT_TRUE(any_has(comparison.remarks, "2.3 % of its energy"));
   EXPECT_TRUE(collect_cases({write_open(root.path / "b", "0.0099")}).remarks.empty());
 }
 

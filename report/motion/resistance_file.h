@@ -1,4 +1,5 @@
-// The findings as files: one row per contact, motion and load, and everything as JSON. SI units.
+// The findings as files: one row per contact, motion and load, and everything with the answers as JSON. SI
+// units.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,10 +7,10 @@
 
 #include "dem_compare/resistance/findings.h"
 
-namespace asperity {
+namespace asperity::report {
 
 std::string resistance_csv(const MovingStudy& study);
 /// Format "asperity-resistance/1".
 nlohmann::ordered_json resistance_json(const ResistanceFindings& findings);
 
-}  // namespace asperity
+}  // namespace asperity::report

@@ -1,10 +1,10 @@
-#include "dem_compare/compare/verdict.h"
+#include "report/sentences/verdict_words.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace asperity {
+namespace asperity::report {
 namespace {
 
 constexpr double uN = 1e-6;
@@ -92,14 +92,14 @@ ComparisonRow row(double load, double finite_elements, double law, double publis
 TEST(Verdict_behaviour, is_given_against_finite_elements_and_against_the_measurement) {
   const auto found = verdicts({row(100 * uN, 1, 1.12, 0.5), row(200 * uN, 1, 1.12, NAN)}, 0.05);
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].text,
+  EXPECT_EQ(verdict_text(found[0], 0.05),
             "The no-slip law overstates the lateral stiffness from rest of the finite elements by 12 ± 3 % "
             "from 100 uN to 200 uN.");
-  EXPECT_EQ(found[1].text,
+  EXPECT_EQ(verdict_text(found[1], 0.05),
             "The no-slip law overstates the lateral stiffness from rest of the measurement by a factor of "
             "2.24 at 100 uN. How far "
             "it is uncertain is not known.");
-  EXPECT_EQ(found[2].text,
+  EXPECT_EQ(verdict_text(found[2], 0.05),
             "The finite-element model overstates the lateral stiffness from rest of the measurement by 100 ± "
             "6 % at 100 uN.");
   EXPECT_TRUE(found[0].good.empty());
@@ -109,7 +109,7 @@ TEST(Verdict_behaviour, does_not_praise_a_law_for_the_measurement_it_was_fitted_
   const auto found = verdicts({row(100 * uN, NAN, 0.5, 0.5)}, 0.05);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(found[0].is_own_fit);
-  EXPECT_EQ(found[0].text,
+  EXPECT_EQ(verdict_text(found[0], 0.05),
             "The no-slip law repeats the lateral stiffness from rest of the measurement: its numbers were "
             "fitted to it.");
   EXPECT_EQ(good_words(found[0]), "its numbers were fitted to it");
@@ -119,7 +119,7 @@ TEST(Verdict_behaviour, says_where_the_mesh_alone_is_worth_more_than_the_toleran
   ComparisonRow coarse = row(100 * uN, 1, 1.02, NAN);
   coarse.finite_elements.sd = 0.001;
   coarse.finite_elements.mesh_error = -0.08;
-  const std::string text = verdicts({coarse}, 0.05).front().text;
+  const std::string text = verdict_text(verdicts({coarse}, 0.05).front(), 0.05);
   EXPECT_NE(
       text.find(
           "may or may not give the lateral stiffness from rest of the finite elements within 5 % at 100 uN"),
@@ -128,15 +128,16 @@ TEST(Verdict_behaviour, says_where_the_mesh_alone_is_worth_more_than_the_toleran
   EXPECT_NE(text.find("The mesh alone leaves 8.0 % in doubt at 100 uN."), std::string::npos) << text;
   coarse.finite_elements.mesh_error = 0.01;
   EXPECT_EQ(
-      verdicts({coarse}, 0.05).front().text,
+      verdict_text(verdicts({coarse}, 0.05).front(), 0.05),
       "The no-slip law gives the lateral stiffness from rest of the finite elements within 5 % at 100 uN.");
 }
 
 TEST(Verdict_behaviour, of_one_row_prefers_finite_elements) {
-  EXPECT_EQ(row_verdict(row(100 * uN, 1, 1.12, 0.5), 0.05), "overstates by 12 ± 3 % against finite elements");
-  EXPECT_EQ(row_verdict(row(100 * uN, NAN, 0.49, 0.5), 0.05), "good within 5 % against the measurement");
-  EXPECT_EQ(row_verdict(row(100 * uN, NAN, 0.49, NAN), 0.05), "");
+  EXPECT_EQ(row_verdict_text(row(100 * uN, 1, 1.12, 0.5), 0.05),
+            "overstates by 12 ± 3 % against finite elements");
+  EXPECT_EQ(row_verdict_text(row(100 * uN, NAN, 0.49, 0.5), 0.05), "good within 5 % against the measurement");
+  EXPECT_EQ(row_verdict_text(row(100 * uN, NAN, 0.49, NAN), 0.05), "");
 }
 
 }  // namespace
-}  // namespace asperity
+}  // namespace asperity::report

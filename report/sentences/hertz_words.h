@@ -5,7 +5,7 @@
 
 #include "dem_compare/compare/comparison.h"
 
-namespace asperity {
+namespace asperity::report {
 
 /// Of a group whose loads are judged.
 std::string verdict_against_hertz(const GroupComparison& group, double tolerance);
@@ -16,4 +16,4 @@ std::string percent_off_one(double ratio, double tolerance);
 /// " (-58 to +56 %)": the interval of a departure; "" where its width is not known or too small to be seen.
 std::string interval_words(double departure, double half_width);
 
-}  // namespace asperity
+}  // namespace asperity::report

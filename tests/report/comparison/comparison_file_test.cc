@@ -1,4 +1,4 @@
-#include "dem_compare/compare/comparison.h"
+#include "report/comparison/comparison_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,11 +8,17 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "report/sentences/hertz_words.h"
+#include "report/sentences/phrases.h"
 
-namespace asperity {
+namespace asperity::report {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string verdict_of(const Comparison& comparison) {
+  return verdict_against_hertz(comparison.groups[0], comparison.tolerance);
+}
 
 /// Folders of cases whose force is a known multiple of Hertz's.
 class ComparedFolders : public testing::Test {
@@ -68,7 +74,7 @@ TEST_F(ComparedFolders, hertz_itself_is_hertzian_at_every_load_analytic) {
     EXPECT_NEAR(load.pressure_ratio.mean, 1, 1e-6);
   }
   EXPECT_NEAR(group.hertzian_from, 1.25e-4, 1e-10);
-  EXPECT_EQ(group.verdict.find("softer"), std::string::npos);
+  EXPECT_EQ(verdict_of(comparison).find("softer"), std::string::npos);
   EXPECT_NEAR(group.numbers.fitted_radius.mean, 8.5e-6, 1e-11);
   EXPECT_FALSE(group.numbers.loading_stiffness.mesh.has_value());
 }
@@ -78,8 +84,8 @@ TEST_F(ComparedFolders, a_contact_like_a_smaller_sphere_is_softer_by_the_cube_ro
   // k = 2 E* (R delta)^(1/2) at given load scales with R^(1/3): 0.512^(1/3) = 0.8
   EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_ratio.mean, 0.8, 1e-6);
   EXPECT_TRUE(std::isnan(comparison.groups[0].hertzian_from));
-  EXPECT_NE(comparison.groups[0].verdict.find("softer than Hertz by 20 % still at 1 mN"), std::string::npos)
-      << comparison.groups[0].verdict;
+  EXPECT_NE(verdict_of(comparison).find("softer than Hertz by 20 % still at 1 mN"), std::string::npos)
+      << verdict_of(comparison);
 }
 
 TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said_to_be_behaviour) {
@@ -89,8 +95,8 @@ TEST_F(ComparedFolders, two_load_steps_are_too_few_to_judge_a_stiffness_and_said
     if (column.always) (history.*column.values).resize(2);
   write_file_atomically(folder / "history.csv", format_history(history));
   const Comparison comparison = compare_with_hertz(collect_cases({folder}), 0.05);
-  EXPECT_NE(comparison.groups[0].verdict.find("too few load steps"), std::string::npos);
-  EXPECT_EQ(to_markdown(comparison).find("nan"), std::string::npos);
+  EXPECT_NE(verdict_of(comparison).find("too few load steps"), std::string::npos);
+  EXPECT_EQ(comparison_markdown(comparison).find("nan"), std::string::npos);
 }
 
 TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_contact_behaviour) {
@@ -102,10 +108,10 @@ TEST_F(ComparedFolders, cases_that_differ_by_their_seed_are_realisations_of_one_
   EXPECT_NEAR(ratio.mean, (std::cbrt(0.9) + std::cbrt(1.1)) / 2, 1e-6);
   EXPECT_NEAR(ratio.sd, (std::cbrt(1.1) - std::cbrt(0.9)) / std::sqrt(2.0), 1e-6);
   // 4.7 %: within a tolerance of 5 % it is not worth a word, above one of 2 % it is.
-  EXPECT_EQ(comparison.groups[0].verdict.find("scatter about it"), std::string::npos);
+  EXPECT_EQ(verdict_of(comparison).find("scatter about it"), std::string::npos);
   const Comparison strict = compare_with_hertz(collect_cases({root / "a", root / "b"}), 0.02);
-  EXPECT_NE(strict.groups[0].verdict.find("scatter about it by up to 4.7 %"), std::string::npos)
-      << strict.groups[0].verdict;
+  EXPECT_NE(verdict_of(strict).find("scatter about it by up to 4.7 %"), std::string::npos)
+      << verdict_of(strict);
 }
 
 TEST_F(ComparedFolders,
@@ -167,7 +173,7 @@ TEST_F(ComparedFolders,
     EXPECT_NEAR(load.mean_pressure.mean / hertz.peak_pressure(load.force), 2.0 / 3, 1e-6);
     EXPECT_LT(load.step_error, 1e-4);
   }
-  const std::string csv = to_csv(comparison);
+  const std::string csv = comparison_csv(comparison);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
   EXPECT_NE(csv.find("stiffness [N/m],stiffness_sd [N/m],stiffness_mesh_error"), std::string::npos);
 }
@@ -189,8 +195,9 @@ TEST_F(ComparedFolders,
   EXPECT_NEAR(group.loads.back().stiffness_doubt, 4.527 * 0.22 / std::sqrt(3.0), 2e-3);
   EXPECT_EQ(group.judged_at_all_loads, Judged::not_known);
   EXPECT_TRUE(std::isnan(group.hertzian_from));
-  EXPECT_NE(group.verdict.find("is not known at 1 mN: softer by 1 % (-58 to +56 %)"), std::string::npos)
-      << group.verdict;
+  EXPECT_NE(verdict_of(comparison).find("is not known at 1 mN: softer by 1 % (-58 to +56 %)"),
+            std::string::npos)
+      << verdict_of(comparison);
 }
 
 TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open_behaviour) {
@@ -212,15 +219,17 @@ TEST_F(ComparedFolders, a_verdict_does_not_contradict_itself_where_the_tolerance
   write_file_atomically(folder / "history.csv", format_history(history));
   for (const double tolerance : {0.02, 0.03, 0.04, 0.05, 0.06}) {
     const GroupComparison group = compare_with_hertz(collect_cases({folder}), tolerance).groups[0];
+    const std::string words = verdict_against_hertz(group, tolerance);
     const std::string by = "by " + std::to_string(static_cast<int>(std::lround(100 * tolerance))) + " %";
-    EXPECT_EQ(group.verdict.find(by), std::string::npos) << group.verdict;
+    EXPECT_EQ(words.find(by), std::string::npos) << words;
     if (std::isnan(group.hertzian_from)) continue;
     bool is_a_load = false;
     for (const auto& load : group.loads) is_a_load = is_a_load || load.force == group.hertzian_from;
     EXPECT_TRUE(is_a_load);
     const std::string from = format_quantity(group.hertzian_from, Dimension::force, 3);
-    if (group.hertzian_from > group.loads.front().force)
-      EXPECT_EQ(group.verdict.find("at " + from + ", within"), std::string::npos) << group.verdict;
+    if (group.hertzian_from > group.loads.front().force) {
+      EXPECT_EQ(words.find("at " + from + ", within"), std::string::npos) << words;
+    }
   }
 }
 
@@ -248,16 +257,20 @@ TEST_F(ComparedFolders, a_study_says_which_of_its_cases_are_missing_behaviour) {
       "values": ["rough"]}], "cases": [)" +
                             entry("rough-r1", "done") + "," + entry("rough-r2", "stopped") + "," +
                             entry("rough-r3", "done") + "]}");
-  const Comparison comparison = compare_with_hertz(collect_cases({root}), 0.05);
+  Comparison comparison = compare_with_hertz(collect_cases({root}), 0.05);
   EXPECT_EQ(comparison.planned, 3u);
   ASSERT_EQ(comparison.missing.size(), 2u);
   EXPECT_EQ(comparison.missing[0].state, "stopped");
   EXPECT_EQ(comparison.missing[1].state, "its folder is gone");
   ASSERT_EQ(comparison.groups.size(), 1u);
   EXPECT_EQ(comparison.groups[0].label, "rough");
-  const std::string markdown = to_markdown(comparison);
+  comparison.remarks.push_back("2.3 % of its energy is not accounted for");
+  const std::string markdown = comparison_markdown(comparison);
+  EXPECT_NE(markdown.find("In doubt:\n- 2.3 % of its energy"), std::string::npos);
+  EXPECT_EQ(comparison_json(comparison)["in_doubt"].size(), 1u);
+  EXPECT_EQ(comparison_json(comparison).dump().find("nan"), std::string::npos);
   EXPECT_NE(markdown.find("rough-r2: stopped"), std::string::npos);
-  EXPECT_EQ(to_json(comparison)["missing"].size(), 2u);
+  EXPECT_EQ(comparison_json(comparison)["missing"].size(), 2u);
 }
 
 TEST_F(ComparedFolders, a_folder_that_is_neither_case_nor_study_is_refused_behaviour) {
@@ -272,4 +285,4 @@ TEST(PlusMinus_behaviour, shows_as_many_digits_as_the_scatter_deserves) {
 }
 
 }  // namespace
-}  // namespace asperity
+}  // namespace asperity::report

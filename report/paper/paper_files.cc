@@ -1,29 +1,23 @@
-// The analysis as text, JSON and CSV.
-#include <cstdio>
+#include "report/paper/paper_files.h"
+
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "dem_compare/numbers/quoted_for_csv.h"
-#include "dem_compare/paper/analysis.h"
+#include "core/csv.h"
+#include "core/joined.h"
+#include "core/printed.h"
 
-namespace asperity {
+namespace asperity::report {
 namespace {
 
 std::string with_sd(const std::optional<Uncertain>& number, const DisplayUnit& unit) {
   if (!number) return "";
-  char text[60];
-  if (number->has_sd())
-    std::snprintf(text, sizeof text, "%.5g +- %.3g", number->value / unit.factor, number->sd / unit.factor);
-  else
-    std::snprintf(text, sizeof text, "%.5g", number->value / unit.factor);
-  return text;
+  return printed("%.5g", number->value / unit.factor) +
+         (number->has_sd() ? printed(" +- %.3g", number->sd / unit.factor) : "");
 }
 
-std::string sigma(double deviation) {
-  if (!std::isfinite(deviation)) return "";
-  char text[20];
-  std::snprintf(text, sizeof text, "%+.2f", deviation);
-  return text;
-}
+std::string sigma(double deviation) { return std::isfinite(deviation) ? printed("%+.2f", deviation) : ""; }
 
 /// Deviations over the published sd, and over both.
 std::pair<double, double> deviations(const PaperNumber& n) {
@@ -40,11 +34,7 @@ std::string curve_text(const PaperCurve& curve) {
   const std::size_t rows = curve.values.front().size(),
                     step = std::max<std::size_t>(1, (rows - 1) / (rows_shown - 1));
   for (std::size_t row = 0; row < rows; row += step) {
-    for (const auto& column : curve.values) {
-      char cell[24];
-      std::snprintf(cell, sizeof cell, " %12.5g", column[row]);
-      text += cell;
-    }
+    for (const auto& column : curve.values) text += printed(" %12.5g", column[row]);
     text += "\n";
   }
   return text;
@@ -55,20 +45,20 @@ std::string curve_text(const PaperCurve& curve) {
 std::string paper_text(const PaperAnalysis& analysis) {
   std::string text =
       "Rolling, sliding and torsion of micron-sized silica particles (Fuchs, Weinhart et al. 2014): "
-      "published numbers beside what "
-      "its inputs give.\nsigma: (computed - published) over the published sd; both: over that of both.\n";
-  char line[400];
+      "published numbers "
+      "beside what its inputs give.\nsigma: (computed - published) over the published sd; both: over that of "
+      "both.\n";
+  const auto line = [](const std::string& what, const std::string& published, const std::string& computed,
+                       const char* unit, const std::string& own, const std::string& both) {
+    return printed("  %-64s %-22s %-22s %-8s %7s %7s\n", what.c_str(), published.c_str(), computed.c_str(),
+                   unit, own.c_str(), both.c_str());
+  };
   for (const auto& section : analysis.sections) {
-    text += "\n" + section.title + "\n";
-    std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", "", "published", "computed", "",
-                  "sigma", "both");
-    text += line;
+    text += "\n" + section.title + "\n" + line("", "published", "computed", "", "sigma", "both");
     for (const auto& n : section.numbers) {
       const auto [own, both] = deviations(n);
-      std::snprintf(line, sizeof line, "  %-64s %-22s %-22s %-8s %7s %7s\n", n.what.c_str(),
-                    with_sd(n.published, n.unit).c_str(), with_sd(n.computed, n.unit).c_str(), n.unit.name,
-                    sigma(own).c_str(), sigma(both).c_str());
-      text += line;
+      text += line(n.what, with_sd(n.published, n.unit), with_sd(n.computed, n.unit), n.unit.name, sigma(own),
+                   sigma(both));
       if (!n.remark.empty()) text += "      ^ " + n.remark + "\n";
     }
   }
@@ -115,20 +105,17 @@ std::string paper_csv(const PaperSection& section) {
   std::string text =
       "what,unit,published,published_sd,computed,computed_sd,deviation_in_sigma,deviation_in_both_sigmas,"
       "remark\n";
-  const auto cell = [](double value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.9g", value);
-    return std::isfinite(value) ? std::string(buffer) : std::string();
+  const auto cells = [](const std::optional<Uncertain>& number) {
+    return number ? csv_cell(number->value) + "," + csv_cell(number->sd) : ",";
   };
   for (const auto& n : section.numbers) {
-    const double none = std::nan("");
     const auto [own, both] = deviations(n);
-    text += quoted_for_csv(n.what) + "," + n.unit.si + "," + cell(n.published ? n.published->value : none) +
-            "," + cell(n.published ? n.published->sd : none) + "," +
-            cell(n.computed ? n.computed->value : none) + "," + cell(n.computed ? n.computed->sd : none) +
-            "," + cell(own) + "," + cell(both) + "," + quoted_for_csv(n.remark) + "\n";
+    text += joined({csv_cell(n.what), n.unit.si, cells(n.published), cells(n.computed), csv_cell(own),
+                    csv_cell(both), csv_cell(n.remark)},
+                   ",") +
+            "\n";
   }
   return text;
 }
 
-}  // namespace asperity
+}  // namespace asperity::report

@@ -1,13 +1,14 @@
-#include "dem_compare/compare/side_by_side.h"
-
+// Finite elements, laws, engine and measurement side by side, in numbers, words and files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "report/comparison/comparison_file.h"
+#include "report/sentences/verdict_words.h"
 #include "tests/dem_compare/compare/solved_folders.h"
 #include "tests/dem_compare/engines/engine_support.h"
 
-namespace asperity {
+namespace asperity::report {
 namespace {
 
 using test::paper_run;
@@ -46,7 +47,7 @@ std::string verdict_of(const SideBySide& result, Quantity quantity, const std::s
   for (const auto& verdict : result.verdicts)
     if (verdict.quantity == quantity && verdict.law.find(law) != std::string::npos &&
         verdict.reference == "finite elements")
-      return verdict.text;
+      return verdict_text(verdict, result.tolerance);
   return "";
 }
 
@@ -94,7 +95,7 @@ TEST(SideBySide_other_code, the_papers_case_has_all_four_columns) {
                                      verdict.reference == "measurement" && !verdict.is_own_fit;
                             }))
         << name_of(mode);
-  const std::string markdown = to_markdown(compared.result);
+  const std::string markdown = side_by_side_markdown(compared.result);
   EXPECT_NE(markdown.find("LAMMPS ("), std::string::npos);
   EXPECT_EQ(markdown.find("nan"), std::string::npos);
 }
@@ -123,8 +124,9 @@ TEST(SideBySide_behaviour, cases_at_several_loads_make_one_verdict) {
             "Mindlin without slip overstates the lateral stiffness from rest of the finite elements by 12 ± "
             "3 % at 100 uN; "
             "whether within 5 % is not known at 400 uN (too much by 0.0 ± 3.0 %).");
-  EXPECT_NE(to_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"),
-            std::string::npos);
+  EXPECT_NE(
+      side_by_side_markdown(compared.result).find("at no load for which it is known (100 uN to 400 uN)"),
+      std::string::npos);
 }
 
 TEST(SideBySide_behaviour, a_contact_at_several_loads_goes_by_what_its_labels_have_in_common) {
@@ -209,14 +211,14 @@ TEST(SideBySide_behaviour, without_parameters_says_what_to_add) {
 TEST(SideBySide_behaviour, json_and_csv_have_values_reasons_ratios_and_verdicts) {
   Compared compared;
   compare(compared, {SolvedFolder{}}, {silicon});
-  const auto json = to_json(compared.result);
+  const auto json = side_by_side_json(compared.result);
   ASSERT_EQ(json["rows"].size(), compared.result.rows.size());
   for (const auto& row : json["rows"])
     for (const char* column : {"finite_elements", "reduced_law", "engine", "published"})
       EXPECT_TRUE(row[column]["value"].is_number() || !row[column]["reason"].get<std::string>().empty())
           << row.dump();
   EXPECT_FALSE(json["verdicts"].empty());
-  const std::string csv = to_csv(compared.result);
+  const std::string csv = side_by_side_csv(compared.result);
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
             compared.result.rows.size() + 1);
   // The same number of cells in every line; texts in quotation marks have commas of their own.
@@ -233,4 +235,4 @@ TEST(SideBySide_behaviour, json_and_csv_have_values_reasons_ratios_and_verdicts)
 }
 
 }  // namespace
-}  // namespace asperity
+}  // namespace asperity::report

@@ -1,48 +1,46 @@
-// The four columns as markdown for people, as JSON and CSV for programs.
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
-#include "dem_compare/compare/side_by_side.h"
-#include "dem_compare/numbers/json_number.h"
-#include "dem_compare/numbers/quoted_for_csv.h"
+#include "core/csv.h"
+#include "core/joined.h"
+#include "core/printed.h"
+#include "report/comparison/comparison_file.h"
+#include "report/page/json_numbers.h"
+#include "report/sentences/phrases.h"
+#include "report/sentences/verdict_words.h"
 
-namespace asperity {
+namespace asperity::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ratio_json(const Uncertain& ratio) {
-  return {{"value", number_or_null(ratio.value)}, {"sd", number_or_null(ratio.sd)}};
-}
-
 Json value_json(const ComparedValue& value) {
   if (!value.known()) return {{"value", nullptr}, {"reason", value.reason}};
-  return {{"value", value.value}, {"sd", number_or_null(value.sd)}, {"source", value.source}};
+  return {{"value", value.value}, {"sd", value.sd}, {"source", value.source}};
 }
 
-Json row_json(const ComparisonRow& row) {
+Json row_json(const ComparisonRow& row, double tolerance) {
   const QuantityDisplay& display = display_of(row.quantity);
   Json object{{"contact", row.contact},
               {"mode", name_of(row.mode())},
               {"quantity", display.key},
               {"unit", display.si},
               {"load_N", row.load},
-              {"rms_m", number_or_null(row.rms)},
-              {"rail_angle_rad", number_or_null(row.rail_angle)}};
+              {"rms_m", row.rms},
+              {"rail_angle_rad", row.rail_angle}};
   object["finite_elements"] = value_json(row.finite_elements);
   if (row.finite_elements.known()) {
     object["finite_elements"]["realisations"] = row.finite_elements.realisations;
-    object["finite_elements"]["relative_mesh_error"] = number_or_null(row.finite_elements.mesh_error);
+    object["finite_elements"]["relative_mesh_error"] = row.finite_elements.mesh_error;
   }
   object["reduced_law"] = value_json(row.reduced_law);
   object["engine"] = value_json(row.engine);
   object["published"] = value_json(row.published);
-  object["ratios"] = {
-      {"law_over_finite_elements", ratio_json(ratio(row.reduced_law, row.finite_elements))},
-      {"law_over_published", ratio_json(ratio(row.reduced_law, row.published))},
-      {"finite_elements_over_published", ratio_json(ratio(row.finite_elements, row.published))},
-      {"engine_over_law", number_or_null(engine_over_law(row))}};
-  object["verdict"] = row.verdict;
+  object["ratios"] = {{"law_over_finite_elements", ratio(row.reduced_law, row.finite_elements)},
+                      {"law_over_published", ratio(row.reduced_law, row.published)},
+                      {"finite_elements_over_published", ratio(row.finite_elements, row.published)},
+                      {"engine_over_law", engine_over_law(row)}};
+  object["verdict"] = row_verdict_text(row, tolerance);
   return object;
 }
 
@@ -77,21 +75,15 @@ std::string cell(const Uncertain& ratio) {
   if (!std::isfinite(ratio.value)) return "–";
   constexpr double coarse = 0.01, large = 10, least_shown = 5e-4;
   const int decimals = ratio.sd >= coarse || ratio.value >= large ? 2 : 3;
-  char text[64];
-  if (ratio.sd >= least_shown)
-    std::snprintf(text, sizeof text, "%.*f ± %.*f", decimals, ratio.value, decimals, ratio.sd);
-  else
-    std::snprintf(text, sizeof text, "%.*f", decimals, ratio.value);
-  return text;
+  return printed("%.*f", decimals, ratio.value) +
+         (ratio.sd >= least_shown ? printed(" ± %.*f", decimals, ratio.sd) : "");
 }
 
 std::string roughness(const ComparisonRow& row) {
   if (std::isnan(row.rms)) return "–";
   if (row.rms == 0) return "smooth";
   constexpr double nm = 1e-9;  // for all, so that rows can be compared at a glance
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g nm", row.rms / nm);
-  return text;
+  return printed("%.3g nm", row.rms / nm);
 }
 
 std::string quantity_cell(const ComparisonRow& row) {
@@ -135,14 +127,14 @@ std::string good_table(const std::vector<LawVerdict>& verdicts) {
   return text;
 }
 
-Json verdict_json(const LawVerdict& verdict) {
+Json verdict_json(const LawVerdict& verdict, double tolerance) {
   Json object{{"contact", verdict.contact},
               {"mode", name_of(display_of(verdict.quantity).mode)},
               {"quantity", display_of(verdict.quantity).key},
-              {"rail_angle_rad", number_or_null(verdict.rail_angle)},
+              {"rail_angle_rad", verdict.rail_angle},
               {"law", verdict.law},
               {"against", verdict.reference},
-              {"text", verdict.text},
+              {"text", verdict_text(verdict, tolerance)},
               {"compared_from_N", verdict.compared.low},
               {"compared_to_N", verdict.compared.high}};
   object["loads_outside"] = verdict.outside;
@@ -158,35 +150,17 @@ Json verdict_json(const LawVerdict& verdict) {
 
 }  // namespace
 
-std::string engine_sentence(const SideBySide& comparison) {
-  if (comparison.engine.empty() || !comparison.engine_failure.empty()) return "";
-  double worst = 0;
-  int count = 0;
-  const ComparisonRow* where = nullptr;
-  for (const auto& row : comparison.rows) {
-    const double departure = std::abs(engine_over_law(row) - 1);
-    if (!std::isfinite(departure)) continue;
-    ++count;
-    if (departure >= worst) worst = departure, where = &row;
-  }
-  if (!where) return comparison.engine + " was asked for nothing that it could be compared in.\n";
-  char text[400];
-  const std::string name =
-      comparison.engine + (comparison.engine_version.empty() ? "" : " (" + comparison.engine_version + ")");
-  constexpr double asked = 0.01;  // of an engine against its own law
-  std::snprintf(
-      text, sizeof text, "%s gives what it was told within %.2g %% in %d lines (farthest: %s at %s)%s.\n",
-      name.c_str(), 100 * worst, count, display_of(where->quantity).words,
-      format_quantity(where->load, Dimension::force).c_str(),
-      worst > asked ? ": more than the 1 % asked of an engine; look at its input in the folder engine" : "");
-  return text;
+std::vector<std::string> contacts_of(const SideBySide& comparison) {
+  std::vector<std::string> contacts;
+  for (const auto& row : comparison.rows)
+    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
+      contacts.push_back(row.contact);
+  return contacts;
 }
 
-std::string to_csv(const SideBySide& comparison) {
-  const auto number_cell = [](double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", value);
-    return std::isfinite(value) ? std::string(buffer) : std::string();
+std::string side_by_side_csv(const SideBySide& comparison) {
+  const auto cells = [](const Uncertain& number) {
+    return csv_cell(number.value) + "," + csv_cell(number.sd);
   };
   std::string text =
       "contact,mode,quantity,unit,load [N],rms [m],rail_angle "
@@ -197,57 +171,46 @@ std::string to_csv(const SideBySide& comparison) {
       "law_over_published,law_over_published_sd,engine_over_law,verdict\n";
   for (const auto& row : comparison.rows) {
     const QuantityDisplay& display = display_of(row.quantity);
-    const Uncertain of_finite = ratio(row.reduced_law, row.finite_elements),
-                    of_published = ratio(row.reduced_law, row.published);
-    text += quoted_for_csv(row.contact) + "," + name_of(row.mode()) + "," + display.key + "," + display.si;
-    for (const double value :
-         {row.load, row.rms, row.rail_angle, row.finite_elements.value, row.finite_elements.sd})
-      text += "," + number_cell(value);
-    text += "," + std::to_string(row.finite_elements.realisations) + "," +
-            number_cell(row.finite_elements.mesh_error) + "," + quoted_for_csv(row.reduced_law.source);
-    for (const double value :
-         {row.reduced_law.value, row.reduced_law.sd, row.engine.value, row.published.value, row.published.sd})
-      text += "," + number_cell(value);
-    text += "," + quoted_for_csv(row.published.source);
-    for (const double value :
-         {of_finite.value, of_finite.sd, of_published.value, of_published.sd, engine_over_law(row)})
-      text += "," + number_cell(value);
-    text += "," + quoted_for_csv(row.verdict) + "\n";
+    const auto& fe = row.finite_elements;
+    text +=
+        joined({csv_cell(row.contact), name_of(row.mode()), display.key, display.si, csv_cell(row.load),
+                csv_cell(row.rms), csv_cell(row.rail_angle), cells({fe.value, fe.sd}),
+                std::to_string(fe.realisations), csv_cell(fe.mesh_error), csv_cell(row.reduced_law.source),
+                cells({row.reduced_law.value, row.reduced_law.sd}), csv_cell(row.engine.value),
+                cells({row.published.value, row.published.sd}), csv_cell(row.published.source),
+                cells(ratio(row.reduced_law, fe)), cells(ratio(row.reduced_law, row.published)),
+                csv_cell(engine_over_law(row)), csv_cell(row_verdict_text(row, comparison.tolerance))},
+               ",") +
+        "\n";
   }
   return text;
 }
 
-Json to_json(const SideBySide& comparison) {
+Json side_by_side_json(const SideBySide& comparison) {
   Json object{
       {"engine", comparison.engine.empty() ? Json(nullptr) : Json(comparison.engine)},
       {"engine_version", comparison.engine_version},
       {"engine_failure", comparison.engine_failure.empty() ? Json(nullptr) : Json(comparison.engine_failure)},
       {"remarks", comparison.remarks}};
   object["rows"] = Json::array();
-  for (const auto& row : comparison.rows) object["rows"].push_back(row_json(row));
+  for (const auto& row : comparison.rows) object["rows"].push_back(row_json(row, comparison.tolerance));
   object["verdicts"] = Json::array();
-  for (const auto& verdict : comparison.verdicts) object["verdicts"].push_back(verdict_json(verdict));
+  for (const auto& verdict : comparison.verdicts)
+    object["verdicts"].push_back(verdict_json(verdict, comparison.tolerance));
   return object;
 }
 
-std::string to_markdown(const SideBySide& comparison) {
-  std::vector<std::string> contacts;
-  for (const auto& row : comparison.rows)
-    if (std::find(contacts.begin(), contacts.end(), row.contact) == contacts.end())
-      contacts.push_back(row.contact);
-  char buffer[600];
-  std::snprintf(buffer, sizeof buffer,
-                "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
-                "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, "
-                "otherwise the solver's own.\n"
-                "RMS is the substrate's; the load is the substrate's, in a rail that of each slope. Each "
-                "engine run got the law's "
-                "number\n"
-                "beside it. Numbers in [ ] are notes at the end.\n",
-                100 * comparison.tolerance);
-  std::string text = buffer;
+std::string side_by_side_markdown(const SideBySide& comparison) {
+  std::string text = printed(
+      "# Side by side: finite elements, reduced laws, engine, measurement\n\n"
+      "Tolerance %.3g %%. ± is the standard deviation: over realisations where there are several, otherwise "
+      "the solver's own.\n"
+      "RMS is the substrate's; the load is the substrate's, in a rail that of each slope. Each engine run "
+      "got the law's number\n"
+      "beside it. Numbers in [ ] are notes at the end.\n",
+      100 * comparison.tolerance);
   Notes notes;
-  for (const auto& contact : contacts) {
+  for (const auto& contact : contacts_of(comparison)) {
     std::vector<const ComparisonRow*> rows;
     for (const auto& row : comparison.rows)
       if (row.contact == contact) rows.push_back(&row);
@@ -255,7 +218,8 @@ std::string to_markdown(const SideBySide& comparison) {
     for (const char* reference : {"finite elements", "measurement"}) {
       std::string lines;
       for (const auto& verdict : comparison.verdicts)
-        if (verdict.contact == contact && verdict.reference == reference) lines += "- " + verdict.text + "\n";
+        if (verdict.contact == contact && verdict.reference == reference)
+          lines += "- " + verdict_text(verdict, comparison.tolerance) + "\n";
       if (!lines.empty())
         text += std::string("\nAgainst ") + (*reference == 'm' ? "the " : "") + reference + ":\n" + lines;
     }
@@ -268,4 +232,4 @@ std::string to_markdown(const SideBySide& comparison) {
   return text;
 }
 
-}  // namespace asperity
+}  // namespace asperity::report

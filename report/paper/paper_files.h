@@ -1,0 +1,16 @@
+// The analysis of the paper as text, JSON and CSV.
+#pragma once
+
+#include <string>
+
+#include "dem_compare/paper/analysis.h"
+
+namespace asperity::report {
+
+std::string paper_text(const PaperAnalysis& analysis);
+/// Format "asperity-paper/1".
+std::string paper_json(const PaperAnalysis& analysis);
+/// Of one section's numbers.
+std::string paper_csv(const PaperSection& section);
+
+}  // namespace asperity::report

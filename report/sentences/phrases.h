@@ -1,0 +1,51 @@
+// What sentences are made of: a number with its uncertainty, a change, a trend, whether it is significant;
+// each is said here alone. Sentences are UTF-8 text that terminal, Markdown and files take as it is and a
+// page escapes (readable in report/page/words.h). "±" is one standard deviation.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+#include "dem_compare/cases/motion_mode.h"
+#include "dem_compare/numbers/statistics.h"
+#include "dem_compare/resistance/trend.h"
+
+namespace asperity::report {
+
+/// The template with its {} replaced by the texts, in their order.
+std::string say(const std::string& pattern, std::initializer_list<std::string> texts);
+
+/// "Sliding", "rolling"
+std::string motion_name(const MotionMode& mode, bool capital = false);
+/// "31.2 ± 4.1", "(3.79 ± 0.54) 10⁻⁴": two digits of the sd; one that is not known, or zero, is left out.
+std::string number_text(const Uncertain& number);
+/// "0.93 ± 0.02" in `digits` significant digits of the scatter's mean; "–" if it is not known.
+std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
+
+/// "+1.9 ± 0.7 %", with its standard error where that is known; "–" if the error is not known.
+std::string mesh_error_text(const Estimate& estimate);
+/// "1.31 to 1.34"; "1.31" where both are the same.
+std::string interval_text(double low, double high);
+/// "+3.1 ± 0.5 %"
+std::string change_percent(const Uncertain& share);
+/// "0.234 ± 0.021 pN m"
+std::string moment_text(const Uncertain& moment);
+/// "100 uN"
+std::string force_text(double force);
+/// "22 nm"
+std::string length_text(double length);
+/// "2.3 σ"
+std::string sigma_text(double sigmas);
+
+/// Of a change per metre: over a nanometre.
+Uncertain per_nanometre(const Uncertain& slope);
+/// "rises with roughness", "shows no significant trend with roughness", ...
+std::string with_roughness(Trend::Sign sign);
+/// "rises by 3.1 ± 0.5 % per nm of RMS", "has no significant trend (0.1 ± 0.4 % per nm of RMS)", ...;
+/// `relative` is per metre.
+std::string trend_words(const Uncertain& relative);
+/// What follows a number that should differ from zero: "", " (not significant)", " (of unknown
+/// significance)".
+std::string significance(const Uncertain& number);
+
+}  // namespace asperity::report
