@@ -1,4 +1,4 @@
-// What a moving contact has dissipated along its way, by mechanism, as history.csv of a solved case has it.
+// What a moving contact has dissipated along its path, by mechanism, as history.csv of a solved case has it.
 // SI units.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace asperity {
 
 /// Rows of history.csv; energies count from the first touch.
 struct EnergyHistory {
-  std::vector<double> position;    ///< way of the mode of motion [m] or [rad]
+  std::vector<double> position;    ///< path of the mode of motion [m] or [rad]
   std::vector<double> resistance;  ///< [N] or [N m]
   std::vector<double> normal_force, contact_radius, contact_area;
   std::vector<double> friction;  ///< dissipated by slip [J]

@@ -21,9 +21,9 @@ struct MotionMode {
   const char* resistance_unit;
   const char* stiffness_key;  ///< in `effective` of result.json
   const char* stiffness_unit;
-  const char* way_entry;  ///< of the case file, for advice
-  bool way_is_length;     ///< to be counted in contact diameters
-  bool has_length;        ///< mu lambda (f + h) instead of mu (f + h)
+  const char* path_entry;  ///< of the case file, for advice
+  bool path_is_length;     ///< to be counted in contact diameters
+  bool has_length;         ///< mu lambda (f + h) instead of mu (f + h)
   double
       stiffness_exponent;  ///< of the contact radius: Mindlin 1949, Reissner & Sagoci 1944; rolling: assumed
   PartialSlip partial_slip;

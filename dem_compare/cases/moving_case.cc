@@ -14,7 +14,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr std::size_t fewest_stretches = 4;
+constexpr std::size_t fewest_blocks = 4;
 
 double mean_of(const Values& values, std::size_t first, std::size_t last) {
   double sum = 0;
@@ -22,7 +22,7 @@ double mean_of(const Values& values, std::size_t first, std::size_t last) {
   return sum / static_cast<double>(last - first + 1);
 }
 
-MotionRows rows_of(const EnergyHistory& history, const WayOfMotion& motion) {
+MotionRows rows_of(const EnergyHistory& history, const PathOfMotion& motion) {
   return {history.position, history.resistance, history.contact_radius, history.sticking,
           motion.rolls() ? motion.arm : 0};
 }
@@ -33,7 +33,7 @@ Values sum_of(const Values& a, const Values& b, const Values& c) {
   return sum;
 }
 
-void add_drift(const Values& rates, SteadyWay& steady) {
+void add_drift(const Values& rates, SteadyPath& steady) {
   const auto half = static_cast<long>(rates.size() / 2);
   const Uncertain change = mean_of_blocks({rates.end() - half, rates.end()}) -
                            mean_of_blocks({rates.begin(), rates.begin() + half});
@@ -42,8 +42,8 @@ void add_drift(const Values& rates, SteadyWay& steady) {
   steady.drift_error = change.sd / std::abs(mean);
 }
 
-/// Without energies, from the force at equal distances: a way has many of them, and few stretches.
-void add_drift_of_force(const Values& forces, double direction, SteadyWay& steady) {
+/// Without energies, from the force at equal distances: a path has many of them, and few blocks.
+void add_drift_of_force(const Values& forces, double direction, SteadyPath& steady) {
   const auto half = static_cast<long>(forces.size() / 2);
   const CorrelatedMean first = correlated_mean({forces.begin(), forces.begin() + half}),
                        second = correlated_mean({forces.begin() + half, forces.end()});
@@ -63,63 +63,62 @@ std::string seeds_of(const SolvedCase& solved) {
 
 }  // namespace
 
-Uncertain SteadyWay::resistance() const {
+Uncertain SteadyPath::resistance() const {
   if (!std::isfinite(dissipated.total.value)) return force;
   return {dissipated.total.value, std::hypot(dissipated.total.sd, unbalanced)};
 }
 
-Uncertain SteadyWay::of(WayPart part) const {
+Uncertain SteadyPath::of(DissipationPart part) const {
   switch (part) {
-    case WayPart::friction:
+    case DissipationPart::friction:
       return dissipated.friction;
-    case WayPart::plastic:
+    case DissipationPart::plastic:
       return dissipated.plastic;
-    case WayPart::adhesion:
+    case DissipationPart::adhesion:
       return dissipated.adhesion;
-    case WayPart::force:
+    case DissipationPart::force:
       return force;
     default:
       return resistance();
   }
 }
 
-bool SteadyWay::still_changes() const {
+bool SteadyPath::still_changes() const {
   constexpr double errors_that_tell = 3, change_that_matters = 0.02;
   return std::abs(drift) > change_that_matters && std::abs(drift) > errors_that_tell * drift_error;
 }
 
-WayOfMotion way_of(const MotionMode& mode, double particle_radius) {
+PathOfMotion path_of(const MotionMode& mode, double particle_radius) {
   if (&mode == &rolling_mode()) return {Motion::rolling, particle_radius};
   return {&mode == &torsion_mode() ? Motion::torsion : Motion::sliding, 1};
 }
 
-double WayOfMotion::stretch_length(double contact_radius) const {
+double PathOfMotion::block_length(double contact_radius) const {
   return kind == Motion::torsion ? 1 : contact_radius / arm;
 }
 
-SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch) {
-  SteadyWay steady;
+SteadyPath steady_path(const EnergyHistory& history, std::size_t first, std::size_t last, double block) {
+  SteadyPath steady;
   if (last < first + fewest_steady_rows - 1) return steady;
   const Values& x = history.position;
   const Values work = work_against_motion(history.position, history.resistance);
   const Values total =
       history.has_energies ? sum_of(history.friction, history.plastic, history.adhesion) : work;
-  const auto keep = [&](WayPart part, const Values& sum) {
+  const auto keep = [&](DissipationPart part, const Values& sum) {
     if (!sum.empty())
       steady.sums.energy[static_cast<std::size_t>(part)].assign(sum.begin() + static_cast<long>(first),
                                                                 sum.begin() + static_cast<long>(last) + 1);
   };
   steady.sums.position.assign(x.begin() + static_cast<long>(first), x.begin() + static_cast<long>(last) + 1);
-  steady.sums.stretch = stretch;
-  keep(WayPart::total, total), keep(WayPart::force, work);
-  steady.way = std::abs(x[last] - x[first]);
-  // A stretch has a step at least: no more of them than steps.
+  steady.sums.block = block;
+  keep(DissipationPart::total, total), keep(DissipationPart::force, work);
+  steady.path = std::abs(x[last] - x[first]);
+  // A block has a step at least: no more of them than steps.
   const auto wanted =
-      stretch > 0
-          ? static_cast<std::size_t>(std::max<long>(std::lround(steady.way / stretch), fewest_stretches))
-          : fewest_stretches;
+      block > 0 ? static_cast<std::size_t>(std::max<long>(std::lround(steady.path / block), fewest_blocks))
+                : fewest_blocks;
   const std::size_t count = std::min(wanted, last - first);
-  steady.stretches = static_cast<int>(count);
+  steady.blocks = static_cast<int>(count);
   const auto mean_rate = [&](const Values& sum) {
     return mean_of_blocks(block_rates(x, sum, first, last, count));
   };
@@ -131,19 +130,19 @@ SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_
   const Values rates = block_rates(x, total, first, last, count);
   if (!history.has_energies && forces.size() >= 4)
     add_drift_of_force(forces, x[last] > x[first] ? 1 : -1, steady);
-  if (history.has_energies && count >= fewest_stretches) add_drift(rates, steady);
+  if (history.has_energies && count >= fewest_blocks) add_drift(rates, steady);
   steady.fluctuation = scatter_of({history.resistance.begin() + static_cast<long>(first),
                                    history.resistance.begin() + static_cast<long>(last) + 1})
                            .sd;
   if (!history.has_energies) return steady;
-  keep(WayPart::friction, history.friction), keep(WayPart::plastic, history.plastic),
-      keep(WayPart::adhesion, history.adhesion);
+  keep(DissipationPart::friction, history.friction), keep(DissipationPart::plastic, history.plastic),
+      keep(DissipationPart::adhesion, history.adhesion);
   steady.dissipated.friction = mean_rate(history.friction);
   steady.dissipated.plastic = mean_rate(history.plastic);
   steady.dissipated.adhesion = mean_rate(history.adhesion);
   steady.dissipated.total = mean_of_blocks(rates);
   steady.independent = correlated_mean(rates).independent;
-  steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.way;
+  steady.unbalanced = (history.unbalanced[last] - history.unbalanced[first]) / steady.path;
   return steady;
 }
 
@@ -151,16 +150,16 @@ Uncertain MovingCase::resistance() const {
   if (has_energies() || !first.reached()) return first.resistance();
   if (!back.reached()) return {std::abs(first.force.value), first.force.sd};
   // Whichever sign the column counts as against the motion.
-  const double way = first.way + back.way;
-  return {std::abs(first.force.value * first.way + back.force.value * back.way) / way,
-          std::hypot(first.force.sd * first.way, back.force.sd * back.way) / way};
+  const double path = first.path + back.path;
+  return {std::abs(first.force.value * first.path + back.force.value * back.path) / path,
+          std::hypot(first.force.sd * first.path, back.force.sd * back.path) / path};
 }
 
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode) {
-  return moving_case(solved, energy_history(solved, mode), way_of(mode, solved.hertz().radius));
+  return moving_case(solved, energy_history(solved, mode), path_of(mode, solved.hertz().radius));
 }
 
-MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const WayOfMotion& motion) {
+MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const PathOfMotion& motion) {
   MovingCase moving;
   moving.folder = solved.folder.string();
   moving.seeds = seeds_of(solved);
@@ -172,19 +171,19 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
   for (const auto& leg : motion_legs(history.position)) {
     const std::size_t from = steady_onset(rows, leg);
     const bool reached = from <= leg.last;
-    SteadyWay& way = is_first ? moving.first : moving.back;
-    if (reached && !way.reached()) {
+    SteadyPath& path = is_first ? moving.first : moving.back;
+    if (reached && !path.reached()) {
       const double radius = mean_of(history.contact_radius, from, leg.last),
-                   stretch = motion.stretch_length(radius);
-      // A short way back is for the stiffness: what it dissipates beyond its onset says nothing yet.
+                   block = motion.block_length(radius);
+      // A short return path is for the stiffness: what it dissipates beyond its onset says nothing yet.
       const bool is_brief = !is_first && motion.rolls() &&
-                            std::abs(history.position[leg.last] - history.position[from]) < stretch;
-      if (!is_brief) way = steady_way(history, from, leg.last, stretch);
+                            std::abs(history.position[leg.last] - history.position[from]) < block;
+      if (!is_brief) path = steady_path(history, from, leg.last, block);
       if (is_first) {
         moving.contact_radius = radius;
         moving.contact_area = mean_of(history.contact_area, from, leg.last);
         moving.load = mean_of(history.normal_force, from, leg.last);
-        moving.way_in_radii = way.way / stretch;
+        moving.path_in_radii = path.path / block;
       }
     }
     is_first = false;

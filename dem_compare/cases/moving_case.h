@@ -1,11 +1,11 @@
 // The steady resistance of one solved case that slid, rolled or spun: its mean force or moment, and what it
-// dissipated per way by mechanism. The second is far better known: hills of rough surfaces give back what
-// they take, so that the force of a short way is mostly theirs, while dissipated energy only ever grows. Over
-// a long way both agree. SI units.
+// dissipated per path length by mechanism. The second is far better known: the topography is conservative:
+// rough surfaces give back what they take, so that the force of a short path is mostly theirs, while
+// dissipated energy only ever grows. Over a long path both agree. SI units.
 //
-// Where a way is steady, and that the first one counts, core/steady_motion.h defines; derive, compare and the
-// study of resistances all take what is said here. It is cut into stretches of about a contact radius, four
-// at least; how they differ gives the uncertainty (block_averages.h). The way back, over the own track, is
+// Where a path is steady, and that the first one counts, core/steady_motion.h defines; derive, compare and
+// the study of resistances all take what is said here. It is cut into blocks of about a contact radius, four
+// at least; how they differ gives the uncertainty (block_averages.h). The return path, a second pass, is
 // told apart: what has yielded there need not yield again.
 #pragma once
 
@@ -20,42 +20,42 @@
 
 namespace asperity {
 
-/// Dissipated per way [N], or per angle [N m]; the sum is as uncertain as it fluctuates itself.
+/// Dissipated per path length [N], or per angle [N m]; the sum is as uncertain as it fluctuates itself.
 struct ResistanceParts {
   Uncertain friction{nan(""), nan("")}, plastic{nan(""), nan("")}, adhesion{nan(""), nan("")},
       total{nan(""), nan("")};
 };
 
 /// What resists, or the part of it that a mechanism dissipates; `force` is the mean force or moment.
-enum class WayPart { total, friction, plastic, adhesion, force };
+enum class DissipationPart { total, friction, plastic, adhesion, force };
 
-/// What was summed up along a steady way [J], row by row, so that ways over the same surfaces can be compared
-/// stretch by stretch.
-struct WaySums {
+/// What was summed up along a steady path [J], row by row, so that paths over the same surfaces can be
+/// compared block by block.
+struct PathSums {
   std::vector<double> position;               ///< [m] or [rad]
-  std::array<std::vector<double>, 5> energy;  ///< by WayPart
-  double stretch = 0;                         ///< length of a stretch [m] or [rad]
+  std::array<std::vector<double>, 5> energy;  ///< by DissipationPart
+  double block = 0;                           ///< length of a block [m] or [rad]
 };
 
-struct SteadyWay {
-  WaySums sums;
+struct SteadyPath {
+  PathSums sums;
   ResistanceParts dissipated;
   Uncertain force{nan(""), nan("")};  ///< mean of force or moment against the motion
   double fluctuation =
-      nan("");  ///< standard deviation of force or moment along the way: hills and asperities that let go
-  double unbalanced = nan("");  ///< energy per way that the balance of the computation leaves open
-  double way = 0;               ///< [m] or [rad]
-  int stretches = 0;
-  double independent = 0;  ///< stretches that count as independent: of the dissipation, else of the force
+      nan("");  ///< standard deviation of force or moment along the path: topography and junctions that slip
+  double unbalanced = nan("");  ///< energy per path length that the balance of the computation leaves open
+  double path = 0;              ///< [m] or [rad]
+  int blocks = 0;
+  double independent = 0;  ///< blocks that count as independent: of the dissipation, else of the force
   double drift = nan("");  ///< resistance of the second half less that of the first, over the mean
   double drift_error = nan("");
 
-  bool reached() const { return stretches > 0; }
-  /// Energy dissipated per way where the history has it, else the mean force; the open balance counts as a
-  /// standard deviation.
+  bool reached() const { return blocks > 0; }
+  /// Energy dissipated per path length where the history has it, else the mean force; the open balance counts
+  /// as a standard deviation.
   Uncertain resistance() const;
   /// Of `total` the resistance.
-  Uncertain of(WayPart part) const;
+  Uncertain of(DissipationPart part) const;
   /// By three standard errors and more than 2 %.
   bool still_changes() const;
 };
@@ -64,35 +64,35 @@ struct MovingCase {
   std::string folder, seeds;                    ///< seeds of both surfaces
   double load = 0;                              ///< [N]
   double spacing = 0;                           ///< of the interface's mesh [m]
-  double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady way [m], [m^2]
-  double way_in_radii = 0;                      ///< steady first way; of torsion that of the rim
-  SteadyWay first, back;
+  double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady path [m], [m^2]
+  double path_in_radii = 0;                     ///< steady first path; of torsion that of the rim
+  SteadyPath first, back;
 
   bool reached() const { return first.reached(); }
   bool has_energies() const { return std::isfinite(first.dissipated.total.value); }
-  /// The steady resistance: what is dissipated on the first way; without energies the mean force of both
-  /// ways.
+  /// The steady resistance: what is dissipated on the first path; without energies the mean force of both
+  /// paths.
   Uncertain resistance() const;
 };
 
 /// What the position in a history means.
-struct WayOfMotion {
+struct PathOfMotion {
   Motion kind = Motion::sliding;  ///< or rolling, torsion
-  double arm = 1;  ///< way of the contact over the surfaces per position: 1, or of rolling [m/rad]
+  double arm = 1;  ///< path of the contact over the surfaces per position: 1, or of rolling [m/rad]
 
   bool rolls() const { return kind == Motion::rolling; }
-  /// Length of a stretch: the contact radius, for rolling as an angle; torsion: an angle of 1.
-  double stretch_length(double contact_radius) const;
+  /// Length of a block: the contact radius, for rolling as an angle; torsion: an angle of 1.
+  double block_length(double contact_radius) const;
 };
-WayOfMotion way_of(const MotionMode& mode, double particle_radius);
+PathOfMotion path_of(const MotionMode& mode, double particle_radius);
 
-/// Steady way between two rows of the history; the rows are those after the onset.
-SteadyWay steady_way(const EnergyHistory& history, std::size_t first, std::size_t last, double stretch);
+/// Steady path between two rows of the history; the rows are those after the onset.
+SteadyPath steady_path(const EnergyHistory& history, std::size_t first, std::size_t last, double block);
 
 /// Throws InputError where the history lacks a column.
 MovingCase moving_case(const SolvedCase& solved, const MotionMode& mode);
 /// Of a motion that is told by a history of its own.
-MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const WayOfMotion& motion);
+MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, const PathOfMotion& motion);
 
 /// The mode of motion of a case; nullptr for one that is only pressed.
 const MotionMode* mode_of(const SolvedCase& solved);

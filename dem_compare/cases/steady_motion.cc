@@ -36,7 +36,7 @@ CorrelatedMean correlated_mean(const Values& values) {
     if (covariance <= 0) break;
     sum += 2 * covariance / variance;
   }
-  // Fewer than two independent stretches cannot tell how far the mean is off: then as far as the values
+  // Fewer than two independent blocks cannot tell how far the mean is off: then as far as the values
   // scatter.
   result.independent = n / sum;  // above 1: there are fewer than n / 2 lags, none above the variance
   result.standard_error = result.sd / std::sqrt(std::max(n / sum - 1, 1.0));
@@ -51,11 +51,11 @@ Values resampled_along(const Values& position, const Values& values, std::size_t
   if (steps.empty()) return {values[first]};
   const auto middle = steps.begin() + static_cast<long>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
-  const double way = position[last] - position[first];
-  const long intervals = std::max(1L, std::lround(std::abs(way) / *middle));
+  const double path = position[last] - position[first];
+  const long intervals = std::max(1L, std::lround(std::abs(path) / *middle));
   for (long k = 0; k <= intervals; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(intervals);
-    result.push_back(interpolated(position, values, first, last, position[first] + way * part));
+    result.push_back(interpolated(position, values, first, last, position[first] + path * part));
   }
   return result;
 }

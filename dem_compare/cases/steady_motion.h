@@ -1,7 +1,7 @@
-// Means of correlated series along a way, and the stiffness after a reversal. SI units. Neighbouring places
-// of a way feel the same asperities: N values count as N_eff = N/(1 + 2 sum (1 - k/N) rho_k) independent
+// Means of correlated series along a path, and the stiffness after a reversal. SI units. Neighbouring places
+// of a path feel the same asperities: N values count as N_eff = N/(1 + 2 sum (1 - k/N) rho_k) independent
 // ones, rho_k the autocorrelation summed until it first vanishes (Bartlett 1946; Geyer 1992), and the mean is
-// known to s/(N_eff - 1)^(1/2). Holds for a way of many correlation lengths. What is steady, and what
+// known to s/(N_eff - 1)^(1/2). Holds for a path of many correlation lengths. What is steady, and what
 // resists, core/steady_motion.h defines.
 #pragma once
 
@@ -23,7 +23,7 @@ struct CorrelatedMean {
 /// Of values at equal distances; needs two or more.
 CorrelatedMean correlated_mean(const std::vector<double>& values);
 
-/// Values between two rows of a monotonic way, at equal distances of a median step. Rows may rest.
+/// Values between two rows of a monotonic path, at equal distances of a median step. Rows may rest.
 std::vector<double> resampled_along(const std::vector<double>& position, const std::vector<double>& values,
                                     std::size_t first, std::size_t last);
 

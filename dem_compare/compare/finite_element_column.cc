@@ -23,7 +23,7 @@ ComparedValue scaled(ComparedValue value, double factor) {
   return value;
 }
 
-/// Steady resistance over load and `length`; where the history has no steady way, what the solver says.
+/// Steady resistance over load and `length`; where the history has no steady path, what the solver says.
 ComparedValue steady_over_load(const SolvedCase& solved, const MotionMode& mode, double length,
                                const ComparedValue& otherwise) {
   if (solved.motion() != mode.motion || solved.history.size() == 0) return otherwise;
@@ -101,12 +101,12 @@ double stiffness_to_sliding(const History& history, double sliding_force) {
     return std::pow(std::max(0.0, sliding_force - std::abs(history.lateral_force[i])), 2.0 / 3.0);
   };
   for (std::size_t i = first; i + 1 < size; ++i) {
-    const double way = std::abs(history.lateral_displacement[i + 1] - history.lateral_displacement[i]);
+    const double path = std::abs(history.lateral_displacement[i + 1] - history.lateral_displacement[i]);
     const double from = power(i), to = power(i + 1);
     const double mean = std::abs(from - to) < 1e-9 * from
                             ? std::pow(from, 1.5)
                             : 0.4 * (std::pow(from, 2.5) - std::pow(to, 2.5)) / (from - to);
-    deficit_work += mean * way;
+    deficit_work += mean * path;
     if (std::abs(history.lateral_force[i + 1]) >= sliding * sliding_force)
       return sliding_force * sliding_force / (2 * deficit_work);
   }

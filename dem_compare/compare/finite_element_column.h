@@ -21,10 +21,10 @@ struct FiniteElementPoint {
 std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& collection,
                                                       const Comparison& comparison);
 
-/// Stiffness of the spring that, with a slider at the largest lateral force F, takes the same work on the way
-/// to sliding: k = F^2/(2 int (F - f) dx), f the lateral force on the first way out [N/m]. For Mindlin and
-/// Deresiewicz (5/6) 8 G* a. (F - f)^(2/3) is taken as linear between steps, as it is there: exact for them
-/// however coarse the steps. NaN where the history does not reach sliding.
+/// Stiffness of the spring that, with a slider at the largest lateral force F, takes the same work on the
+/// path to sliding: k = F^2/(2 int (F - f) dx), f the lateral force on the first path out [N/m]. For Mindlin
+/// and Deresiewicz (5/6) 8 G* a. (F - f)^(2/3) is taken as linear between steps, as it is there: exact for
+/// them however coarse the steps. NaN where the history does not reach sliding.
 double stiffness_to_sliding(const History& history, double sliding_force);
 
 }  // namespace asperity

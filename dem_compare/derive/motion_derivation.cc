@@ -24,8 +24,8 @@ struct MotionCase {
   double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
 
   Uncertain resistance() const { return moving.resistance(); }
-  double way() const {
-    return moving.first.way + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.way);
+  double path() const {
+    return moving.first.path + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.path);
   }
   CaseNumber number(double value, double sd) const {
     return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
@@ -37,18 +37,18 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   seen.solved = &solved;
   const EnergyHistory history = energy_history(solved, mode);
   if (history.size() == 0) return seen;
-  seen.moving = moving_case(solved, history, way_of(mode, solved.hertz().radius));
+  seen.moving = moving_case(solved, history, path_of(mode, solved.hertz().radius));
   seen.load = seen.moving.reached()
                   ? seen.moving.load
                   : *std::max_element(history.normal_force.begin(), history.normal_force.end());
   seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
   if (seen.moving.reached()) {
     const double steady = seen.resistance().value;
-    const bool by_hills = &mode == &rolling_mode() && seen.moving.has_energies();
-    seen.reversal = by_hills
+    const bool by_topography = &mode == &rolling_mode() && seen.moving.has_energies();
+    seen.reversal = by_topography
                         ? rolling_stiffness(history.position, history.resistance, steady)
                         : reversal_stiffness(history.position, history.resistance, steady, mode.partial_slip);
-    if (by_hills && seen.contact_radius > 0)
+    if (by_topography && seen.contact_radius > 0)
       seen.reversal.error =
           std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() /
                                               seen.contact_radius * seen.reversal.value);
@@ -96,7 +96,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
     return item.moving.has_energies();
   });
   const char* source = !probed.empty() ? "without slip"
-                       : rolled        ? "of rolling back over the own track, to half the loop's width"
+                       : rolled        ? "of rolling back in a second pass, to half the loop's width"
                                        : "slope after the reversal";
   report.findings.push_back(
       std::string("stiffness ") + source + ": " + with_error(law.value, law.sd, mode.stiffness_unit) +
@@ -146,8 +146,8 @@ void tell_resistances(const MotionMode& mode, const std::vector<const MotionCase
     report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " +
                               with_error(mean, std::sqrt(variance), mode.resistance_unit) +
                               (count > 1 ? ", mean of " + std::to_string(end - i) + " realisations" : "") +
-                              "; fluctuation along the way " + percent(fluctuation) + ", " +
-                              with_error(std::round(independent), unknown, "") + " independent stretches");
+                              "; fluctuation along the path " + percent(fluctuation) + ", " +
+                              with_error(std::round(independent), unknown, "") + " independent blocks");
     i = end;
   }
 }
@@ -158,25 +158,25 @@ std::string folders_of(const std::vector<const MotionCase*>& cases) {
   return text;
 }
 
-/// What the ways of the cases were too short for.
-void tell_ways(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
+/// What the paths of the cases were too short for.
+void tell_paths(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
   std::vector<const MotionCase*> changing;
   double shortest = std::numeric_limits<double>::infinity(), largest_drift = 0;
   for (const MotionCase* item : used) {
-    shortest = std::min(shortest, item->way() / (2 * item->contact_radius));
+    shortest = std::min(shortest, item->path() / (2 * item->contact_radius));
     if (!item->moving.first.still_changes()) continue;
     changing.push_back(item);
     largest_drift = std::max(largest_drift, std::abs(item->moving.first.drift));
   }
   if (!changing.empty())
     report.not_told.push_back("where the resistance ends: it still changes, by up to " +
-                              percent(largest_drift) + " from the first half of the way to the second (" +
-                              folders_of(changing) + "); set " + mode.way_entry + " to more");
+                              percent(largest_drift) + " from the first half of the path to the second (" +
+                              folders_of(changing) + "); set " + mode.path_entry + " to more");
   constexpr double diameters_wanted = 2;
-  if (mode.way_is_length && shortest < diameters_wanted)
-    report.not_told.push_back("fluctuation over long ways: the shortest steady way is " +
+  if (mode.path_is_length && shortest < diameters_wanted)
+    report.not_told.push_back("fluctuation over long paths: the shortest steady path is " +
                               with_error(std::round(10 * shortest) / 10, unknown, "") +
-                              " contact diameters, two or more are wanted; set " + mode.way_entry +
+                              " contact diameters, two or more are wanted; set " + mode.path_entry +
                               " to more");
 }
 
@@ -188,7 +188,7 @@ Json moved_case_json(const MotionCase& item) {
           {"is_dissipation", item.moving.has_energies()},
           {"fluctuation", item.moving.first.fluctuation},
           {"independent_stretches", item.moving.first.independent},
-          {"way", item.way()},
+          {"way", item.path()},
           {"drift", item.moving.first.drift}};
 }
 
@@ -203,7 +203,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
   if (!sticking.empty())
     report.not_told.push_back(
         "the resistance of cases that did not slip fully, or for fewer than three steps (" +
-        folders_of(sticking) + "): set " + mode.way_entry + " to more");
+        folders_of(sticking) + "): set " + mode.path_entry + " to more");
   if (all.empty()) return;
   std::vector<ResistancePoint> points;
   for (const auto i : on_one_mesh(all)) {
@@ -213,21 +213,21 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     report.details["resistance"].push_back(moved_case_json(*steady[i]));
   }
   tell_resistances(mode, used, report);
-  tell_ways(mode, used, report);
+  tell_paths(mode, used, report);
 
   EffectiveQuantity friction, offset;
   ResistanceLaw law;
   const bool is_dissipation = std::all_of(used.begin(), used.end(),
                                           [](const MotionCase* item) { return item->moving.has_energies(); });
-  const char* per = &mode == &sliding_mode() ? "way" : "angle";
+  const char* per = &mode == &sliding_mode() ? "path length" : "angle";
   const std::string provenance =
       (is_dissipation ? std::string("energy dissipated per ") + per +
-                            " by slip, yielding and bonds on the steady first way; "
+                            " by slip, yielding and bonds on the steady first pass; "
                       : "steady resistance after full slip; ") +
       source_of(all);
   if (is_dissipation)
     report.findings.push_back(std::string("The resistance is the energy dissipated per ") + per +
-                              ": what hills of the surfaces take and give back is not in it.");
+                              ": the conservative topographic part is not in it.");
   if (mode.has_length) {
     const LengthChoice choice = choose_length(points);
     law = choice.law();

@@ -1,6 +1,6 @@
 // Laws of one mode of motion (sliding, torsion, rolling) from the cases of that experiment: steady resistance
 // after full slip, R = mu lambda (f + h), its length lambda where it has one, and the stiffness without slip.
-// SI units. A resistance holds for constant load and for ways beyond full slip; see steady_motion.h and
+// SI units. A resistance holds for constant load and for paths beyond full slip; see steady_motion.h and
 // resistance_law.h.
 #pragma once
 

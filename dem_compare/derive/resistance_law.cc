@@ -120,7 +120,7 @@ Eigen::VectorXd mean_of_contact(const Points& points) {
   return means;
 }
 
-/// What a solved case is good for (balances, mesh), whatever its way says, and the most that is tried.
+/// What a solved case is good for (balances, mesh), whatever its path says, and the most that is tried.
 constexpr double smallest_scatter = 1e-3, largest_scatter = 1;
 constexpr int scatter_steps = 31;
 

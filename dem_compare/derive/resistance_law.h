@@ -1,9 +1,9 @@
 // The yield limit of a mode of motion, R = mu lambda(f) (f + h) (Luding 2008; Fuchs, Weinhart et al. 2014,
 // sec. 3.2), fitted to the steady resistances of solved cases, and how well they tell two lengths lambda
-// apart. Linear in (mu, mu h). SI units. Variance of a case: what the way leaves open, plus a relative
+// apart. Linear in (mu, mu h). SI units. Variance of a case: what the path leaves open, plus a relative
 // scatter from case to case, plus one that all cases of a realisation share; both are estimated by restricted
 // maximum likelihood (Patterson & Thompson 1971), the first to be a thousandth (what a solved case is good
-// for) at least. Where ways tell more than that, the uncertainty is on the large side.
+// for) at least. Where paths tell more than that, the uncertainty is on the large side.
 #pragma once
 
 #include <Eigen/Dense>
@@ -19,7 +19,7 @@ namespace asperity {
 struct ResistancePoint {
   double load = 0;             ///< f [N]
   double value = 0;            ///< [N] or [N m]
-  double sd = 0;               ///< of the mean over the way
+  double sd = 0;               ///< of the mean over the path
   std::string realisation;     ///< the same for the same surfaces
   double particle_radius = 0;  ///< r [m]
   double contact_radius = 0;   ///< a(f) [m]
@@ -33,7 +33,7 @@ struct ResistanceLaw {
   double offset = 0;                                     ///< h [N]; 0 where it cannot be told
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (mu, h)
   bool has_offset = false;                               ///< two loads or more
-  double case_scatter = 0;                               ///< relative, beyond what the way leaves open
+  double case_scatter = 0;                               ///< relative, beyond what the path leaves open
   double realisation_scatter = 0;  ///< relative, common to all cases of a realisation; 0 for a single one
   double misfit = 0;               ///< root mean square, relative
   int degrees_of_freedom = 0;      ///< cases less fitted numbers; 0: the law passes through them untested

@@ -9,14 +9,14 @@
 namespace asperity {
 namespace {
 
-/// Moment of the way out as a function of the angle.
-class WayOut {
+/// Moment of the path out as a function of the angle.
+class PathOut {
  public:
-  WayOut(const std::vector<double>& angle, const std::vector<double>& moment, const MotionLeg& leg)
+  PathOut(const std::vector<double>& angle, const std::vector<double>& moment, const MotionLeg& leg)
       : direction_(leg.direction) {
     std::vector<double> x, y;
     for (std::size_t i = leg.first; i <= leg.last; ++i) {
-      if (!x.empty() && direction_ * angle[i] <= x.back()) continue;  // rests on the way
+      if (!x.empty() && direction_ * angle[i] <= x.back()) continue;  // rests on the path
       x.push_back(direction_ * angle[i]);
       y.push_back(moment[i]);
     }
@@ -44,20 +44,20 @@ ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std:
   const auto legs = motion_legs(angle);
   if (legs.size() < 2) return {};
   const MotionLeg &out = legs[0], &back = legs[1];
-  const WayOut moment_out(angle, moment, out);
-  std::vector<double> way, lack;
+  const PathOut moment_out(angle, moment, out);
+  std::vector<double> path, lack;
   for (std::size_t i = back.first + 1; i <= back.last && moment_out.covers(angle[i]); ++i) {
-    way.push_back(std::abs(angle[i] - angle[back.first]));
+    path.push_back(std::abs(angle[i] - angle[back.first]));
     lack.push_back(out.direction * (moment_out(angle[i]) - moment[i]));
-    if (lack.back() >= resistance && way.size() >= fewest_rows) break;
+    if (lack.back() >= resistance && path.size() >= fewest_rows) break;
   }
-  if (way.size() < fewest_rows) return {};
+  if (path.size() < fewest_rows) return {};
   double square = 0, product = 0;
-  for (std::size_t i = 0; i < way.size(); ++i) square += way[i] * way[i], product += way[i] * lack[i];
+  for (std::size_t i = 0; i < path.size(); ++i) square += path[i] * path[i], product += path[i] * lack[i];
   const double slope = product / square;
   double misfit = 0;
-  for (std::size_t i = 0; i < way.size(); ++i) misfit += std::pow(lack[i] - slope * way[i], 2);
-  return {slope, std::sqrt(misfit / static_cast<double>(way.size() - 1) / square)};
+  for (std::size_t i = 0; i < path.size(); ++i) misfit += std::pow(lack[i] - slope * path[i], 2);
+  return {slope, std::sqrt(misfit / static_cast<double>(path.size() - 1) / square)};
 }
 
 }  // namespace asperity

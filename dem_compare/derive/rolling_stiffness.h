@@ -14,12 +14,12 @@ namespace asperity {
 /// a radius of 0.3 um this makes 20 % of spacings of 20 nm.
 constexpr double rolling_stiffness_mesh_error = 3.0;
 
-/// From a way back over the own track. Hills give the same moment on both ways: what the moment lacks on the
-/// way back is D = k delta at first, delta the angle since the turn, and twice the resistance once the
+/// From a return path as a second pass. Hills give the same moment on both paths: what the moment lacks on
+/// the return path is D = k delta at first, delta the angle since the turn, and twice the resistance once the
 /// contact rolls back. The slope is that of the least squares line through the turn over the rows up to where
 /// D has reached the resistance, half its width: a secant, for bonds let go one after the other. Between rows
-/// of the way out the moment is interpolated (Akima's modified splines). The error is the line's. NaN without
-/// a turn or with fewer than three rows after it.
+/// of the path out the moment is interpolated (Akima's modified splines). The error is the line's. NaN
+/// without a turn or with fewer than three rows after it.
 ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std::vector<double>& moment,
                                     double resistance);
 

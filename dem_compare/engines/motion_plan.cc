@@ -64,7 +64,7 @@ Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibration
 }
 
 /// Way from rest to each reversal; throws InputError where it does not reach all limits.
-double checked_way(const EngineExperiment& e, const ClosedForm& form, double start) {
+double checked_path(const EngineExperiment& e, const ClosedForm& form, double start) {
   const double way = e.type == Motion::rail ? 2 * e.amplitude : e.amplitude;
   // Before a reversal all limits must have been reached, and after it once more, over twice the travel.
   const double least = 2 * std::max(start, form.full_yield);
@@ -102,7 +102,7 @@ MotionPlan plan_motion(const EngineExperiment& e) {
     add(Leg::Purpose::reversal, -turn, speed.slow);
     return plan;
   }
-  const double way = checked_way(e, form, start);
+  const double way = checked_path(e, form, start);
   const long settling = std::lround(settling_periods * 2 * pi / vibration.slowest / plan.time_step);
   plan.legs.push_back({Leg::Purpose::settle, 0, settling, std::max(1L, settling / rows_to_see_rest)});
   add(Leg::Purpose::start, start, speed.slow);

@@ -110,7 +110,7 @@ FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram&
       program.first_increment > 0 ? program.first_increment : resolving_increment(particle, motion.state());
   // Slow until a fifth beyond the first limit; as far before the end of a leg, to slide and roll steadily
   // again after braking.
-  const double way = way_to_first_limit(particle, motion.state()), slow_way = 1.2 * way;
+  const double way = path_to_first_limit(particle, motion.state()), slow_path = 1.2 * way;
   const double slow = std::min(options.speed, options.reversal_share * way / motion.response_time());
   FrictionLoop loop;
   loop.contact_names = contact_names(particle);
@@ -122,8 +122,8 @@ FrictionLoop simulate_dynamic(const SingleParticle& particle, const LoopProgram&
                  end = direction * program.amplitude;
     for (double x = motion.state().indenter.x(); (station.position - x) * direction > 0;
          x = motion.state().indenter.x()) {
-      const bool near_reversal =
-          std::abs(x - start) < slow_way || std::abs(end - x) < slow_way + options.speed * motion.time_step();
+      const bool near_reversal = std::abs(x - start) < slow_path ||
+                                 std::abs(end - x) < slow_path + options.speed * motion.time_step();
       motion.step(direction * (near_reversal ? slow : options.speed));
     }
     if (loop.rows.back().leg == station.leg &&

@@ -74,7 +74,7 @@ std::vector<std::string> contact_names(const SingleParticle& particle) {
   return names;
 }
 
-double way_to_first_limit(const SingleParticle& particle, const ParticleState& rest) {
+double path_to_first_limit(const SingleParticle& particle, const ParticleState& rest) {
   double way = std::numeric_limits<double>::infinity();
   const auto consider = [&](double limit, double stiffness, double lever) {
     if (limit > 0 && stiffness > 0) way = std::min(way, limit / stiffness * lever);
@@ -96,7 +96,7 @@ double way_to_first_limit(const SingleParticle& particle, const ParticleState& r
 
 double resolving_increment(const SingleParticle& particle, const ParticleState& rest) {
   constexpr double increments_before_yielding = 20;
-  return way_to_first_limit(particle, rest) / increments_before_yielding;
+  return path_to_first_limit(particle, rest) / increments_before_yielding;
 }
 
 }  // namespace asperity

@@ -55,7 +55,7 @@ std::vector<std::string> contact_names(const SingleParticle& particle);
 
 /// Way of the particle's surface to the first limit of any mode [m]. Throws InputError where no contact
 /// resists.
-double way_to_first_limit(const SingleParticle& particle, const ParticleState& rest);
+double path_to_first_limit(const SingleParticle& particle, const ParticleState& rest);
 /// Increment of the indenter that resolves the yielding of every mode: a twentieth of that way [m].
 double resolving_increment(const SingleParticle& particle, const ParticleState& rest);
 

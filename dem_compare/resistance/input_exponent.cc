@@ -6,7 +6,7 @@
 
 #include "core/quantity.h"
 #include "dem_compare/cases/block_averages.h"
-#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {
 namespace {

@@ -23,7 +23,7 @@ class Sorter {
           add(group, solved, *mode);
         else if (const auto inclination = rail_inclination(solved)) {
           if (!add_rail(contact_of_group(group), solved, *inclination))
-            leave_out(solved.folder.string(), "the way of Experiment/Program");
+            leave_out(solved.folder.string(), "the path of Experiment/Program");
         }
     name_contacts();
     choose_meshes();
@@ -39,14 +39,14 @@ class Sorter {
  private:
   void add(const CaseGroup& group, const SolvedCase& solved, const MotionMode& mode) {
     MovingCase moving = moving_case(solved, mode);
-    if (!moving.first.reached()) return leave_out(moving.folder, mode.way_entry);
+    if (!moving.first.reached()) return leave_out(moving.folder, mode.path_entry);
     MovingState& state = state_of(contact_of_group(group), mode, moving.load);
     state.cases.push_back(std::move(moving));
   }
 
   void leave_out(const std::string& folder, const std::string& entry) {
     study_.remarks.push_back(folder +
-                             ": its way ends before the motion is steady for three steps; left out (" +
+                             ": its path ends before the motion is steady for three steps; left out (" +
                              entry + " must be more)");
   }
 
@@ -194,10 +194,10 @@ class Sorter {
       for (const auto& state : contact.states) most = std::max(most, state.cases.size());
     if (most == 1)
       study_.remarks.emplace_back(
-          "one realisation of each surface: how stretches of its way differ stands in for how realisations "
+          "one realisation of each surface: how blocks of its path differ stands in for how realisations "
           "would; "
           "features "
-          "longer than the way are not in the uncertainty");
+          "longer than the path are not in the uncertainty");
   }
 
   static void average(MovingState& state) {
@@ -236,7 +236,7 @@ class Sorter {
                                " % of the resistance open; it counts as a standard deviation");
     for (const auto& item : state.cases)
       if (item.first.still_changes()) {
-        study_.remarks.push_back(name + ": the resistance still changes along the way (by " +
+        study_.remarks.push_back(name + ": the resistance still changes along the path (by " +
                                  format_quantity(100 * item.first.drift, Dimension::none, 2) +
                                  " % from its first half to its second)");
         break;

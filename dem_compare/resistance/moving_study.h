@@ -18,15 +18,15 @@ struct MovingState {
   double load = 0;  ///< [N]
   double spacing =
       0;  ///< the finest that all states of the study have; if there is none, the finest of its own [m]
-  std::vector<MovingCase> cases;            ///< those on that spacing that reached a steady way
+  std::vector<MovingCase> cases;            ///< those on that spacing that reached a steady path
   std::vector<MovingCase> on_other_meshes;  ///< they judge the mesh, and do not count as realisations
   ResistanceParts parts;                    ///< means over realisations [N] or [N m]
   Uncertain resistance;                     ///< mean; its sd holds the open balance too
   Uncertain force;                          ///< mean force or moment
   double fluctuation =
-      0;  ///< of force or moment along the way, standard deviation, root mean square over realisations
-  Uncertain back_over_first;  ///< resistance on the way back, over the own track, over that of the first way
-  double unbalanced = 0;      ///< energy per way that the balances leave open, largest of the cases
+      0;  ///< of force or moment along the path, standard deviation, root mean square over realisations
+  Uncertain back_over_first;  ///< resistance on the return path, a second pass, over that of the first path
+  double unbalanced = 0;      ///< energy per path length that the balances leave open, largest of the cases
   double hertz_radius = 0;    ///< of the smooth elastic bodies [m]
   double contact_area = 0;    ///< real, mean [m^2]
   /// What makes a resistance of this motion dimensionless: P (sliding), P a (rolling, torsion), a of Hertz.

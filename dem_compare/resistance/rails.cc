@@ -67,9 +67,9 @@ std::optional<double> rail_inclination(const SolvedCase& solved) {
 }
 
 bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclination) {
-  const WayOfMotion way{Motion::rolling, solved.hertz().radius * std::cos(inclination)};
+  const PathOfMotion path{Motion::rolling, solved.hertz().radius * std::cos(inclination)};
   EnergyHistory history = about_the_axis(solved, inclination);
-  MovingCase moving = moving_case(solved, history, way);
+  MovingCase moving = moving_case(solved, history, path);
   if (!moving.first.reached()) return false;
   const auto same = [&](const RailState& rail) {
     return std::abs(rail.inclination - inclination) < same_angle && same_load(rail.load, moving.load);
@@ -82,7 +82,7 @@ bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclinati
   }
   const EnergyHistory spin = energy_history(solved, torsion_mode());
   for (std::size_t i = 0; i < history.size(); ++i) history.resistance[i] = against_the_spin(history, spin, i);
-  rail->spin_moments.push_back(moving_case(solved, history, way).first.force);
+  rail->spin_moments.push_back(moving_case(solved, history, path).first.force);
   rail->cases.push_back(std::move(moving));
   return true;
 }
@@ -90,11 +90,14 @@ bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclinati
 void finish_rails(MovingContact& contact) {
   for (auto& rail : contact.rails) {
     keep_finest_mesh(rail);
-    rail.parts.friction = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.friction; });
-    rail.parts.plastic = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.plastic; });
-    rail.parts.adhesion = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.adhesion; });
-    rail.parts.total = mean_over(rail.cases, [](const SteadyWay& way) { return way.dissipated.total; });
-    rail.resistance = mean_over(rail.cases, [](const SteadyWay& way) { return way.resistance(); });
+    rail.parts.friction =
+        mean_over(rail.cases, [](const SteadyPath& path) { return path.dissipated.friction; });
+    rail.parts.plastic =
+        mean_over(rail.cases, [](const SteadyPath& path) { return path.dissipated.plastic; });
+    rail.parts.adhesion =
+        mean_over(rail.cases, [](const SteadyPath& path) { return path.dissipated.adhesion; });
+    rail.parts.total = mean_over(rail.cases, [](const SteadyPath& path) { return path.dissipated.total; });
+    rail.resistance = mean_over(rail.cases, [](const SteadyPath& path) { return path.resistance(); });
     rail.spin_moment = mean(rail.spin_moments);
     const MovingState *rolling = contact.find(rolling_mode(), rail.load),
                       *torsion = contact.find(torsion_mode(), rail.load);

@@ -32,7 +32,7 @@ struct RailState {
 /// Of a case whose program is one part that rolls freely and spins; none otherwise.
 std::optional<double> rail_inclination(const SolvedCase& solved);
 
-/// Adds the case to the contact's rails; false if its way ends before the motion is steady.
+/// Adds the case to the contact's rails; false if its path ends before the motion is steady.
 bool add_rail(MovingContact& contact, const SolvedCase& solved, double inclination);
 
 /// Means over realisations, and the separate motions beside them.

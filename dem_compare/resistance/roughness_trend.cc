@@ -6,7 +6,7 @@
 #include "core/topography_spec.h"
 #include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {
 namespace {
@@ -44,28 +44,29 @@ std::vector<Contacts> families_of_contacts(const MovingStudy& study) {
   return found;
 }
 
-/// Slope over RMS of ways on the same surfaces: stretch by stretch, so that hills which all of them meet drop
-/// out of its error; that of the misfit from a straight line stays.
-Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay*>& ways,
-               const States& states, WayPart part) {
+/// Slope over RMS of paths on the same surfaces: block by block, so that topography which all of them meet
+/// drops out of its error; that of the misfit from a straight line stays.
+Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyPath*>& paths,
+               const States& states, DissipationPart part) {
   std::vector<Uncertain> means;
-  for (std::size_t i = 0; i < ways.size(); ++i) means.push_back(ways[i]->of(part) * (1 / states[i]->scale()));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    means.push_back(paths[i]->of(part) * (1 / states[i]->scale()));
   Trend trend = fit_trend(rms, means);
-  const auto rates = rates_in_common(ways, part);
+  const auto rates = rates_in_common(paths, part);
   if (rates.empty()) return trend;
   std::vector<double> slopes;
-  std::vector<Uncertain> means_in_common(ways.size(), {0, 0}), open_balances(ways.size(), {0, 0});
+  std::vector<Uncertain> means_in_common(paths.size(), {0, 0}), open_balances(paths.size(), {0, 0});
   for (std::size_t k = 0; k < rates.front().size(); ++k) {
     std::vector<Uncertain> y;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
       y.push_back({rates[i][k] / states[i]->scale(), 0});
       means_in_common[i].value += y.back().value / static_cast<double>(rates.front().size());
     }
     slopes.push_back(fit_trend(rms, y).slope.value);
   }
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    if (part == WayPart::total && std::isfinite(ways[i]->unbalanced))
-      open_balances[i].sd = ways[i]->unbalanced / states[i]->scale();
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (part == DissipationPart::total && std::isfinite(paths[i]->unbalanced))
+      open_balances[i].sd = paths[i]->unbalanced / states[i]->scale();
   const Uncertain paired = mean_of_blocks(slopes);
   const double of_misfit = fit_trend(rms, means_in_common).slope.sd,
                of_balances = fit_trend(rms, open_balances).slope.sd;
@@ -74,23 +75,24 @@ Trend slope_of(const std::vector<double>& rms, const std::vector<const SteadyWay
 }
 
 /// One slope per realisation that all states share; empty if none is shared by all.
-std::vector<Trend> slopes_by_realisation(const std::vector<double>& rms, const States& states, WayPart part) {
+std::vector<Trend> slopes_by_realisation(const std::vector<double>& rms, const States& states,
+                                         DissipationPart part) {
   std::vector<Trend> slopes;
   for (const auto& lead : states.back()->cases) {
-    std::vector<const SteadyWay*> ways;
+    std::vector<const SteadyPath*> paths;
     for (const auto* state : states)
       for (const auto& item : state->cases)
         if (same_realisation(item.seeds, lead.seeds)) {
-          ways.push_back(&item.first);
+          paths.push_back(&item.first);
           break;
         }
-    if (ways.size() != states.size()) return {};
-    slopes.push_back(slope_of(rms, ways, states, part));
+    if (paths.size() != states.size()) return {};
+    slopes.push_back(slope_of(rms, paths, states, part));
   }
   return slopes;
 }
 
-Trend trend_of(const std::vector<double>& rms, const States& states, WayPart part) {
+Trend trend_of(const std::vector<double>& rms, const States& states, DissipationPart part) {
   std::vector<Uncertain> means;
   for (const auto* state : states) {
     std::vector<Uncertain> values;
@@ -122,9 +124,10 @@ void add_loads(RoughnessTrend& trend) {
       if (const MovingState* state = contact->find(*trend.mode, load))
         rms.push_back(contact->bodies.rms), states.push_back(state);
     if (states.size() < 2) continue;
-    trend.loads.push_back({load, trend_of(rms, states, WayPart::total),
-                           trend_of(rms, states, WayPart::friction), trend_of(rms, states, WayPart::plastic),
-                           trend_of(rms, states, WayPart::adhesion), trend_of(rms, states, WayPart::force)});
+    trend.loads.push_back(
+        {load, trend_of(rms, states, DissipationPart::total),
+         trend_of(rms, states, DissipationPart::friction), trend_of(rms, states, DissipationPart::plastic),
+         trend_of(rms, states, DissipationPart::adhesion), trend_of(rms, states, DissipationPart::force)});
   }
   std::vector<Uncertain> relative;
   for (const auto& at : trend.loads) relative.push_back(at.total.relative());

@@ -46,7 +46,7 @@ bool differ_by_roughness(const MovingContact& one, const MovingContact& other);
 
 /// One per family of contacts that differ by the substrate's RMS alone, and motion that two of them have at
 /// the same load. Where the same realisations were solved on all surfaces, slopes are taken realisation by
-/// realisation and stretch by stretch: what scatters on all of them alike drops out.
+/// realisation and block by block: what scatters on all of them alike drops out.
 std::vector<RoughnessTrend> roughness_trends(const MovingStudy& study);
 
 }  // namespace asperity

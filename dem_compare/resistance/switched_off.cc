@@ -6,7 +6,7 @@
 
 #include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/paired_paths.h"
 #include "dem_compare/resistance/roughness_trend.h"
 
 namespace asperity {
@@ -42,10 +42,10 @@ void compare(const MovingState& with, const MovingState& without, Contribution& 
   for (const auto& one : with.cases)
     for (const auto& other : without.cases) {
       if (!same_realisation(one.seeds, other.seeds)) continue;
-      total.push_back(paired_difference(one.first, other.first, WayPart::total));
-      friction.push_back(paired_difference(one.first, other.first, WayPart::friction));
-      plastic.push_back(paired_difference(one.first, other.first, WayPart::plastic));
-      adhesion.push_back(paired_difference(one.first, other.first, WayPart::adhesion));
+      total.push_back(paired_difference(one.first, other.first, DissipationPart::total));
+      friction.push_back(paired_difference(one.first, other.first, DissipationPart::friction));
+      plastic.push_back(paired_difference(one.first, other.first, DissipationPart::plastic));
+      adhesion.push_back(paired_difference(one.first, other.first, DissipationPart::adhesion));
       break;
     }
   result.realisations = static_cast<int>(total.size());

@@ -17,7 +17,7 @@ struct Contribution {
   int realisations = 0;  ///< compared, each with itself
   Uncertain whole;       ///< resistance with the mechanism [N] or [N m]
   Uncertain difference;  ///< with less without
-  /// Part by part: switching yielding off also changes what slip takes, by another area and other hills.
+  /// Part by part: switching yielding off also changes what slip takes, by another area and topography.
   ResistanceParts parts;
 
   Uncertain share() const;

@@ -16,21 +16,21 @@ const std::string computed_colour = "#0072b2", other_colour = "#d55e00", load_co
                   law_colour = "#555555";
 
 /// Follows a law of first loading there and, by Masing's rule, back from the largest displacement: one series
-/// of both ways.
+/// of both paths.
 template <class Law>
-Series law_series(const std::string& label, const std::vector<double>& way, double unit_x, double unit_y,
+Series law_series(const std::string& label, const std::vector<double>& path, double unit_x, double unit_y,
                   const Law& first_loading) {
   Series series{label, law_colour, Series::Style::dashed, {}, {}, {}};
-  const double farthest = *std::max_element(way.begin(), way.end());
+  const double farthest = *std::max_element(path.begin(), path.end());
   constexpr int points = 200;
   for (int i = 0; i <= points; ++i) {
     const double x = farthest * i / points;
     series.x.push_back(x / unit_x), series.y.push_back(first_loading(x) / unit_y);
   }
-  if (way.back() > 0.99 * farthest) return series;
+  if (path.back() > 0.99 * farthest) return series;
   const double top = first_loading(farthest);
   for (int i = 0; i <= points; ++i) {
-    const double x = farthest - (farthest - std::max(0.0, way.back())) * i / points;
+    const double x = farthest - (farthest - std::max(0.0, path.back())) * i / points;
     series.x.push_back(x / unit_x),
         series.y.push_back((top - 2 * first_loading((farthest - x) / 2)) / unit_y);
   }

@@ -1,4 +1,4 @@
-// What a sliding or spinning contact resists with, along its way, against the laws of smooth elastic bodies.
+// What a sliding or spinning contact resists with, along its path, against the laws of smooth elastic bodies.
 #pragma once
 
 #include <string>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/cases/block_averages.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/words.h"
@@ -48,19 +48,19 @@ Uncertain coefficient_of(const MovingCase& moving, const MotionMode& mode, doubl
 std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& moving,
                                   const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode();
-  const SteadyWay& way = moving.first;
-  const Uncertain resistance = way.resistance();
+  const SteadyPath& path = moving.first;
+  const Uncertain resistance = path.resistance();
   std::vector<Tile> tiles{
       {lead_number(coefficient_of(moving, mode, solved.hertz().radius)),
        slides ? "effective friction coefficient" : motion_name(mode) + " moment over load and radius",
        "steady resistance at " + in_units(moving.load, Dimension::force)},
       {resistance_text(resistance, mode), slides ? "lateral resistance" : motion_name(mode) + " resistance",
-       "fluctuates along the path by " + resistance_text({way.fluctuation, NAN}, mode)}};
+       "fluctuates along the path by " + resistance_text({path.fluctuation, NAN}, mode)}};
   if (!slides)
     tiles.push_back(
         {lead_number(resistance * (1 / (moving.load * solved.hertz().contact_radius(moving.load)))),
          "the same over load and contact radius", "that of Hertz"});
-  const ResistanceParts& parts = way.dissipated;
+  const ResistanceParts& parts = path.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
     tiles.push_back({share_text(parts.friction, parts.total), "dissipated by slip", ""});
     tiles.push_back({share_text(parts.plastic, parts.total), "dissipated by yielding", ""});
@@ -104,7 +104,7 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
     lead.headline =
         name +
         ": no steady resistance is known, for the path ends before the motion is steady for three steps (" +
-        mode.way_entry + " must be more)";
+        mode.path_entry + " must be more)";
     return lead;
   }
   const bool slides = &mode == &sliding_mode();

@@ -2,7 +2,7 @@
 
 #include "core/csv.h"
 #include "core/joined.h"
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 #include "report/page/json_numbers.h"
 #include "report/sentences/resistance_answers.h"
 
@@ -33,8 +33,8 @@ static void to_json(Json& json, const MovingCase& item) {
           {"load", item.load},
           {"spacing", item.spacing},
           {"contact_radius", item.contact_radius},
-          {"way_in_contact_radii", item.way_in_radii},
-          {"stretches", item.first.stretches},
+          {"way_in_contact_radii", item.path_in_radii},
+          {"stretches", item.first.blocks},
           {"dissipated", item.first.dissipated},
           {"force", item.first.force},
           {"force_fluctuation", item.first.fluctuation},

@@ -28,7 +28,7 @@ std::string rounded(double value, int digits = 3) {
 /// Of the first passes.
 double shortest_path(const std::vector<MovingCase>& cases) {
   double path = std::numeric_limits<double>::infinity();
-  for (const auto& item : cases) path = std::min(path, item.way_in_radii);
+  for (const auto& item : cases) path = std::min(path, item.path_in_radii);
   return path;
 }
 

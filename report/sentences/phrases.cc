@@ -6,7 +6,7 @@
 
 #include "core/printed.h"
 #include "core/quantity.h"
-#include "dem_compare/cases/stretches.h"
+#include "dem_compare/cases/block_averages.h"
 
 namespace asperity::report {
 namespace {

@@ -34,7 +34,7 @@ std::string amount(double value, double sd, double tolerance) {
 }
 
 /// A range of judged departures, with what is said of it.
-struct Stretch {
+struct Block {
   const std::vector<Departure>& all;
   JudgedRange range;
   double tolerance;
@@ -50,14 +50,14 @@ struct Stretch {
 };
 
 /// Its loads.
-std::string Stretch::place() const {
+std::string Block::place() const {
   return range.first == range.last
              ? "at " + force_text(first().load)
              : say("from {} to {}", {force_text(first().load), force_text(last().load)});
 }
 
 /// "too much by 2.0 ± 6.0 %", at both ends of several loads.
-std::string Stretch::signed_amounts() const {
+std::string Block::signed_amounts() const {
   const auto said = [&](const Departure& departure) {
     return (departure.value < 0 ? "too little by " : "too much by ") + amount_of(departure) +
            (departure.mesh_error != 0
@@ -69,7 +69,7 @@ std::string Stretch::signed_amounts() const {
 
 /// Mean over the loads, or both ends where it changes by more than its uncertainty and a quarter of itself;
 /// and where.
-std::string Stretch::amount_and_place() const {
+std::string Block::amount_and_place() const {
   double low = INFINITY, high = -INFINITY, value = 0, sd = 0;
   const auto count = static_cast<double>(range.last - range.first + 1);
   for (std::size_t i = range.first; i <= range.last; ++i) {
@@ -98,18 +98,18 @@ std::string departure_words(const std::vector<Departure>& departures, const std:
   const std::string within = within_text(tolerance);
   std::string text;
   for (const JudgedRange& range : judged_ranges(departures, tolerance)) {
-    const Stretch stretch{departures, range, tolerance};
+    const Block block{departures, range, tolerance};
     const bool is_first = text.empty();
     text += is_first ? "" : "; ";
     if (range.judged == Judged::within)
-      text += say("{}{} {}", {is_first ? "gives the " + quantity + " " : "", within, stretch.place()});
+      text += say("{}{} {}", {is_first ? "gives the " + quantity + " " : "", within, block.place()});
     else if (range.judged == Judged::not_known)
       text += say(is_first ? "may or may not give the " + quantity + " {} {} ({})"
                            : "whether {} is not known {} ({})",
-                  {within, stretch.place(), stretch.signed_amounts()});
+                  {within, block.place(), block.signed_amounts()});
     else
       text += say("{} {} {}", {range.is_above ? "overstates" : "understates",
-                               is_first ? "the " + quantity : "it", stretch.amount_and_place()});
+                               is_first ? "the " + quantity : "it", block.amount_and_place()});
   }
   return text;
 }

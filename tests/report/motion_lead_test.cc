@@ -40,7 +40,7 @@ TEST(MotionLead_analytic, of_rolling_gives_the_moment) {
 TEST(MotionLead_behaviour, of_a_way_too_short_says_so_and_of_pressing_alone_is_none) {
   const test::TemporaryFolder root;
   test::MovingFolder made;
-  made.way_in_radii = 0.05;
+  made.path_in_radii = 0.05;
   const auto lead = report::motion_lead(read_solved_case(test::write_moving(root.path / "short", made)));
   ASSERT_TRUE(lead);
   EXPECT_TRUE(test::has(lead->headline, "Experiment/Distance must be more")) << lead->headline;

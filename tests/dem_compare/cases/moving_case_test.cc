@@ -92,10 +92,10 @@ TEST(MovingCase_analytic, rolling_is_steady_after_a_contact_radius_and_cut_into_
   const TemporaryFolder root;
   MovingFolder made;
   made.experiment = "rolling";
-  made.way_in_radii = 8;
+  made.path_in_radii = 8;
   const MovingCase moving = solved(root, made);
-  EXPECT_NEAR(moving.way_in_radii, 7.1, 0.06);  // two steps of a twentieth are the onset
-  EXPECT_EQ(moving.first.stretches, 7);
+  EXPECT_NEAR(moving.path_in_radii, 7.1, 0.06);  // two steps of a twentieth are the onset
+  EXPECT_EQ(moving.first.blocks, 7);
 }
 
 TEST(MovingCase_analytic, without_energies_the_mean_force_stands_in) {
@@ -111,7 +111,7 @@ TEST(MovingCase_analytic, without_energies_the_mean_force_stands_in) {
 TEST(MovingCase_analytic, a_way_that_ends_at_the_onset_gives_no_resistance) {
   const TemporaryFolder root;
   MovingFolder made;
-  made.way_in_radii = 0.05;
+  made.path_in_radii = 0.05;
   EXPECT_FALSE(solved(root, made).first.reached());
 }
 

@@ -114,7 +114,7 @@ TEST(SteadyMotion_behaviour, that_still_rises_is_said_to_change) {
   for (std::size_t i = 0; i <= data.position.size() / 2; ++i)
     forward.position.push_back(data.position[i]), forward.resistance.push_back(data.resistance[i]),
         forward.load.push_back(1e-4);
-  const SteadyWay way = steady(forward).first;
+  const SteadyPath way = steady(forward).first;
   EXPECT_TRUE(way.still_changes());
   EXPECT_NEAR(way.drift, 0.05, 0.01);
 }

@@ -125,7 +125,7 @@ TEST(FiniteElementColumn_analytic, rolling_is_what_is_dissipated_and_not_the_mom
 TEST(FiniteElementColumn_behaviour, has_no_rolling_where_the_way_is_too_short_to_be_steady) {
   const TemporaryFolder folder;
   test::MovingFolder made;
-  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
+  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.path_in_radii = 0.9;
   for (const auto& point : points_of({test::write_moving(folder.path / "a", made)}))
     EXPECT_NE(point.quantity, Quantity::rolling_friction);
 }

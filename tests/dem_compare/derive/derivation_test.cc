@@ -289,7 +289,7 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
     squares += std::pow(item["standard_error"].get<double>(), 2);
   }
   const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") +
-                               ", mean of 2 realisations; fluctuation along the way " + percent(fluctuation);
+                               ", mean of 2 realisations; fluctuation along the path " + percent(fluctuation);
   const std::string text = to_text(derivation.law_of(Motion::sliding));
   EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
 }

@@ -50,16 +50,16 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_LT(p.rolling_stiffness->value, 2 * moment / step);
   ASSERT_TRUE(p.rolling_stiffness->load_range);
   EXPECT_NEAR(p.rolling_stiffness->load_range->high, 1e-3, 1e-9);
-  EXPECT_NE(p.rolling_stiffness->provenance.find("over the own track"), std::string::npos);
+  EXPECT_NE(p.rolling_stiffness->provenance.find("a second pass"), std::string::npos);
 }
 
 TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has) {
   const test::TemporaryFolder root;
   test::MovingFolder made;
-  made.way_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
+  made.path_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
   test::write_moving(root.path / "short", made);
   const std::string text = to_text(derive_parameters(collect_parameter_sets({root.path}).sets.front()));
-  EXPECT_NE(text.find("the shortest steady way is 1.5 contact diameters, two or more are wanted"),
+  EXPECT_NE(text.find("the shortest steady path is 1.5 contact diameters, two or more are wanted"),
             std::string::npos)
       << text;
 }
@@ -88,7 +88,7 @@ TEST(RollingDerivation_analytic, stiffness_of_rolling_back_states_what_the_mesh_
 TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   const test::TemporaryFolder root;
   test::MovingFolder made;
-  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.way_in_radii = 0.9;
+  made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.path_in_radii = 0.9;
   test::write_moving(root.path / "short", made);
   const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
   EXPECT_FALSE(derivation.parameters.rolling_friction);

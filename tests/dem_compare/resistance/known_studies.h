@@ -99,7 +99,7 @@ inline std::vector<StudyEntry> two_close_loads() {
   std::vector<StudyEntry> entries;
   for (const double load : {1e-4, 1.2e-4}) {
     MovingFolder made = rolling(load, 1e-13 * load / 1e-4, load > 1e-4 ? 1 : 2);
-    made.way_in_radii = 3, made.noise = 0.3;
+    made.path_in_radii = 3, made.noise = 0.3;
     entries.push_back({"one", made});
   }
   return entries;

@@ -22,8 +22,8 @@ struct MovingFolder {
          adhesion = 0;  ///< dissipated per way [N] or [N m], with hardening stored beside it
   double noise = 0;  ///< of each power along the way, relative, correlated over a quarter of a contact radius
   double hills = 0;  ///< amplitude of the force of hills, over the whole of the powers
-  double unbalanced = 0;     ///< energy per way that is lost from the balance
-  double way_in_radii = 10;  ///< for torsion: the angle
+  double unbalanced = 0;      ///< energy per way that is lost from the balance
+  double path_in_radii = 10;  ///< for torsion: the angle
   bool reverse = false;
   double way_back_in_radii = 0;  ///< 0: all of it
   double back = 1;               ///< plastic power on the way back, over that of the first
@@ -123,7 +123,7 @@ inline std::string moving_history(const MovingFolder& made) {
   const double hill_wave = 0.37 * 2 * M_PI / made.unit(), stored = made.hills * all / hill_wave;
   const double memory = std::exp(-4.0 / per_radius);
   double noises[3] = {normal(random), normal(random), normal(random)};
-  const auto steps = static_cast<int>(std::lround(made.way_in_radii * per_radius));
+  const auto steps = static_cast<int>(std::lround(made.path_in_radii * per_radius));
   const auto move = [&](int direction, int steps, double share_of_plastic) {
     for (int i = 1; i <= steps + 2; ++i) {
       const bool onset = i <= 2;
@@ -174,7 +174,7 @@ inline std::filesystem::path write_moving(const std::filesystem::path& folder, c
       << "\nend\nsubsection Experiment\n set Type = " << made.experiment
       << "\n set Normal load = " << made.load * 1e6 << " uN\n";
   if (made.experiment == "program") {
-    const double way = made.way_in_radii * made.contact_radius();
+    const double way = made.path_in_radii * made.contact_radius();
     prm << " set Program = roll " << made.rolls_towards * way * 1e9 << " nm and spin "
         << made.spins_towards * std::tan(made.inclination) * way / made.radius << " rad\n";
   }

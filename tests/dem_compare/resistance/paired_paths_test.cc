@@ -1,5 +1,5 @@
 // Ways over the same surfaces: what both meet drops out, what each has for itself stays in the uncertainty.
-#include "dem_compare/resistance/paired_ways.h"
+#include "dem_compare/resistance/paired_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double step = 0.05, stretch = 1, correlation = 0.25;
 
 /// Powers along a way, a row each step; slip takes four fifths of it, bonds the rest.
-SteadyWay way_of(const std::vector<double>& powers, double begin = 0, int direction = 1) {
+SteadyPath path_of(const std::vector<double>& powers, double begin = 0, int direction = 1) {
   EnergyHistory history;
   history.has_energies = true;
   double place = begin, friction = 0, adhesion = 0;
@@ -25,7 +25,7 @@ SteadyWay way_of(const std::vector<double>& powers, double begin = 0, int direct
     history.unbalanced.push_back(0);
     place += direction * step, friction += 0.8 * power * step, adhesion += 0.2 * power * step;
   }
-  return steady_way(history, 0, powers.size() - 1, stretch);
+  return steady_path(history, 0, powers.size() - 1, stretch);
 }
 
 /// Around 1, correlated over a quarter of a stretch.
@@ -49,12 +49,12 @@ std::vector<double> times(std::vector<double> powers, double factor) {
 TEST(PairedWays_analytic, what_both_meet_drops_out) {
   std::mt19937 random(3);
   const auto powers = noise(random, 0.3);
-  const SteadyWay one = way_of(times(powers, 1.1)), other = way_of(powers);
+  const SteadyPath one = path_of(times(powers, 1.1)), other = path_of(powers);
   const Uncertain over = paired_ratio(one, other);
   EXPECT_NEAR(over.value, 1.1, 1e-9);
   EXPECT_LT(over.sd, 1e-9);
   EXPECT_GT(ratio(one.resistance(), other.resistance()).sd, 0.02);
-  const Uncertain less = paired_difference(one, other, WayPart::friction);
+  const Uncertain less = paired_difference(one, other, DissipationPart::friction);
   EXPECT_NEAR(less.value / (0.1 * other.dissipated.friction.value), 1, 1e-9);
   EXPECT_LT(less.sd, 0.2 * (one.dissipated.friction - other.dissipated.friction).sd);
 }
@@ -68,8 +68,9 @@ TEST(PairedWays_analytic, two_sds_hold_the_truth_19_times_in_20) {
     std::vector<double> a, b;
     for (std::size_t k = 0; k < common.size(); ++k)
       a.push_back(0.9 * (common[k] + own[k] - 1)), b.push_back(common[k] + others[k] - 1);
-    const SteadyWay one = way_of(a), other = way_of(b);
-    const Uncertain over = paired_ratio(one, other), less = paired_difference(one, other, WayPart::total);
+    const SteadyPath one = path_of(a), other = path_of(b);
+    const Uncertain over = paired_ratio(one, other),
+                    less = paired_difference(one, other, DissipationPart::total);
     ratios += std::abs(over.value - 0.9) < 2 * over.sd;
     differences += std::abs(less.value + 0.1) < 2 * less.sd;
   }
@@ -88,11 +89,11 @@ TEST(PairedWays_analytic, two_sds_hold_the_truth_19_times_in_20) {
 TEST(PairedWays_analytic, open_balances_stay_in_the_uncertainty_of_the_whole) {
   std::mt19937 random(7);
   const auto powers = noise(random, 0.3);
-  SteadyWay one = way_of(powers);
-  const SteadyWay other = way_of(powers);
+  SteadyPath one = path_of(powers);
+  const SteadyPath other = path_of(powers);
   one.unbalanced = -0.02;
-  EXPECT_NEAR(paired_difference(one, other, WayPart::total).sd, 0.02, 1e-6);
-  EXPECT_LT(paired_difference(one, other, WayPart::friction).sd, 1e-9);
+  EXPECT_NEAR(paired_difference(one, other, DissipationPart::total).sd, 0.02, 1e-6);
+  EXPECT_LT(paired_difference(one, other, DissipationPart::friction).sd, 1e-9);
 }
 
 TEST(PairedWays_analytic, only_what_all_passed_is_compared) {
@@ -100,26 +101,27 @@ TEST(PairedWays_analytic, only_what_all_passed_is_compared) {
   const auto powers = noise(random, 0.3);
   const std::vector<double> later(powers.begin() + 20,
                                   powers.end());  // steady from a contact radius further on
-  const SteadyWay whole = way_of(powers), short_one = way_of(later, 20 * step);
-  const auto rates = rates_in_common({&whole, &short_one}, WayPart::total);
+  const SteadyPath whole = path_of(powers), short_one = path_of(later, 20 * step);
+  const auto rates = rates_in_common({&whole, &short_one}, DissipationPart::total);
   ASSERT_EQ(rates.size(), 2u);
   EXPECT_EQ(rates[0].size(), 5u);
   for (std::size_t k = 0; k < rates[0].size(); ++k) EXPECT_NEAR(rates[0][k], rates[1][k], 1e-9);
   // Another place altogether: each errs by itself.
-  const SteadyWay elsewhere = way_of(powers, 100);
-  EXPECT_TRUE(rates_in_common({&whole, &elsewhere}, WayPart::total).empty());
+  const SteadyPath elsewhere = path_of(powers, 100);
+  EXPECT_TRUE(rates_in_common({&whole, &elsewhere}, DissipationPart::total).empty());
   EXPECT_DOUBLE_EQ(paired_ratio(whole, elsewhere).sd, ratio(whole.resistance(), elsewhere.resistance()).sd);
 }
 
 TEST(PairedWays_analytic, backwards_is_as_well) {
   std::mt19937 random(11);
   const auto powers = noise(random, 0.3);
-  const SteadyWay there = way_of(powers), back = way_of(powers, 0, -1),
-                  back_again = way_of(times(powers, 0.5), 0, -1);
+  const SteadyPath there = path_of(powers), back = path_of(powers, 0, -1),
+                   back_again = path_of(times(powers, 0.5), 0, -1);
   EXPECT_NEAR(paired_ratio(back_again, back).value, 0.5, 1e-9);
   EXPECT_LT(paired_ratio(back_again, back).sd, 1e-9);
-  EXPECT_NEAR(paired_difference(back_again, back, WayPart::force).value, -0.5 * back.force.value, 1e-6);
-  EXPECT_TRUE(rates_in_common({&there, &back}, WayPart::total).empty());
+  EXPECT_NEAR(paired_difference(back_again, back, DissipationPart::force).value, -0.5 * back.force.value,
+              1e-6);
+  EXPECT_TRUE(rates_in_common({&there, &back}, DissipationPart::total).empty());
 }
 
 }  // namespace
