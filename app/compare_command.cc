@@ -13,6 +13,7 @@
 #include "core/output_folder.h"
 #include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/side_by_side.h"
+#include "paper/published_column.h"
 #include "report/comparison/comparison_file.h"
 #include "report/comparison/comparison_page.h"
 #include "results/energy_balance.h"

@@ -10,7 +10,7 @@
 
 #include "core/output_folder.h"
 #include "dem_compare/derive/derivation.h"
-#include "dem_compare/engines/needed_cases.h"
+#include "engines/needed_cases.h"
 
 namespace asperity {
 namespace {

@@ -11,9 +11,9 @@
 #include "core/error.h"
 #include "core/joined.h"
 #include "core/quantity.h"
-#include "dem_compare/engines/engine.h"
-#include "dem_compare/engines/engine_input.h"
-#include "dem_compare/engines/needed_cases.h"
+#include "engines/engine.h"
+#include "engines/engine_input.h"
+#include "engines/needed_cases.h"
 
 namespace asperity {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "core/output_folder.h"
-#include "dem_compare/paper/analysis.h"
+#include "paper/analysis.h"
 #include "report/paper/paper_files.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dem_compare/cases/case_collection.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

@@ -7,7 +7,7 @@
 
 #include "core/motion.h"
 #include "dem_compare/cases/steady_motion.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 #include "results/history.h"
 
 namespace asperity {

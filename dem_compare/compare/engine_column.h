@@ -9,7 +9,7 @@
 
 #include "dem_compare/compare/law_column.h"
 #include "dem_compare/compare/row.h"
-#include "dem_compare/engines/engine.h"
+#include "engines/engine.h"
 
 namespace asperity {
 

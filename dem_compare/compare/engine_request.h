@@ -4,8 +4,8 @@
 #include <string>
 
 #include "dem_compare/cases/compared_contact.h"
-#include "dem_compare/engines/experiment.h"
 #include "dem_compare/numbers/uncertain.h"
+#include "engines/experiment.h"
 
 namespace asperity {
 

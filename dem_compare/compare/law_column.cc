@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "dem_compare/laws/hertzian_torsion.h"
+#include "dem_compare/laws/rail_balance.h"
 #include "dem_compare/laws/shear_moduli.h"
-#include "dem_compare/paper/rail_balance.h"
 
 namespace asperity {
 namespace {

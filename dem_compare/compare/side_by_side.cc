@@ -40,7 +40,7 @@ struct Record {
 
 class Assembly {
  public:
-  Assembly(const SideBySideInput& input, const PublishedColumn& published, EngineColumn& engine)
+  Assembly(const SideBySideInput& input, const MeasuredColumn& published, EngineColumn& engine)
       : input_(input),
         published_(published),
         engine_(engine),
@@ -219,7 +219,7 @@ class Assembly {
   }
 
   const SideBySideInput& input_;
-  const PublishedColumn& published_;
+  const MeasuredColumn& published_;
   EngineColumn& engine_;
   std::vector<FiniteElementPoint> points_;
   std::vector<ComparedContact> contacts_;  ///< of each group
@@ -231,7 +231,7 @@ class Assembly {
 
 }  // namespace
 
-SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published,
+SideBySide compare_side_by_side(const SideBySideInput& input, const MeasuredColumn& published,
                                 EngineColumn& engine, double tolerance) {
   Assembly assembly(input, published, engine);
   SideBySide result;

@@ -7,7 +7,7 @@
 
 #include "dem_compare/compare/comparison.h"
 #include "dem_compare/compare/engine_column.h"
-#include "dem_compare/compare/published_column.h"
+#include "dem_compare/compare/measured_column.h"
 #include "dem_compare/compare/row.h"
 #include "dem_compare/compare/verdict.h"
 
@@ -31,7 +31,7 @@ struct SideBySideInput {
   std::optional<ContactParameters> indenter{};  ///< contact of particle and moving plate
 };
 
-SideBySide compare_side_by_side(const SideBySideInput& input, const PublishedColumn& published,
+SideBySide compare_side_by_side(const SideBySideInput& input, const MeasuredColumn& published,
                                 EngineColumn& engine, double tolerance);
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 
 #include "dem_compare/compare/row.h"
 #include "dem_compare/numbers/judged.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

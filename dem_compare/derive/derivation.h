@@ -8,7 +8,7 @@
 #include "core/motion.h"
 #include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/derive/law_report.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

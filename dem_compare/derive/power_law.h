@@ -7,7 +7,7 @@
 
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/derive/law_report.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

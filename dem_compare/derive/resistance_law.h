@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

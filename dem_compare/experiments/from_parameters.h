@@ -7,7 +7,7 @@
 
 #include "dem_compare/laws/law_text.h"
 #include "dem_compare/motion/contact_model.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 

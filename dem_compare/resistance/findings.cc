@@ -2,8 +2,7 @@
 
 namespace asperity {
 
-ResistanceFindings find_resistances(const CaseCollection& collection,
-                                    const std::optional<Published>& published) {
+ResistanceFindings find_resistances(const CaseCollection& collection) {
   ResistanceFindings findings;
   findings.study = collect_moving(collection);
   if (findings.empty()) return findings;
@@ -13,7 +12,6 @@ ResistanceFindings find_resistances(const CaseCollection& collection,
   findings.contribution_trends = contribution_trends(findings.contributions);
   findings.inputs = input_exponents(findings.study);
   findings.meshes = mesh_effects(findings.study);
-  if (published) findings.published = against_published(findings.study, findings.trends, *published);
   return findings;
 }
 

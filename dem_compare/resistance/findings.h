@@ -2,13 +2,12 @@
 // resistance follow, and why rolling friction falls and sliding friction rises with roughness. SI units.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "dem_compare/resistance/against_published.h"
 #include "dem_compare/resistance/input_exponent.h"
 #include "dem_compare/resistance/length_answer.h"
+#include "dem_compare/resistance/measured_resistances.h"
 #include "dem_compare/resistance/mesh_effect.h"
 #include "dem_compare/resistance/switched_off.h"
 
@@ -23,7 +22,7 @@ struct ResistanceFindings {
   std::vector<ContributionTrend> contribution_trends;
   std::vector<InputExponent> inputs;
   std::vector<MeshEffect> meshes;
-  AgainstPublished published;
+  AgainstPublished published;  ///< empty: for those who have measurements to fill in
 
   ResistanceFindings() = default;
   ResistanceFindings(const ResistanceFindings&) = delete;
@@ -32,8 +31,7 @@ struct ResistanceFindings {
   bool empty() const { return study.empty(); }
 };
 
-/// `published`: the paper's numbers; without them nothing is set beside them.
-ResistanceFindings find_resistances(const CaseCollection& collection,
-                                    const std::optional<Published>& published);
+/// What the cases say by themselves.
+ResistanceFindings find_resistances(const CaseCollection& collection);
 
 }  // namespace asperity

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dem_compare/paper/analysis.h"
+#include "paper/analysis.h"
 
 namespace asperity::report {
 

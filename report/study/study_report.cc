@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dem_compare/compare/comparison.h"
+#include "paper/against_published.h"
 #include "report/case/case_report.h"
 #include "report/motion/resistance_file.h"
 #include "report/motion/resistance_section.h"
@@ -121,8 +122,10 @@ StudyReport study_report(const fs::path& folder, SectionPainter& painter) {
     report.page = page_html(title, subtitle_of(folder, ""), body);
     return report;
   }
-  const ResistanceFindings findings = find_resistances(collection, published_numbers());
+  ResistanceFindings findings = find_resistances(collection);
   if (!findings.empty()) {
+    if (const auto published = published_numbers())
+      findings.published = against_published(findings.study, findings.trends, *published);
     body += resistance_verdict(findings) + resistance_sections(findings);
     report.files["resistance.csv"] = resistance_csv(findings.study);
     report.files["resistance.json"] = resistance_json(findings).dump(1) + "\n";

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/engines/run_program.h"
+#include "engines/run_program.h"
 #include "tests/app/called_program.h"
 #include "tests/dem_compare/compare/solved_folders.h"
 #include "tests/support/temporary_folder.h"

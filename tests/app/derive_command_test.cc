@@ -7,7 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "dem_compare/laws/shear_moduli.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 #include "results/history.h"
 #include "tests/app/called_program.h"
 #include "tests/support/temporary_folder.h"

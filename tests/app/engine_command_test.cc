@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/atomic_file.h"
-#include "dem_compare/engines/run_program.h"
+#include "engines/run_program.h"
 #include "tests/app/called_program.h"
 #include "tests/support/temporary_folder.h"
 

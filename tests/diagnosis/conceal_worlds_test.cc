@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/hertz.h"
-#include "dem_compare/paper/rail_balance.h"
+#include "dem_compare/laws/rail_balance.h"
 #include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/instrument_noise.h"
 #include "diagnosis/conceal/sphere.h"

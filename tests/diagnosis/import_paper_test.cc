@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "core/atomic_file.h"
-#include "dem_compare/paper/friction_series.h"
-#include "dem_compare/paper/published.h"
 #include "diagnosis/recording/recording.h"
+#include "paper/friction_series.h"
+#include "paper/published.h"
 
 namespace asperity {
 namespace {

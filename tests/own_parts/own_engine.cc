@@ -1,7 +1,7 @@
 // A discrete element engine of somebody's own, all of it: one line of friction.
-#include "dem_compare/engines/engine_registry.h"
-#include "dem_compare/engines/input_notes.h"
-#include "dem_compare/engines/text_number.h"
+#include "engines/engine_registry.h"
+#include "engines/input_notes.h"
+#include "engines/text_number.h"
 
 namespace asperity {
 namespace {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
-#include "dem_compare/engines/engine_input.h"
 #include "dem_compare/experiments/from_parameters.h"
 #include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
 #include "dem_compare/laws/law_curve.h"
-#include "tests/dem_compare/engines/canonical_contact.h"
+#include "engines/engine_input.h"
+#include "tests/engines/canonical_contact.h"
 
 namespace asperity {
 namespace {

@@ -114,7 +114,7 @@ TEST(ResistancePage_behaviour, a_study_that_was_only_pressed_has_no_words_on_mot
 TEST(ResistancePage_analytic, charts_show_what_went_in) {
   const TemporaryFolder root;
   const auto findings =
-      find_resistances(collect_cases({test::write_moving_study(root.path, moving_contacts())}), std::nullopt);
+      find_resistances(collect_cases({test::write_moving_study(root.path, moving_contacts())}));
   const auto over_load =
       report::resistance_over_load(findings.study, rolling_mode(), report::ResistanceUnit::contact);
   ASSERT_EQ(over_load.series.size(), 6u);

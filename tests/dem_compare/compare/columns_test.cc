@@ -4,11 +4,11 @@
 #include "dem_compare/compare/engine_column.h"
 #include "dem_compare/compare/finite_element_column.h"
 #include "dem_compare/compare/law_column.h"
-#include "dem_compare/compare/published_column.h"
-#include "dem_compare/paper/analysis.h"
+#include "paper/analysis.h"
+#include "paper/published_column.h"
 #include "tests/dem_compare/compare/solved_folders.h"
-#include "tests/dem_compare/engines/engine_support.h"
 #include "tests/dem_compare/resistance/moving_folder.h"
+#include "tests/engines/engine_support.h"
 
 namespace asperity {
 namespace {

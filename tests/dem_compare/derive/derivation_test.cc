@@ -9,9 +9,9 @@
 #include <random>
 
 #include "core/error.h"
-#include "dem_compare/engines/engine_input.h"
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
+#include "engines/engine_input.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/verification.h"
 

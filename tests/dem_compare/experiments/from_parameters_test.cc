@@ -5,9 +5,9 @@
 #include <boost/math/constants/constants.hpp>
 
 #include "core/error.h"
-#include "dem_compare/engines/experiment.h"
 #include "dem_compare/experiments/particle_experiment.h"
 #include "dem_compare/experiments/quasi_static.h"
+#include "engines/experiment.h"
 
 namespace asperity {
 namespace {

@@ -262,7 +262,7 @@ TEST(ResistanceStudy_behaviour, a_realisation_written_in_other_units_is_the_same
   text.replace(text.rfind("rms=0.7 nm"), 10, "rms=700 pm");
   write_file_atomically(file, text);
   const auto findings =
-      find_resistances(collect_cases({study.root.path / "case1", study.root.path / "case2"}), std::nullopt);
+      find_resistances(collect_cases({study.root.path / "case1", study.root.path / "case2"}));
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   EXPECT_EQ(findings.study.contacts.front().states.front().cases.size(), 2u);
 }

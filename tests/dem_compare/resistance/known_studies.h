@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "dem_compare/resistance/findings.h"
-#include "tests/dem_compare/engines/canonical_contact.h"
+#include "paper/against_published.h"
 #include "tests/dem_compare/resistance/moving_study.h"
+#include "tests/engines/canonical_contact.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
@@ -64,7 +65,8 @@ inline std::vector<StudyEntry> of_roughness(double slip, double yielding, int re
 struct Study {
   explicit Study(const std::vector<StudyEntry>& entries,
                  const std::optional<Published>& published = std::nullopt)
-      : findings(find_resistances(collect_cases({test::write_moving_study(root.path, entries)}), published)) {
+      : findings(find_resistances(collect_cases({test::write_moving_study(root.path, entries)}))) {
+    if (published) findings.published = against_published(findings.study, findings.trends, *published);
   }
   TemporaryFolder root;
   ResistanceFindings findings;

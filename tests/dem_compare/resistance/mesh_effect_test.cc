@@ -15,8 +15,7 @@ TEST(MeshEffect_analytic, of_first_order_is_found_on_the_coarse_mesh_that_counts
   const auto findings = find_resistances(
       collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_spacing(32e-9)},
                                                           {"1.5 nm finer", on_spacing(16e-9)},
-                                                          {"2.7 nm", on_spacing(32e-9, 2.7)}})}),
-      {});
+                                                          {"2.7 nm", on_spacing(32e-9, 2.7)}})}));
   ASSERT_EQ(findings.study.contacts.size(), 2u);
   for (const auto& contact : findings.study.contacts)
     EXPECT_DOUBLE_EQ(contact.states.front().spacing, 32e-9);  // one mesh for all that is compared
@@ -36,8 +35,7 @@ TEST(MeshEffect_analytic, of_each_finer_mesh_is_told_and_of_first_order_all_tell
       collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_spacing(32e-9)},
                                                           {"1.5 nm finest", on_spacing(12.5e-9)},
                                                           {"1.5 nm finer", on_spacing(20e-9)},
-                                                          {"2.7 nm", on_spacing(32e-9, 2.7)}})}),
-      {});
+                                                          {"2.7 nm", on_spacing(32e-9, 2.7)}})}));
   ASSERT_EQ(findings.meshes.size(), 2u);
   EXPECT_DOUBLE_EQ(findings.meshes[0].fine, 20e-9);
   EXPECT_DOUBLE_EQ(findings.meshes[1].fine, 12.5e-9);
@@ -53,8 +51,7 @@ TEST(MeshEffect_analytic, where_all_have_the_finer_mesh_it_counts) {
       collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_spacing(32e-9)},
                                                           {"1.5 nm finer", on_spacing(16e-9)},
                                                           {"2.7 nm", on_spacing(32e-9, 2.7)},
-                                                          {"2.7 nm finer", on_spacing(16e-9, 2.7)}})}),
-      {});
+                                                          {"2.7 nm finer", on_spacing(16e-9, 2.7)}})}));
   ASSERT_EQ(findings.meshes.size(), 2u);
   for (const auto& effect : findings.meshes) {
     EXPECT_TRUE(effect.counts_fine);

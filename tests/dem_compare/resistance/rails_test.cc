@@ -12,8 +12,8 @@ using namespace test;
 
 TEST(Rails_analytic, resistance_about_the_axis_and_its_spin_come_back) {
   const TemporaryFolder root;
-  const auto findings = find_resistances(
-      collect_cases({test::write_moving_study(root.path, rails_beside_separate_motions())}), std::nullopt);
+  const auto findings =
+      find_resistances(collect_cases({test::write_moving_study(root.path, rails_beside_separate_motions())}));
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   const auto& rails = findings.study.contacts[0].rails;
   ASSERT_EQ(rails.size(), 2u);
@@ -39,8 +39,8 @@ TEST(Rails_analytic, resist_alike_whichever_way_they_roll_and_spin) {
       const TemporaryFolder root;
       MovingFolder made = on_rail(45 * degree);
       made.rolls_towards = rolls, made.spins_towards = spins, made.hills = 0;
-      const auto findings = find_resistances(
-          collect_cases({test::write_moving_study(root.path, {{"1.5 nm", made}})}), std::nullopt);
+      const auto findings =
+          find_resistances(collect_cases({test::write_moving_study(root.path, {{"1.5 nm", made}})}));
       ASSERT_EQ(findings.study.contacts.size(), 1u);
       ASSERT_EQ(findings.study.contacts[0].rails.size(), 1u);
       const RailState& rail = findings.study.contacts[0].rails[0];
@@ -55,7 +55,7 @@ TEST(Rails_analytic, resist_alike_whichever_way_they_roll_and_spin) {
 TEST(Rails_behaviour, without_the_separate_motions_tell_their_resistance_alone) {
   const TemporaryFolder root;
   const auto findings = find_resistances(
-      collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}), std::nullopt);
+      collect_cases({test::write_moving_study(root.path, {{"1.5 nm", on_rail(45 * degree)}})}));
   ASSERT_EQ(findings.study.contacts.size(), 1u);
   EXPECT_TRUE(std::isnan(findings.study.contacts[0].rails.at(0).sum.value));
 }

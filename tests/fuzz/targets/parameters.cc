@@ -5,7 +5,7 @@
 #include "core/motion_program.h"
 #include "core/quantity.h"
 #include "core/topography_spec.h"
-#include "dem_compare/parameters/contact_parameters.h"
+#include "engines/parameters/contact_parameters.h"
 #include "results/history.h"
 #include "results/solved_case.h"
 #include "tests/fuzz/targets.h"

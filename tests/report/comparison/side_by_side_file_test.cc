@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "paper/published_column.h"
 #include "report/comparison/comparison_file.h"
 #include "report/sentences/verdict_words.h"
 #include "tests/dem_compare/compare/solved_folders.h"
-#include "tests/dem_compare/engines/engine_support.h"
+#include "tests/engines/engine_support.h"
 
 namespace asperity::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/dem_compare/engines/canonical_contact.h"
+#include "tests/engines/canonical_contact.h"
 
 namespace asperity::report {
 namespace {

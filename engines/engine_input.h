@@ -1,0 +1,42 @@
+// What a user pastes into an engine, from parameters.json: each coefficient with the lever arm, effective
+// radius and unit that the engine means, and in the header what it cannot express with the error this makes
+// at both ends of the fitted loads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engines/folding.h"
+#include "engines/parameters/contact_parameters.h"
+
+namespace asperity {
+
+struct EngineInputOptions {
+  /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as
+  /// too small at the other.
+  std::optional<double> load;
+};
+
+class InputNotes;
+
+/// An engine whose input asperity writes.
+class WrittenEngine {
+ public:
+  virtual ~WrittenEngine() = default;
+  virtual std::string key() const = 0;   ///< as it is named on the command line: "lammps"
+  virtual std::string name() const = 0;  ///< "LAMMPS"
+  /// What a user pastes for the contact of the notes. Throws InputError for a record that lacks what is
+  /// needed.
+  virtual std::string contact_input(InputNotes& notes) const = 0;
+};
+
+/// Keys of all engines, in alphabetical order.
+std::vector<std::string> engine_input_names();
+
+/// Throws InputError for an engine that is not known, naming what was meant, and for a record that lacks what
+/// is needed.
+std::string engine_input(const std::string& engine, const ContactParameters& parameters,
+                         const EngineInputOptions& options = {});
+
+}  // namespace asperity

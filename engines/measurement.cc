@@ -1,0 +1,148 @@
+#include "engines/measurement.h"
+
+#include <cmath>
+#include <functional>
+
+#include "core/error.h"
+
+namespace asperity {
+namespace {
+
+/// Rows of one leg.
+struct Rows {
+  std::size_t first = 0, last = 0;  ///< inclusive
+};
+
+std::vector<Rows> rows_of_legs(const MotionPlan& plan, const EngineTrace& trace) {
+  std::vector<Rows> legs;
+  std::size_t row = 0;
+  for (std::size_t leg = 0; leg < plan.legs.size(); ++leg) {
+    const std::size_t first = row;
+    while (row < trace.size() && trace.leg[row] == static_cast<double>(leg)) ++row;
+    if (row < first + 2)
+      throw WorkError("its trace.csv has " + std::to_string(row - first) + " rows of leg " +
+                      std::to_string(leg + 1) + " of " + std::to_string(plan.legs.size()));
+    legs.push_back({first, row - 1});
+  }
+  return legs;
+}
+
+/// Least-squares slope of y over x between two rows.
+double least_squares_slope(const std::vector<double>& x, const std::vector<double>& y, Rows rows) {
+  const double n = static_cast<double>(rows.last - rows.first + 1);
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t i = rows.first; i <= rows.last; ++i) {
+    mean_x += x[i] / n;
+    mean_y += y[i] / n;
+  }
+  for (std::size_t i = rows.first; i <= rows.last; ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  return xy / xx;
+}
+
+/// Mean over the last half of a leg.
+double late_mean(const std::vector<double>& values, Rows rows) {
+  double sum = 0;
+  const std::size_t first = rows.first + (rows.last - rows.first) / 2;
+  for (std::size_t i = first; i <= rows.last; ++i) sum += values[i];
+  return sum / static_cast<double>(rows.last - first + 1);
+}
+
+/// The first part of a leg, as far as the drive moves by `distance`.
+Rows beginning(const EngineTrace& trace, Rows rows, double distance) {
+  Rows part = rows;
+  while (part.last > part.first + 2 && std::abs(trace.drive[part.last] - trace.drive[rows.first]) > distance)
+    --part.last;
+  return part;
+}
+
+/// Angle of rolling [rad] from its rate, by the trapezoidal rule.
+std::vector<double> rotation(const EngineTrace& trace) {
+  std::vector<double> angle(trace.size(), 0.0);
+  for (std::size_t i = 1; i < trace.size(); ++i)
+    angle[i] = angle[i - 1] + (trace.time[i] - trace.time[i - 1]) *
+                                  (trace.rotation_rate[i] + trace.rotation_rate[i - 1]) / 2;
+  return angle;
+}
+
+}  // namespace
+
+std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan,
+                                       const EngineTrace& trace) {
+  const std::vector<Rows> legs = rows_of_legs(plan, trace);
+  const ClosedForm law = closed_form(experiment);
+  const bool is_torque = experiment.type == Motion::torsion;
+  const bool is_free = experiment.type == Motion::rolling || experiment.type == Motion::rail;
+  const std::string stiffness_unit = is_torque ? "N m/rad" : "N/m", response_unit = is_torque ? "N m" : "N";
+  // Where stiffness is read: before the first limit, with a margin for what inertia leaves.
+  constexpr double share_of_yield = 0.8;
+
+  std::vector<EngineMeasurement> found;
+  double plateaus = 0, reversals = 0, travel_ratio = 0, angle_ratio = 0, normal_force = 0, approach = 0;
+  int plateau_count = 0, reversal_count = 0, travel_count = 0;
+  const std::vector<double> angle = rotation(trace);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = plan.legs[i];
+    const Rows rows = legs[i];
+    if (leg.purpose == Leg::Purpose::start) {
+      const Rows part = beginning(trace, rows, share_of_yield * law.first_yield);
+      found.push_back({"slope at the start", stiffness_unit,
+                       least_squares_slope(trace.drive, trace.response, part), law.slope});
+      if (is_free) {
+        // Torque balance of the free sphere: R (1 + cos theta) f = K phi.
+        const double lever = experiment.substrate.particle.radius * (1 + experiment.rail_cosine());
+        found.push_back({"stiffness against rotation", "N m/rad",
+                         lever * least_squares_slope(angle, trace.response, part), law.rolling_stiffness});
+      }
+    }
+    if (leg.purpose == Leg::Purpose::reversal) {
+      reversals += least_squares_slope(trace.drive, trace.response,
+                                       beginning(trace, rows, 2 * share_of_yield * law.first_yield));
+      ++reversal_count;
+    }
+    const bool is_plateau = leg.purpose == Leg::Purpose::before_reversal || (is_torque && i > 0);
+    if (is_plateau) {
+      plateaus += std::abs(late_mean(trace.response, rows));
+      normal_force += late_mean(trace.normal_force, rows);
+      approach += late_mean(trace.approach, rows);
+      ++plateau_count;
+    }
+    if (leg.purpose == Leg::Purpose::travel && is_free) {
+      travel_ratio += least_squares_slope(trace.drive, trace.particle, rows);
+      angle_ratio += least_squares_slope(trace.drive, angle, rows);
+      ++travel_count;
+    }
+  }
+  if (reversal_count > 0) {
+    const double reversal = reversals / reversal_count, plateau = plateaus / plateau_count;
+    found.push_back({"slope after reversal", stiffness_unit, reversal, law.slope});
+    if (!is_free)
+      found.push_back({"travel of reversal", is_torque ? "rad" : "m", 2 * plateau / reversal,
+                       2 * law.plateau / law.slope});
+  }
+  if (plateau_count > 0) {
+    found.push_back({"plateau", response_unit, plateaus / plateau_count, law.plateau});
+    found.push_back({"normal force", "N", normal_force / plateau_count, experiment.load});
+    found.push_back({"approach", "m", approach / plateau_count, law.approach});
+  }
+  if (experiment.type == Motion::rail)  // eq:murail: lateral over normal force, both at one slope
+    found.push_back({"rail coefficient", "", plateaus / 2 / normal_force, law.plateau / 2 / experiment.load});
+  if (travel_count > 0) {
+    const double c = experiment.rail_cosine();
+    found.push_back(
+        {"way of the sphere over that of the plate", "", travel_ratio / travel_count, c / (1 + c)});
+    found.push_back(
+        {"rotation over the way of the plate", "rad/m", angle_ratio / travel_count, law.rotation});
+  }
+  return found;
+}
+
+const EngineMeasurement& named(const std::vector<EngineMeasurement>& measurements, const std::string& name) {
+  for (const auto& measurement : measurements)
+    if (measurement.name == name) return measurement;
+  throw WorkError("the engine's run has no measurement '" + name + "'");
+}
+
+}  // namespace asperity
