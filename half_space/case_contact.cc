@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "surfaces/surface_of_entry.h"
 
