@@ -66,7 +66,7 @@ std::string quantity(double value, Dimension dimension, int digits = 3) {
 }
 std::string percent(double share) { return quantity(100 * share, Dimension::none, 2) + " %"; }
 std::string area_text(double area) { return quantity(area * 1e12, Dimension::none) + " um^2"; }
-std::string stiffness_text(double stiffness) { return quantity(stiffness, Dimension::none, 4) + " N/m"; }
+std::string stiffness_text(double stiffness) { return quantity(stiffness, Dimension::stiffness, 4); }
 
 double shortest_wave(const CaseInput& input) {
   return std::min(topography_scales(input.particle.topography).shortest_wave,
@@ -121,7 +121,7 @@ void say_mesh(const PreviewedCase& preview, const std::function<void(const std::
   const MeshPreview& mesh = *preview.mesh;
   say("to solve it by finite elements: nodes every " + quantity(mesh.spacing, Dimension::length) +
       " within +-" + quantity(mesh.region, Dimension::length) + ", some " +
-      quantity(mesh.unknowns, Dimension::none, 2) + " unknowns, " +
+      quantity(mesh.unknowns / 1e6, Dimension::none, 2) + " million unknowns, " +
       quantity(mesh.memory / (1 << 30), Dimension::none, 2) + " GiB, " + std::to_string(mesh.steps) +
       " steps in about " + wait_text(mesh.seconds) + " on two cores");
   const double reach = preview.contact.fine.shape.reach;

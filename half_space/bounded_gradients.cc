@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/quantity.h"
 #include "half_space/sums.h"
 
 namespace asperity::half_space {
@@ -36,7 +37,7 @@ class BoundedGradients {
       if (s_.error <= options.tolerance) break;
       if (s_.iterations >= options.most_iterations)
         throw WorkError("the half-space contact is not solved after " + std::to_string(s_.iterations) +
-                        " iterations (error " + std::to_string(s_.error) +
+                        " iterations (error " + format_quantity(s_.error, Dimension::none, 2) +
                         "); take a finer grid, a smaller load, or a larger tolerance");
       step();
     }
@@ -94,13 +95,17 @@ class BoundedGradients {
     return std::isinf(lowest) ? highest : 0.5 * (highest + lowest);
   }
 
-  /// Turns the direction towards the gap of the cells between the bounds; what of the last one it keeps. The
-  /// gap along it, summed.
-  double turn_direction(double keep) {
-    return sums_over<1>(cells_, [&](std::size_t k, auto& sum) {
-      direction_[k] = is_free(k) ? open_[k] + keep * direction_[k] : 0.0;
-      sum[0] += open_[k] * direction_[k];
-    })[0];
+  struct Along {
+    double gap, direction;  ///< sums of gap times direction, and of the direction
+  };
+  /// Turns the direction towards the gap of the cells between the bounds; what of the last one it keeps.
+  Along turn_direction(double keep) {
+    const auto sum = sums_over<2>(cells_, [&](std::size_t k, auto& sum) {
+      const double d = is_free(k) ? open_[k] + keep * direction_[k] : 0.0;
+      direction_[k] = d;
+      sum[0] += open_[k] * d, sum[1] += d;
+    });
+    return {sum[0], sum[1]};
   }
 
   /// One direction, its length, and the pressures after it. What a direction keeps of the last one is Polak
@@ -109,8 +114,8 @@ class BoundedGradients {
   void step() {
     const double keep = squares_before_ > 0 ? std::max(0.0, (squares_ - products_) / squares_before_) : 0.0;
     squares_before_ = squares_;
-    double along = turn_direction(keep);
-    if (!(along > 0)) along = turn_direction(0);
+    Along along = turn_direction(keep);
+    if (!(along.gap > 0)) along = turn_direction(0);
     double length = 1 / compliance_.of_one_cell();  // a longer step is always felt
     if (squares_ > 0) {
       compliance_.apply(direction_, response_);
@@ -118,10 +123,8 @@ class BoundedGradients {
       const auto sum = sums_over<3>(cells_, [&](std::size_t k, auto& sum) {
         if (is_free(k)) sum[0] += response_[k] * direction_[k], sum[1] += response_[k], sum[2] += 1;
       });
-      const double directions =
-          sums_over<1>(cells_, [&](std::size_t k, auto& sum) { sum[0] += direction_[k]; })[0];
-      const double stiffness = sum[0] - (load_.by_force ? sum[1] / sum[2] * directions : 0.0);
-      if (stiffness > 0 && along > 0) length = along / stiffness;
+      const double stiffness = sum[0] - (load_.by_force ? sum[1] / sum[2] * along.direction : 0.0);
+      if (stiffness > 0 && along.gap > 0) length = along.gap / stiffness;
     }
     move(length);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -88,7 +89,7 @@ Field gap_of_case(const CaseInput& input, const Grid& grid) {
 }
 
 double derived_spacing(const CaseInput& input) {
-  constexpr double cells_per_radius = 24, cells_per_wave = 8;
+  constexpr double cells_per_radius = 24, cells_per_wave = 16;
   const double wave = std::min(topography_scales(input.particle.topography).shortest_wave,
                                topography_scales(input.substrate.topography).shortest_wave);
   return std::min(hertz_of(input).contact_radius(largest_load(input)) / cells_per_radius,

@@ -17,39 +17,57 @@ namespace {
 /// E*); odd in x and y (Johnson 1985, eq. 3.25).
 double love_corner(double x, double y) { return x * std::asinh(y / x) + y * std::asinh(x / y); }
 
-/// The displacement at all distances up to mx/2, my/2 cells by a unit pressure on one cell [m/Pa], continued
-/// evenly: [iy * mx + ix].
-Field love_kernel(const Grid& grid, int mx, int my, double modulus) {
-  const int nx = mx / 2 + 1, ny = my / 2 + 1;
-  Field corner(static_cast<std::size_t>(nx) * ny), kernel(static_cast<std::size_t>(mx) * my);
+/// Displacements by a unit pressure on one cell, up to a distance of mx/2 and my/2 cells [m/Pa].
+class LoveKernel {
+ public:
+  LoveKernel(const Grid& grid, int mx, int my, double modulus)
+      : nx_(mx / 2 + 1), scale_(1 / (M_PI * modulus)), corner_(static_cast<std::size_t>(nx_) * (my / 2 + 1)) {
 #pragma omp parallel for schedule(static)
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i)
-      corner[static_cast<std::size_t>(j) * nx + i] = love_corner((i + 0.5) * grid.dx, (j + 0.5) * grid.dy);
-  const auto at = [&](int i, int j) {
-    const double sign = (i < 0 ? -1 : 1) * (j < 0 ? -1 : 1);
-    return sign * corner[static_cast<std::size_t>(j < 0 ? 0 : j) * nx + (i < 0 ? 0 : i)];
-  };
-  const double scale = 1 / (M_PI * modulus);
-#pragma omp parallel for schedule(static)
-  for (int j = 0; j < my; ++j)
-    for (int i = 0; i < mx; ++i) {
-      const int p = std::min(i, mx - i), q = std::min(j, my - j);
-      kernel[static_cast<std::size_t>(j) * mx + i] =
-          scale * (at(p, q) - at(p - 1, q) - at(p, q - 1) + at(p - 1, q - 1));
-    }
-  return kernel;
-}
+    for (int j = 0; j <= my / 2; ++j)
+      for (int i = 0; i < nx_; ++i) at(i, j) = love_corner((i + 0.5) * grid.dx, (j + 0.5) * grid.dy);
+  }
+  double operator()(int i, int j) const {
+    // Corners half a cell before the origin mirror those behind it.
+    const int x = std::max(0, i - 1), y = std::max(0, j - 1);
+    const double across = i == 0 ? -1 : 1, along = j == 0 ? -1 : 1;
+    return scale_ * (at(i, j) - across * at(x, j) - along * at(i, y) + across * along * at(x, y));
+  }
 
+ private:
+  double& at(int i, int j) { return corner_[static_cast<std::size_t>(j) * nx_ + i]; }
+  double at(int i, int j) const { return corner_[static_cast<std::size_t>(j) * nx_ + i]; }
+  int nx_;
+  double scale_;
+  Field corner_;
+};
+
+/// The kernel is even along both axes, so that each transform of a line is real and a quarter says all.
 Field free_spectrum(const Grid& grid, int mx, int my, double modulus) {
-  const HalfSpectrum whole = forward_fft(love_kernel(grid, mx, my, modulus), mx, my);
   const int columns = mx / 2 + 1, rows = my / 2 + 1;
+  const LoveKernel kernel(grid, mx, my, modulus);
+  const FftwPlan along_x = plan_to_complex(mx), along_y = plan_to_complex(my);
   const double scale = 1 / (static_cast<double>(mx) * my);
   Field spectrum(static_cast<std::size_t>(columns) * rows);
-  for (int iy = 0; iy < rows; ++iy)
-    for (int ix = 0; ix < columns; ++ix)
-      spectrum[static_cast<std::size_t>(ix) * rows + iy] =
-          scale * whole[static_cast<std::size_t>(iy) * columns + ix].real();
+#pragma omp parallel
+  {
+    const auto in = fftw_reals(std::max(mx, my));
+    const auto out = fftw_complexes(std::max(columns, rows));
+#pragma omp for schedule(static)
+    for (int iy = 0; iy < rows; ++iy) {
+      for (int ix = 0; ix < columns; ++ix) in[ix] = kernel(ix, iy);
+      for (int ix = columns; ix < mx; ++ix) in[ix] = in[mx - ix];
+      fftw_execute_dft_r2c(along_x.get(), in.get(), out.get());
+      for (int ix = 0; ix < columns; ++ix) spectrum[static_cast<std::size_t>(ix) * rows + iy] = out[ix][0];
+    }
+#pragma omp for schedule(static)
+    for (int ix = 0; ix < columns; ++ix) {
+      double* const line = &spectrum[static_cast<std::size_t>(ix) * rows];
+      for (int iy = 0; iy < rows; ++iy) in[iy] = line[iy];
+      for (int iy = rows; iy < my; ++iy) in[iy] = line[my - iy];
+      fftw_execute_dft_r2c(along_y.get(), in.get(), out.get());
+      for (int iy = 0; iy < rows; ++iy) line[iy] = scale * out[iy][0];
+    }
+  }
   return spectrum;
 }
 

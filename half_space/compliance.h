@@ -4,7 +4,7 @@
 // free: a uniform pressure on each cell, the displacement at its centre (Love 1929, Phil. Trans. R. Soc. A
 // 228, 377; Johnson 1985, eq. 3.25), on a grid of twice the size so that nothing repeats (Hockney 1970; Liu,
 // Wang & Liu 2000, Wear 243, 101). periodic: u(q) = 2 p(q) / (E* q) for each wave, the mean left out (Johnson
-// 1985, eq. 13.4). The result does not depend on the number of threads.
+// 1985, ch. 13). The result does not depend on the number of threads.
 #pragma once
 
 #include <memory>

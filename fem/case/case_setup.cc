@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "core/written_apart.h"
 #include "fem/case/solve_cost.h"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "fem/case/case_setup.h"
@@ -127,6 +129,29 @@ TEST(HalfSpaceSurfaces_analytic, gap_of_a_case_is_that_between_the_surfaces_of_i
                    lower = geometry.position(meshing::block, logical(meshing::block, x, y))[2];
       EXPECT_NEAR(gap[j * grid.nx + i], upper - lower, 1e-14) << x << " " << y;
     }
+}
+
+TEST(HalfSpaceCheck_other_code, finite_elements_and_half_spaces_agree_on_a_contact_of_two_rough_bodies) {
+  const TemporaryFolder folder;
+  CaseInput input = input_of({1.5, 300, 150, 2, 60, 25});
+  input.particle.topography = "generated(rms=0.7 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=1)";
+  const auto result = solve_experiment(input, folder.path).result;
+  ASSERT_TRUE(result.contains("half_space"));
+  const auto verified = [](const std::string& what) {
+    return Verified{"Half-space",
+                    "both bodies rough, six nodes over the shortest wave, two cells a node: " + what,
+                    "finite elements of the same case"};
+  };
+  const auto both = [&](const char* name) {
+    return std::pair<double, double>(result["half_space"][name], result["effective"][name]["value"]);
+  };
+  for (const auto& [name, what, asked] : {std::tuple{"contact_area", "contact area", 0.03},
+                                          {"approach", "approach of the mean surfaces", 0.02},
+                                          {"normal_stiffness", "stiffness", 0.02},
+                                          {"max_pressure", "largest pressure", 0.1}}) {
+    const auto [half_spaces, elements] = both(name);
+    EXPECT_TRUE(verified(what).within(half_spaces, elements, asked));
+  }
 }
 
 TEST(StatedErrors_other_code, nine_of_ten_rough_elastic_contacts_are_within_two_sd) {

@@ -63,7 +63,7 @@ TEST(Compliance_analytic, a_wave_of_pressure_makes_a_wave_of_displacement) {
   const Field sunk = response_of(compliance, pressure);
   Largest error;
   for (int k = 0; k < n * n; ++k) error.count(sunk[k] * modulus * q / 2 - (pressure[k] - 5));
-  EXPECT_TRUE((Verified{"Half-space", "wave of pressure: displacement", "Johnson (1985), eq. 13.4"}.below(
+  EXPECT_TRUE((Verified{"Half-space", "wave of pressure: displacement", "Johnson (1985), ch. 13"}.below(
       error, 1e-12)));
 }
 

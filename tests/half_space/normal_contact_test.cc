@@ -11,6 +11,7 @@
 #include "core/csv.h"
 #include "core/error.h"
 #include "core/hertz.h"
+#include "core/hertz_separation.h"
 #include "half_space/contact_shape.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
