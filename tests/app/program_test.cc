@@ -62,7 +62,7 @@ TEST(Program_behaviour, reads_an_entry_under_its_former_name_and_says_the_presen
   const Outcome outcome = call("study " + file.string() + " --check");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const std::string hint = "asperity: " + file.string() +
-                           ":14: 'Opening work' is now called 'Work of adhesion on separation'; the former "
+                           ":15: 'Opening work' is now called 'Work of adhesion on separation'; the former "
                            "name is still read\n";
   EXPECT_CONTAINS(outcome.output, hint);
   EXPECT_EQ(outcome.output.find("'Opening work'"), outcome.output.rfind("'Opening work'"));
