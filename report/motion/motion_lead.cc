@@ -27,7 +27,6 @@ std::string resistance_text(const Uncertain& number, const MotionMode& mode) {
 }
 
 std::string share_text(const Uncertain& part, const Uncertain& whole) {
-  constexpr double per_cent = 100;
   return lead_number(ratio(part, {whole.value, 0}) * per_cent) + " %";
 }
 

@@ -13,8 +13,6 @@
 namespace asperity::report {
 namespace {
 
-constexpr double per_cent = 100;
-
 std::string cell(const Uncertain& number) { return std::isfinite(number.value) ? number_text(number) : "–"; }
 
 std::string share_of(const Uncertain& part, const Uncertain& whole) {

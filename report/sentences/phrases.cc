@@ -11,8 +11,6 @@
 namespace asperity::report {
 namespace {
 
-constexpr double per_cent = 100;
-
 /// With a minus sign in place of the hyphen; no "-0.0".
 std::string with_decimals(double value, int decimals) {
   const std::string text = printed("%.*f", std::max(0, decimals), std::abs(value));

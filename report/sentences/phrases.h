@@ -12,6 +12,8 @@
 
 namespace asperity::report {
 
+inline constexpr double per_cent = 100;
+
 /// The template with its {} replaced by the texts, in their order.
 std::string say(const std::string& pattern, std::initializer_list<std::string> texts);
 

@@ -10,8 +10,6 @@
 namespace asperity::report {
 namespace {
 
-constexpr double per_cent = 100;
-
 /// At most one decimal, but as many as tell the number from the tolerance that it is judged by.
 std::string percent_with_sd(double value, double sd, double tolerance) {
   const double number = per_cent * std::abs(value), doubt = per_cent * sd, limit = per_cent * tolerance;
