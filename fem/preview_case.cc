@@ -130,7 +130,7 @@ void say_mesh(const PreviewedCase& preview, const std::function<void(const std::
         " from the axis, beyond that region; set Mesh/Contact region");
 }
 
-json with_doubt(double value, const char* unit, double doubt) {
+json with_error_of(double value, const char* unit, double doubt) {
   return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(doubt) ? json(doubt) : json(nullptr)}};
 }
 
@@ -138,21 +138,23 @@ json numbers_of(const CaseContact& contact, const CasePreview& preview) {
   const auto& shape = contact.shape;
   const double area = preview.error_of_area() * shape.area;
   return {
-      {"contact_area", with_doubt(shape.area, "m^2", area)},
-      {"mean_pressure", with_doubt(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
-      {"max_pressure", with_doubt(shape.largest_pressure, "Pa",
-                                  preview.error_of_largest_pressure() * shape.largest_pressure)},
+      {"contact_area", with_error_of(shape.area, "m^2", area)},
+      {"mean_pressure",
+       with_error_of(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
+      {"max_pressure", with_error_of(shape.largest_pressure, "Pa",
+                                     preview.error_of_largest_pressure() * shape.largest_pressure)},
       {"normal_stiffness",
-       with_doubt(contact.stiffness, "N/m", preview.error_of_stiffness() * contact.stiffness)},
-      {"approach", with_doubt(contact.approach(), "m", preview.error_of_approach())},
-      {"first_touch",
-       with_doubt(contact.first_touch, "m", std::abs(preview.fine.first_touch - preview.coarse.first_touch))},
-      {"spots", with_doubt(shape.spots, "", std::abs(preview.fine.shape.spots - preview.coarse.shape.spots))},
-      {"load_centre_x", with_doubt(shape.centre_x, "m",
-                                   std::abs(preview.fine.shape.centre_x - preview.coarse.shape.centre_x))},
-      {"load_centre_y", with_doubt(shape.centre_y, "m",
-                                   std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
-      {"normal_force", with_doubt(shape.force, "N", 0)}};
+       with_error_of(contact.stiffness, "N/m", preview.error_of_stiffness() * contact.stiffness)},
+      {"approach", with_error_of(contact.approach(), "m", preview.error_of_approach())},
+      {"first_touch", with_error_of(contact.first_touch, "m",
+                                    std::abs(preview.fine.first_touch - preview.coarse.first_touch))},
+      {"spots",
+       with_error_of(shape.spots, "", std::abs(preview.fine.shape.spots - preview.coarse.shape.spots))},
+      {"load_centre_x", with_error_of(shape.centre_x, "m",
+                                      std::abs(preview.fine.shape.centre_x - preview.coarse.shape.centre_x))},
+      {"load_centre_y", with_error_of(shape.centre_y, "m",
+                                      std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
+      {"normal_force", with_error_of(shape.force, "N", 0)}};
 }
 
 }  // namespace
@@ -236,8 +238,8 @@ std::string preview_json(const CaseInput& input, const PreviewedCase& preview) {
   if (preview.contact.capped) {
     const auto& capped = *preview.contact.capped;
     result["capped"] = numbers_of(capped, preview.contact);
-    result["capped"]["hardness"] = with_doubt(preview.hardness, "Pa", 0);
-    result["capped"]["area_at_hardness"] = with_doubt(capped.shape.area_at_bound, "m^2", NAN);
+    result["capped"]["hardness"] = with_error_of(preview.hardness, "Pa", 0);
+    result["capped"]["area_at_hardness"] = with_error_of(capped.shape.area_at_bound, "m^2", NAN);
   }
   if (preview.mesh)
     result["mesh"] = {{"interface_spacing", preview.mesh->spacing},

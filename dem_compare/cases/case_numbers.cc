@@ -88,8 +88,8 @@ std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers) {
   return chosen;
 }
 
-std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers) {
-  MeshDoubt doubt;
+std::optional<DiscretisationError> discretisation_error(const std::vector<CaseNumber>& numbers) {
+  DiscretisationError error;
   for (const auto i : on_one_mesh(numbers)) {
     std::vector<double> spacings, values;
     for (const auto& other : numbers) {
@@ -101,12 +101,12 @@ std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers) {
     }
     if (spacings.size() < 2) continue;
     const double counted = numbers[i].value;
-    doubt.relative_error += (counted - mesh_error(spacings, values).extrapolated) / std::abs(counted);
-    ++doubt.families;
+    error.relative_error += (counted - mesh_error(spacings, values).extrapolated) / std::abs(counted);
+    ++error.families;
   }
-  if (doubt.families == 0) return std::nullopt;
-  doubt.relative_error /= doubt.families;
-  return doubt;
+  if (error.families == 0) return std::nullopt;
+  error.relative_error /= error.families;
+  return error;
 }
 
 }  // namespace asperity

@@ -32,10 +32,10 @@ std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumb
 std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers);
 
 /// From the same load and realisation on several spacings (statistics.h), mean over such families.
-struct MeshDoubt {
+struct DiscretisationError {
   double relative_error = 0;  ///< of the mesh that counts, see on_one_mesh
   int families = 0;
 };
-std::optional<MeshDoubt> mesh_doubt(const std::vector<CaseNumber>& numbers);
+std::optional<DiscretisationError> discretisation_error(const std::vector<CaseNumber>& numbers);
 
 }  // namespace asperity

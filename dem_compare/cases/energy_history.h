@@ -19,8 +19,9 @@ struct EnergyHistory {
   std::vector<double> adhesion;  ///< lost by bonds that form and break [J]
   std::vector<double>
       unbalanced;  ///< work less stored less dissipated [J]; zero but for errors of the computation
-  std::vector<double> sticking;  ///< share of the closed nodes that stick; empty where it is not known
-  bool has_energies = false;     ///< the history tells the mechanisms apart
+  std::vector<double>
+      sticking;               ///< share of the active contact nodes that stick; empty where it is not known
+  bool has_energies = false;  ///< the history tells the mechanisms apart
 
   std::size_t size() const { return position.size(); }
 };

@@ -45,7 +45,7 @@ GroupNumbers numbers_of(const CaseGroup& group, const MeshFamily& family) {
 
 /// Two relative standard deviations of the stiffness as `solve` states them for its mesh, the largest of the
 /// cases; NaN without any.
-double discretisation_doubt(const CaseGroup& group) {
+double own_discretisation_error(const CaseGroup& group) {
   double largest = unknown;
   for (const auto& solved : group.cases) {
     const auto stiffness = solved.effective("normal_stiffness");
@@ -58,11 +58,11 @@ double discretisation_doubt(const CaseGroup& group) {
 /// Half width of the interval of a ratio: the scatter of its mean, what the mesh leaves open (from several
 /// spacings, else as `solve` states it), and a relative bound from the steps. NaN where neither scatter nor
 /// mesh is known.
-double doubt_of(const Estimate& ratio, double own_mesh_doubt, double step_error) {
+double half_width_of(const Estimate& ratio, double own_error, double step_error) {
   const double of_mean =
       ratio.count > 1 ? 2 * student_factor(ratio.count - 1) * ratio.standard_error : unknown;
   const double of_mesh =
-      std::abs(ratio.mean) * (ratio.mesh ? std::abs(ratio.mesh->relative_error) : own_mesh_doubt);
+      std::abs(ratio.mean) * (ratio.mesh ? std::abs(ratio.mesh->relative_error) : own_error);
   if (!std::isfinite(of_mean) && !std::isfinite(of_mesh))
     return step_error > 0 ? step_error * std::abs(ratio.mean) : unknown;
   const auto known = [](double doubt) { return std::isfinite(doubt) ? doubt : 0; };
@@ -80,11 +80,11 @@ LoadComparison at_load(double force, const CaseGroup& group, const MeshFamily& f
         numbers.at_load(force, &LoadPoint::step_error) / numbers.at_load(force, &LoadPoint::stiffness);
     if (std::isfinite(error)) load.step_error = std::max(load.step_error, error);
   }
-  const double own = discretisation_doubt(group);
-  load.stiffness_doubt = doubt_of(load.stiffness_ratio, own, load.step_error);
-  load.unloading_doubt = doubt_of(load.unloading_ratio, own, load.step_error);
-  load.force_doubt = doubt_of(load.force_ratio, unknown, 0);
-  load.stiffness_judged = judged(load.stiffness_ratio.mean - 1, load.stiffness_doubt, tolerance);
+  const double own = own_discretisation_error(group);
+  load.stiffness_half_width = half_width_of(load.stiffness_ratio, own, load.step_error);
+  load.unloading_half_width = half_width_of(load.unloading_ratio, own, load.step_error);
+  load.force_half_width = half_width_of(load.force_ratio, unknown, 0);
+  load.stiffness_judged = judged(load.stiffness_ratio.mean - 1, load.stiffness_half_width, tolerance);
   return load;
 }
 

@@ -30,7 +30,7 @@ struct LoadComparison {
   double step_error = 0;  ///< largest relative bound on the loading stiffness from the finite load steps
   /// Half widths of the intervals that hold the true means 19 times in 20: scatter of the mean (Student),
   /// mesh error and step error; NaN where nothing is known of it.
-  double stiffness_doubt = 0, unloading_doubt = 0, force_doubt = 0;
+  double stiffness_half_width = 0, unloading_half_width = 0, force_half_width = 0;
   Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
 };
 

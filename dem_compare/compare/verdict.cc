@@ -47,7 +47,7 @@ std::vector<Departure> departures_of(const Rows& rows, const Judgement& judgemen
   return departures;
 }
 
-std::optional<std::pair<double, double>> mesh_doubt(const Rows& rows, double tolerance) {
+std::optional<std::pair<double, double>> discretisation_error(const Rows& rows, double tolerance) {
   std::optional<std::pair<double, double>> worst;
   for (const ComparisonRow* row : rows) {
     const double error = row->finite_elements.mesh_error;
@@ -81,7 +81,8 @@ LawVerdict verdict_of(const Rows& rows, const Judgement& judgement, double toler
     if (range.judged == Judged::not_known) verdict.not_known += loads;
   }
   verdict.is_own_fit = judgement.by == published_of && is_its_own_fit(verdict.departures);
-  if (judgement.involves_finite_elements()) verdict.mesh_doubt = mesh_doubt(rows, tolerance);
+  if (judgement.involves_finite_elements())
+    verdict.discretisation_error = discretisation_error(rows, tolerance);
   return verdict;
 }
 

@@ -50,7 +50,7 @@ struct LawVerdict {
       not_known = 0;  ///< loads at which it is not good enough, and at which its errors do not allow to say
   bool is_own_fit = false;  ///< the law's numbers were fitted to this very measurement: it judges nothing
   /// The row whose mesh error is largest, where it alone exceeds the tolerance: its load and relative error.
-  std::optional<std::pair<double, double>> mesh_doubt{};
+  std::optional<std::pair<double, double>> discretisation_error{};
 };
 
 /// One for each law, quantity and reference of each contact.

@@ -72,8 +72,8 @@ void complete_shear_modulus(const SolvedCase& solved, ContactParameters& paramet
   parameters.reduced_shear_modulus->value = mindlin;
   parameters.reduced_shear_modulus->provenance =
       "of the materials (Mindlin 1949, 2 - nu): no sliding case told it";
-  sliding.not_told.push_back("G*: that of the materials is written, " +
-                             format_quantity(mindlin, Dimension::pressure, 4));
+  sliding.not_identifiable.push_back("G*: that of the materials is written, " +
+                                     format_quantity(mindlin, Dimension::pressure, 4));
 }
 
 /// What sliding friction alone would make of torsion.
@@ -133,7 +133,7 @@ Derivation derive_parameters(const ParameterSet& set) {
   for (const LawReport& report : derivation.laws) {
     Json law = report.details;
     law["findings"] = report.findings;
-    law["not_told"] = report.not_told;
+    law["not_told"] = report.not_identifiable;
     record[name_of(report.motion)] = std::move(law);
   }
   return derivation;
@@ -146,7 +146,7 @@ const LawReport& Derivation::law_of(Motion motion) const {
 std::string to_text(const LawReport& report) {
   std::string text = report.title + "\n";
   for (const auto& finding : report.findings) text += "  " + finding + "\n";
-  for (const auto& open : report.not_told) text += "  not told: " + open + "\n";
+  for (const auto& open : report.not_identifiable) text += "  not identifiable: " + open + "\n";
   return text;
 }
 

@@ -24,7 +24,7 @@ std::string digits_of(double value, int digits) {
 std::string to_text(const ResistanceLaw& law) {
   return "mu = " + with_error(law.coefficient, law.coefficient_sd(), "") +
          (law.has_offset ? ", h = " + with_error(law.offset, law.offset_sd(), Dimension::force)
-                         : ", h = 0 (not told)");
+                         : ", h = 0 (not identifiable)");
 }
 
 nlohmann::ordered_json to_json(const ResistanceLaw& law) {
@@ -80,9 +80,9 @@ std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all) {
 }
 
 std::string source_of(const std::vector<CaseNumber>& all) {
-  const auto doubt = mesh_doubt(all);
+  const auto error = discretisation_error(all);
   return extent_of(counted_of(all)) +
-         (doubt ? "; error of the mesh " + percent(doubt->relative_error) + ", not in the sd"
+         (error ? "; error of the mesh " + percent(error->relative_error) + ", not in the sd"
                 : "; error of the mesh not known");
 }
 
@@ -93,19 +93,19 @@ void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string
                               " of one, from up to " + std::to_string(scatter->realisations) + " at a load");
     report.details["realisation_scatter"] = scatter->relative;
   } else if (!smooth) {
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "scatter of " + what +
         " between realisations: solve the same case with two or more seeds of its roughness");
   }
-  if (const auto doubt = mesh_doubt(all)) {
+  if (const auto error = discretisation_error(all)) {
     report.findings.push_back(
-        "error of the mesh (" + what + "): " + percent(doubt->relative_error) +
-        (doubt->families > 1 ? ", mean of " + std::to_string(doubt->families) + " contacts" : "") +
+        "error of the mesh (" + what + "): " + percent(error->relative_error) +
+        (error->families > 1 ? ", mean of " + std::to_string(error->families) + " contacts" : "") +
         "; not part of the uncertainty above");
-    report.details["mesh_error"] = doubt->relative_error;
+    report.details["mesh_error"] = error->relative_error;
   } else {
-    report.not_told.push_back("error of the mesh in " + what +
-                              ": solve one case again with twice the Mesh/Interface spacing");
+    report.not_identifiable.push_back("error of the mesh in " + what +
+                                      ": solve one case again with twice the Mesh/Interface spacing");
   }
 }
 

@@ -16,7 +16,7 @@ struct LawReport {
   Motion motion = Motion::normal;
   std::string title;
   std::vector<std::string> findings;
-  std::vector<std::string> not_told;  ///< each with the cases that would tell it
+  std::vector<std::string> not_identifiable;  ///< each with the cases that would tell it
   nlohmann::ordered_json details;
   std::vector<ResistancePoint> points;  ///< of a resistance: what its law was fitted to
 };
@@ -38,8 +38,8 @@ std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& all);
 /// The extent of those that count, and the mesh's error, which no standard deviation of the laws holds.
 std::string source_of(const std::vector<CaseNumber>& all);
 
-/// Scatter between realisations and error of the mesh in words, apart; adds to `not_told` what would show
-/// them.
+/// Scatter between realisations and error of the mesh in words, apart; adds to `not_identifiable` what would
+/// show them.
 void tell_scatter_and_mesh(const std::vector<CaseNumber>& all, const std::string& what, LawReport& report);
 
 }  // namespace asperity

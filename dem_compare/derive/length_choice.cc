@@ -51,7 +51,7 @@ void tell_choice(const LengthChoice& choice, LawReport& report) {
             percent(choice.radius_error) + " with r";
   report.findings.push_back(text);
   if (!choice.is_told())
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "the length lambda: odds below 20 to 1; lambda = a is written, as friction over the contact demands. "
         "Loads from 0.1 to 3 mN, four or more, or other radii of the particle would tell");
 }

@@ -60,10 +60,10 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
 
 void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
   if (!law.has_offset)
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
   else if (law.degrees_of_freedom == 0)
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "whether the law holds: it passes through two cases whatever they are, and its uncertainty takes "
         "each for "
         "good to a thousandth; solve a third load");
@@ -84,7 +84,7 @@ void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCas
     return fit_power(counted_of(all), radius, mode.stiffness_exponent);
   };
   if (probed.empty() && reversed.empty()) {
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
         std::string(&mode == &rolling_mode() ? " and Experiment/Return distance to a contact radius or more"
                                              : ""));
@@ -169,15 +169,16 @@ void tell_paths(const MotionMode& mode, const std::vector<const MotionCase*>& us
     largest_drift = std::max(largest_drift, std::abs(item->moving.first.drift));
   }
   if (!changing.empty())
-    report.not_told.push_back("where the resistance ends: it still changes, by up to " +
-                              percent(largest_drift) + " from the first half of the path to the second (" +
-                              folders_of(changing) + "); set " + mode.path_entry + " to more");
+    report.not_identifiable.push_back("where the resistance ends: it still changes, by up to " +
+                                      percent(largest_drift) +
+                                      " from the first half of the path to the second (" +
+                                      folders_of(changing) + "); set " + mode.path_entry + " to more");
   constexpr double diameters_wanted = 2;
   if (mode.path_is_length && shortest < diameters_wanted)
-    report.not_told.push_back("fluctuation over long paths: the shortest steady path is " +
-                              with_error(std::round(10 * shortest) / 10, unknown, "") +
-                              " contact diameters, two or more are wanted; set " + mode.path_entry +
-                              " to more");
+    report.not_identifiable.push_back("fluctuation over long paths: the shortest steady path is " +
+                                      with_error(std::round(10 * shortest) / 10, unknown, "") +
+                                      " contact diameters, two or more are wanted; set " + mode.path_entry +
+                                      " to more");
 }
 
 Json moved_case_json(const MotionCase& item) {
@@ -201,7 +202,7 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     if (item.moving.reached()) all.push_back(item.number(item.resistance().value, item.resistance().sd));
   }
   if (!sticking.empty())
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "the resistance of cases that did not slip fully, or for fewer than three steps (" +
         folders_of(sticking) + "): set " + mode.path_entry + " to more");
   if (all.empty()) return;
@@ -279,7 +280,8 @@ LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, Contact
   std::stable_sort(seen.begin(), seen.end(),
                    [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {
-    report.not_told.push_back("all of it: there is no case with Experiment/Type = " + name_of(mode.motion));
+    report.not_identifiable.push_back("all of it: there is no case with Experiment/Type = " +
+                                      name_of(mode.motion));
     return report;
   }
   derive_resistance(mode, seen, parameters, report);

@@ -100,7 +100,7 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
   if (fits.empty()) {
     modulus.value = hertz.reduced_modulus;
     modulus.provenance = "of the materials (Hertz 1882): no case has enough load steps for a fit";
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "E* of the contact: no case has the three load steps (four if rough) that a Hertz fit needs; the "
         "materials' own value is written. Set Experiment/Load steps to 10");
   } else {
@@ -149,7 +149,7 @@ void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawR
                                           Dimension::length)
                : ""));
     else
-      report.not_told.push_back(
+      report.not_identifiable.push_back(
           "exponent of the normal law: it takes five load steps; set Experiment/Load steps to 10");
     tell_scatter_and_mesh(all, "E*", report);
   }
@@ -161,7 +161,7 @@ void derive_normal_stiffness(const ParameterSet& set, ContactParameters& paramet
   for (const auto& solved : set.cases)
     if (const auto number = stiffness_of(solved)) all.push_back(*number);
   if (all.empty()) {
-    report.not_told.push_back(
+    report.not_identifiable.push_back(
         "k_n: no case has a stiffness at its largest load; set Experiment/Unload = true");
     return;
   }
@@ -230,7 +230,7 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
   }
   if (pulls.empty()) {
     if (adhesive)
-      report.not_told.push_back(
+      report.not_identifiable.push_back(
           "pull-off force: no case of experiment normal was drawn apart; set Experiment/Unload = true");
     return;
   }

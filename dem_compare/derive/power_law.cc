@@ -50,7 +50,7 @@ PowerLaw fit_power(const std::vector<CaseNumber>& numbers,
 
 void tell_exponent(const PowerLaw& law, double expected, const std::string& name, LawReport& report) {
   if (std::isnan(law.exponent)) {
-    report.not_told.push_back("how " + name + " grows with the load: solve a case at another load");
+    report.not_identifiable.push_back("how " + name + " grows with the load: solve a case at another load");
     return;
   }
   report.findings.push_back(name + " grows as a^n, n = " + with_error(law.exponent, law.exponent_sd, "") +

@@ -62,7 +62,7 @@ std::vector<ResistancePoint> points_of(const Contacts& contacts, const MotionMod
 constexpr double contradicts = 3;  // standard deviations
 
 /// Root mean square of the relative sds: what a law that holds may miss the points by.
-double doubt_of(const std::vector<ResistancePoint>& points) {
+double half_width_of(const std::vector<ResistancePoint>& points) {
   double squares = 0;
   for (const auto& point : points)
     squares += std::pow(point.sd / point.value, 2) / static_cast<double>(points.size());
@@ -77,7 +77,7 @@ bool is_contradicted(const LengthAnswer& answer, bool by_contact,
         std::abs(by_contact ? exponent.from_contact() : exponent.from_radius()) > contradicts)
       return true;
   const ResistanceLaw& law = by_contact ? answer.choice->with_contact : answer.choice->with_radius;
-  return law.degrees_of_freedom > 0 && law.misfit > contradicts * doubt_of(points);
+  return law.degrees_of_freedom > 0 && law.misfit > contradicts * half_width_of(points);
 }
 
 LengthAnswer::Verdict judge(const LengthAnswer& answer, const std::vector<ResistancePoint>& points) {

@@ -74,7 +74,7 @@ Json group_json(const GroupComparison& group, double tolerance) {
     for (const auto& column : load_columns())
       at[column.name] = estimate_json(load.*column.estimate, column.unit);
     at["load_step_error_of_stiffness"] = load.step_error;
-    at["stiffness_ratio_half_width"] = load.stiffness_doubt;
+    at["stiffness_ratio_half_width"] = load.stiffness_half_width;
     at["as_stiff_as_hertz"] = word_of(load.stiffness_judged);
     object["loads"].push_back(at);
   }

@@ -18,7 +18,7 @@ std::string softer_by(const LoadComparison& load, double tolerance, const std::s
   const double departure = load.stiffness_ratio.mean - 1;
   return say("{}{} by {}{}", {departure < 0 ? "softer" : "stiffer", reference,
                               percent_off_one(load.stiffness_ratio.mean, tolerance),
-                              interval_words(departure, load.stiffness_doubt)});
+                              interval_words(departure, load.stiffness_half_width)});
 }
 
 std::string stiffness_sentence(const GroupComparison& group, double tolerance) {
@@ -109,13 +109,13 @@ std::string verdict_against_hertz(const GroupComparison& group, double tolerance
   if (group.loads.empty()) return words + imprint_sentence(numbers);
   const LoadComparison& top = group.loads.back();
   words += say(" Force at the same approach is {} at {}.",
-               {judged_words(top.force_ratio.mean, top.force_doubt, tolerance, "Hertz's", "below Hertz's",
-                             "above Hertz's"),
+               {judged_words(top.force_ratio.mean, top.force_half_width, tolerance, "Hertz's",
+                             "below Hertz's", "above Hertz's"),
                 force_text(numbers.force)});
   const double unloading = numbers.unloading_stiffness.mean / numbers.hertz.normal_stiffness(numbers.force);
   if (std::isfinite(unloading))
     words += say(" Unloading starts {}.",
-                 {judged_words(unloading, top.unloading_doubt, tolerance, "as stiff as Hertz",
+                 {judged_words(unloading, top.unloading_half_width, tolerance, "as stiff as Hertz",
                                "softer than Hertz", "stiffer than Hertz")});
   return words + imprint_sentence(numbers);
 }

@@ -123,10 +123,10 @@ std::string verdict_text(const LawVerdict& verdict, double tolerance) {
                          ? say(" repeats the {}: its numbers were fitted to it.", {quantity})
                          : " " + departure_words(verdict.departures, quantity, tolerance) + "." +
                                (has_error ? "" : " How far it is uncertain is not known."));
-  if (verdict.mesh_doubt)
-    text += say(
-        " The mesh alone leaves {} in doubt at {}.",
-        {percent_with_sd(verdict.mesh_doubt->second, NAN, tolerance), force_text(verdict.mesh_doubt->first)});
+  if (verdict.discretisation_error)
+    text += say(" The mesh alone leaves {} in doubt at {}.",
+                {percent_with_sd(verdict.discretisation_error->second, NAN, tolerance),
+                 force_text(verdict.discretisation_error->first)});
   return text;
 }
 

@@ -63,7 +63,7 @@ std::string study_headline(const std::vector<StudyCurve>& curves) {
                : "There is nothing to judge yet.";
   return counts_in_words(counts, contacts) + "; the largest departure is " +
          departure_text(worst_load->stiffness_ratio.mean) +
-         interval_words(worst_load->stiffness_ratio.mean - 1, worst_load->stiffness_doubt) + " (" +
+         interval_words(worst_load->stiffness_ratio.mean - 1, worst_load->stiffness_half_width) + " (" +
          readable(worst->label) + ", at " + in_units(worst_load->force, Dimension::force) + ")." +
          (single > 0 ? " Of " + std::to_string(single) +
                            " a single realisation was solved: that surface is judged, others may differ."

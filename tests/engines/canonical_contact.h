@@ -12,8 +12,7 @@ namespace asperity::test {
 
 /// A file of the paper's runs that ships.
 inline std::filesystem::path paper_run(const std::string& name) {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path() /
-         "runs/paper" / name;
+  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "runs/paper" / name;
 }
 
 /// E*, G* as in the engine notes; stiffness of rolling and torsion as in the paper, 8 G* a r^2; no offsets.

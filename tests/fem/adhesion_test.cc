@@ -16,7 +16,7 @@ using namespace asperity;
 using test::FrictionalContact;
 using test::FrictionalContactOptions;
 
-/// Of the closed nodes across the direction of rolling [m]; the contact is longer than wide.
+/// Of the active contact nodes across the direction of rolling [m]; the contact is longer than wide.
 double width_of_contact(const FrictionalContact& contact) {
   struct Column {
     int closed = 0;

@@ -26,10 +26,10 @@ TEST(CaseNumbers_analytic, scatter_between_realisations_and_error_of_the_mesh_do
   ASSERT_TRUE(scatter);
   EXPECT_NEAR(scatter->relative, 0.1, 0.002);
   EXPECT_EQ(scatter->realisations, 3);
-  const auto doubt = mesh_doubt(numbers);
-  ASSERT_TRUE(doubt);
-  EXPECT_EQ(doubt->families, 6);
-  EXPECT_NEAR(doubt->relative_error, 0.01, 2e-4);
+  const auto error = discretisation_error(numbers);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->families, 6);
+  EXPECT_NEAR(error->relative_error, 0.01, 2e-4);
   const auto chosen = on_one_mesh(numbers);
   EXPECT_EQ(chosen.size(), 6u);
   for (const auto i : chosen) EXPECT_EQ(numbers[i].spacing, 0.01);
@@ -44,10 +44,10 @@ TEST(CaseNumbers_analytic, count_on_the_finest_mesh_that_all_contacts_have) {
   ASSERT_EQ(chosen.size(), 3u);
   for (const auto i : chosen) EXPECT_EQ(numbers[i].spacing, 0.02);
   // Of that mesh, not of the finest one, is the error.
-  const auto doubt = mesh_doubt(numbers);
-  ASSERT_TRUE(doubt);
-  EXPECT_EQ(doubt->families, 3);
-  EXPECT_NEAR(doubt->relative_error, 0.02 / 1.02, 1e-12);
+  const auto error = discretisation_error(numbers);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->families, 3);
+  EXPECT_NEAR(error->relative_error, 0.02 / 1.02, 1e-12);
   const std::string source = source_of(numbers);
   EXPECT_NE(source.find("3 cases"), std::string::npos) << source;
   EXPECT_NE(source.find("spacing 20 mm; error of the mesh 2 %, not in the sd"), std::string::npos) << source;
@@ -63,7 +63,7 @@ TEST(CaseNumbers_analytic, count_on_the_finest_mesh_that_all_contacts_have) {
 TEST(CaseNumbers_behaviour, of_one_realisation_on_one_mesh_know_neither) {
   const std::vector<CaseNumber> numbers{number(1, "a", 0.01, 0), number(2, "a", 0.01, 0)};
   EXPECT_FALSE(realisation_scatter(numbers));
-  EXPECT_FALSE(mesh_doubt(numbers));
+  EXPECT_FALSE(discretisation_error(numbers));
 }
 
 TEST(PowerLaw_analytic, finds_stiffness_and_power_of_torsion_without_slip) {
@@ -148,14 +148,14 @@ TEST(LawReport_behaviour, asks_for_other_seeds_of_rough_surfaces_alone) {
     tell_scatter_and_mesh(numbers, "k", report);
     return report;
   };
-  EXPECT_EQ(told({{1, "smoothonsmooth", 0.01, 5, 0}}).not_told.size(), 1u);  // the mesh
+  EXPECT_EQ(told({{1, "smoothonsmooth", 0.01, 5, 0}}).not_identifiable.size(), 1u);  // the mesh
   const LawReport rough = told({{1, "a", 0.01, 5, 0}});
-  ASSERT_EQ(rough.not_told.size(), 2u);
-  EXPECT_EQ(rough.not_told[0].find("scatter of k between realisations"), 0u);
-  EXPECT_EQ(rough.not_told[1].find("error of the mesh in k"), 0u);
+  ASSERT_EQ(rough.not_identifiable.size(), 2u);
+  EXPECT_EQ(rough.not_identifiable[0].find("scatter of k between realisations"), 0u);
+  EXPECT_EQ(rough.not_identifiable[1].find("error of the mesh in k"), 0u);
   const LawReport both = told(
       {{1, "a", 0.01, 5.05, 0}, {1, "a", 0.02, 5.1, 0}, {1, "b", 0.01, 6.06, 0}, {1, "b", 0.02, 6.12, 0}});
-  EXPECT_TRUE(both.not_told.empty());
+  EXPECT_TRUE(both.not_identifiable.empty());
   EXPECT_NEAR(both.details["mesh_error"].get<double>(), 0.05 / 5.05, 1e-12);
   EXPECT_EQ(both.findings[1],
             "error of the mesh (k): 0.99 %, mean of 2 contacts; not part of the uncertainty above");
@@ -184,8 +184,8 @@ TEST(LengthChoice_behaviour, names_the_likelier_length_with_its_odds) {
   EXPECT_EQ(told(std::log(50.0)).findings[2].find("odds 50 to 1 for lambda = a"), 0u);
   EXPECT_EQ(told(-std::log(50.0)).findings[2].find("odds 50 to 1 for lambda = r"), 0u);
   EXPECT_EQ(told(std::log(2e6)).findings[2].find("odds more than 10^6 to 1 for lambda = a"), 0u);
-  EXPECT_TRUE(told(-std::log(50.0)).not_told.empty());
-  EXPECT_EQ(told(std::log(19.0)).not_told.size(), 1u);
+  EXPECT_TRUE(told(-std::log(50.0)).not_identifiable.empty());
+  EXPECT_EQ(told(std::log(19.0)).not_identifiable.size(), 1u);
   LengthChoice choice;
   choice.log_odds = -std::log(19.0);
   EXPECT_EQ(choice.scale(), LengthScale::contact_radius);  // not told: as friction over the contact demands

@@ -417,8 +417,8 @@ TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
   EXPECT_EQ(derivation.parameters.sliding_offset->value, 0);
   EXPECT_TRUE(std::isnan(derivation.parameters.sliding_offset->sd));
   const std::string text = to_text(derivation);
-  EXPECT_NE(text.find("not told: h: one load cannot part mu f from mu h"), std::string::npos) << text;
-  EXPECT_NE(text.find("not told: the length lambda"), std::string::npos) << text;
+  EXPECT_NE(text.find("not identifiable: h: one load cannot part mu f from mu h"), std::string::npos) << text;
+  EXPECT_NE(text.find("not identifiable: the length lambda"), std::string::npos) << text;
   EXPECT_NE(text.find("there is no case with Experiment/Type = rolling"), std::string::npos) << text;
   EXPECT_NE(text.find("scatter between realisations"), std::string::npos) << text;
 }

@@ -192,7 +192,7 @@ TEST_F(ComparedFolders,
   EXPECT_NEAR(group.loads.back().stiffness_ratio.sd, 0.22, 1e-6);
   // Student's t with two degrees of freedom: 4.53 standard errors hold as much as two standard deviations of
   // a normal distribution.
-  EXPECT_NEAR(group.loads.back().stiffness_doubt, 4.527 * 0.22 / std::sqrt(3.0), 2e-3);
+  EXPECT_NEAR(group.loads.back().stiffness_half_width, 4.527 * 0.22 / std::sqrt(3.0), 2e-3);
   EXPECT_EQ(group.judged_at_all_loads, Judged::not_known);
   EXPECT_TRUE(std::isnan(group.hertzian_from));
   EXPECT_NE(verdict_of(comparison).find("is not known at 1 mN: softer by 1 % (-58 to +56 %)"),
@@ -205,7 +205,7 @@ TEST_F(ComparedFolders, a_mesh_error_beyond_the_tolerance_leaves_a_verdict_open_
       collect_cases({write_case("fine", 1, 0, "1", "5 nm"), write_case("coarse", 1.331, 0, "1", "10 nm")}),
       0.05);
   EXPECT_EQ(comparison.groups[0].judged_at_all_loads, Judged::not_known);
-  EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_doubt, 0.1, 1e-3);
+  EXPECT_NEAR(comparison.groups[0].loads.back().stiffness_half_width, 0.1, 1e-3);
 }
 
 /// Stiffer with the load: from 0.9499 of Hertz's to Hertz's.
