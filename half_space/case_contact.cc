@@ -80,6 +80,11 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   return contact;
 }
 
+double shortest_wave(const CaseInput& input) {
+  return std::min(topography_scales(input.particle.topography).shortest_wave,
+                  topography_scales(input.substrate.topography).shortest_wave);
+}
+
 double relative_difference(double one, double other) { return std::abs(one - other) / std::abs(one); }
 
 }  // namespace
@@ -90,10 +95,8 @@ Field gap_of_case(const CaseInput& input, const Grid& grid) {
 
 double derived_spacing(const CaseInput& input) {
   constexpr double cells_per_radius = 24, cells_per_wave = 16;
-  const double wave = std::min(topography_scales(input.particle.topography).shortest_wave,
-                               topography_scales(input.substrate.topography).shortest_wave);
   return std::min(hertz_of(input).contact_radius(largest_load(input)) / cells_per_radius,
-                  wave / cells_per_wave);
+                  shortest_wave(input) / cells_per_wave);
 }
 
 double derived_half_width(const CaseInput& input) {
@@ -129,6 +132,7 @@ CasePreview preview_of_case(const CaseInput& input, double hardness) {
   CaseContactOptions options;
   preview.fine = contact_of_case(input, options);
   const Grid& grid = preview.fine.grid;
+  preview.resolution = grid.dx / shortest_wave(input);
   options.half_width = 0.5 * grid.nx * grid.dx;
   options.spacing = 2 * grid.dx;
   options.most_cells = grid.nx / 2;
@@ -145,7 +149,10 @@ CasePreview preview_of_case(const CaseInput& input, double hardness) {
 
 double CasePreview::error_of_area() const { return relative_difference(fine.shape.area, coarse.shape.area); }
 double CasePreview::error_of_largest_pressure() const {
-  return relative_difference(fine.shape.largest_pressure, coarse.shape.largest_pressure);
+  // Measured: 5 % with eight cells over the shortest wave, 2 % with sixteen; at two spacings the same by
+  // chance.
+  return std::max(relative_difference(fine.shape.largest_pressure, coarse.shape.largest_pressure),
+                  4 * resolution * resolution);
 }
 double CasePreview::error_of_stiffness() const {
   return relative_difference(fine.stiffness, coarse.stiffness);

@@ -59,10 +59,14 @@ struct CasePreview {
   CaseContact fine, coarse;
   std::optional<CaseContact> capped;  ///< at the finer spacing, with a hardness below the largest pressure
 
-  double error_of_area() const;              ///< relative
-  double error_of_largest_pressure() const;  ///< relative
-  double error_of_stiffness() const;         ///< relative
-  double error_of_approach() const;          ///< [m]
+  double resolution = 0;  ///< finer spacing over the shortest wave [-]; 0: smooth
+
+  double error_of_area() const;  ///< relative
+  /// Relative; four times the square of `resolution` at least, for the highest peak may fall between cells
+  /// alike.
+  double error_of_largest_pressure() const;
+  double error_of_stiffness() const;  ///< relative
+  double error_of_approach() const;   ///< [m]
 };
 
 /// hardness: of the softer body [Pa], infinite without one.

@@ -167,7 +167,7 @@ TEST(CasePreview_behaviour, tells_the_error_of_two_spacings_and_caps_pressures) 
   EXPECT_EQ(preview.capped->shape.largest_pressure, hardness);
   EXPECT_GT(preview.capped->shape.area, preview.fine.shape.area);
   EXPECT_FALSE(preview_of_case(input, infinite).capped);
-  // Half the stated error holds the answer of a spacing half as wide: errors are of first order at least.
+  // The stated errors hold the answer of a spacing half as wide.
   CaseContactOptions options;
   options.spacing = preview.fine.grid.dx / 2;
   options.half_width = 0.5 * preview.fine.grid.nx * preview.fine.grid.dx;
