@@ -3,6 +3,7 @@
 // meshes, mortars or multipliers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -48,21 +49,21 @@ CaseInput input_of(const RoughCase& c) {
 /// less.
 std::map<std::string, double> references_of(const RoughCase& c, double spacing) {
   const CaseInput input = input_of(c);
-  half_space::CaseContactOptions options;
-  options.spacing = spacing * 1e-9;
-  options.half_width = fem::set_up_sizes(input).system.mesh.sizes.region_particle;
-  const half_space::CaseContact found = half_space::contact_of_case(input, options);
-  const auto& shape = found.shape;
-  return {{"contact_area", shape.area},
-          {"contact_radius", std::sqrt(shape.area / M_PI)},
-          {"mean_pressure", shape.mean_pressure},
-          {"max_pressure", shape.largest_pressure},
-          {"approach", found.approach()},
-          {"approach_from_first_touch", found.approach() - found.first_touch},
-          {"first_touch", found.first_touch},
-          {"load_centre_x", shape.centre_x},
-          {"load_centre_y", shape.centre_y},
-          {"normal_stiffness", found.stiffness}};
+  const double half = fem::set_up_sizes(input).system.mesh.sizes.region_particle, force = c.load * 1e-6;
+  const half_space::Grid grid =
+      half_space::square_grid(half, 2 * static_cast<int>(std::ceil(half / (spacing * 1e-9))));
+  const half_space::Field gap = half_space::gap_of_case(input, grid);
+  const double first_touch = *std::min_element(gap.begin(), gap.end());
+  const half_space::NormalContact contact(grid, half_space::Boundary::free, hertz_of(input).reduced_modulus,
+                                          gap);
+  const auto found = contact.at_force(force);
+  const auto shape =
+      half_space::contact_shape(grid, found.pressure, half_space::NormalContactOptions().hardness);
+  return {{"contact_area", shape.area},           {"contact_radius", std::sqrt(shape.area / M_PI)},
+          {"mean_pressure", shape.mean_pressure}, {"max_pressure", shape.largest_pressure},
+          {"approach", found.approach},           {"approach_from_first_touch", found.approach - first_touch},
+          {"first_touch", first_touch},           {"load_centre_x", shape.centre_x},
+          {"load_centre_y", shape.centre_y},      {"normal_stiffness", contact.stiffness(found)}};
 }
 
 /// Errors of one case over their stated standard deviations, by quantity.
