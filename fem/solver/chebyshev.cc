@@ -55,14 +55,7 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
     rz = next;
   }
   const Eigen::MatrixXd used = lanczos.topLeftCorner(made, made);
-  if (made == 0) {
-    largest_ = 1;
-    return;
-  }
-  // Rounded up, so that sums that are rounded otherwise, by another number of ranks, give the same smoother.
-  constexpr double margin = 1.2, steps_per_unit = 32;
-  const double estimate = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff();
-  largest_ = std::ceil(margin * estimate * steps_per_unit) / steps_per_unit;
+  largest_ = made ? 1.2 * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().maxCoeff() : 1.0;
 }
 
 void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b,

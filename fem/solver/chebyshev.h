@@ -7,9 +7,9 @@ namespace asperity::fem {
 
 class Chebyshev {
  public:
-  static constexpr int degree = 2;
+  static constexpr int degree = 4;
   /// The smoother damps eigenvalues in [largest / range, largest] of the scaled operator.
-  static constexpr double range = 8.0;
+  static constexpr double range = 20.0;
 
   /// Takes the diagonal of `matrix`. The first time, estimates the largest eigenvalue of the scaled operator
   /// by `steps` of Lanczos (conjugate gradients), with 20 % added: opening, closing and yielding change the
