@@ -11,7 +11,7 @@ namespace asperity::fem {
 namespace {
 
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
-constexpr double first_goal = 1e-2, fraction_of_change = 0.3;
+constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
 // Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a
 // Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
