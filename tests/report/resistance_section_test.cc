@@ -128,8 +128,11 @@ TEST(ResistancePage_analytic, charts_show_what_went_in) {
 
 TEST(ResistancePage_behaviour, labels_cannot_break_the_page) {
   const TemporaryFolder root;
-  const std::string html = report_of(test::write_moving_study(root.path, {{"rough <b>", MovingFolder()}}));
-  EXPECT_FALSE(test::has(html, "rough <b>"));
+  MovingFolder other;
+  other.rms = 2.7;  // one contact alone is "the contact"
+  const std::string html =
+      report_of(test::write_moving_study(root.path, {{"rough <b>", MovingFolder()}, {"rougher <b>", other}}));
+  EXPECT_FALSE(test::has(html, "<b>"));
   EXPECT_TRUE(test::has(html, "rough &lt;b&gt;"));
 }
 
