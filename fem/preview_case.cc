@@ -68,17 +68,12 @@ std::string percent(double share) { return quantity(100 * share, Dimension::none
 std::string area_text(double area) { return quantity(area * 1e12, Dimension::none) + " um^2"; }
 std::string stiffness_text(double stiffness) { return quantity(stiffness, Dimension::stiffness, 4); }
 
-double shortest_wave(const CaseInput& input) {
-  return std::min(topography_scales(input.particle.topography).shortest_wave,
-                  topography_scales(input.substrate.topography).shortest_wave);
-}
-
 std::string grid_text(const CaseInput& input, const CaseContact& contact) {
   const auto& grid = contact.grid;
   std::string text = "half-spaces: a square of " + quantity(grid.nx * grid.dx, Dimension::length) + " in " +
                      std::to_string(grid.nx) + " x " + std::to_string(grid.ny) + " cells of " +
                      quantity(grid.dx, Dimension::length);
-  const double wave = shortest_wave(input);
+  const double wave = half_space::shortest_wave(input);
   if (std::isfinite(wave))
     text += ", " + quantity(wave / grid.dx, Dimension::none, 2) + " over the shortest wave of " +
             quantity(wave, Dimension::length);
@@ -113,7 +108,7 @@ void say_yielding(const CaseInput& input, const PreviewedCase& preview,
       area_text(capped.shape.area) + ", of which " +
       percent(capped.shape.area_at_bound / capped.shape.area_of_cells) + " carries the hardness, approach " +
       quantity(capped.approach(), Dimension::length) + ", stiffness of unloading " +
-      stiffness_text(capped.stiffness));
+      stiffness_text(capped.stiffness) + " (on one grid, so without an error)");
 }
 
 void say_mesh(const PreviewedCase& preview, const std::function<void(const std::string&)>& say) {
@@ -130,31 +125,29 @@ void say_mesh(const PreviewedCase& preview, const std::function<void(const std::
         " from the axis, beyond that region; set Mesh/Contact region");
 }
 
-json with_error_of(double value, const char* unit, double doubt) {
-  return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(doubt) ? json(doubt) : json(nullptr)}};
+json with_sd(double value, const char* unit, double sd) {
+  return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
 }
 
 json numbers_of(const CaseContact& contact, const CasePreview& preview) {
   const auto& shape = contact.shape;
   const double area = preview.error_of_area() * shape.area;
   return {
-      {"contact_area", with_error_of(shape.area, "m^2", area)},
-      {"mean_pressure",
-       with_error_of(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
-      {"max_pressure", with_error_of(shape.largest_pressure, "Pa",
-                                     preview.error_of_largest_pressure() * shape.largest_pressure)},
+      {"contact_area", with_sd(shape.area, "m^2", area)},
+      {"mean_pressure", with_sd(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
+      {"max_pressure",
+       with_sd(shape.largest_pressure, "Pa", preview.error_of_largest_pressure() * shape.largest_pressure)},
       {"normal_stiffness",
-       with_error_of(contact.stiffness, "N/m", preview.error_of_stiffness() * contact.stiffness)},
-      {"approach", with_error_of(contact.approach(), "m", preview.error_of_approach())},
-      {"first_touch", with_error_of(contact.first_touch, "m",
-                                    std::abs(preview.fine.first_touch - preview.coarse.first_touch))},
-      {"spots",
-       with_error_of(shape.spots, "", std::abs(preview.fine.shape.spots - preview.coarse.shape.spots))},
-      {"load_centre_x", with_error_of(shape.centre_x, "m",
-                                      std::abs(preview.fine.shape.centre_x - preview.coarse.shape.centre_x))},
-      {"load_centre_y", with_error_of(shape.centre_y, "m",
-                                      std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
-      {"normal_force", with_error_of(shape.force, "N", 0)}};
+       with_sd(contact.stiffness, "N/m", preview.error_of_stiffness() * contact.stiffness)},
+      {"approach", with_sd(contact.approach(), "m", preview.error_of_approach())},
+      {"first_touch",
+       with_sd(contact.first_touch, "m", std::abs(preview.fine.first_touch - preview.coarse.first_touch))},
+      {"spots", with_sd(shape.spots, "", std::abs(preview.fine.shape.spots - preview.coarse.shape.spots))},
+      {"load_centre_x",
+       with_sd(shape.centre_x, "m", std::abs(preview.fine.shape.centre_x - preview.coarse.shape.centre_x))},
+      {"load_centre_y",
+       with_sd(shape.centre_y, "m", std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
+      {"normal_force", with_sd(shape.force, "N", 0)}};
 }
 
 }  // namespace
@@ -238,8 +231,9 @@ std::string preview_json(const CaseInput& input, const PreviewedCase& preview) {
   if (preview.contact.capped) {
     const auto& capped = *preview.contact.capped;
     result["capped"] = numbers_of(capped, preview.contact);
-    result["capped"]["hardness"] = with_error_of(preview.hardness, "Pa", 0);
-    result["capped"]["area_at_hardness"] = with_error_of(capped.shape.area_at_bound, "m^2", NAN);
+    for (auto& number : result["capped"]) number["sd"] = nullptr;  // solved on one grid
+    result["capped"]["hardness"] = with_sd(preview.hardness, "Pa", 0);
+    result["capped"]["area_at_hardness"] = with_sd(capped.shape.area_at_bound, "m^2", NAN);
   }
   if (preview.mesh)
     result["mesh"] = {{"interface_spacing", preview.mesh->spacing},

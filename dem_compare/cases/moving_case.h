@@ -1,7 +1,7 @@
 // The steady resistance of one solved case that slid, rolled or spun: its mean force or moment, and what it
-// dissipated per path length by mechanism. The second is far better known: the topography is conservative:
-// rough surfaces give back what they take, so that the force of a short path is mostly theirs, while
-// dissipated energy only ever grows. Over a long path both agree. SI units.
+// dissipated per path length by mechanism. The second is far better known: the force of a short path is
+// mostly its conservative topographic part, which rough surfaces give back, while dissipated energy only ever
+// grows. Over a long path both agree. SI units.
 //
 // Where a path is steady, and that the first one counts, core/steady_motion.h defines; derive, compare and
 // the study of resistances all take what is said here. It is cut into blocks of about a contact radius, four

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Energy per path length of each path over blocks that all of them passed steadily, as long as the longest
-/// of their blocks and four at least: one row per path length, in the order of the blocks. Empty where less
+/// of their blocks and four at least: one row per path, in the order of the blocks. Empty where less
 /// than half of a path is common to all.
 std::vector<std::vector<double>> rates_in_common(const std::vector<const SteadyPath*>& paths,
                                                  DissipationPart part);

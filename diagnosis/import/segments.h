@@ -11,9 +11,9 @@ struct FoundSegments {
   std::vector<double> cycle;         ///< loops begun so far, from 0
 };
 
-/// Turning points are those from which the signal comes back by more than a part of its range (as in rainflow
-/// counting); between them, intervals of at least two hundredths of the samples in which it moves by less
-/// than a hundredth of the range are holds.
+/// Turning points are those from which the signal comes back by more than a hundredth of its range and more
+/// than its noise (as in rainflow counting). Holds are intervals in which it moves by less than that for
+/// twice as many samples as a steady motion over the range in the whole record would.
 FoundSegments find_segments(const std::vector<double>& signal);
 
 }  // namespace asperity

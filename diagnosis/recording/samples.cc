@@ -28,7 +28,7 @@ double value_or(const RecordingTable& table, const std::string& channel, std::si
 /// An empty cell is not known, no zero: a row without the load or speed that its table gives cannot be
 /// judged.
 bool says_what_it_depends_on(const RecordingTable& table, std::size_t row, bool normal) {
-  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle", "humidity"}) {
+  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle"}) {
     if (normal && std::string(channel) == "normal_force") continue;
     const auto found = table.columns.find(channel);
     if (found == table.columns.end() || !std::isnan(found->second[row])) continue;

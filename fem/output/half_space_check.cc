@@ -20,7 +20,9 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   options.most_cells = 512;
   try {
     return half_space::contact_of_case(pressed, options);
-  } catch (const InputError&) {  // a contact that goes beyond the mesh's region, or the scan
+  } catch (const InputError&) {  // a contact that goes beyond half the radius, or the scan
+    return std::nullopt;
+  } catch (const WorkError&) {  // not solved: a check that fails loses no result
     return std::nullopt;
   }
 }

@@ -57,6 +57,8 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
   EXPECT_GT(said["capped"]["contact_area"]["value"], said["elastic"]["contact_area"]["value"]);
   EXPECT_DOUBLE_EQ(said["capped"]["hardness"]["value"].get<double>(), 2.4e9);
+  EXPECT_TRUE(said["capped"]["contact_area"]["sd"].is_null());  // one grid tells no error
+  EXPECT_GT(said["elastic"]["contact_area"]["sd"], 0);
   EXPECT_EQ(said["left_out"].size(), 1u);
   const Outcome harder = call(arguments + " --hardness '3 GPa'");
   EXPECT_EQ(harder.status, 0) << harder.output;

@@ -118,7 +118,7 @@ TEST(Samples_analytic, have_the_same_speed_by_a_clock_that_stands_still_between_
 TEST(Samples_behaviour, without_the_load_or_speed_that_their_table_gives_do_not_count) {
   Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
   auto& columns = recording.tables[0].columns;
-  for (const char* channel : {"normal_force", "speed", "humidity"}) {
+  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle"}) {
     columns[channel].assign(101, 1e-4);
     columns[channel][7] = NAN;
     EXPECT_FALSE(samples_of(recording).list[7].counts) << channel;

@@ -177,6 +177,19 @@ TEST(CasePreview_behaviour, tells_the_error_of_two_spacings_and_caps_pressures) 
               preview.error_of_largest_pressure());
 }
 
+TEST(CasePreview_behaviour, states_no_less_of_the_largest_pressure_than_was_measured_for_its_cells) {
+  CasePreview preview;
+  preview.fine.shape.largest_pressure = preview.coarse.shape.largest_pressure = 5e9;  // the same by chance
+  for (const auto& [cells, error] : {std::pair{16.0, 0.02}, std::pair{8.0, 0.05}}) {
+    preview.resolution = 1 / cells;
+    EXPECT_NEAR(preview.error_of_largest_pressure(), error, 1e-12);
+  }
+  preview.resolution = 0;  // smooth
+  EXPECT_EQ(preview.error_of_largest_pressure(), 0);
+  preview.coarse.shape.largest_pressure = 4e9;
+  EXPECT_NEAR(preview.error_of_largest_pressure(), 0.2, 1e-12);
+}
+
 TEST(CaseContact_behaviour, is_enlarged_until_the_hardness_carries_the_load) {
   CaseInput input = sphere_on_silicon();
   CaseContactOptions options;
