@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "core/quantity.h"
 #include "core/range.h"
+#include "core/registry.h"
 
 namespace asperity {
 
@@ -41,28 +40,13 @@ struct LawDeclaration {
   }
 };
 
-/// Adds a law to those of its kind, before main: `inline const Registered<Declaration> name{declaration};` in
-/// the law's file.
+/// All laws of a kind, by name: what `Registered<Declaration>` in their files has declared.
 template <class Declaration>
-class Registered {
- public:
-  explicit Registered(Declaration declaration) {
-    auto& laws = list();
-    const auto at = std::lower_bound(laws.begin(), laws.end(), declaration,
-                                     [](const auto& a, const auto& b) { return a.name < b.name; });
-    if (at != laws.end() && at->name == declaration.name)
-      throw std::logic_error("there are two laws '" + declaration.name + "'");
-    laws.insert(at, std::move(declaration));
-  }
-  /// By name, whatever the order of linking.
-  static const std::vector<Declaration>& all() { return list(); }
-
- private:
-  static std::vector<Declaration>& list() {
-    static std::vector<Declaration> laws;
-    return laws;
-  }
-};
+const std::vector<Declaration>& declared_laws() {
+  static const std::vector<Declaration> laws =
+      in_order_of_names(Registered<Declaration>::all(), [](const auto& law) { return law.name; });
+  return laws;
+}
 
 /// Adds the parameters of one more law to those of others, each entry once. Throws std::logic_error if it is
 /// declared otherwise.

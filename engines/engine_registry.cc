@@ -1,10 +1,6 @@
 #include "engines/engine_registry.h"
 
-#include <algorithm>
-
-#include "core/error.h"
 #include "core/joined.h"
-#include "core/nearest_name.h"
 #include "engines/engine.h"
 #include "engines/input_notes.h"
 
@@ -13,14 +9,6 @@ namespace engines {
 std::vector<std::unique_ptr<WrittenEngine>> make_all();  // generated from the files of kinds/
 }
 namespace {
-
-using Maker = std::unique_ptr<WrittenEngine> (*)();
-
-std::vector<Maker>& makers_from_elsewhere() {
-  static std::vector<Maker>
-      makers;  // in a function: filled while other files' constants are still being set up
-  return makers;
-}
 
 class FunctionEngine : public WrittenEngine {
  public:
@@ -35,11 +23,7 @@ class FunctionEngine : public WrittenEngine {
   std::string (*contact_input_)(InputNotes&);
 };
 
-std::vector<std::string> runnable_keys() {
-  std::vector<std::string> keys;
-  for (const Engine* engine : runnable_engines()) keys.push_back(engine->key());
-  return keys;
-}
+std::string key_of(const std::unique_ptr<WrittenEngine>& engine) { return engine->key(); }
 
 }  // namespace
 
@@ -48,15 +32,8 @@ std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std:
   return std::make_unique<FunctionEngine>(key, name, contact_input);
 }
 
-RegisteredEngine::RegisteredEngine(Maker make) { makers_from_elsewhere().push_back(make); }
-
 const std::vector<std::unique_ptr<WrittenEngine>>& engine_catalogue() {
-  static const std::vector<std::unique_ptr<WrittenEngine>> list = [] {
-    auto all = engines::make_all();
-    for (const Maker make : makers_from_elsewhere()) all.push_back(make());
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a->key() < b->key(); });
-    return all;
-  }();
+  static const auto list = with_registered_makers(engines::make_all(), key_of);
   return list;
 }
 
@@ -68,15 +45,9 @@ std::vector<std::string> engine_input_names() {
 
 std::string engine_input(const std::string& key, const ContactParameters& parameters,
                          const EngineInputOptions& options) {
-  for (const auto& engine : engine_catalogue()) {
-    if (engine->key() != key) continue;
-    InputNotes notes(parameters, options, engine->name());
-    return engine->contact_input(notes);
-  }
-  const std::string meant = nearest_name(key, engine_input_names());
-  throw InputError(
-      "there is no engine '" + key + "'; " +
-      (meant.empty() ? "there are " + joined(engine_input_names(), ", ") : "did you mean '" + meant + "'?"));
+  const auto& engine = entry_named(engine_catalogue(), key, key_of, "there is no engine");
+  InputNotes notes(parameters, options, engine->name());
+  return engine->contact_input(notes);
 }
 
 std::vector<const Engine*> runnable_engines() {
@@ -93,12 +64,9 @@ std::string list_runnable_engines(std::string (Engine::*text)() const, const std
 }
 
 const Engine& engine_of(const std::string& key) {
-  for (const Engine* engine : runnable_engines())
-    if (engine->key() == key) return *engine;
-  const std::string meant = nearest_name(key, runnable_keys());
-  throw InputError("asperity cannot run an engine '" + key + "'; " +
-                   (meant.empty() ? "it runs " + list_runnable_engines(&Engine::key, " and ")
-                                  : "did you mean '" + meant + "'?"));
+  const std::vector<const Engine*> engines = runnable_engines();
+  return *entry_named(
+      engines, key, [](const Engine* engine) { return engine->key(); }, "asperity cannot run an engine");
 }
 
 }  // namespace asperity

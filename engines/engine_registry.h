@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/registry.h"
 #include "engines/engine_input.h"
 
 namespace asperity {
@@ -20,8 +21,6 @@ std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std:
 const std::vector<std::unique_ptr<WrittenEngine>>& engine_catalogue();
 
 /// Registers an engine from elsewhere, as a constant outside of all functions.
-struct RegisteredEngine {
-  explicit RegisteredEngine(std::unique_ptr<WrittenEngine> (*make)());
-};
+using RegisteredEngine = Registered<std::unique_ptr<WrittenEngine> (*)()>;
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/registry.h"
 #include "dem_compare/experiments/single_particle.h"
 
 namespace asperity {
@@ -28,8 +29,6 @@ const std::vector<ParticleExperiment>& particle_experiments();
 SingleParticle make_particle(const std::string& experiment, const ExperimentSetup& setup);
 
 /// Registers an experiment from elsewhere, as a constant outside of all functions.
-struct RegisteredExperiment {
-  explicit RegisteredExperiment(ParticleExperiment (*make)());
-};
+using RegisteredExperiment = Registered<ParticleExperiment (*)()>;
 
 }  // namespace asperity

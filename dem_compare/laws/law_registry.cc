@@ -4,39 +4,16 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/joined.h"
-#include "core/nearest_name.h"
 #include "reduced_law_headers.h"  // generated: every header of this folder
 
 namespace asperity {
 namespace {
 
-struct Registered {
-  LawDescription description;
-  std::function<ReducedLaw(const LawValues&)> make;
-};
+std::string name_of(const RegisteredLaw& law) { return law.description.name; }
 
-std::vector<Registered>& registered() {
-  static std::vector<Registered>
-      laws;  // in a function: filled while other files' constants are still being set up
-  return laws;
-}
-
-template <class Named>
-[[noreturn]] void refuse_unknown(const std::string& what, const std::string& written,
-                                 const std::vector<Named>& known) {
-  std::vector<std::string> names;
-  for (const auto& entry : known) names.push_back(entry.name);
-  const std::string nearest = nearest_name(written, names);
-  throw InputError(
-      "no " + what + " '" + written + "'" +
-      (nearest.empty() ? "; there are: " + joined(names, ", ") : "; did you mean '" + nearest + "'?"));
-}
-
-const Registered& find_law(const std::string& name) {
-  for (const auto& law : registered())
-    if (law.description.name == name) return law;
-  refuse_unknown("reduced law", name, reduced_laws());
+const RegisteredLaw& find_law(const std::string& name) {
+  static const auto laws = in_order_of_names(Registered<RegisteredLaw>::all(), name_of);
+  return entry_named(laws, name, name_of, "no reduced law");
 }
 
 std::string admissible(const LawParameter& p) {
@@ -56,10 +33,6 @@ std::string default_of(const LawParameter& p) {
 }  // namespace
 
 namespace law_registry_detail {
-
-void add(const LawDescription& description, const std::function<ReducedLaw(const LawValues&)>& make) {
-  registered().push_back({description, make});
-}
 
 double value_of(const LawParameter& p, const std::string& law, const LawValues& values) {
   const auto given = values.find(p.name);
@@ -83,7 +56,7 @@ void refuse_mode(const std::string& law, const std::string& mode) {
 
 std::vector<LawDescription> reduced_laws() {
   std::vector<LawDescription> laws;
-  for (const auto& law : registered()) laws.push_back(law.description);
+  for (const auto& law : Registered<RegisteredLaw>::all()) laws.push_back(law.description);
   std::sort(laws.begin(), laws.end(), [](const LawDescription& one, const LawDescription& other) {
     return std::tie(one.mode, one.name) < std::tie(other.mode, other.name);
   });
@@ -93,13 +66,13 @@ std::vector<LawDescription> reduced_laws() {
 LawDescription reduced_law(const std::string& name) { return find_law(name).description; }
 
 const LawParameter& law_parameter(const LawDescription& law, const std::string& name) {
-  for (const auto& parameter : law.parameters)
-    if (parameter.name == name) return parameter;
-  refuse_unknown("parameter of the law '" + law.name + "' named", name, law.parameters);
+  return entry_named(
+      law.parameters, name, [](const LawParameter& parameter) { return parameter.name; },
+      "no parameter of the law '" + law.name + "' named");
 }
 
 ReducedLaw make_reduced_law(const std::string& name, const LawValues& values) {
-  const Registered& law = find_law(name);
+  const RegisteredLaw& law = find_law(name);
   for (const auto& [given, value] : values) law_parameter(law.description, given);
   return law.make(values);
 }

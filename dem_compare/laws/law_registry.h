@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/registry.h"
 #include "dem_compare/laws/normal_law.h"
 #include "dem_compare/laws/rolling_law.h"
 #include "dem_compare/laws/sliding_law.h"
@@ -49,6 +50,12 @@ using LawValues = std::map<std::string, double>;
 /// A law behind the interface of its mode.
 using ReducedLaw = std::variant<NormalLaw, SlidingLaw, RollingLaw, TorsionLaw, ViscousLaw, SteadySlipLaw>;
 
+/// A law and what makes it from values of its parameters.
+struct RegisteredLaw {
+  LawDescription description;
+  std::function<ReducedLaw(const LawValues&)> make;
+};
+
 /// All laws, by mode and name.
 std::vector<LawDescription> reduced_laws();
 /// Throws InputError with the nearest name.
@@ -64,7 +71,6 @@ LawOf<Mode> make_law(const std::string& name, const LawValues& values);
 std::string reduced_laws_manual();
 
 namespace law_registry_detail {
-void add(const LawDescription& description, const std::function<ReducedLaw(const LawValues&)>& make);
 /// The value of a parameter of the law among those given.
 double value_of(const LawParameter& parameter, const std::string& law, const LawValues& values);
 [[noreturn]] void refuse_mode(const std::string& law, const std::string& mode);
@@ -101,13 +107,14 @@ struct LawEntry {
     fields.insert(fields.end(), more.begin(), more.end());
     description.mode = Mode::name;
     for (const auto& field : fields) description.parameters.push_back(field.parameter);
-    law_registry_detail::add(description, [description, fields](const LawValues& values) {
-      Law law{};
-      for (std::size_t i = 0; i < fields.size(); ++i)
-        fields[i].set(law,
-                      law_registry_detail::value_of(description.parameters[i], description.name, values));
-      return ReducedLaw(LawOf<Mode>(law));
-    });
+    const Registered<RegisteredLaw> add(
+        {description, [description, fields](const LawValues& values) {
+           Law law{};
+           for (std::size_t i = 0; i < fields.size(); ++i)
+             fields[i].set(
+                 law, law_registry_detail::value_of(description.parameters[i], description.name, values));
+           return ReducedLaw(LawOf<Mode>(law));
+         }});
   }
 };
 

@@ -1,32 +1,21 @@
-#include <algorithm>
-
-#include "core/error.h"
-#include "core/nearest_name.h"
+#include "core/registry.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
 namespace effects {
 std::vector<std::unique_ptr<Effect>> make_all();  // generated from the files of effects/
 }
+namespace {
+std::string id_of(const std::unique_ptr<Effect>& effect) { return effect->id(); }
+}  // namespace
 
 const std::vector<std::unique_ptr<Effect>>& effect_catalogue() {
-  static const std::vector<std::unique_ptr<Effect>> list = [] {
-    auto all = effects::make_all();
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a->id() < b->id(); });
-    return all;
-  }();
+  static const auto list = with_registered_makers(effects::make_all(), id_of);
   return list;
 }
 
 const Effect& effect_of(const std::string& id) {
-  std::vector<std::string> names;
-  for (const auto& effect : effect_catalogue()) {
-    if (effect->id() == id) return *effect;
-    names.push_back(effect->id());
-  }
-  const std::string meant = nearest_name(id, names);
-  throw InputError("there is no effect '" + id + "'" +
-                   (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+  return *entry_named(effect_catalogue(), id, id_of, "there is no effect");
 }
 
 }  // namespace asperity

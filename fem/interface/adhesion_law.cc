@@ -6,7 +6,7 @@
 namespace asperity::fem {
 
 const std::vector<AdhesionLawDeclaration>& adhesion_laws() {
-  return Registered<AdhesionLawDeclaration>::all();
+  return declared_laws<AdhesionLawDeclaration>();
 }
 
 ParameterEntry adhesion_range(const std::string& symbol) {

@@ -10,7 +10,7 @@ ShearLimit FrictionLaw::initial_limit(double pressure) const {
 }
 
 const std::vector<FrictionLawDeclaration>& friction_laws() {
-  return Registered<FrictionLawDeclaration>::all();
+  return declared_laws<FrictionLawDeclaration>();
 }
 
 std::unique_ptr<FrictionLaw> make_friction_law(const InterfaceInput& input) {

@@ -5,7 +5,7 @@
 
 namespace asperity::fem {
 
-const std::vector<MaterialDeclaration>& material_laws() { return Registered<MaterialDeclaration>::all(); }
+const std::vector<MaterialDeclaration>& material_laws() { return declared_laws<MaterialDeclaration>(); }
 
 ParameterEntry yield_stress_parameter() {
   return {"Yield stress",

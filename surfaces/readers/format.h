@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/registry.h"
 #include "surfaces/read_topography.h"
 
 namespace asperity {
@@ -50,10 +51,7 @@ struct TopographyFormat {
 };
 
 /// Adds a format that stands outside of formats/, before the first file is read.
-class RegisteredFormat {
- public:
-  explicit RegisteredFormat(TopographyFormat format);
-};
+using RegisteredFormat = Registered<TopographyFormat>;
 
 /// What read_topography() makes of a file that is in memory already.
 Topography topography_from(const SourceFile& file, const ReadOptions& options);
