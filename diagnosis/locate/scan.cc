@@ -106,7 +106,7 @@ Scanned over_noise(const Samples& samples, const Noise& noise, const std::vector
 }
 
 /// A run of bins that noise alone seldom shows.
-struct Candidate {
+struct CandidateRegion {
   std::size_t view;
   Run run;
 };
@@ -114,7 +114,7 @@ struct Candidate {
 /// The view of a segment in which the mismatch stands out most.
 struct BestView {
   double score = 0;
-  std::vector<Candidate> candidates;
+  std::vector<CandidateRegion> candidates;
 };
 
 MismatchRegion region_of(const Run& run, const View& view, const Samples& samples, const Scanned& scanned) {
@@ -240,7 +240,7 @@ ScanResult Scanner::scan(const std::vector<double>& residual, const std::vector<
     auto& best = best_of_segment[{views_[v].table, views_[v].segment}];
     if (here.score > best.score) best = here;
   }
-  std::vector<Candidate> candidates;
+  std::vector<CandidateRegion> candidates;
   for (const auto& [segment, best] : best_of_segment)
     candidates.insert(candidates.end(), best.candidates.begin(), best.candidates.end());
   result.p_value = p_value(largest);
