@@ -1,131 +1,13 @@
 #include "app/case_declaration.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <utility>
-
-#include "core/error.h"
+#include "app/case_entry_kinds.h"
 #include "core/motion_program.h"
-#include "core/nearest_name.h"
-#include "core/printed.h"
-#include "core/quantity.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
 
 namespace asperity {
 namespace {
-
-std::string in_words(const Range& range, Dimension dimension) {
-  const auto number = [&](double x) { return format_quantity(x, x == 0 ? Dimension::none : dimension, 6); };
-  if (std::isinf(range.high)) {
-    const std::string words = range.low_open ? "above " + number(range.low) : number(range.low) + " or more";
-    return range.high_open ? words : words + ", or inf";
-  }
-  return std::string("from ") + number(range.low) + (range.low_open ? " (excluded)" : "") + " to " +
-         number(range.high) + (range.high_open ? " (excluded)" : "");
-}
-
-std::string kind_of(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return "a length [m, um, nm], ";
-    case Dimension::force:
-      return "a force [N, mN, uN, nN], ";
-    case Dimension::pressure:
-      return "a pressure [Pa, MPa, GPa], ";
-    case Dimension::surface_energy:
-      return "an energy per area [J/m^2, mJ/m^2], ";
-    case Dimension::angle:
-      return "an angle [rad, deg], ";
-    default:
-      return "a number, ";
-  }
-}
-
-std::string canonical_number(double value) { return printed("%.14g", value); }
-
-template <class T>
-using Member = std::function<T&(CaseInput&)>;
-
-CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
-                   Range range, std::string default_text, std::string example, std::string documentation) {
-  const std::string admissible = kind_of(dimension) + in_words(range, dimension);
-  return {std::move(section),
-          std::move(name),
-          std::move(default_text),
-          std::move(example),
-          admissible,
-          std::move(documentation),
-          [=](CaseInput& input, const std::string& text) {
-            const double value = parse_quantity(text, dimension);
-            if (!range.holds(value))
-              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
-            member(input) = value;
-          },
-          [=](const std::string& text) { return canonical_number(parse_quantity(text, dimension)); }};
-}
-
-CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
-                       std::string default_text, std::string documentation) {
-  const std::string admissible = "a whole number, " + std::to_string(low) + " or more";
-  return {std::move(section),
-          std::move(name),
-          std::move(default_text),
-          "",
-          admissible,
-          std::move(documentation),
-          [=](CaseInput& input, const std::string& text) {
-            char* end = nullptr;
-            const long value = std::strtol(text.c_str(), &end, 10);
-            if (text.empty() || *end != '\0' || value < low || value > std::numeric_limits<int>::max())
-              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
-            member(input) = static_cast<int>(value);
-          },
-          [](const std::string& text) { return std::to_string(std::strtol(text.c_str(), nullptr, 10)); }};
-}
-
-/// One of several words, each with the value it stands for.
-template <class T>
-CaseEntry choice(std::string section, std::string name, Member<T> member,
-                 std::vector<std::pair<std::string, T>> values, std::string default_text,
-                 std::string documentation) {
-  std::vector<std::string> words;
-  std::string admissible;
-  for (const auto& [word, value] : values) {
-    words.push_back(word);
-    admissible += (admissible.empty() ? "" : " | ") + word;
-  }
-  return {std::move(section),
-          std::move(name),
-          std::move(default_text),
-          "",
-          admissible,
-          std::move(documentation),
-          [=](CaseInput& input, const std::string& text) {
-            for (const auto& [word, value] : values)
-              if (word == text) {
-                member(input) = value;
-                return;
-              }
-            const std::string meant = nearest_name(text, words);
-            throw InputError("'" + text + "' is not one of " + admissible +
-                             (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
-          }};
-}
-
-/// How finely something is solved, how or where it is written: not what is solved.
-CaseEntry not_physical(CaseEntry entry) {
-  entry.is_physical = false;
-  return entry;
-}
-
-CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
-               std::string documentation) {
-  return choice<bool>(std::move(section), std::move(name), std::move(member),
-                      {{"true", true}, {"false", false}}, std::move(default_text), std::move(documentation));
-}
 
 CaseEntry topography(std::string section, Member<TopographySpec> member) {
   return {
@@ -236,7 +118,8 @@ void add_interface(std::vector<CaseEntry>& entries) {
     entries.push_back(law_entry("Interface", parameter, values));
 }
 
-void add_experiment(std::vector<CaseEntry>& entries) {
+/// What presses: the normal load or approach, its steps and cycles.
+void add_loading(std::vector<CaseEntry>& entries) {
   const auto at = [](auto ExperimentInput::*member) {
     return [=](CaseInput & input) -> auto& { return input.experiment.*member; };
   };
@@ -276,6 +159,14 @@ void add_experiment(std::vector<CaseEntry>& entries) {
                                  "Cycles of loading and unloading; above 1 needs Unload = true."));
   entries.push_back(not_physical(whole_number(section, "Hold steps", at(&ExperimentInput::hold_steps), 0, "0",
                                               "Steps at the largest load before unloading.")));
+}
+
+/// What moves the loaded particle.
+void add_motion(std::vector<CaseEntry>& entries) {
+  const auto at = [](auto ExperimentInput::*member) {
+    return [=](CaseInput & input) -> auto& { return input.experiment.*member; };
+  };
+  const std::string section = "Experiment";
   entries.push_back(quantity(
       section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
       "Path length of sliding and rolling in one direction; 0: five radii of Hertz' contact, "
@@ -357,7 +248,8 @@ std::vector<CaseEntry> declare_entries() {
   add_body(entries, "Particle", &CaseInput::particle, "71 GPa", "0.17");
   add_body(entries, "Substrate", &CaseInput::substrate, "179 GPa", "0.25");
   add_interface(entries);
-  add_experiment(entries);
+  add_loading(entries);
+  add_motion(entries);
   add_mesh_solver_output(entries);
   return entries;
 }

@@ -67,74 +67,104 @@ std::vector<double> rotation(const EngineTrace& trace) {
   return angle;
 }
 
+/// Mean over legs.
+class LegMean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  int count() const { return count_; }
+  double sum() const { return sum_; }
+  double mean() const { return sum_ / count_; }
+
+ private:
+  double sum_ = 0;
+  int count_ = 0;
+};
+
+/// Where stiffness is read: before the first limit, with a margin for what inertia leaves.
+constexpr double share_of_yield = 0.8;
+
+/// Units of drive and response, and what kind of drive it is.
+struct Measured {
+  bool is_torque, is_free;
+  explicit Measured(Motion type)
+      : is_torque(type == Motion::torsion), is_free(type == Motion::rolling || type == Motion::rail) {}
+  const char* stiffness_unit() const { return is_torque ? "N m/rad" : "N/m"; }
+  const char* response_unit() const { return is_torque ? "N m" : "N"; }
+  const char* drive_unit() const { return is_torque ? "rad" : "m"; }
+};
+
+/// What the legs show in the mean.
+struct LegMeans {
+  LegMean plateau, normal_force, approach;  ///< of steady legs
+  LegMean reversal;                         ///< slope after it
+  LegMean travel_ratio, angle_ratio;        ///< of a free sphere, over the way of the plate
+};
+
+LegMeans means_of_legs(const std::vector<Rows>& legs, const MotionPlan& plan, const EngineTrace& trace,
+                       const std::vector<double>& angle, const Measured& measured, double first_yield) {
+  LegMeans means;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = plan.legs[i];
+    const Rows rows = legs[i];
+    if (leg.purpose == Leg::Purpose::reversal)
+      means.reversal.add(least_squares_slope(trace.drive, trace.response,
+                                             beginning(trace, rows, 2 * share_of_yield * first_yield)));
+    if (leg.purpose == Leg::Purpose::before_reversal || (measured.is_torque && i > 0)) {
+      means.plateau.add(std::abs(late_mean(trace.response, rows)));
+      means.normal_force.add(late_mean(trace.normal_force, rows));
+      means.approach.add(late_mean(trace.approach, rows));
+    }
+    if (leg.purpose == Leg::Purpose::travel && measured.is_free) {
+      means.travel_ratio.add(least_squares_slope(trace.drive, trace.particle, rows));
+      means.angle_ratio.add(least_squares_slope(trace.drive, angle, rows));
+    }
+  }
+  return means;
+}
+
 }  // namespace
 
 std::vector<EngineMeasurement> measure(const EngineExperiment& experiment, const MotionPlan& plan,
                                        const EngineTrace& trace) {
   const std::vector<Rows> legs = rows_of_legs(plan, trace);
   const ClosedForm law = closed_form(experiment);
-  const bool is_torque = experiment.type == Motion::torsion;
-  const bool is_free = experiment.type == Motion::rolling || experiment.type == Motion::rail;
-  const std::string stiffness_unit = is_torque ? "N m/rad" : "N/m", response_unit = is_torque ? "N m" : "N";
-  // Where stiffness is read: before the first limit, with a margin for what inertia leaves.
-  constexpr double share_of_yield = 0.8;
-
-  std::vector<EngineMeasurement> found;
-  double plateaus = 0, reversals = 0, travel_ratio = 0, angle_ratio = 0, normal_force = 0, approach = 0;
-  int plateau_count = 0, reversal_count = 0, travel_count = 0;
+  const Measured measured(experiment.type);
   const std::vector<double> angle = rotation(trace);
+  std::vector<EngineMeasurement> found;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = plan.legs[i];
-    const Rows rows = legs[i];
-    if (leg.purpose == Leg::Purpose::start) {
-      const Rows part = beginning(trace, rows, share_of_yield * law.first_yield);
-      found.push_back({"slope at the start", stiffness_unit,
-                       least_squares_slope(trace.drive, trace.response, part), law.slope});
-      if (is_free) {
-        // Torque balance of the free sphere: R (1 + cos theta) f = K phi.
-        const double lever = experiment.substrate.particle.radius * (1 + experiment.rail_cosine());
-        found.push_back({"stiffness against rotation", "N m/rad",
-                         lever * least_squares_slope(angle, trace.response, part), law.rolling_stiffness});
-      }
-    }
-    if (leg.purpose == Leg::Purpose::reversal) {
-      reversals += least_squares_slope(trace.drive, trace.response,
-                                       beginning(trace, rows, 2 * share_of_yield * law.first_yield));
-      ++reversal_count;
-    }
-    const bool is_plateau = leg.purpose == Leg::Purpose::before_reversal || (is_torque && i > 0);
-    if (is_plateau) {
-      plateaus += std::abs(late_mean(trace.response, rows));
-      normal_force += late_mean(trace.normal_force, rows);
-      approach += late_mean(trace.approach, rows);
-      ++plateau_count;
-    }
-    if (leg.purpose == Leg::Purpose::travel && is_free) {
-      travel_ratio += least_squares_slope(trace.drive, trace.particle, rows);
-      angle_ratio += least_squares_slope(trace.drive, angle, rows);
-      ++travel_count;
-    }
+    if (plan.legs[i].purpose != Leg::Purpose::start) continue;
+    const Rows part = beginning(trace, legs[i], share_of_yield * law.first_yield);
+    found.push_back({"slope at the start", measured.stiffness_unit(),
+                     least_squares_slope(trace.drive, trace.response, part), law.slope});
+    if (!measured.is_free) continue;
+    // Torque balance of the free sphere: R (1 + cos theta) f = K phi.
+    const double lever = experiment.substrate.particle.radius * (1 + experiment.rail_cosine());
+    found.push_back({"stiffness against rotation", "N m/rad",
+                     lever * least_squares_slope(angle, trace.response, part), law.rolling_stiffness});
   }
-  if (reversal_count > 0) {
-    const double reversal = reversals / reversal_count, plateau = plateaus / plateau_count;
-    found.push_back({"slope after reversal", stiffness_unit, reversal, law.slope});
-    if (!is_free)
-      found.push_back({"travel of reversal", is_torque ? "rad" : "m", 2 * plateau / reversal,
-                       2 * law.plateau / law.slope});
+  const LegMeans means = means_of_legs(legs, plan, trace, angle, measured, law.first_yield);
+  if (means.reversal.count() > 0) {
+    const double reversal = means.reversal.mean(), plateau = means.plateau.mean();
+    found.push_back({"slope after reversal", measured.stiffness_unit(), reversal, law.slope});
+    if (!measured.is_free)
+      found.push_back(
+          {"travel of reversal", measured.drive_unit(), 2 * plateau / reversal, 2 * law.plateau / law.slope});
   }
-  if (plateau_count > 0) {
-    found.push_back({"plateau", response_unit, plateaus / plateau_count, law.plateau});
-    found.push_back({"normal force", "N", normal_force / plateau_count, experiment.load});
-    found.push_back({"approach", "m", approach / plateau_count, law.approach});
+  if (means.plateau.count() > 0) {
+    found.push_back({"plateau", measured.response_unit(), means.plateau.mean(), law.plateau});
+    found.push_back({"normal force", "N", means.normal_force.mean(), experiment.load});
+    found.push_back({"approach", "m", means.approach.mean(), law.approach});
   }
   if (experiment.type == Motion::rail)  // eq:murail: lateral over normal force, both at one slope
-    found.push_back({"rail coefficient", "", plateaus / 2 / normal_force, law.plateau / 2 / experiment.load});
-  if (travel_count > 0) {
+    found.push_back({"rail coefficient", "", means.plateau.sum() / 2 / means.normal_force.sum(),
+                     law.plateau / 2 / experiment.load});
+  if (means.travel_ratio.count() > 0) {
     const double c = experiment.rail_cosine();
-    found.push_back(
-        {"way of the sphere over that of the plate", "", travel_ratio / travel_count, c / (1 + c)});
-    found.push_back(
-        {"rotation over the way of the plate", "rad/m", angle_ratio / travel_count, law.rotation});
+    found.push_back({"way of the sphere over that of the plate", "", means.travel_ratio.mean(), c / (1 + c)});
+    found.push_back({"rotation over the way of the plate", "rad/m", means.angle_ratio.mean(), law.rotation});
   }
   return found;
 }

@@ -16,6 +16,60 @@ std::vector<FrictionPoint> line_as_series(const Uncertain& mu, const Uncertain& 
   return series;
 }
 
+void add_surfaces(std::vector<PaperNumber>& rows, const Published& p) {
+  const RoughnessLaws laws = roughness_laws(p);
+  const double low = p.quoted("loop_load", Dimension::force).value,
+               high = p.quoted("largest_load", Dimension::force).value;
+  const Hertz substrate = p.hertz("silicon"), indenter = p.hertz("diamond");
+  const auto mean_a_over_r = [&](double f) {
+    return (substrate.contact_radius(f) + indenter.contact_radius(f)) / 2 / p.radius();
+  };
+  for (const auto& s : p.surfaces) {
+    const std::string of = s.name + ": ";
+    rows.push_back({of + "RMS roughness", display::nm, s.rms});
+    rows.push_back({of + "peak-to-valley", display::nm, s.peak_to_valley});
+    rows.push_back({of + "AFM pull-off force h_n", display::uN, s.pull_off});
+    rows.push_back({of + "sliding friction mu_l", display::none, s.sliding});
+    rows.push_back({of + "sliding offset h_l", display::uN, s.sliding_offset});
+    rows.push_back({of + "rolling friction, lambda = r", display::none, s.rolling_r,
+                    Uncertain{laws.printed_rolling(s.rms.value)},
+                    "computed: eq:murofit with the printed b, c, d"});
+    rows.push_back({of + "rolling offset, lambda = r", display::uN, s.rolling_r_offset,
+                    Uncertain{laws.printed_offset(s.rms.value)},
+                    "computed: eq:frofit with the printed b', c', d', which do not go through these points"});
+    const FrictionFit fit =
+        fit_friction(line_as_series(s.rolling_r, s.rolling_r_offset, low, high), mean_a_over_r);
+    rows.push_back({of + "rolling friction, lambda = a", display::none, s.rolling_a,
+                    Uncertain{fit.coefficient.value},
+                    "computed: the published line of lambda = r at 30 loads from 100 uN to 3 mN, "
+                    "fitted with lambda = a"});
+    rows.push_back({of + "rolling offset, lambda = a", display::mN, s.rolling_a_offset,
+                    Uncertain{fit.offset.value}, "the same"});
+  }
+}
+
+void add_rails(std::vector<PaperNumber>& rows, const Published& p) {
+  const RoughnessLaws laws = roughness_laws(p);
+  for (const auto& rail : p.rails) {
+    const std::string of = "rail " + whole_degrees(rail.angle.value) + ": ";
+    const bool differs = whole_degrees(rail.angle.value) != whole_degrees(rail.printed_angle);
+    rows.push_back({of + "inclination", display::degree, Uncertain{rail.printed_angle, rail.angle.sd},
+                    differs ? std::optional<Uncertain>(rail.angle) : std::nullopt,
+                    differs ? "text and figures say " + whole_degrees(rail.angle.value) +
+                                  "; the torque balance agrees with that, and eq:muto2's "
+                                  "assumption is exact where 2 cos(theta) = 1"
+                            : ""});
+    rows.push_back({of + "RMS roughness", display::nm, rail.rms});
+    const RailFriction friction{laws.printed_rolling(rail.rms.value), p.quoted("torsion_r").value,
+                                laws.printed_offset(rail.rms.value), 0};
+    rows.push_back({of + "rail friction", display::none, rail.friction,
+                    Uncertain{rail_friction(rail.angle.value, friction)}, "computed: eq:murail, see below"});
+    rows.push_back({of + "rail offset", display::uN, rail.offset,
+                    Uncertain{rail_offset(rail.angle.value, friction)},
+                    "computed: h_rail without torsion's own offset, see below"});
+  }
+}
+
 }  // namespace
 
 PaperSection table_1(const Published& p) {
@@ -41,56 +95,8 @@ PaperSection table_1(const Published& p) {
 
 PaperSection table_2(const Published& p) {
   PaperSection section{"Table 2: contact properties of silicon surfaces and rails", {}};
-  const RoughnessLaws laws = roughness_laws(p);
-  const double low = p.quoted("loop_load", Dimension::force).value,
-               high = p.quoted("largest_load", Dimension::force).value;
-  const Hertz substrate = p.hertz("silicon"), indenter = p.hertz("diamond");
-  const auto mean_a_over_r = [&](double f) {
-    return (substrate.contact_radius(f) + indenter.contact_radius(f)) / 2 / p.radius();
-  };
-  for (const auto& s : p.surfaces) {
-    const std::string of = s.name + ": ";
-    section.numbers.push_back({of + "RMS roughness", display::nm, s.rms});
-    section.numbers.push_back({of + "peak-to-valley", display::nm, s.peak_to_valley});
-    section.numbers.push_back({of + "AFM pull-off force h_n", display::uN, s.pull_off});
-    section.numbers.push_back({of + "sliding friction mu_l", display::none, s.sliding});
-    section.numbers.push_back({of + "sliding offset h_l", display::uN, s.sliding_offset});
-    section.numbers.push_back({of + "rolling friction, lambda = r", display::none, s.rolling_r,
-                               Uncertain{laws.printed_rolling(s.rms.value)},
-                               "computed: eq:murofit with the printed b, c, d"});
-    section.numbers.push_back(
-        {of + "rolling offset, lambda = r", display::uN, s.rolling_r_offset,
-         Uncertain{laws.printed_offset(s.rms.value)},
-         "computed: eq:frofit with the printed b', c', d', which do not go through these points"});
-    const FrictionFit fit =
-        fit_friction(line_as_series(s.rolling_r, s.rolling_r_offset, low, high), mean_a_over_r);
-    section.numbers.push_back({of + "rolling friction, lambda = a", display::none, s.rolling_a,
-                               Uncertain{fit.coefficient.value},
-                               "computed: the published line of lambda = r at 30 loads from 100 uN to 3 mN, "
-                               "fitted with lambda = a"});
-    section.numbers.push_back({of + "rolling offset, lambda = a", display::mN, s.rolling_a_offset,
-                               Uncertain{fit.offset.value}, "the same"});
-  }
-  for (const auto& rail : p.rails) {
-    const std::string of = "rail " + whole_degrees(rail.angle.value) + ": ";
-    const bool differs = whole_degrees(rail.angle.value) != whole_degrees(rail.printed_angle);
-    section.numbers.push_back({of + "inclination", display::degree,
-                               Uncertain{rail.printed_angle, rail.angle.sd},
-                               differs ? std::optional<Uncertain>(rail.angle) : std::nullopt,
-                               differs ? "text and figures say " + whole_degrees(rail.angle.value) +
-                                             "; the torque balance agrees with that, and eq:muto2's "
-                                             "assumption is exact where 2 cos(theta) = 1"
-                                       : ""});
-    section.numbers.push_back({of + "RMS roughness", display::nm, rail.rms});
-    const RailFriction friction{laws.printed_rolling(rail.rms.value), p.quoted("torsion_r").value,
-                                laws.printed_offset(rail.rms.value), 0};
-    section.numbers.push_back({of + "rail friction", display::none, rail.friction,
-                               Uncertain{rail_friction(rail.angle.value, friction)},
-                               "computed: eq:murail, see below"});
-    section.numbers.push_back({of + "rail offset", display::uN, rail.offset,
-                               Uncertain{rail_offset(rail.angle.value, friction)},
-                               "computed: h_rail without torsion's own offset, see below"});
-  }
+  add_surfaces(section.numbers, p);
+  add_rails(section.numbers, p);
   section.numbers.push_back({"torsion friction, lambda = r",
                              display::none,
                              p.quoted("torsion_r"),

@@ -89,13 +89,85 @@ PaperCurve law_in_roughness(const std::string& name, const std::string& title, c
        along(rms, [&](double x) { return refit.at({x}).sd; })}};
 }
 
+/// A sphere on fused quartz, with its radius and with the fitted one.
+PaperCurve normal_force_curve(const Published& p) {
+  const Hertz quartz = p.hertz("fused quartz");
+  constexpr double probe_load = 10e-3;
+  const Hertz fitted{quartz.reduced_modulus, p.quoted("hertz_fit_radius", Dimension::length).value};
+  const auto approach = spaced(0, quartz.approach(probe_load));
+  return {"fig_normal_1",
+          "normal force against displacement, sphere on fused quartz, R = 8.5 and 9 um",
+          {"displacement [m]", "normal_force_R_8.5um [N]", "normal_force_R_9um [N]"},
+          {approach, along(approach, [&](double d) { return quartz.force(d); }),
+           along(approach, [&](double d) { return fitted.force(d); })}};
+}
+
+/// Friction of a rail of the untreated wafer's roughness against its inclination.
+PaperCurve inclination_curve(const Published& p) {
+  const double quarter = boost::math::double_constants::half_pi,
+               rolling_here = p.surfaces.front().rolling_r.value;
+  const auto angles = spaced(0, quarter);
+  return {"fig_rail_3",
+          "rail friction against inclination at a constant RMS of 0.3 nm",
+          {"rail_angle [rad]", "no_torsion", "torsion_as_rolling"},
+          {angles,
+           along(angles,
+                 [&](double t) {
+                   return rail_friction(t, {rolling_here, 0, 0, 0});
+                 }),
+           along(angles, [&](double t) {
+             return rail_friction(t, {rolling_here, rolling_here, 0, 0});
+           })}};
+}
+
+PaperCurve torsion_curve(const Published& p, const RoughnessLaws& laws, const std::vector<double>& loads) {
+  const double R = p.radius(), mu_to = p.quoted("torsion_r").value, mu_to_a = p.quoted("torsion_a").value;
+  const Hertz silicon = p.hertz("silicon");
+  PaperCurve torsion{"fig_rail_2",
+                     "torsion's part of the lateral force, eq:muto2, and its fits",
+                     {"normal_force [N]"},
+                     {loads}};
+  for (const auto& rail : p.rails) {
+    torsion.columns.push_back(
+        "rail_" + std::to_string(std::lround(rail.angle.value / display::degree.factor)) + "_deg [N]");
+    torsion.values.push_back(along(loads, [&](double f) {
+      return torsion_force(rail.angle.value, rail.friction.value * (f + rail.offset.value), f,
+                           laws.printed_rolling(rail.rms.value), laws.printed_offset(rail.rms.value));
+    }));
+  }
+  torsion.columns.insert(torsion.columns.end(), {"fit_lambda_r [N]", "fit_lambda_a [N]"});
+  torsion.values.push_back(along(loads, [&](double f) { return mu_to * f; }));
+  torsion.values.push_back(
+      along(loads, [&](double f) { return mu_to_a * silicon.contact_radius(f) / R * f; }));
+  return torsion;
+}
+
+PaperCurve rail_curve(const Published& p, const RoughnessLaws& laws) {
+  const double mu_to = p.quoted("torsion_r").value;
+  PaperCurve rail{"fig_rail",
+                  "rail friction: measured, and eq:murail with and without torsion at each rail's roughness",
+                  {"rail_angle [rad]", "rms [m]", "measured", "measured_sd", "with_torsion", "no_torsion"},
+                  std::vector<std::vector<double>>(6)};
+  for (const auto& r : p.rails) {
+    const double mu_ro = laws.printed_rolling(r.rms.value);
+    const double row[] = {r.angle.value,
+                          r.rms.value,
+                          r.friction.value,
+                          r.friction.sd,
+                          rail_friction(r.angle.value, {mu_ro, mu_to, 0, 0}),
+                          rail_friction(r.angle.value, {mu_ro, 0, 0, 0})};
+    for (std::size_t column = 0; column < 6; ++column) rail.values[column].push_back(row[column]);
+  }
+  return rail;
+}
+
 }  // namespace
 
 std::vector<PaperCurve> paper_curves(const Published& p) {
   const double largest = p.quoted("largest_load", Dimension::force).value,
                smallest = p.quoted("loop_load", Dimension::force).value;
-  const double R = p.radius(), mu_to = p.quoted("torsion_r").value, mu_to_a = p.quoted("torsion_a").value;
-  const Hertz silicon = p.hertz("silicon"), quartz = p.hertz("fused quartz");
+  const double R = p.radius();
+  const Hertz silicon = p.hertz("silicon");
   const RoughnessLaws laws = roughness_laws(p);
   std::vector<PaperCurve> curves;
 
@@ -105,14 +177,7 @@ std::vector<PaperCurve> paper_curves(const Published& p) {
                     {"normal_force [N]", "a_over_r"},
                     {loads, along(loads, [&](double f) { return silicon.contact_radius(f) / R; })}});
 
-  constexpr double probe_load = 10e-3;
-  const Hertz fitted{quartz.reduced_modulus, p.quoted("hertz_fit_radius", Dimension::length).value};
-  const auto approach = spaced(0, quartz.approach(probe_load));
-  curves.push_back({"fig_normal_1",
-                    "normal force against displacement, sphere on fused quartz, R = 8.5 and 9 um",
-                    {"displacement [m]", "normal_force_R_8.5um [N]", "normal_force_R_9um [N]"},
-                    {approach, along(approach, [&](double d) { return quartz.force(d); }),
-                     along(approach, [&](double d) { return fitted.force(d); })}});
+  curves.push_back(normal_force_curve(p));
 
   std::vector<std::pair<std::string, std::pair<Uncertain, Uncertain>>> sliding, rolling, rails;
   for (const auto& s : p.surfaces) {
@@ -133,54 +198,9 @@ std::vector<PaperCurve> paper_curves(const Published& p) {
                                     "rolling_offset", " [N]", laws.printed_offset, laws.offset));
   curves.push_back(lines("fig_rail_1", "lateral force at one slope of a rail, Table 2", loads, rails));
 
-  const double quarter = boost::math::double_constants::half_pi,
-               rolling_here = p.surfaces.front().rolling_r.value;
-  const auto angles = spaced(0, quarter);
-  curves.push_back({"fig_rail_3",
-                    "rail friction against inclination at a constant RMS of 0.3 nm",
-                    {"rail_angle [rad]", "no_torsion", "torsion_as_rolling"},
-                    {angles,
-                     along(angles,
-                           [&](double t) {
-                             return rail_friction(t, {rolling_here, 0, 0, 0});
-                           }),
-                     along(angles, [&](double t) {
-                       return rail_friction(t, {rolling_here, rolling_here, 0, 0});
-                     })}});
-
-  PaperCurve torsion{"fig_rail_2",
-                     "torsion's part of the lateral force, eq:muto2, and its fits",
-                     {"normal_force [N]"},
-                     {loads}};
-  for (const auto& rail : p.rails) {
-    torsion.columns.push_back(
-        "rail_" + std::to_string(std::lround(rail.angle.value / display::degree.factor)) + "_deg [N]");
-    torsion.values.push_back(along(loads, [&](double f) {
-      return torsion_force(rail.angle.value, rail.friction.value * (f + rail.offset.value), f,
-                           laws.printed_rolling(rail.rms.value), laws.printed_offset(rail.rms.value));
-    }));
-  }
-  torsion.columns.insert(torsion.columns.end(), {"fit_lambda_r [N]", "fit_lambda_a [N]"});
-  torsion.values.push_back(along(loads, [&](double f) { return mu_to * f; }));
-  torsion.values.push_back(
-      along(loads, [&](double f) { return mu_to_a * silicon.contact_radius(f) / R * f; }));
-  curves.push_back(torsion);
-
-  PaperCurve rail{"fig_rail",
-                  "rail friction: measured, and eq:murail with and without torsion at each rail's roughness",
-                  {"rail_angle [rad]", "rms [m]", "measured", "measured_sd", "with_torsion", "no_torsion"},
-                  std::vector<std::vector<double>>(6)};
-  for (const auto& r : p.rails) {
-    const double mu_ro = laws.printed_rolling(r.rms.value);
-    const double row[] = {r.angle.value,
-                          r.rms.value,
-                          r.friction.value,
-                          r.friction.sd,
-                          rail_friction(r.angle.value, {mu_ro, mu_to, 0, 0}),
-                          rail_friction(r.angle.value, {mu_ro, 0, 0, 0})};
-    for (std::size_t column = 0; column < 6; ++column) rail.values[column].push_back(row[column]);
-  }
-  curves.push_back(rail);
+  curves.push_back(inclination_curve(p));
+  curves.push_back(torsion_curve(p, laws, loads));
+  curves.push_back(rail_curve(p, laws));
   return curves;
 }
 

@@ -2,21 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/laws/shear_moduli.h"
-#include "diagnosis/conceal/masing_contact.h"
+#include "diagnosis/conceal/sliding_run.h"
 #include "diagnosis/conceal/sphere.h"
 #include "diagnosis/conceal/world.h"
 
 namespace asperity::hidden {
 namespace {
-
-struct SlidingProgram {
-  std::vector<double> loads;     ///< [N]
-  std::vector<double> speeds;    ///< of each load's runs [m/s]
-  double amplitude = 250e-9;     ///< [m]
-  int cycles = 2, samples = 60;  ///< of one direction
-  bool steps_speed = false;      ///< one long stroke with steps of speed
-};
 
 SlidingProgram sliding_program(const WorldRequest& request, Random& random) {
   SlidingProgram program;
@@ -108,129 +99,81 @@ void choose_sliding_parameters(World& world, const WorldRequest& request, const 
   }
 }
 
-/// One run at one load; driven in small steps between samples.
-class SlidingRun {
+/// Records runs, with the effects and without, one after the other into a table.
+class LoopRecorder {
  public:
-  SlidingRun(const World& world, const SlidingProgram& program, double friction, double load,
-             bool with_effects, unsigned seed)
-      : world_(world),
-        program_(program),
-        with_effects_(with_effects),
-        friction_(friction),
-        load_(load),
-        events_(seed) {
-    const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
-    radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(load);
-    stiffness_ = 8 * sliding_modulus(sphere, plane) * radius_;
-    if (has("partial_slip")) masing_ = MasingContact(stiffness_, friction_ * load_);
-    next_event();
+  LoopRecorder(const World& world, const SlidingProgram& program, double friction, unsigned seed)
+      : world_(world), program_(program), friction_(friction), seed_(seed) {
+    table_.file = "loops.csv";
+    table_.control = {"lateral_displacement", "normal_force"};
+    table_.response = "lateral_force";
+  }
+  const RecordingTable& table() const { return table_; }
+  const std::vector<double>& without_effects() const { return without_; }
+
+  void record_speed_steps(double load) {
+    Run run(*this, load);
+    const int n = program_.samples;
+    const auto parts = static_cast<double>(program_.speeds.size());
+    for (std::size_t s = 0; s < program_.speeds.size(); ++s)
+      for (int i = 0; i < n; ++i)
+        run.sample(program_.amplitude / parts * (static_cast<double>(s) + (i + 1.0) / n), program_.speeds[s],
+                   0, "forward");
   }
 
-  double contact_radius() const { return radius_; }
-
-  double force_at(double position, double time, double speed, double cycle) {
-    constexpr int steps = 40;
-    const double from = position_, start = time_, compliance = of("lateral_compliance", "compliance");
-    const int direction = position > from ? 1 : -1;
-    if (direction != direction_ && position != from) {
-      slip_ = 0;
-      direction_ = direction;
-      next_event();
+  void record_loops(double load, double speed) {
+    Run run(*this, load);
+    const double A = program_.amplitude;
+    const int n = program_.samples;
+    for (int i = 0; i < n / 2; ++i) run.sample(2 * A * (i + 1) / n, speed, 0, "forward");
+    for (int c = 0; c < program_.cycles; ++c) {
+      for (int i = 0; i < n; ++i)
+        run.sample(A - 2 * A * (i + 1) / n, speed, c + 0.5 * (i + 1.0) / n, "backward");
+      for (int i = 0; i < n; ++i)
+        run.sample(-A + 2 * A * (i + 1) / n, speed, c + 0.5 + 0.4999 * (i + 1.0) / n, "forward");
     }
-    for (int i = 1; i <= steps; ++i) {
-      const double step = (position - from) / steps, dt = (time - start) / steps;
-      advance_state(speed, dt);
-      const double stiffness = 1 / (1 / stiffness_ + compliance), trial = force_ + stiffness * step;
-      // The limit at the end of the step depends on what slips in it.
-      double slipped = 0, most = limit(from + i * step, speed, cycle, 0);
-      constexpr int rounds = 3;
-      for (int round = 0; round < rounds; ++round) {
-        slipped = std::max(0.0, (std::abs(trial) - most) / stiffness);
-        most = limit(from + i * step, speed, cycle, slipped);
-      }
-      slip_ += slipped;
-      sawtooth_ += slipped;
-      force_ = slipped > 0 ? std::copysign(most, trial) : trial;
-      if (sawtooth_ > period_) next_event();
-    }
-    position_ = position;
-    time_ = time;
-    if (has("partial_slip")) force_ = masing_.force(position);
-    return recorded(time);
   }
 
  private:
-  bool has(const char* id) const { return with_effects_ && world_.hides(id); }
-  double of(const char* id, const char* parameter) const {
-    return with_effects_ ? world_.value(id, parameter) : 0;
-  }
+  class Run {
+   public:
+    Run(LoopRecorder& to, double load)
+        : to_(to),
+          load_(load),
+          with_(to.world_, to.program_, to.friction_, load, true,
+                to.seed_ + 1000u * static_cast<unsigned>(++to.number_)),
+          plain_(to.world_, to.program_, to.friction_, load, false, 1) {}
 
-  void next_event() {
-    std::normal_distribution<double> normal;
-    constexpr double irregular_spacing = 0.005, irregular_size = 0.05;
-    period_ = of("stick_slip", "period") * (1 + irregular_spacing * normal(events_));
-    drop_ = of("stick_slip", "amplitude") * (1 + irregular_size * normal(events_));
-    sawtooth_ = 0;
-  }
+    void sample(double position, double speed, double cycle, const char* segment) {
+      time_ += std::abs(position - position_) / speed;
+      position_ = position;
+      const auto put = [&](const char* channel, double value) {
+        to_.table_.columns[channel].push_back(value);
+      };
+      put("run", to_.number_);
+      put("cycle", std::floor(cycle));
+      put("time", time_);
+      put("speed", speed);
+      put("lateral_displacement", position);
+      put("normal_force", load_);
+      put("lateral_force", with_.force_at(position, time_, speed, cycle));
+      to_.without_.push_back(plain_.force_at(position, time_, speed, cycle));
+      to_.table_.segment.push_back(segment);
+    }
 
-  /// dtheta/dt = -(v theta/L) ln(v theta/L)
-  void advance_state(double speed, double dt) {
-    if (!has("rate_and_state")) return;
-    const double length = of("rate_and_state", "slip_distance");
-    if (theta_ <= 0) theta_ = length / speed;
-    theta_ *= std::exp(-speed * dt / length * std::log(speed * theta_ / length));
-  }
-
-  double limit(double position, double speed, double cycle, double slipped) const {
-    double mu = friction_;
-    if (has("velocity_dependence")) {
-      constexpr double far_below = 1e-12;  // v* [m/s]
-      const double reference = 1e-6, b = of("velocity_dependence", "coefficient");
-      mu += b * (std::asinh(speed / (2 * far_below)) - std::asinh(reference / (2 * far_below)));
-    }
-    if (has("rate_and_state")) {
-      const double a = of("rate_and_state", "a"), b = of("rate_and_state", "b"),
-                   length = of("rate_and_state", "slip_distance");
-      const double reference = 1e-6;
-      mu += a * std::log(speed / reference) + b * std::log(reference * theta_ / length);
-    }
-    if (has("static_friction_peak"))
-      mu *= 1 + (of("static_friction_peak", "peak_ratio") - 1) *
-                    std::exp(-(slip_ + slipped) / of("static_friction_peak", "slip_length"));
-    if (has("run_in")) mu *= 1 + of("run_in", "change") * std::exp(-cycle / of("run_in", "cycles"));
-    if (has("position_weakening")) {
-      const double x = (position - of("position_weakening", "place")) / of("position_weakening", "width");
-      mu *= 1 - of("position_weakening", "share") * std::exp(-x * x / 2);
-    }
-    double most = mu * (load_ + of("adhesion_offset", "adhesion_force"));
-    if (has("area_proportional_friction"))
-      most = of("area_proportional_friction", "shear_strength") * pi * radius_ * radius_;
-    if (has("stick_slip")) most -= drop_ * (1 - std::min(1.0, (sawtooth_ + slipped) / period_));
-    return most;
-  }
-
-  double recorded(double time) const {
-    double force = force_ + of("lateral_zero_offset", "offset");
-    if (has("surface_tilt")) {
-      // Balance along and across the instrument's axis: N cos = f_n + T sin, F = N sin + T cos.
-      const double angle = of("surface_tilt", "angle");
-      force = (force + std::sin(angle) * load_) / std::cos(angle);
-    }
-    if (has("lateral_oscillation"))
-      force += of("lateral_oscillation", "amplitude") *
-               std::sin(2 * pi * time / of("lateral_oscillation", "period"));
-    return force;
-  }
+   private:
+    LoopRecorder& to_;
+    double load_, time_ = 0, position_ = 0;
+    SlidingRun with_, plain_;
+  };
 
   const World& world_;
   const SlidingProgram& program_;
-  bool with_effects_;
-  double friction_, load_, radius_ = 0, stiffness_ = 0;
-  Random events_;
-  MasingContact masing_;
-  double force_ = 0, position_ = 0, time_ = 0, slip_ = 0, theta_ = 0;
-  double period_ = 0, drop_ = 0, sawtooth_ = 0;  ///< of stick-slip
-  int direction_ = 1;
+  double friction_;
+  unsigned seed_;
+  int number_ = 0;
+  RecordingTable table_;
+  std::vector<double> without_;
 };
 
 }  // namespace
@@ -252,54 +195,14 @@ World sliding_world(const WorldRequest& request) {
   world.recording.simulation_is_given = true;
   world.recording.simulation.parameters["sliding_friction"] = {friction * between(random, 0.7, 1.4), true};
 
-  RecordingTable table;
-  table.file = "loops.csv";
-  table.control = {"lateral_displacement", "normal_force"};
-  table.response = "lateral_force";
-  auto &run = table.columns["run"], &cycle = table.columns["cycle"], &time = table.columns["time"],
-       &speed = table.columns["speed"];
-  auto &x = table.columns["lateral_displacement"], &load = table.columns["normal_force"],
-       &response = table.columns["lateral_force"];
-  std::vector<double> without;
-  int number = 0;
-  for (const double f : program.loads) {
-    const std::size_t runs = program.steps_speed ? 1 : program.speeds.size();
-    for (std::size_t r = 0; r < runs; ++r) {
-      ++number;
-      SlidingRun with(world, program, friction, f, true,
-                      request.seed + 1000u * static_cast<unsigned>(number));
-      SlidingRun plain(world, program, friction, f, false, 1);
-      double t = 0, before = 0;
-      const auto sample = [&](double position, double v, double loop, const char* segment) {
-        t += std::abs(position - before) / v;
-        before = position;
-        run.push_back(number), cycle.push_back(std::floor(loop)), time.push_back(t), speed.push_back(v);
-        x.push_back(position), load.push_back(f);
-        response.push_back(with.force_at(position, t, v, loop));
-        without.push_back(plain.force_at(position, t, v, loop));
-        table.segment.push_back(segment);
-      };
-      if (program.steps_speed) {
-        const int n = program.samples;
-        const auto parts = static_cast<double>(program.speeds.size());
-        for (std::size_t s = 0; s < program.speeds.size(); ++s)
-          for (int i = 0; i < n; ++i)
-            sample(program.amplitude / parts * (static_cast<double>(s) + (i + 1.0) / n), program.speeds[s], 0,
-                   "forward");
-        continue;
-      }
-      const double v = program.speeds[r], A = program.amplitude;
-      const int n = program.samples;
-      for (int i = 0; i < n / 2; ++i) sample(2 * A * (i + 1) / n, v, 0, "forward");
-      for (int c = 0; c < program.cycles; ++c) {
-        for (int i = 0; i < n; ++i) sample(A - 2 * A * (i + 1) / n, v, c + 0.5 * (i + 1.0) / n, "backward");
-        for (int i = 0; i < n; ++i)
-          sample(-A + 2 * A * (i + 1) / n, v, c + 0.5 + 0.4999 * (i + 1.0) / n, "forward");
-      }
-    }
-  }
-  world.recording.tables = {table};
-  world.without_effects = {without};
+  LoopRecorder recorder(world, program, friction, request.seed);
+  for (const double load : program.loads)
+    if (program.steps_speed)
+      recorder.record_speed_steps(load);
+    else
+      for (const double speed : program.speeds) recorder.record_loops(load, speed);
+  world.recording.tables = {recorder.table()};
+  world.without_effects = {recorder.without_effects()};
   return world;
 }
 

@@ -11,60 +11,78 @@
 namespace asperity {
 namespace {
 
-/// Periods that stand out in the residuals along the path since the reversal, the strongest first, with their
-/// amplitudes.
-std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
-                                                         const std::vector<double>& residual) {
-  struct Point {
-    double s, r;
-    int direction, part;
-  };
+/// A residual along the direction of motion, at a path since the reversal where the contact slides
+/// everywhere.
+struct SlidingPoint {
+  double s, r;
+  int part;
+};
+
+constexpr double settled = 0.3;  // of a segment's path, after which the contact slides everywhere
+
+/// Without the mean of each part.
+std::vector<SlidingPoint> sliding_points(const Samples& samples, const std::vector<double>& residual) {
   constexpr std::size_t most_points = 6000;
-  constexpr double settled = 0.3;  // of a segment's path, after which the contact slides everywhere
   std::vector<double> longest(static_cast<std::size_t>(samples.parts), 0.0);
   for (const auto& s : samples.list)
     longest[static_cast<std::size_t>(s.part)] =
         std::max(longest[static_cast<std::size_t>(s.part)], s.since_reversal);
-  std::vector<Point> points;
-  double stroke = 0;
+  std::vector<SlidingPoint> points;
   for (std::size_t i = 0; i < samples.list.size() && points.size() < most_points; ++i) {
     const Sample& s = samples.list[i];
     if (!s.counts || s.since_reversal < settled * longest[static_cast<std::size_t>(s.part)]) continue;
-    points.push_back({s.since_reversal, residual[i] * s.direction, s.direction, s.part});
-    stroke = std::max(stroke, s.since_reversal);
+    points.push_back({s.since_reversal, residual[i] * s.direction, s.part});
   }
-  if (points.size() < 20 || stroke <= 0) return {};
-  // Without its mean, each part.
   for (std::size_t from = 0, to = 0; from < points.size(); from = to) {
     double sum = 0;
     while (to < points.size() && points[to].part == points[from].part) sum += points[to++].r;
     for (std::size_t i = from; i < to; ++i) points[i].r -= sum / static_cast<double>(to - from);
   }
-  std::size_t in_part = 1, most_in_part = 1;
+  return points;
+}
+
+std::size_t most_in_one_part(const std::vector<SlidingPoint>& points) {
+  std::size_t in_part = 1, most = 1;
   for (std::size_t i = 1; i < points.size(); ++i) {
     in_part = points[i].part == points[i - 1].part ? in_part + 1 : 1;
-    most_in_part = std::max(most_in_part, in_part);
+    most = std::max(most, in_part);
   }
+  return most;
+}
+
+/// Amplitude of the wave of `frequency` [1/m] in the points, the phase of each part its own.
+double amplitude_at(double frequency, const std::vector<SlidingPoint>& points) {
+  std::complex<double> sum = 0;
+  double power = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double angle = 2 * boost::math::double_constants::pi * frequency * points[i].s;
+    sum += points[i].r * std::complex<double>(std::cos(angle), std::sin(angle));
+    ++count;
+    if (i + 1 == points.size() || points[i + 1].part != points[i].part) {
+      power += std::norm(sum) / static_cast<double>(count);
+      sum = 0;
+      count = 0;
+    }
+  }
+  return 2 * std::sqrt(power / static_cast<double>(points.size()));
+}
+
+/// Periods that stand out in the residuals along the path since the reversal, the strongest first, with their
+/// amplitudes.
+std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
+                                                         const std::vector<double>& residual) {
+  const std::vector<SlidingPoint> points = sliding_points(samples, residual);
+  double stroke = 0;
+  for (const auto& point : points) stroke = std::max(stroke, point.s);
+  if (points.size() < 20 || stroke <= 0) return {};
   const double path = (1 - settled) * stroke, step = 1 / (4 * stroke);
   const double highest =
-      0.4 * static_cast<double>(most_in_part) / path;  // cycles per metre the sampling can hold
-  std::vector<std::pair<double, double>> found;        // amplitude, frequency
+      0.4 * static_cast<double>(most_in_one_part(points)) / path;  // cycles per metre the sampling can hold
+  std::vector<std::pair<double, double>> found;                    // amplitude, frequency
   double before = 0, at = 0;
   for (double f = 2 / path; f < highest; f += step) {
-    std::complex<double> sum = 0;
-    double power = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double angle = 2 * boost::math::double_constants::pi * f * points[i].s;
-      sum += points[i].r * std::complex<double>(std::cos(angle), std::sin(angle));
-      ++count;
-      if (i + 1 == points.size() || points[i + 1].part != points[i].part) {
-        power += std::norm(sum) / static_cast<double>(count);
-        sum = 0;
-        count = 0;
-      }
-    }
-    const double now = 2 * std::sqrt(power / static_cast<double>(points.size()));
+    const double now = amplitude_at(f, points);
     if (at > before && at >= now) found.push_back({at, f - step});
     before = at;
     at = now;

@@ -33,6 +33,53 @@ MatrixXd jacobian(const Residuals& residuals, const VectorXd& x, const VectorXd&
   return J;
 }
 
+/// Rows beyond Huber's bend count less.
+MatrixXd weighted(const MatrixXd& J, const VectorXd& r) {
+  MatrixXd W = J;
+  for (Eigen::Index i = 0; i < r.size(); ++i)
+    if (std::abs(r[i]) > huber_bend) W.row(i) *= huber_bend / std::abs(r[i]);
+  return W;
+}
+
+/// Levenberg's step from x down the gradient g; what is at a bound and pushed beyond it stays there.
+VectorXd damped_step(const MatrixXd& H, const VectorXd& g, double damping, const VectorXd& x,
+                     const VectorXd& low, const VectorXd& high) {
+  const auto is_held = [&](Eigen::Index k) {
+    return (x[k] <= low[k] && g[k] > 0) || (x[k] >= high[k] && g[k] < 0);
+  };
+  MatrixXd damped = H;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    damped(k, k) += damping * H(k, k) + 1e-12;
+    if (is_held(k)) {
+      damped.row(k).setZero();
+      damped.col(k).setZero();
+      damped(k, k) = 1;
+    }
+  }
+  VectorXd step = damped.ldlt().solve(-g);
+  for (Eigen::Index k = 0; k < x.size(); ++k)
+    if (is_held(k)) step[k] = 0;
+  return step;
+}
+
+/// Once with small steps, then with steps of the size of the standard deviations: the curvature that matters
+/// for intervals.
+MatrixXd covariance_at(const Residuals& residuals, const VectorXd& x, const VectorXd& r, const VectorXd& low,
+                       const VectorXd& high) {
+  MatrixXd covariance;
+  VectorXd steps = VectorXd::Constant(x.size(), smallest_step);
+  for (int round = 0; round < 2; ++round) {
+    const MatrixXd J = jacobian(residuals, x, r, low, high, steps);
+    MatrixXd H = J.transpose() * weighted(J, r);
+    H.diagonal().array() += 1e-12;
+    covariance = H.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+      steps[k] = std::clamp(std::sqrt(std::max(0.0, covariance(k, k))) / std::max(1.0, std::abs(x[k])),
+                            smallest_step, largest_step);
+  }
+  return covariance;
+}
+
 }  // namespace
 
 double huber_cost(double r) {
@@ -46,65 +93,30 @@ BoundedFit fit_within_bounds(const Residuals& residuals, VectorXd x, const Vecto
   x = x.cwiseMax(low).cwiseMin(high);
   VectorXd r = residuals(x);
   double cost = cost_of(r), damping = first_damping;
+  if (x.size() == 0) return {x, cost, {}};
   const VectorXd small_steps = VectorXd::Constant(x.size(), smallest_step);
-  const auto weighted = [](const MatrixXd& J, const VectorXd& res) {
-    MatrixXd W = J;
-    for (Eigen::Index i = 0; i < res.size(); ++i)
-      if (std::abs(res[i]) > huber_bend) W.row(i) *= huber_bend / std::abs(res[i]);
-    return W;
-  };
-  if (x.size() > 0)
-    for (int iteration = 0; iteration < options.most_iterations; ++iteration) {
-      const MatrixXd J = jacobian(residuals, x, r, low, high, small_steps);
-      const MatrixXd W = weighted(J, r), H = J.transpose() * W;
-      const VectorXd g = W.transpose() * r;
-      bool moved = false;
-      double gained = 0;
-      for (; damping < largest_damping; damping *= stiffer) {
-        MatrixXd damped = H;
-        for (Eigen::Index k = 0; k < x.size(); ++k) {
-          damped(k, k) += damping * H(k, k) + 1e-12;
-          // At a bound and pushed beyond it: stays there.
-          if ((x[k] <= low[k] && g[k] > 0) || (x[k] >= high[k] && g[k] < 0)) {
-            damped.row(k).setZero();
-            damped.col(k).setZero();
-            damped(k, k) = 1;
-          }
-        }
-        VectorXd step = damped.ldlt().solve(-g);
-        for (Eigen::Index k = 0; k < x.size(); ++k)
-          if ((x[k] <= low[k] && g[k] > 0) || (x[k] >= high[k] && g[k] < 0)) step[k] = 0;
-        const VectorXd tried = (x + step).cwiseMax(low).cwiseMin(high);
-        const VectorXd r_tried = residuals(tried);
-        const double cost_tried = cost_of(r_tried);
-        if (cost_tried < cost) {
-          gained = cost - cost_tried;
-          x = tried;
-          r = r_tried;
-          cost = cost_tried;
-          damping = std::max(1e-9, damping * softer);
-          moved = true;
-          break;
-        }
-      }
-      if (!moved || gained < enough * std::max(1.0, 1e-3 * cost)) break;
+  for (int iteration = 0; iteration < options.most_iterations; ++iteration) {
+    const MatrixXd J = jacobian(residuals, x, r, low, high, small_steps);
+    const MatrixXd W = weighted(J, r), H = J.transpose() * W;
+    const VectorXd g = W.transpose() * r;
+    bool moved = false;
+    double gained = 0;
+    for (; damping < largest_damping; damping *= stiffer) {
+      const VectorXd tried = (x + damped_step(H, g, damping, x, low, high)).cwiseMax(low).cwiseMin(high);
+      const VectorXd r_tried = residuals(tried);
+      const double cost_tried = cost_of(r_tried);
+      if (!(cost_tried < cost)) continue;
+      gained = cost - cost_tried;
+      x = tried;
+      r = r_tried;
+      cost = cost_tried;
+      damping = std::max(1e-9, damping * softer);
+      moved = true;
+      break;
     }
-  BoundedFit fit{x, cost, {}};
-  if (options.covariance && x.size() > 0) {
-    // Once with small steps, then with steps of the size of the standard deviations: the curvature that
-    // matters for intervals.
-    VectorXd steps = small_steps;
-    for (int round = 0; round < 2; ++round) {
-      const MatrixXd J = jacobian(residuals, x, r, low, high, steps);
-      MatrixXd H = J.transpose() * weighted(J, r);
-      H.diagonal().array() += 1e-12;
-      fit.covariance = H.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
-      for (Eigen::Index k = 0; k < x.size(); ++k)
-        steps[k] = std::clamp(std::sqrt(std::max(0.0, fit.covariance(k, k))) / std::max(1.0, std::abs(x[k])),
-                              smallest_step, largest_step);
-    }
+    if (!moved || gained < enough * std::max(1.0, 1e-3 * cost)) break;
   }
-  return fit;
+  return {x, cost, options.covariance ? covariance_at(residuals, x, r, low, high) : MatrixXd()};
 }
 
 BoundedFit search_at_random(const Residuals& residuals, const BoundedFit& start, const VectorXd& low,

@@ -1,11 +1,10 @@
 #include "diagnosis/fit/noise.h"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <map>
 #include <numeric>
 
+#include "diagnosis/fit/repeats.h"
 #include "diagnosis/recording/median.h"
 
 namespace asperity {
@@ -28,89 +27,6 @@ std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::ve
     }
   }
   return list;
-}
-
-/// Scatter between runs whose control is the same, sample by sample; 0 if there are none.
-double scatter_of_repeats(const Recording& recording, const Samples& samples, std::size_t table) {
-  constexpr double same = 2e-3;       // of the range
-  constexpr double same_speed = 0.1;  // relative
-  std::vector<const SampleRun*> runs;
-  for (const auto& run : samples.runs)
-    if (run.table == table && !run.independent_rows) runs.push_back(&run);
-  if (runs.size() < 2) return 0;
-  const auto control = [&](const Sample& s, const std::string& channel) {
-    return channel == "normal_displacement"    ? s.normal_displacement
-           : channel == "normal_force"         ? s.normal_force
-           : channel == "lateral_displacement" ? s.lateral_displacement
-           : channel == "speed"                ? s.speed
-                                               : 0.0;
-  };
-  std::map<std::string, double> range;
-  for (const auto& channel : recording.tables[table].control) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto* run : runs)
-      for (std::size_t i = run->begin; i < run->end; ++i) {
-        low = std::min(low, control(samples.list[i], channel));
-        high = std::max(high, control(samples.list[i], channel));
-      }
-    range[channel] = std::max(high - low, std::abs(high));
-  }
-  // Groups of runs alike.
-  std::vector<std::vector<const SampleRun*>> groups;
-  for (const auto* run : runs) {
-    bool placed = false;
-    for (auto& group : groups) {
-      const SampleRun& first = *group.front();
-      if (first.end - first.begin != run->end - run->begin) continue;
-      bool alike = true;
-      for (std::size_t i = 0; alike && i < run->end - run->begin; ++i)
-        for (const auto& channel : recording.tables[table].control)
-          if (std::abs(samples.list[run->begin + i].speed - samples.list[first.begin + i].speed) >
-                  same_speed * samples.list[first.begin + i].speed ||
-              std::abs(control(samples.list[run->begin + i], channel) -
-                       control(samples.list[first.begin + i], channel)) > same * range[channel])
-            alike = false;
-      if (alike) {
-        group.push_back(run);
-        placed = true;
-        break;
-      }
-    }
-    if (!placed) groups.push_back({run});
-  }
-  std::map<int, std::vector<double>> squares;  // sums of squares about the mean, by degrees of freedom
-  std::size_t count = 0;
-  for (const auto& group : groups)
-    for (std::size_t i = 0; i < group.front()->end - group.front()->begin; ++i) {
-      std::vector<double> values;
-      for (const auto* run : group)
-        if (samples.list[run->begin + i].counts) values.push_back(samples.list[run->begin + i].response);
-      if (values.size() < 2) continue;
-      const double mean =
-          std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-      double square = 0;
-      for (const double value : values) square += std::pow(value - mean, 2);
-      squares[static_cast<int>(values.size()) - 1].push_back(square);
-      ++count;
-    }
-  constexpr std::size_t enough = 20;
-  if (count < enough) return 0;
-  double sum = 0, freedom = 0;
-  for (auto& [degrees, list] : squares) {
-    // Without the highest fiftieth: outliers. What is left of Gaussian noise is less than all of it by a
-    // known factor: x times the density of chi-square with n degrees is n times that with n + 2.
-    std::sort(list.begin(), list.end());
-    const std::size_t cut = list.size() / 50, left = list.size() - cut;
-    const double share = static_cast<double>(left) / static_cast<double>(list.size());
-    double part = 1;
-    if (cut > 0) {
-      const double highest = quantile(boost::math::chi_squared(degrees), share);
-      part = cdf(boost::math::chi_squared(degrees + 2), highest) / share;
-    }
-    sum += std::accumulate(list.begin(), list.begin() + static_cast<long>(left), 0.0) / part;
-    freedom += static_cast<double>(left) * degrees;
-  }
-  return std::sqrt(sum / freedom);
 }
 
 /// Rows of a series in the order of their load: scatter about the line between neighbours.

@@ -86,6 +86,58 @@ BinMoments moments(const Bin& bin, const std::vector<double>& ratio) {
   return m;
 }
 
+/// What there is to scan: residuals, and what the laws may be off by, over the noise of each sample.
+struct Scanned {
+  std::vector<double> ratio, allowance;
+  double whole_excess = 0;  ///< of the squares over those of noise
+};
+
+Scanned over_noise(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
+                   const std::vector<double>& tolerated) {
+  Scanned scanned{std::vector<double>(residual.size()), std::vector<double>(residual.size(), 0.0), 0};
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    const double sd = noise.sd[samples.list[i].index];
+    scanned.ratio[i] = residual[i] / sd;
+    if (!tolerated.empty()) scanned.allowance[i] = tolerated[i] / sd;
+    if (samples.list[i].counts) scanned.whole_excess += scanned.ratio[i] * scanned.ratio[i] - 1;
+  }
+  leave_out_spikes(samples, scanned.ratio);
+  return scanned;
+}
+
+/// A run of bins that noise alone seldom shows.
+struct CandidateRegion {
+  std::size_t view;
+  Run run;
+};
+
+/// The view of a segment in which the mismatch stands out most.
+struct BestView {
+  double score = 0;
+  std::vector<CandidateRegion> candidates;
+};
+
+MismatchRegion region_of(const Run& run, const View& view, const Samples& samples, const Scanned& scanned) {
+  MismatchRegion region;
+  region.table = samples.table_names[view.table];
+  region.channel = samples.response_channels[view.table];
+  region.segment = view.segment;
+  region.variable = view.variable;
+  region.unit = unit_of_channel(view.variable);
+  region.from = view.bins[run.from].from;
+  region.to = view.bins[run.to - 1].to;
+  double excess = 0, mean = 0, count = 0;
+  for (std::size_t b = run.from; b < run.to; ++b)
+    for (const std::size_t i : view.bins[b].samples) {
+      excess += scanned.ratio[i] * scanned.ratio[i] - 1;
+      mean += scanned.ratio[i];
+      ++count;
+    }
+  region.size_in_noise = mean / count;
+  region.share = scanned.whole_excess > 0 ? std::clamp(excess / scanned.whole_excess, 0.0, 1.0) : 0;
+  return region;
+}
+
 }  // namespace
 
 double chi2_reduced(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
@@ -151,82 +203,53 @@ double Scanner::p_value(double score) const {
                     : (above + 1) / (count + 1);
 }
 
+std::vector<double> Scanner::excess_of_bins(std::size_t v, const std::vector<double>& ratio,
+                                            const std::vector<double>& allowance) const {
+  std::vector<double> excess;
+  for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
+    const Bin& bin = views_[v].bins[b];
+    const auto m = moments(bin, ratio);
+    double allowed = 0;
+    for (const std::size_t i : bin.samples) allowed += allowance[i] * allowance[i];
+    allowed /= static_cast<double>(bin.samples.size());
+    const double q = (m.square - 1 - allowed) / scales_[v][b].square;
+    const double coherent = m.mean * m.mean / (scales_[v][b].mean * scales_[v][b].mean + allowed);
+    excess.push_back(std::max(coherent, q > 0 ? q * q : 0.0) - background);
+  }
+  return excess;
+}
+
 ScanResult Scanner::scan(const std::vector<double>& residual, const std::vector<double>& tolerated) const {
   ScanResult result;
   result.chi2_reduced = asperity::chi2_reduced(samples_, residual, noise_);
-  std::vector<double> ratio(residual.size()), allowance(residual.size(), 0.0);
-  double whole_excess = 0;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
-    const double sd = noise_.sd[samples_.list[i].index];
-    ratio[i] = residual[i] / sd;
-    if (!tolerated.empty()) allowance[i] = tolerated[i] / sd;
-    if (samples_.list[i].counts) whole_excess += ratio[i] * ratio[i] - 1;
-  }
-  leave_out_spikes(samples_, ratio);
-  struct Candidate {
-    std::size_t view;
-    Run run;
-  };
-  struct BestView {
-    double score = 0;
-    std::vector<Candidate> candidates;
-  };
+  const Scanned scanned = over_noise(samples_, noise_, residual, tolerated);
   std::map<std::pair<std::size_t, std::string>, BestView> best_of_segment;
-  std::vector<Candidate> candidates;
   double largest = 0;
   for (std::size_t v = 0; v < views_.size(); ++v) {
-    std::vector<double> excess;
-    for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
-      const Bin& bin = views_[v].bins[b];
-      const auto m = moments(bin, ratio);
-      double allowed = 0;
-      for (const std::size_t i : bin.samples) allowed += allowance[i] * allowance[i];
-      allowed /= static_cast<double>(bin.samples.size());
-      const double q = (m.square - 1 - allowed) / scales_[v][b].square;
-      const double coherent = m.mean * m.mean / (scales_[v][b].mean * scales_[v][b].mean + allowed);
-      excess.push_back(std::max(coherent, q > 0 ? q * q : 0.0) - background);
-    }
+    const std::vector<double> excess = excess_of_bins(v, scanned.ratio, scanned.allowance);
     std::vector<Run> runs;
     best_runs(excess, 0, excess.size(), runs, false);
-    double of_view = 0;
-    for (const auto& run : runs) of_view += p_value(run.score) < region_significance ? run.score : 0.0;
-    for (const auto& run : runs) largest = std::max(largest, run.score);
-    if (views_[v].variable.empty() || of_view <= 0) continue;
-    // One view for each segment: the one in which the mismatch stands out most.
+    BestView here;
+    for (const auto& run : runs) {
+      largest = std::max(largest, run.score);
+      if (p_value(run.score) >= region_significance) continue;
+      here.score += run.score;
+      here.candidates.push_back({v, run});
+    }
+    if (views_[v].variable.empty() || here.score <= 0) continue;
     auto& best = best_of_segment[{views_[v].table, views_[v].segment}];
-    if (of_view <= best.score) continue;
-    best.score = of_view;
-    best.candidates.clear();
-    for (const auto& run : runs)
-      if (p_value(run.score) < region_significance) best.candidates.push_back({v, run});
+    if (here.score > best.score) best = here;
   }
+  std::vector<CandidateRegion> candidates;
   for (const auto& [segment, best] : best_of_segment)
     candidates.insert(candidates.end(), best.candidates.begin(), best.candidates.end());
   result.p_value = p_value(largest);
   std::sort(candidates.begin(), candidates.end(),
             [](const auto& a, const auto& b) { return a.run.score > b.run.score; });
-  for (const auto& candidate : candidates) {
-    if (result.regions.size() == most_regions) break;
-    const View& view = views_[candidate.view];
-    MismatchRegion region;
-    region.table = samples_.table_names[view.table];
-    region.channel = samples_.response_channels[view.table];
-    region.segment = view.segment;
-    region.variable = view.variable;
-    region.unit = unit_of_channel(view.variable);
-    region.from = view.bins[candidate.run.from].from;
-    region.to = view.bins[candidate.run.to - 1].to;
-    region.p_value = p_value(candidate.run.score);
-    double excess = 0, mean = 0, count = 0;
-    for (std::size_t b = candidate.run.from; b < candidate.run.to; ++b)
-      for (const std::size_t i : view.bins[b].samples) {
-        excess += ratio[i] * ratio[i] - 1;
-        mean += ratio[i];
-        ++count;
-      }
-    region.size_in_noise = mean / count;
-    region.share = whole_excess > 0 ? std::clamp(excess / whole_excess, 0.0, 1.0) : 0;
-    result.regions.push_back(region);
+  if (candidates.size() > most_regions) candidates.resize(most_regions);
+  for (const auto& [view, run] : candidates) {
+    result.regions.push_back(region_of(run, views_[view], samples_, scanned));
+    result.regions.back().p_value = p_value(run.score);
   }
   return result;
 }

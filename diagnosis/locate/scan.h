@@ -38,6 +38,9 @@ class Scanner {
   std::vector<std::vector<BinScale>> scales_;
   std::vector<double> noise_scores_;  ///< largest region of each simulated noise, ascending
   double p_value(double score) const;
+  /// How far each bin of a view departs from noise, less the background.
+  std::vector<double> excess_of_bins(std::size_t view, const std::vector<double>& ratio,
+                                     const std::vector<double>& allowance) const;
 };
 
 /// chi^2 over the number of samples that count.

@@ -20,10 +20,7 @@ int different(std::vector<double> values) {
   return count;
 }
 
-}  // namespace
-
-Experiment experiment_of(const Recording& recording, const Samples& samples) {
-  Experiment e;
+void take_bodies(Experiment& e, const Recording& recording) {
   e.mode = recording.mode;
   e.particle = {recording.particle.youngs_modulus, recording.particle.poissons_ratio};
   e.substrate = {recording.substrate.youngs_modulus, recording.substrate.poissons_ratio};
@@ -33,64 +30,83 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   e.radius = recording.particle.radius;
   for (const double yield : {recording.particle.yield_stress, recording.substrate.yield_stress})
     if (yield > 0) e.yield_hint = e.yield_hint > 0 ? std::min(e.yield_hint, yield) : yield;
+}
+
+/// What all samples together say, beside what each alone widens in the experiment.
+struct Gathered {
   std::vector<double> forces, speeds;
-  std::map<std::string, std::vector<double>> set;
-  e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
+  std::map<std::string, std::vector<double>> set;  ///< by channel that an experimenter sets
   bool forward = false, backward = false;
   double deepest = 0, shallowest = 0;
-  for (const auto& run : samples.runs) {
-    (run.independent_rows ? e.has_series : e.has_trace) = true;
-    e.has_time = e.has_time || recording.tables[run.table].has("time");
-    double left = std::numeric_limits<double>::infinity(), right = -left;
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      const Sample& s = samples.list[i];
-      const double force =
-          recording.mode == Motion::normal && !run.response_is_displacement ? s.response : s.normal_force;
-      const bool missing = recording.mode == Motion::normal && !s.counts;
-      if (!missing || run.response_is_displacement) forces.push_back(force);
-      if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
-      deepest = std::max(deepest, recording.mode == Motion::normal && run.response_is_displacement
-                                      ? s.response
-                                      : s.normal_displacement);
-      shallowest = std::min(shallowest, s.normal_displacement);
-      if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
-      left = std::min(left, s.lateral_displacement);
-      right = std::max(right, s.lateral_displacement);
-      e.hold_duration = std::max(e.hold_duration, s.hold_time);
-      if (s.speed > 0) speeds.push_back(s.speed);
-      e.cycles = std::max(e.cycles, s.cycle + 1);
-      e.smoothest = std::min(e.smoothest, s.rms_roughness);
-      e.roughest = std::max(e.roughest, s.rms_roughness);
-      e.smallest_radius = std::min(e.smallest_radius, s.radius);
-      e.largest_radius = std::max(e.largest_radius, s.radius);
-      if (s.counts) {
-        set["rms_roughness"].push_back(s.rms_roughness);
-        set["radius"].push_back(s.radius);
-        set["rail_angle"].push_back(s.rail_angle);
-      }
-      (s.direction > 0 ? forward : backward) = true;
-    }
-    e.stroke = std::max(e.stroke, right - left);
-    e.duration = std::max(e.duration, samples.list[run.end - 1].time - samples.list[run.begin].time);
+};
+
+void take_sample(Experiment& e, Gathered& all, const Sample& s, bool response_is_displacement) {
+  const bool normal = e.mode == Motion::normal;
+  const double force = normal && !response_is_displacement ? s.response : s.normal_force;
+  const bool missing = normal && !s.counts;
+  if (!missing || response_is_displacement) all.forces.push_back(force);
+  if (force > 0) e.smallest_force = std::min(e.smallest_force, force);
+  all.deepest =
+      std::max(all.deepest, normal && response_is_displacement ? s.response : s.normal_displacement);
+  all.shallowest = std::min(all.shallowest, s.normal_displacement);
+  if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
+  e.hold_duration = std::max(e.hold_duration, s.hold_time);
+  if (s.speed > 0) all.speeds.push_back(s.speed);
+  e.cycles = std::max(e.cycles, s.cycle + 1);
+  e.smoothest = std::min(e.smoothest, s.rms_roughness);
+  e.roughest = std::max(e.roughest, s.rms_roughness);
+  e.smallest_radius = std::min(e.smallest_radius, s.radius);
+  e.largest_radius = std::max(e.largest_radius, s.radius);
+  if (s.counts) {
+    all.set["rms_roughness"].push_back(s.rms_roughness);
+    all.set["radius"].push_back(s.radius);
+    all.set["rail_angle"].push_back(s.rail_angle);
   }
-  for (auto& [channel, values] : set) e.different[channel] = different(std::move(values));
-  e.largest_force = *std::max_element(forces.begin(), forces.end());
+  (s.direction > 0 ? all.forward : all.backward) = true;
+}
+
+void take_run(Experiment& e, Gathered& all, const SampleRun& run, const Samples& samples) {
+  (run.independent_rows ? e.has_series : e.has_trace) = true;
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const Sample& s = samples.list[i];
+    take_sample(e, all, s, run.response_is_displacement);
+    left = std::min(left, s.lateral_displacement);
+    right = std::max(right, s.lateral_displacement);
+  }
+  e.stroke = std::max(e.stroke, right - left);
+  e.duration = std::max(e.duration, samples.list[run.end - 1].time - samples.list[run.begin].time);
+}
+
+}  // namespace
+
+Experiment experiment_of(const Recording& recording, const Samples& samples) {
+  Experiment e;
+  take_bodies(e, recording);
+  e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
+  Gathered all;
+  for (const auto& run : samples.runs) {
+    take_run(e, all, run, samples);
+    e.has_time = e.has_time || recording.tables[run.table].has("time");
+  }
+  for (auto& [channel, values] : all.set) e.different[channel] = different(std::move(values));
+  e.largest_force = *std::max_element(all.forces.begin(), all.forces.end());
   std::vector<double> sizes;
-  for (const double f : forces) sizes.push_back(std::abs(f));
+  for (const double f : all.forces) sizes.push_back(std::abs(f));
   e.typical_force = median(sizes);
   if (e.typical_force <= 0) e.typical_force = e.largest_force;
-  e.largest_displacement = recording.mode == Motion::normal && deepest > 0
-                               ? deepest
+  e.largest_displacement = recording.mode == Motion::normal && all.deepest > 0
+                               ? all.deepest
                                : e.hertz().approach(std::max(e.largest_force, 0.0));
-  e.has_both_directions = forward && backward;
-  e.has_unloading = recording.mode == Motion::normal && backward;
-  e.has_off_contact = recording.mode == Motion::normal && shallowest < 0;
-  if (!speeds.empty()) {
+  e.has_both_directions = all.forward && all.backward;
+  e.has_unloading = recording.mode == Motion::normal && all.backward;
+  e.has_off_contact = recording.mode == Motion::normal && all.shallowest < 0;
+  if (!all.speeds.empty()) {
     constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
-    std::sort(speeds.begin(), speeds.end());
-    const auto count = static_cast<double>(speeds.size() - 1);
-    e.slowest = speeds[static_cast<std::size_t>(std::lround(outermost * count))];
-    e.fastest = speeds[static_cast<std::size_t>(std::lround((1 - outermost) * count))];
+    std::sort(all.speeds.begin(), all.speeds.end());
+    const auto count = static_cast<double>(all.speeds.size() - 1);
+    e.slowest = all.speeds[static_cast<std::size_t>(std::lround(outermost * count))];
+    e.fastest = all.speeds[static_cast<std::size_t>(std::lround((1 - outermost) * count))];
   }
   if (!std::isfinite(e.smallest_force)) e.smallest_force = e.typical_force;
   return e;

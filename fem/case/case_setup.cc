@@ -8,10 +8,10 @@
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "core/written_apart.h"
+#include "fem/case/contact_path.h"
 #include "fem/case/solve_cost.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
-#include "fem/programs/combined_program.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -21,24 +21,6 @@ namespace {
 /// Half width of the block in contact radii and in R: far enough that its own compliance is a small, measured
 /// correction.
 constexpr double block_half_width_in_radii = 0.7;
-/// Longest path from the middle of a roll [m] that a contact with this fine region has on the particle's
-/// finely meshed cap: no further up the sphere than where its slope makes the cap's cells, a lattice in
-/// projection, a fifteenth longer, and with the evenly spaced cells, half a region more on both sides
-/// (BodyMap), still on the cap.
-double longest_reach(double region, double radius) {
-  constexpr double highest = 0.78, widest = 0.97;
-  const double cap = meshing::BodyMap::cap_fraction * radius;
-  return std::min(highest * cap - region, widest * cap - 1.5 * region);
-}
-
-/// A longest length for a message, in three digits that are no longer than it: what is advised is not
-/// refused.
-std::string at_most(double length) {
-  if (length <= 0) return "0 m";
-  const double unit = std::pow(10, std::floor(std::log10(length)) - 2);
-  return format_quantity(unit * std::floor(length / unit), Dimension::length);
-}
-
 struct Roughness {
   meshing::HeightFunction height;
   double rms = 0, largest = 0;
@@ -92,29 +74,6 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
   const bool force = input.experiment.control == ExperimentInput::Control::force;
   setup.largest_load = force ? input.experiment.normal_load : hertz.force(setup.hertz_approach);
   setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
-}
-
-/// Fine regions over which the contact of a program goes, on both bodies. Throws InputError where it leaves
-/// them.
-void fit_to_program(const CaseInput& input, CaseSetup& setup) {
-  const double R = input.radius;
-  const MotionExtent extent = extent_of(
-      combined_program(parse_motion_program(input.experiment.program), input.experiment, setup.motion, {}));
-  auto& sizes = setup.system.mesh.sizes;
-  const auto refuse = [&](const std::string& motion, double longest) {
-    throw InputError(input.file + ": Experiment/Program " + motion + "; let the contact move by " +
-                     at_most(2 * longest) + " at most, to and fro counting once");
-  };
-  sizes.reach_particle = 0.5 * (extent.high_roll - extent.low_roll) * R;
-  const double longest = longest_reach(sizes.region_particle, R),
-               reach = sizes.region_particle + sizes.reach_particle;
-  if (sizes.reach_particle > longest)
-    refuse("rolls the contact out of the particle's finely meshed cap", longest);
-  sizes.reach_substrate = 0.5 * (extent.high_x - extent.low_x);
-  sizes.region_substrate += 0.5 * (extent.high_y - extent.low_y) + R * std::asin(reach / R) - reach;
-  const double widest = sizes.block_half_width / 2;
-  if (sizes.region_substrate + sizes.reach_substrate > widest)
-    refuse("leaves the middle half of the substrate's block", widest - sizes.region_substrate);
 }
 
 }  // namespace
@@ -199,31 +158,17 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
                    "Mesh/Interface spacing leaves out");
 }
 
-}  // namespace
-
-CaseSetup set_up_sizes(const CaseInput& input) {
-  CaseSetup setup;
-  find_hertz_scales(input, setup);
+/// Half width of the finely meshed square [m]; throws InputError where no mesh has it.
+double contact_region(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double R = input.radius;
-  const bool force = input.experiment.control == ExperimentInput::Control::force;
-  const double a = setup.hertz_radius;
-  const TopographySpec& upper = input.particle.topography;
-  const TopographySpec& lower = input.substrate.topography;
-
-  const TopographyScales upper_scales = topography_scales(upper), lower_scales = topography_scales(lower);
-  setup.roughness[0].scales = upper_scales;
-  setup.roughness[1].scales = lower_scales;
-
-  const double spacing =
-      input.mesh.interface_spacing == 0 ? derived_spacing(setup) : input.mesh.interface_spacing;
-
   double region = input.mesh.contact_region;
   if (region == 0) {
     // Asperities three RMS heights high still touch where smooth surfaces would be that far apart; attraction
     // goes further.
     const double reach =
-        std::hypot(3 * std::hypot(upper_scales.rms, lower_scales.rms), attraction_reach(input.interface));
-    region = hertz_reach(a, R, reach) + 2 * spacing;
+        std::hypot(3 * std::hypot(setup.roughness[0].scales.rms, setup.roughness[1].scales.rms),
+                   attraction_reach(input.interface));
+    region = hertz_reach(setup.hertz_radius, R, reach) + 2 * spacing;
   }
   const double largest_region = 0.5 * meshing::BodyMap::cap_fraction * R;
   if (region > largest_region) {
@@ -237,6 +182,26 @@ CaseSetup set_up_sizes(const CaseInput& input) {
         input.file + ": Mesh/Interface spacing of " + format_quantity(spacing, Dimension::length) +
         " leaves fewer than eight cells across the contact region of " +
         format_quantity(2 * region, Dimension::length) + "; set it to " + at_most(region / 16) + " or less");
+  return region;
+}
+
+}  // namespace
+
+CaseSetup set_up_sizes(const CaseInput& input) {
+  CaseSetup setup;
+  find_hertz_scales(input, setup);
+  const double R = input.radius;
+  const bool force = input.experiment.control == ExperimentInput::Control::force;
+  const TopographySpec& upper = input.particle.topography;
+  const TopographySpec& lower = input.substrate.topography;
+
+  setup.roughness[0].scales = topography_scales(upper);
+  setup.roughness[1].scales = topography_scales(lower);
+
+  const double spacing =
+      input.mesh.interface_spacing == 0 ? derived_spacing(setup) : input.mesh.interface_spacing;
+
+  const double region = contact_region(input, setup, spacing);
 
   auto& options = setup.system;
   options.materials = {material_of(input.particle), material_of(input.substrate)};
@@ -253,27 +218,8 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   const bool rough = !upper.is_smooth() || !lower.is_smooth();
   options.tilted_normals = type == Motion::sliding || type == Motion::rolling || type == Motion::program ||
                            (type == Motion::torsion && rough);
-  if (type == Motion::rolling) {
-    sizes.reach_particle = sizes.reach_substrate = input.experiment.distance / 2;
-    const double reach = region + sizes.reach_particle, longest = longest_reach(region, R);
-    if (sizes.reach_particle > longest)
-      throw InputError(input.file + ": Experiment/Distance of " +
-                       format_quantity(input.experiment.distance, Dimension::length) +
-                       " rolls the contact out of the particle's finely meshed cap; set it to " +
-                       at_most(2 * longest) + " or less");
-    sizes.region_substrate +=
-        R * std::asin(reach / R) - reach;  // rolled out, an arc is longer than its projection
-  }
-  if (type == Motion::sliding) {
-    // The particle slides from the origin along x.
-    sizes.reach_substrate = sizes.offset_substrate_x = input.experiment.distance / 2;
-    const double longest = sizes.block_half_width / 2;
-    if (sizes.region_substrate + sizes.reach_substrate > longest)
-      throw InputError(input.file + ": Experiment/Distance of " +
-                       format_quantity(input.experiment.distance, Dimension::length) +
-                       " leaves the middle half of the substrate's block; set it to " +
-                       at_most(2 * (longest - sizes.region_substrate)) + " or less");
-  }
+  if (type == Motion::rolling) fit_to_rolling(input, sizes, region);
+  if (type == Motion::sliding) fit_to_sliding(input, sizes);
   setup.motion = motion_scales(input, setup, spacing);
   if (type == Motion::program) fit_to_program(input, setup);
   options.mesh.layers = input.mesh.layers;

@@ -4,27 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/residual_imprint.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
 #include "fem/output/discretisation_error.h"
-#include "fem/output/steady_motion.h"
-#include "fem/solver/load_step_error.h"
+#include "fem/output/effective_values.h"
 #include "results/known_entries.h"
 
 namespace asperity::fem {
 namespace {
 
 using nlohmann::json;
-
-json number(double value, const char* unit, double sd) {
-  return {{"value", value}, {"unit", unit}, {"sd", std::isfinite(sd) ? json(sd) : json(nullptr)}};
-}
 
 json body_inputs(const BodyInput& body) {
   json inputs{{"youngs_modulus", body.youngs_modulus},
@@ -75,150 +67,72 @@ json half_space_numbers(const half_space::CaseContact& contact) {
           {"spacing", contact.grid.dx}};
 }
 
-/// Largest size of a column.
-double largest_size(const std::vector<HistoryRow>& records, double HistoryRow::*column) {
-  double largest = 0;
-  for (const auto& r : records) largest = std::max(largest, std::abs(r.*column));
-  return largest;
+/// What names of the result mean.
+json meanings() {
+  return {
+      {"normal_displacement",
+       "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, "
+       "m/N, "
+       "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
+      {"contact_radius",
+       "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same "
+       "second moment"},
+      {"approach",
+       "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces "
+       "touch first, which is at "
+       "an approach of first_touch and moves with the spacing"},
+      {"load_step_error",
+       "by which finite load steps make the approach of bodies that yield too large, over the approach "
+       "from first touch; it "
+       "falls with the number of steps"},
+      {"sd",
+       "error of discretisation and load steps (docs/solver.md); of sliding_friction, "
+       "rolling_moment and "
+       "torsion_moment with the fluctuation along the path; scatter over realisations is the study's"},
+      {"rolling_moment",
+       "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
+       "up; "
+       "rolling_dissipation: dissipated energy per angle after a contact radius, without the conservative "
+       "topographic part of the moment; "
+       "rolling_noise_floor: discretisation noise: moment of smooth elastic bodies on meshes of six to "
+       "twelve "
+       "spacings in the contact radius"},
+      {"sliding_friction",
+       "lateral over normal force of the whole contact; the local friction_coefficient is an input, and "
+       "where it is "
+       "Coulomb's only what departs from it is a result"}};
 }
 
-double root_of_squares(std::initializer_list<double> errors) {
-  double sum = 0;
-  for (const double e : errors) sum += e * e;
-  return std::sqrt(sum);
+json inputs_of(const CaseInput& input, const CaseSetup& setup, const ResultSummary& s) {
+  json inputs{{"case", input.file},
+              {"entries", input.physical_entries},
+              {"particle", body_inputs(input.particle)},
+              {"radius", input.radius},
+              {"substrate", body_inputs(input.substrate)},
+              {"largest_load", setup.largest_load},
+              {"control", setup.system.control == Control::force ? "force" : "displacement"},
+              {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
+              {"far_field_compliance", s.stiffness.far_field},
+              {"lateral_far_field_compliance", s.stiffness.lateral_far_field},
+              {"work_of_adhesion", input.interface.work_of_adhesion},
+              {"work_of_adhesion_on_separation", input.interface.work_of_separation},
+              {"adhesion_law", input.interface.adhesion_law}};
+  inputs.update(meanings());
+  for (const auto& [entry, value] : interface_parameters(input.interface)) inputs[result_name(entry)] = value;
+  return inputs;
 }
 
-/// Work that the energy balance of the distance rolled leaves open, per angle [N m].
-double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
-  double angle = 0, largest_work = 0;
-  for (std::size_t k = 1; k < records.size(); ++k)
-    angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
-  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
-  return angle > 0 ? largest_size(records, &HistoryRow::energy_error) * largest_work / angle : 0.0;
-}
-
-/// Approach that the first unloading leaves; NaN without one.
-ResidualImprint imprint_of(const std::vector<HistoryRow>& records, double largest_force) {
-  const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
-  std::size_t peak = 0;
-  while (peak + 1 < records.size() && records[peak + 1].normal_force > records[peak].normal_force + noise)
-    ++peak;
-  std::size_t turn = peak;
-  while (turn + 1 < records.size() &&
-         std::abs(records[turn + 1].normal_force - records[turn].normal_force) <= noise)
-    ++turn;
-  std::vector<double> up, up_force, down, down_force;
-  for (std::size_t k = 0; k <= peak; ++k)
-    if (records[k].normal_force > 0)
-      up.push_back(records[k].normal_displacement), up_force.push_back(records[k].normal_force);
-  for (std::size_t k = turn; k < records.size(); ++k) {
-    if (k > turn && records[k].normal_force >= records[k - 1].normal_force - noise) break;
-    down.push_back(records[k].normal_displacement), down_force.push_back(records[k].normal_force);
-  }
-  return residual_imprint(up, up_force, down, down_force);
-}
-
-/// Collects `effective`: values with their standard deviations.
-class Effective {
- public:
-  /// errors: relative, added in squares.
-  void add(const char* name, double value, const char* unit, std::initializer_list<double> errors) {
-    add_absolute(name, value, unit, std::abs(value) * root_of_squares(errors));
-  }
-  void add_absolute(const char* name, double value, const char* unit, double sd) {
-    values_[name] = number(value, unit, sd);
-  }
-  const json& values() const { return values_; }
-
- private:
-  json values_ = json::object();
-};
-
-/// The contact at the largest load.
-void add_contact(Effective& effective, const HistoryRow& peak, const DiscretisationError& error,
-                 const ResultSummary& s) {
-  if (s.stiffness.normal > 0)
-    effective.add("normal_stiffness", s.stiffness.normal, "N/m", {error.stiffness()});
-  if (s.stiffness.lateral > 0)
-    effective.add("lateral_stiffness", s.stiffness.lateral, "N/m", {error.lateral_stiffness()});
-  if (s.stiffness.torsion > 0)
-    effective.add("torsion_stiffness", s.stiffness.torsion, "N m/rad", {error.torsion_stiffness()});
-  effective.add("contact_radius", peak.contact_radius, "m", {0.5 * error.area()});
-  effective.add("contact_area", peak.contact_area, "m^2", {error.area()});
-  effective.add("mean_pressure", peak.mean_pressure, "Pa", {error.area()});
-  effective.add("max_pressure", peak.max_pressure, "Pa", {error.largest_pressure()});
-  effective.add("pressure_radius", peak.pressure_radius, "m", {error.stiffness()});
-  const double approach = root_of_squares({error.approach(), peak.load_step_error});
-  effective.add_absolute("approach", peak.mean_plane_approach, "m", approach);
-  effective.add_absolute("approach_from_first_touch", peak.normal_displacement, "m",
-                         root_of_squares({approach, error.first_touch()}));
-  effective.add_absolute("first_touch", peak.mean_plane_approach - peak.normal_displacement, "m",
-                         error.first_touch());
-  effective.add("spots", peak.spots, "", {error.spots()});
-  effective.add_absolute("load_centre_x", peak.load_centre_x, "m", error.load_centre());
-  effective.add_absolute("load_centre_y", peak.load_centre_y, "m", error.load_centre());
-}
-
-/// Plasticity: extreme stress and strain, yielded volume, residual imprint.
-void add_yielding(Effective& effective, const CaseInput& input, const HistoryRow& peak,
-                  const std::vector<HistoryRow>& records, const DiscretisationError& error) {
-  const HistoryRow& last = records.back();
-  if (peak.normal_displacement > 0) {
-    const double steps = peak.load_step_error / peak.normal_displacement;
-    effective.add("load_step_error", steps, "", {uncertainty_of_load_step_error});
-  }
-  const ResidualImprint imprint = imprint_of(records, peak.normal_force);
-  if (input.experiment.type == Motion::normal && std::isfinite(imprint.depth)) {
-    // Without yielding there is no residual imprint; the value that the extrapolation gives is its error.
-    const double depth = last.plastic_volume > 0 ? imprint.depth : 0.0;
-    const double sd = last.plastic_volume > 0
-                          ? root_of_squares({error.plasticity() * depth, peak.load_step_error,
-                                             error.unloading(), imprint.error})
-                          : 0.0;
-    effective.add_absolute("residual_imprint", depth, "m", sd);
-  }
-  effective.add("particle_von_mises", largest_size(records, &HistoryRow::particle_von_mises), "Pa",
-                {error.largest_stress()});
-  effective.add("substrate_von_mises", largest_size(records, &HistoryRow::substrate_von_mises), "Pa",
-                {error.largest_stress()});
-  effective.add("particle_plastic_strain", last.particle_plastic_strain, "",
-                {error.largest_plastic_strain()});
-  effective.add("substrate_plastic_strain", last.substrate_plastic_strain, "",
-                {error.largest_plastic_strain()});
-  effective.add("plastic_volume", last.plastic_volume, "m^3", {error.plasticity()});
-  effective.add("dissipated_energy", last.dissipated_energy, "J", {error.plasticity()});
-}
-
-/// Resistances of moving contacts: their fluctuation along the path and their discretisation error.
-void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& peak,
-                const std::vector<HistoryRow>& records, const DiscretisationError& error) {
-  if (input.experiment.type == Motion::program) {  // no part of it is steady
-    effective.add("friction_work", records.back().friction_work, "J",
-                  {error.resistance(1), records.back().energy_error});
-    return;
-  }
-  const auto add = [&](const char* name, const SteadyResistance& r, const char* unit, double mesh,
-                       double floor) {
-    effective.add_absolute(name, r.mean, unit, root_of_squares({r.sd, mesh * r.mean, floor}));
-  };
-  const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
-  if (const auto sliding = steady_sliding(records)) {
-    // Friction beyond the law's slope in the pressure comes from attraction; a limit that no longer grows
-    // with the pressure is proportional to the area.
-    const auto law = make_friction_law(input.interface);
-    const double by_load = law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope : 0.0;
-    const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
-    add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
-  }
-  if (const auto rolling = steady_rolling(records, input.radius))
-    add("rolling_moment", *rolling, "N m", error.rolling(), noise);
-  if (const auto dissipation = rolling_dissipation(records, input.radius)) {
-    effective.add_absolute("rolling_dissipation", *dissipation, "N m",
-                           root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
-    effective.add("rolling_noise_floor", noise, "N m", {0.5});
-  }
-  if (const auto torsion = steady_torsion(records))
-    add("torsion_moment", *torsion, "N m", error.torsion(), 0);
+json mesh_of(const CaseSetup& setup, const std::vector<HistoryRow>& records, const ResultSummary& s) {
+  return {{"cells", s.cells},
+          {"dofs", s.unknowns},
+          {"interface_spacing", setup.system.mesh.sizes.spacing_particle},
+          {"contact_region", setup.system.mesh.sizes.region_particle},
+          {"contact_nodes", s.contact_nodes},
+          {"roughness",
+           {{"particle", resolved_roughness(setup.roughness[0])},
+            {"substrate", resolved_roughness(setup.roughness[1])}}},
+          {"contact_reaches_rim",
+           std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}};
 }
 
 }  // namespace
@@ -227,88 +141,28 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
                         const std::vector<HistoryRow>& records, const ResultSummary& s) {
   const auto by_force = [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; };
   const HistoryRow& peak = *std::max_element(records.begin(), records.end(), by_force);
-  const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const double force = largest_size(records, &HistoryRow::force_error),
-               moment = largest_size(records, &HistoryRow::moment_error),
-               energy = largest_size(records, &HistoryRow::energy_error);
-  Effective effective;
+  const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
   const double wave =
       std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
-  const DiscretisationError error(peak, spacing, setup.reduced_modulus, wave);
-  add_contact(effective, peak, error, s);
-  add_yielding(effective, input, peak, records, error);
-  add_moving(effective, input, peak, records, error);
-  const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
-  if (input.interface.work_of_adhesion > 0 && least.normal_force < 0)
-    effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
+  const DiscretisationError error(peak, setup.system.mesh.sizes.spacing_particle, setup.reduced_modulus,
+                                  wave);
   json result{
       {"format", "asperity-result/1"},
       {"title", input.title},
       {"experiment", name_of(input.experiment.type)},
       {"inputs_sha256", s.provenance.inputs_sha256},
       {"commit", s.provenance.commit},
-      {"inputs",
-       {{"case", input.file},
-        {"entries", input.physical_entries},
-        {"particle", body_inputs(input.particle)},
-        {"radius", input.radius},
-        {"substrate", body_inputs(input.substrate)},
-        {"largest_load", setup.largest_load},
-        {"control", setup.system.control == Control::force ? "force" : "displacement"},
-        {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
-        {"far_field_compliance", s.stiffness.far_field},
-        {"lateral_far_field_compliance", s.stiffness.lateral_far_field},
-        {"work_of_adhesion", input.interface.work_of_adhesion},
-        {"work_of_adhesion_on_separation", input.interface.work_of_separation},
-        {"adhesion_law", input.interface.adhesion_law},
-        {"normal_displacement",
-         "approach of points far from the contact: the finite bodies' own compliance (far_field_compliance, "
-         "m/N, "
-         "times the force) is taken out of the displacement of the driven plane; zero at first touch"},
-        {"contact_radius",
-         "of the circle with the contact area; pressure_radius: of the Hertzian pressure with the same "
-         "second moment"},
-        {"approach",
-         "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces "
-         "touch first, which is at "
-         "an approach of first_touch and moves with the spacing"},
-        {"load_step_error",
-         "by which finite load steps make the approach of bodies that yield too large, over the approach "
-         "from first touch; it "
-         "falls with the number of steps"},
-        {"sd",
-         "error of discretisation and load steps (docs/solver.md); of sliding_friction, "
-         "rolling_moment and "
-         "torsion_moment with the fluctuation along the path; scatter over realisations is the study's"},
-        {"rolling_moment",
-         "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
-         "up; "
-         "rolling_dissipation: dissipated energy per angle after a contact radius, without the conservative "
-         "topographic part of the moment; "
-         "rolling_noise_floor: discretisation noise: moment of smooth elastic bodies on meshes of six to "
-         "twelve "
-         "spacings in the contact radius"},
-        {"sliding_friction",
-         "lateral over normal force of the whole contact; the local friction_coefficient is an input, and "
-         "where it is "
-         "Coulomb's only what departs from it is a result"}}},
+      {"inputs", inputs_of(input, setup, s)},
       {"hertz",
        {{"contact_radius", setup.hertz_radius},
         {"approach", setup.hertz_approach},
         {"reduced_modulus", setup.reduced_modulus}}},
-      {"mesh",
-       {{"cells", s.cells},
-        {"dofs", s.unknowns},
-        {"interface_spacing", spacing},
-        {"contact_region", setup.system.mesh.sizes.region_particle},
-        {"contact_nodes", s.contact_nodes},
-        {"roughness",
-         {{"particle", resolved_roughness(setup.roughness[0])},
-          {"substrate", resolved_roughness(setup.roughness[1])}}},
-        {"contact_reaches_rim",
-         std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}}},
-      {"effective", effective.values()},
-      {"balance", {{"force", force}, {"moment", moment}, {"energy", energy}}},
+      {"mesh", mesh_of(setup, records, s)},
+      {"effective", effective_values(input, records, peak, least, error, s)},
+      {"balance",
+       {{"force", largest_size(records, &HistoryRow::force_error)},
+        {"moment", largest_size(records, &HistoryRow::moment_error)},
+        {"energy", largest_size(records, &HistoryRow::energy_error)}}},
       {"cost",
        {{"wall_time", s.wall_time},
         {"peak_memory", s.peak_memory},
@@ -318,8 +172,6 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
       {"versions",
        {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
   if (s.half_space) result["half_space"] = half_space_numbers(*s.half_space);
-  for (const auto& [entry, value] : interface_parameters(input.interface))
-    result["inputs"][result_name(entry)] = value;
   return result.dump(1) + "\n";
 }
 

@@ -16,6 +16,45 @@ std::vector<double> known_values(const Map& map) {
   return known;
 }
 
+std::string picture(const Image& image, double left, double top, double width, double height) {
+  return "<image x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" + coordinate(width) +
+         "' height='" + coordinate(height) + "' preserveAspectRatio='none' href='" + data_uri(image) + "'/>";
+}
+
+std::string frame(double left, double top, double width, double height) {
+  return "<rect class='frame' x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" +
+         coordinate(width) + "' height='" + coordinate(height) + "'/>";
+}
+
+std::string line_to(double x1, double y1, double x2, double y2) {
+  return "<line class='frame' x1='" + coordinate(x1) + "' y1='" + coordinate(y1) + "' x2='" + coordinate(x2) +
+         "' y2='" + coordinate(y2) + "'/>";
+}
+
+std::string map_text(double x, double y, const std::string& words, const std::string& attributes) {
+  return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) +
+         "</text>";
+}
+
+constexpr double bar_width = 16;
+
+/// The scale of colours with its ticks.
+std::string colour_bar(const MapFigure& figure, double left, double top, double height) {
+  const Axis bar = make_axis(figure.range.low, figure.range.high, top + height, top, false, 5);
+  constexpr int bar_pixels = 128;
+  Image shades(1, bar_pixels);
+  for (int i = 0; i < bar_pixels; ++i) {
+    const Colour colour = figure.scale->at(1 - (i + 0.5) / bar_pixels);
+    std::copy(colour.begin(), colour.end(), shades.pixel(0, i));
+  }
+  std::string svg = picture(shades, left, top, bar_width, height) + frame(left, top, bar_width, height);
+  for (const double tick : bar.ticks) {
+    svg += line_to(left + bar_width, bar.pixel(tick), left + bar_width + 4, bar.pixel(tick));
+    svg += map_text(left + bar_width + 7, bar.pixel(tick) + 4, tick_label(tick, bar), "class='tick'");
+  }
+  return svg;
+}
+
 }  // namespace
 
 double Map::largest() const {
@@ -56,69 +95,42 @@ void paint_over(Image& image, const Map& map, double threshold, const Colour& co
 }
 
 std::string to_svg(const MapFigure& figure, const Image& image) {
-  constexpr double left = 58, top = 12, bottom = 46, bar_gap = 16, bar_width = 16, bar_labels = 62;
-  const double picture_width = figure.width - left - bar_gap - bar_width - bar_labels;
-  const double picture_height =
-      picture_width * (figure.y_high - figure.y_low) / (figure.x_high - figure.x_low);
-  const double height = top + picture_height + bottom;
-  const auto line_to = [](double x1, double y1, double x2, double y2) {
-    return "<line class='frame' x1='" + coordinate(x1) + "' y1='" + coordinate(y1) + "' x2='" +
-           coordinate(x2) + "' y2='" + coordinate(y2) + "'/>";
-  };
-  const auto text = [](double x, double y, const std::string& words, const std::string& attributes) {
-    return "<text x='" + coordinate(x) + "' y='" + coordinate(y) + "' " + attributes + ">" + escaped(words) +
-           "</text>";
-  };
-  const Axis x = make_axis(figure.x_low, figure.x_high, left, left + picture_width, false, 5);
-  const Axis y = make_axis(figure.y_low, figure.y_high, top + picture_height, top, false,
-                           picture_height < picture_width * 0.7 ? 4 : 5);
+  constexpr double left = 58, top = 12, bottom = 46, bar_gap = 16, bar_labels = 62;
+  const double width = figure.width - left - bar_gap - bar_width - bar_labels;
+  const double height = width * (figure.y_high - figure.y_low) / (figure.x_high - figure.x_low);
+  const double bottom_edge = top + height + bottom;
+  const Axis x = make_axis(figure.x_low, figure.x_high, left, left + width, false, 5);
+  const Axis y =
+      make_axis(figure.y_low, figure.y_high, top + height, top, false, height < width * 0.7 ? 4 : 5);
   std::string svg = "<svg class='map' viewBox='0 0 " + std::to_string(figure.width) + " " +
-                    coordinate(height) + "' role='img' aria-label='" + escaped(figure.colour_label) + "'>";
-  svg += "<image x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" +
-         coordinate(picture_width) + "' height='" + coordinate(picture_height) +
-         "' preserveAspectRatio='none' href='" + data_uri(image) + "'/>";
+                    coordinate(bottom_edge) + "' role='img' aria-label='" + escaped(figure.colour_label) +
+                    "'>";
+  svg += picture(image, left, top, width, height);
   for (const double radius : figure.circles)
     svg += "<ellipse cx='" + coordinate(x.pixel(0)) + "' cy='" + coordinate(y.pixel(0)) + "' rx='" +
            coordinate(std::abs(x.pixel(radius) - x.pixel(0))) + "' ry='" +
            coordinate(std::abs(y.pixel(radius) - y.pixel(0))) +
            "' fill='none' stroke='#333' stroke-width='1.3' stroke-dasharray='5 4'><title>" +
            escaped(figure.circle_label) + "</title></ellipse>";
-  svg += "<rect class='frame' x='" + coordinate(left) + "' y='" + coordinate(top) + "' width='" +
-         coordinate(picture_width) + "' height='" + coordinate(picture_height) + "'/>";
+  svg += frame(left, top, width, height);
   for (const double tick : x.ticks) {
     svg += line_to(x.pixel(tick), y.pixel_low, x.pixel(tick), y.pixel_low + 4);
-    svg += text(x.pixel(tick), y.pixel_low + 17, tick_label(tick, x), "class='tick' text-anchor='middle'");
+    svg +=
+        map_text(x.pixel(tick), y.pixel_low + 17, tick_label(tick, x), "class='tick' text-anchor='middle'");
   }
   for (const double tick : y.ticks) {
     svg += line_to(left - 4, y.pixel(tick), left, y.pixel(tick));
-    svg += text(left - 7, y.pixel(tick) + 4, tick_label(tick, y), "class='tick' text-anchor='end'");
+    svg += map_text(left - 7, y.pixel(tick) + 4, tick_label(tick, y), "class='tick' text-anchor='end'");
   }
-  svg += text(left + picture_width / 2, height - 8, figure.x_label, "class='label' text-anchor='middle'");
-  const double middle = top + picture_height / 2;
-  svg += text(13, middle, figure.y_label,
-              "class='label' text-anchor='middle' transform='rotate(-90 13 " + coordinate(middle) + ")'");
-
-  const double bar_left = left + picture_width + bar_gap;
-  const Axis bar = make_axis(figure.range.low, figure.range.high, top + picture_height, top, false, 5);
-  constexpr int bar_pixels = 128;
-  Image shades(1, bar_pixels);
-  for (int i = 0; i < bar_pixels; ++i) {
-    const Colour colour = figure.scale->at(1 - (i + 0.5) / bar_pixels);
-    std::copy(colour.begin(), colour.end(), shades.pixel(0, i));
-  }
-  svg += "<image x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" +
-         coordinate(bar_width) + "' height='" + coordinate(picture_height) +
-         "' preserveAspectRatio='none' href='" + data_uri(shades) + "'/>";
-  svg += "<rect class='frame' x='" + coordinate(bar_left) + "' y='" + coordinate(top) + "' width='" +
-         coordinate(bar_width) + "' height='" + coordinate(picture_height) + "'/>";
-  for (const double tick : bar.ticks) {
-    svg += line_to(bar_left + bar_width, bar.pixel(tick), bar_left + bar_width + 4, bar.pixel(tick));
-    svg += text(bar_left + bar_width + 7, bar.pixel(tick) + 4, tick_label(tick, bar), "class='tick'");
-  }
+  svg += map_text(left + width / 2, bottom_edge - 8, figure.x_label, "class='label' text-anchor='middle'");
+  const double middle = top + height / 2;
+  svg += map_text(13, middle, figure.y_label,
+                  "class='label' text-anchor='middle' transform='rotate(-90 13 " + coordinate(middle) + ")'");
+  svg += colour_bar(figure, left + width + bar_gap, top, height);
   const double label_x = figure.width - 7;
-  svg += text(label_x, middle, figure.colour_label,
-              "class='label' text-anchor='middle' transform='rotate(-90 " + coordinate(label_x) + " " +
-                  coordinate(middle) + ")'");
+  svg += map_text(label_x, middle, figure.colour_label,
+                  "class='label' text-anchor='middle' transform='rotate(-90 " + coordinate(label_x) + " " +
+                      coordinate(middle) + ")'");
   return svg + "</svg>\n";
 }
 

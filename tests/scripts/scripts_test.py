@@ -66,6 +66,59 @@ class Folders(unittest.TestCase):
         self.assertIn("dem_compare/motion links numbers and includes nothing of it\n", found.stdout)
 
 
+class Lengths(unittest.TestCase):
+    def check(self, text, file="core/a.cc"):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / file
+            path.parent.mkdir(parents=True)
+            path.write_text(text)
+            return [line for line in run(TESTS / "scripts/check_lengths", folder).stdout.splitlines() if line.startswith(file)]
+
+    @staticmethod
+    def function(head, lines, foot="}"):
+        """A function of so many lines between its first and its last."""
+        return head + "\n" + "  ++i;\n" * lines + foot + "\n"
+
+    def test_a_function_counts_from_its_first_line_to_its_closing_one(self):
+        self.assertEqual(self.check(self.function("void f(int& i) {", 58)), [])
+        self.assertEqual(self.check(self.function("void f(int& i) {", 59)), ["core/a.cc:1: f has 61 lines, more than 60"])
+        self.assertEqual(self.check("namespace n::m {\n" + self.function("void f(int& i) {", 59)),
+                         ["core/a.cc:2: f has 61 lines, more than 60"])
+        self.assertEqual(self.check("\n" + self.function("void A::f(int& i,\n          int j) {", 58)),
+                         ["core/a.cc:2: A::f has 61 lines, more than 60"])
+
+    def test_methods_templates_constructors_and_operators_are_functions(self):
+        long = 70
+        for head, name in (("  void f(int& i) const override {", "f"), ("  template <class T>\n  T g(T& i) {", "g"),
+                           ("  explicit A(int i) : i_{i}, j_(i) {", "A"), ("  bool operator<(const A& i) const {", "operator<"),
+                           ("  auto h(int i) -> int {", "h")):
+            found = self.check(f"namespace n::m {{\n\nclass A {{\n public:\n{self.function(head, long, '  }')}}};\n\n}}\n")
+            self.assertEqual(len(found), 1, head)
+            self.assertIn(f": {name} has ", found[0])
+
+    def test_what_is_in_a_function_is_part_of_it_and_what_is_none_is_not_counted(self):
+        inner = "  const auto g = [&](int k) {\n" + "    ++k;\n" * 57 + "  };\n"
+        self.assertEqual(self.check("void f(int& i) {\n" + inner + "}\n"), ["core/a.cc:1: f has 61 lines, more than 60"])
+        for text in ("const int table[] = {\n" + "    1,\n" * 70 + "};\n", "namespace n {\n" + "int f();\n" * 70 + "}\n",
+                     "struct A {\n" + "  int a = 0;  // ) {\n" * 70 + "};\n",
+                     'const char* const text = R"(void f(int i) {\n' + "++i;\n" * 70 + '})";\n'):
+            self.assertEqual(self.check(text), [], text[:30])
+
+    def test_a_file_has_300_lines(self):
+        self.assertEqual(self.check("int f();\n" * 300), [])
+        self.assertEqual(self.check("int f();\n" * 301), ["core/a.cc: 301 lines, more than 300"])
+        self.assertEqual(self.check("int f();\n" * 301, "tests/core/a.cc"), [])
+
+    def test_an_exception_that_is_none_is_named(self):
+        source = (TESTS / "scripts/check_lengths").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(folder) / "check"
+            script.write_text(source.replace("EXCEPTIONS = {", 'EXCEPTIONS = {"core/gone.cc: f": "it was long",', 1))
+            found = run(sys.executable, script, folder)
+            self.assertEqual(found.returncode, 1)
+            self.assertIn("core/gone.cc: f: no longer too long, or gone", found.stdout)
+
+
 class Tags(unittest.TestCase):
     def test_a_test_without_a_tag_is_named(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,91 @@
+#include "app/case_entry_kinds.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/printed.h"
+
+namespace asperity {
+namespace {
+
+std::string in_words(const Range& range, Dimension dimension) {
+  const auto number = [&](double x) { return format_quantity(x, x == 0 ? Dimension::none : dimension, 6); };
+  if (std::isinf(range.high)) {
+    const std::string words = range.low_open ? "above " + number(range.low) : number(range.low) + " or more";
+    return range.high_open ? words : words + ", or inf";
+  }
+  return std::string("from ") + number(range.low) + (range.low_open ? " (excluded)" : "") + " to " +
+         number(range.high) + (range.high_open ? " (excluded)" : "");
+}
+
+std::string kind_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return "a length [m, um, nm], ";
+    case Dimension::force:
+      return "a force [N, mN, uN, nN], ";
+    case Dimension::pressure:
+      return "a pressure [Pa, MPa, GPa], ";
+    case Dimension::surface_energy:
+      return "an energy per area [J/m^2, mJ/m^2], ";
+    case Dimension::angle:
+      return "an angle [rad, deg], ";
+    default:
+      return "a number, ";
+  }
+}
+
+std::string canonical_number(double value) { return printed("%.14g", value); }
+
+}  // namespace
+
+CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
+                   Range range, std::string default_text, std::string example, std::string documentation) {
+  const std::string admissible = kind_of(dimension) + in_words(range, dimension);
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          std::move(example),
+          admissible,
+          std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
+            const double value = parse_quantity(text, dimension);
+            if (!range.holds(value))
+              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
+            member(input) = value;
+          },
+          [=](const std::string& text) { return canonical_number(parse_quantity(text, dimension)); }};
+}
+
+CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
+                       std::string default_text, std::string documentation) {
+  const std::string admissible = "a whole number, " + std::to_string(low) + " or more";
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          "",
+          admissible,
+          std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
+            char* end = nullptr;
+            const long value = std::strtol(text.c_str(), &end, 10);
+            if (text.empty() || *end != '\0' || value < low || value > std::numeric_limits<int>::max())
+              throw InputError("'" + text + "' is not admissible; it must be " + admissible);
+            member(input) = static_cast<int>(value);
+          },
+          [](const std::string& text) { return std::to_string(std::strtol(text.c_str(), nullptr, 10)); }};
+}
+
+CaseEntry not_physical(CaseEntry entry) {
+  entry.is_physical = false;
+  return entry;
+}
+
+CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
+               std::string documentation) {
+  return choice<bool>(std::move(section), std::move(name), std::move(member),
+                      {{"true", true}, {"false", false}}, std::move(default_text), std::move(documentation));
+}
+
+}  // namespace asperity

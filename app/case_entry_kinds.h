@@ -1,0 +1,63 @@
+// Kinds of entries of a case file: a quantity, a whole number, one of several words. Each knows how its text
+// is read and checked, and says what is admissible.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/case_declaration.h"
+#include "core/error.h"
+#include "core/law_declaration.h"
+#include "core/nearest_name.h"
+#include "core/quantity.h"
+
+namespace asperity {
+
+/// Where in the input a value is kept.
+template <class T>
+using Member = std::function<T&(CaseInput&)>;
+
+CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
+                   Range range, std::string default_text, std::string example, std::string documentation);
+
+CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
+                       std::string default_text, std::string documentation);
+
+/// One of several words, each with the value it stands for.
+template <class T>
+CaseEntry choice(std::string section, std::string name, Member<T> member,
+                 std::vector<std::pair<std::string, T>> values, std::string default_text,
+                 std::string documentation) {
+  std::vector<std::string> words;
+  std::string admissible;
+  for (const auto& [word, value] : values) {
+    words.push_back(word);
+    admissible += (admissible.empty() ? "" : " | ") + word;
+  }
+  return {std::move(section),
+          std::move(name),
+          std::move(default_text),
+          "",
+          admissible,
+          std::move(documentation),
+          [=](CaseInput& input, const std::string& text) {
+            for (const auto& [word, value] : values)
+              if (word == text) {
+                member(input) = value;
+                return;
+              }
+            const std::string meant = nearest_name(text, words);
+            throw InputError("'" + text + "' is not one of " + admissible +
+                             (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
+          }};
+}
+
+/// true or false.
+CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
+               std::string documentation);
+
+/// The entry with the mark: how finely something is solved, how or where it is written, not what is solved.
+CaseEntry not_physical(CaseEntry entry);
+
+}  // namespace asperity

@@ -1,0 +1,125 @@
+#include "diagnosis/recording/driven_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/recording/median.h"
+#include "diagnosis/recording/monotonic_path.h"
+
+namespace asperity {
+namespace {
+
+/// Lateral paths without the sensor's noise where they are monotonic.
+void make_paths_monotonic(Samples& samples, const SampleRun& run) {
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    std::vector<double> path;
+    for (; to < run.end && samples.list[to].part == samples.list[from].part; ++to)
+      path.push_back(samples.list[to].lateral_displacement);
+    path = monotonic_path(path, path.back() >= path.front() ? 1 : -1);
+    for (std::size_t i = from; i < to; ++i) samples.list[i].lateral_displacement = path[i - from];
+  }
+}
+
+/// Part of each cycle's path that has passed.
+template <class Driven>
+void follow_cycles(Samples& samples, const SampleRun& run, const Driven& driven) {
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    double path = 0;
+    for (; to < run.end && samples.list[to].cycle == samples.list[from].cycle; ++to)
+      samples.list[to].cycle_part = path +=
+          to == run.begin ? 0 : std::abs(driven(samples.list[to]) - driven(samples.list[to - 1]));
+    for (std::size_t i = from; i < to; ++i) samples.list[i].cycle_part /= path > 0 ? path : 1;
+  }
+}
+
+/// Times of one run, those of samples with the same time spread evenly until the next one: a clock that is
+/// coarser than the samples lie apart says their order, not their distance.
+std::vector<double> spread_times(const Samples& samples, const SampleRun& run) {
+  std::vector<double> time;
+  for (std::size_t i = run.begin; i < run.end; ++i) time.push_back(samples.list[i].time);
+  double tick = 0;  // of the clock before, for the samples of the last
+  for (std::size_t from = 0, to = 0; from < time.size(); from = to) {
+    while (to < time.size() && time[to] == time[from]) ++to;
+    if (to < time.size()) tick = time[to] - time[from];
+    const double first = time[from], count = static_cast<double>(to - from);
+    for (std::size_t i = from; i < to; ++i) time[i] = first + tick * static_cast<double>(i - from) / count;
+  }
+  return time;
+}
+
+/// Speed of lateral motion from path and time, as a median over neighbours, of one segment.
+void find_speeds(Samples& samples, const SampleRun& run) {
+  constexpr long reach = 3;
+  Sample* list = samples.list.data();
+  const std::vector<double> time = spread_times(samples, run);
+  std::vector<double> raw(run.end - run.begin, 0.0);
+  for (std::size_t i = run.begin + 1; i < run.end; ++i) {
+    const double step = time[i - run.begin] - time[i - 1 - run.begin];
+    const double way = std::abs(list[i].lateral_displacement - list[i - 1].lateral_displacement);
+    raw[i - run.begin] = step > 0 ? way / step : 0;
+  }
+  if (raw.size() > 1) raw[0] = raw[1];
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    std::vector<double> near;
+    for (long k = -reach; k <= reach; ++k) {
+      const long j = static_cast<long>(i) + k;
+      if (j < static_cast<long>(run.begin) || j >= static_cast<long>(run.end)) continue;
+      if (list[j].part == list[i].part) near.push_back(raw[static_cast<std::size_t>(j) - run.begin]);
+    }
+    list[i].speed = median(near);
+  }
+}
+
+/// Direction of a segment by its name, else that of its ends: single samples jitter.
+int direction_of_segment(const std::string& name, double travel, int direction_before) {
+  if (name == "hold") return direction_before == 0 ? 1 : direction_before;
+  if (name == "backward" || name == "unload") return -1;
+  if (name == "forward" || name == "load") return 1;
+  return travel >= 0 ? 1 : -1;
+}
+
+/// Direction, path since reversal, holds and cycles; driven: of a sample, the driven motion.
+template <class Driven>
+void find_reversals(Samples& samples, const SampleRun& run, bool has_cycles, const Driven& driven) {
+  Sample* list = samples.list.data();
+  double reversal = driven(list[run.begin]), hold_begin = 0, cycle = 0;
+  int direction = 0, first_direction = 0, hold = 0;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    Sample& s = list[i];
+    const std::string& name = samples.segment_names[static_cast<std::size_t>(s.segment)];
+    if (i == run.begin || s.part != list[i - 1].part) {
+      std::size_t end = i;
+      while (end + 1 < run.end && list[end + 1].part == s.part) ++end;
+      const int now = direction_of_segment(name, driven(list[end]) - driven(s), direction);
+      if (first_direction == 0)
+        first_direction = now;
+      else if (direction != now && now == first_direction)
+        cycle += 1;
+      if (now != direction) reversal = i == run.begin ? driven(s) : driven(list[i - 1]);
+      direction = now;
+      if (name == "hold") {
+        hold_begin = s.time;
+        ++hold;
+      }
+    }
+    s.direction = direction;
+    s.since_reversal = std::abs(driven(s) - reversal);
+    s.hold = hold;
+    s.hold_time = name == "hold" ? s.time - hold_begin : 0;
+    if (!has_cycles) s.cycle = cycle;
+  }
+}
+
+}  // namespace
+
+void follow_motion(Samples& samples, const SampleRun& run, const DrivenBy& by) {
+  const auto driven = [&](const Sample& s) {
+    return !by.normal ? s.lateral_displacement : by.force ? s.normal_force : s.normal_displacement;
+  };
+  if (!by.normal) make_paths_monotonic(samples, run);
+  find_reversals(samples, run, by.has_cycles, driven);
+  follow_cycles(samples, run, driven);
+  if (!by.has_speed && by.has_time && !by.normal) find_speeds(samples, run);
+}
+
+}  // namespace asperity
