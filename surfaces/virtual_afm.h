@@ -25,7 +25,7 @@ struct AfmSettings {
 /// A number measured in several windows.
 struct WindowMean {
   double mean = 0,
-         sd = 0;  ///< mean over the windows, standard deviation of one window ; in the unit of the number
+         sd = 0;  ///< mean over the windows, standard deviation of one window; in the unit of the number
 };
 
 /// What the microscope reports.

@@ -17,7 +17,7 @@
 
 namespace asperity::fem {
 
-/// Laws of the interface, tolerances and the solver of linear systems.
+/// Laws of the interface, and tolerances of the iterations.
 struct ContactSolverOptions {
   /// Sum of unbalanced nodal forces relative to the contact force; met, too, where it is no more than what
   /// rounding of the displacements leaves (light loads on a body far stiffer than the other, which moves as a
