@@ -59,11 +59,11 @@ struct ContactResultants {
   double reaction_driven = 0;  ///< from reactions of the driven plane [N]
   double reaction_fixed = 0;   ///< from reactions of the fixed plane [N]
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]
-  double moment_error = 0;  ///< |moment of tractions about the axes - moment of the same forces on the [-]:
-                            ///< substrate| / (force, radius of the area)
-  double area = 0;          ///< real contact area [m^2]
-  double perimeter = 0;     ///< of its edge [m]
-  int spots = 0;            ///< contacts apart from each other
+  double moment_error = 0;         ///< |moment of tractions about the axes - moment of the same forces on the
+                                   ///< substrate| / (force, radius of the area) [-]
+  double area = 0;                 ///< real contact area [m^2]
+  double perimeter = 0;            ///< of its edge [m]
+  int spots = 0;                   ///< contacts apart from each other
   std::array<double, 2> centre{};  ///< of the contact pressure, in the substrate's frame [m]
   double pressure_radius = 0;      ///< of the Hertzian pressure with the same second moment [m]
   double largest_pressure = 0;     ///< of a row [Pa]
