@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// One entry.
 struct CaseEntry {
   std::string section, name;
   std::string default_text;   ///< empty: required
@@ -28,6 +29,7 @@ struct CaseEntry {
   bool required() const { return default_text.empty(); }
 };
 
+/// One subsection, for the manual.
 struct CaseSection {
   std::string name, documentation;
 };

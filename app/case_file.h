@@ -16,6 +16,7 @@ CaseInput read_case(const std::filesystem::path& file, const std::vector<std::st
 
 /// Case of settings already read from `file` (for messages, and the folder topography files are looked for
 /// in).
+/// Throws InputError naming file and line.
 CaseInput case_from_settings(const Settings& settings, const std::filesystem::path& file);
 
 /// Every entry of a case in the order of the manual, defaults written out and files of topographies named in
@@ -27,6 +28,7 @@ ScanParameters with_absolute_file(ScanParameters scan, const std::filesystem::pa
 
 /// Runs `work`; a scan that is refused in it (unreadable, too small) is refused with the line of the case
 /// file that names it.
+/// Throws InputError then.
 void naming_lines_of_scans(const Settings& settings, const CaseInput& input,
                            const std::function<void()>& work);
 

@@ -9,6 +9,7 @@ class App;
 
 namespace asperity {
 
+/// Name of a command, and its line of help.
 struct SolverCommand {
   const char *name, *says;
 };

@@ -14,6 +14,7 @@ class StudyFolders {
   /// Both must outlive this. Reads every scan that a case names.
   StudyFolders(const Study& study, const std::filesystem::path& output);
 
+  /// Of the case with this place in the study.
   std::filesystem::path folder(std::size_t index) const;
   std::filesystem::path case_file(std::size_t index) const { return folder(index) / "case.prm"; }
   std::filesystem::path log(std::size_t index) const { return folder(index) / "solve.log"; }

@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// Where and how many at a time.
 struct StudyRunOptions {
   std::filesystem::path output;
   bool resume = false;  ///< go on with what is in `output`: keep complete cases, resume begun ones

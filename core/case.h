@@ -51,6 +51,7 @@ struct ExperimentInput {
                                ///< spacing (half of one in torsion)
 };
 
+/// How fine the bodies are meshed.
 struct MeshInput {
   double interface_spacing =
       0;  ///< node spacing in the potential contact zone [m]; 0: derived from load and roughness
@@ -60,6 +61,7 @@ struct MeshInput {
   std::string sphere = "hemisphere";
 };
 
+/// How a step is solved.
 struct SolverInput {
   std::string backend =
       "matrix-free";        ///< "matrix-free" (geometric multigrid) or "assembled" (algebraic multigrid)
@@ -68,11 +70,13 @@ struct SolverInput {
   int threads = 0;          ///< per process; 0: all cores of the machine divided by the ranks on it
 };
 
+/// Which fields are written.
 struct OutputInput {
   bool fields = true;    ///< VTU/PVD of the bodies, VTP/PVD of the interface
   int fields_every = 0;  ///< steps between field files; 0: at the largest load and the last step
 };
 
+/// All of a case file.
 struct CaseInput {
   std::string file;  ///< where it was read, for messages
   std::string title;

@@ -29,6 +29,7 @@ std::string format_csv(const std::vector<std::string>& names,
 
 /// A number to 9 significant digits, empty where it is not finite; a text in quotation marks, those within
 /// doubled.
+/// The number is written as it is, in the unit of its column.
 std::string csv_cell(double value);
 std::string csv_cell(const std::string& text);
 

@@ -12,6 +12,7 @@
 
 namespace asperity {
 
+/// Isotropic linear elasticity.
 struct ElasticBody {
   double youngs_modulus = 0;  ///< E [Pa]
   double poisson_ratio = 0;   ///< nu [-]
@@ -28,6 +29,7 @@ inline double reduced_modulus(const ElasticBody& one, const ElasticBody& other) 
 /// Stresses on the axis of symmetry over the peak pressure p0, tension positive (Johnson 1985, eq. 3.45).
 struct AxisStress {
   double radial = 0, axial = 0;  ///< sigma_r/p0 (= sigma_theta/p0), sigma_z/p0
+  /// Both over p0 [-].
   double von_mises() const { return std::abs(radial - axial); }
   double largest_shear() const { return von_mises() / 2; }
 };
@@ -44,6 +46,7 @@ struct SubsurfaceMaximum {
   double depth_over_radius = 0, von_mises = 0;
 };
 
+/// For Poisson's ratio nu [-].
 inline SubsurfaceMaximum hertz_subsurface_maximum(double poisson_ratio) {
   // The maximum lies between 0.38 (nu = 0) and 0.55 (nu = 1/2); a parabola near it is flat to half the
   // digits.
@@ -63,12 +66,15 @@ struct Hertz {
   double reduced_modulus = 0;  ///< E* [Pa]
   double radius = 0;           ///< R [m]
 
+  /// Normal force F [N] at an approach delta [m]; 0 without contact.
   double force(double approach) const {
     return approach <= 0 ? 0 : 4.0 / 3.0 * reduced_modulus * std::sqrt(radius) * std::pow(approach, 1.5);
   }
+  /// The inverse: delta [m] at F [N].
   double approach(double force) const {
     return std::pow(force / (4.0 / 3.0 * reduced_modulus * std::sqrt(radius)), 2.0 / 3.0);
   }
+  /// a [m], pi a^2 [m^2], p0 [Pa] and k_n [N/m] at a normal force F [N].
   double contact_radius(double force) const { return std::sqrt(radius * approach(force)); }
   double contact_area(double force) const {
     return boost::math::double_constants::pi * radius * approach(force);

@@ -17,6 +17,7 @@ namespace asperity {
 /// Parameters of laws in SI units, by the names of their entries in a case file.
 using LawValues = std::map<std::string, double>;
 
+/// One parameter of a law, as an entry of a case file.
 struct ParameterEntry {
   std::string entry;                 ///< name in the case file; laws that share it declare it alike
   std::vector<std::string> symbols;  ///< in the law's equation; of a joined parameter, in those of all laws
@@ -35,6 +36,7 @@ struct LawDeclaration {
   std::string name, equation, source, validity;
   std::vector<ParameterEntry> parameters;
 
+  /// Whether the law has a parameter of this entry.
   bool takes(const std::string& entry) const {
     return std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.entry == entry; });
   }
@@ -63,6 +65,7 @@ std::vector<ParameterEntry> parameters_of(const std::vector<Declaration>& laws) 
 /// "The length h0, rho or z0 of the law": the documentation with the joined symbols.
 std::string documentation_of(const ParameterEntry& parameter);
 
+/// Its default as a number in SI units; of a choice, the word's place among `words`.
 double default_of(const ParameterEntry& parameter);
 
 /// `values` and the defaults of those parameters that they lack.

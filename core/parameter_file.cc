@@ -40,7 +40,7 @@ std::string trim(const std::string& text) {
 /// Splits off the first word.
 std::string take_word(std::string& text) {
   const auto end = std::min(text.find_first_of(" \t"), text.size());
-  const std::string word = text.substr(0, end);
+  std::string word = text.substr(0, end);
   text = trim(text.substr(end));
   return word;
 }

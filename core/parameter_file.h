@@ -28,6 +28,7 @@ using Settings = std::vector<Setting>;
 Settings read_settings(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// `Section/Entry=value` as given to --set, under its present name.
+/// Throws InputError for a text that is none.
 Setting parse_override(const std::string& text);
 
 /// Replaces the setting of the same path, or appends it.

@@ -9,6 +9,7 @@ namespace asperity {
 struct Range {
   double low, high;
   bool low_open = false, high_open = false;
+  /// Whether x lies within, ends that are open left out.
   bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, true};

@@ -9,10 +9,12 @@
 
 namespace asperity {
 
+/// One entry under both names.
 struct RenamedEntry {
   const char *former, *present;  ///< "Section/Entry"
 };
 
+/// All that were renamed.
 const std::vector<RenamedEntry>& renamed_entries();
 
 /// Present name of an entry "Section/Entry"; other texts stay as they are.

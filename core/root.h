@@ -1,5 +1,6 @@
 // Root of a function between two places where it has different signs (Alefeld, Potra & Shi 1995, algorithm
 // 748, as Boost has it).
+// Pure numbers: in the unit of what is passed.
 #pragma once
 
 #include <boost/math/tools/toms748_solve.hpp>

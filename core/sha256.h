@@ -7,6 +7,7 @@
 namespace asperity {
 
 /// SHA-256 of the bytes as 64 hexadecimal digits, as sha256sum prints it.
+/// Throws WorkError where OpenSSL fails.
 std::string sha256(const std::string& bytes);
 
 }  // namespace asperity

@@ -75,6 +75,7 @@ ScanParameters parse_scan(const std::string& text);
 /// has a value out of range.
 GeneratorParameters parse_generator(const std::string& text);
 
+/// Smooth, a scan or generated: what an entry of a case file says of a surface.
 class TopographySpec {
  public:
   TopographySpec() = default;  ///< smooth

@@ -1,5 +1,6 @@
 // Two numbers that differ, written with as many digits as it takes to see it: "1.132 um is more than 1.131
 // um", not "1.13 um is more than 1.13 um".
+// Numbers in SI units.
 #pragma once
 
 #include <string>

@@ -8,9 +8,11 @@
 namespace asperity {
 
 /// Effects of a fit with what their laws may be off by in the intervals.
+/// probability [-].
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
                                                double probability);
 
+/// Numbers of a residual in the fit's unit, and of what was held out.
 FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
                       const HeldOut& held_out);
 

@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// What a caller may choose.
 struct DiagnoseOptions {
   std::function<void(const std::string&)> progress;  ///< called with what is being done; may be empty
   unsigned seed = 1;                                 ///< of the simulated noise that calibrates p-values

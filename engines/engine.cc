@@ -17,7 +17,7 @@ constexpr const char* trace_name = "trace.csv";
 
 fs::path program_of(const Engine& engine, const EngineRunOptions& options) {
   const std::string wanted = options.program.empty() ? engine.executable() : options.program;
-  const fs::path found = find_program(wanted);
+  fs::path found = find_program(wanted);
   if (found.empty())
     throw WorkError(engine.name() + " is missing: there is no program '" + wanted +
                     "'; install it with 'apt-get install " + engine.package() +

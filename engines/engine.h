@@ -20,6 +20,7 @@ class Engine : public WrittenEngine {
  public:
   virtual std::string executable() const = 0;  ///< "lmp"
   virtual std::string package() const = 0;     ///< of Debian
+  /// Its name in the folder that the engine runs in.
   virtual std::string input_file() const = 0;
   /// Input that makes the engine write trace.csv (trace.h) in the folder it runs in. Throws InputError for
   /// what it cannot do.
@@ -40,6 +41,7 @@ std::vector<const Engine*> runnable_engines();
 /// What each says of itself, such as its key: "lammps or yade" with the separator " or ".
 std::string list_runnable_engines(std::string (Engine::*text)() const, const std::string& separator);
 
+/// What came out of a run.
 struct EngineRun {
   std::string engine, version;
   double wall_time = 0;  ///< [s]
@@ -48,6 +50,7 @@ struct EngineRun {
   std::vector<EngineMeasurement> measurements;
 };
 
+/// How it is started.
 struct EngineRunOptions {
   std::string program;  ///< in place of the engine's executable
   std::chrono::seconds time_limit{600};
@@ -58,6 +61,7 @@ struct EngineRunOptions {
 EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment,
                      const std::filesystem::path& folder, const EngineRunOptions& options = {});
 
+/// The measurements beside the closed form, as JSON and as text to read.
 nlohmann::ordered_json to_json(const EngineRun& run, const EngineExperiment& experiment);
 std::string to_text(const EngineRun& run, const EngineExperiment& experiment);
 

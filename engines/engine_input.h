@@ -12,6 +12,7 @@
 
 namespace asperity {
 
+/// What a user may choose.
 struct EngineInputOptions {
   /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as
   /// too small at the other.

@@ -1,7 +1,6 @@
 #include "engines/experiment.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -9,8 +8,6 @@
 
 namespace asperity {
 namespace {
-
-using boost::math::double_constants::pi;
 
 const std::vector<std::pair<std::string, Motion>>& type_names() {
   static const std::vector<std::pair<std::string, Motion>> names{{"glued", Motion::sliding},

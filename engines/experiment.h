@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// What is moved how far, under which load.
 struct EngineExperiment {
   /// sliding: the sphere is glued to the indenter, load control; rolling: free between substrate and moving
   /// plate; rail: free in a V-rail under a moving plate; torsion: spun about the normal.
@@ -22,6 +23,7 @@ struct EngineExperiment {
   double rail_angle = 0;       ///< inclination of the slopes [rad]
   double haste = 1;            ///< factor on the speeds that the plan would choose
 
+  /// Of the slopes' inclination [-].
   double rail_cosine() const;
   double indenter_load() const;  ///< 2 cos(theta) f in a rail (force balance), f elsewhere [N]
   double mass() const { return substrate.particle_mass(); }  ///< [kg]
@@ -52,15 +54,18 @@ struct Leg {
   long every = 1;  ///< steps between rows of the trace
 };
 
+/// The legs of an experiment, and the time integration that suits its contacts.
 struct MotionPlan {
   double time_step = 0;  ///< a thirtieth of the shortest period of the sphere on its contacts [s]
   double damping = 0;    ///< rate of a half-critically damped normal spring: dashpot over (mass) [1/s]
   std::vector<Leg> legs;
 
+  /// Signed speed of a leg [m/s or rad/s].
   double speed(const Leg& leg) const { return leg.distance / (static_cast<double>(leg.steps) * time_step); }
 };
 /// Slow where stiffness is measured, so that inertia stays below half a percent; faster between. All laws are
 /// rate-independent.
+/// Throws InputError for a load or haste not above zero and an amplitude that reaches not all limits.
 MotionPlan plan_motion(const EngineExperiment& experiment);
 
 }  // namespace asperity

@@ -11,11 +11,13 @@ namespace asperity {
 
 using OfLoad = std::function<double(double load)>;
 
+/// The number and what it costs.
 struct Folded {
-  double number = 0;                     ///< the engine's law is number * shape(load)
-  LoadRange range;                       ///< loads of the errors [N]
-  double error_low = 0, error_high = 0;  ///< (engine - record)/record at both ends
+  double number = 0;  ///< the engine's law is number * shape(load) (in the unit of both laws' ratio)
+  LoadRange range;    ///< loads of the errors [N]
+  double error_low = 0, error_high = 0;  ///< (engine - record)/record at both ends [-]
 
+  /// Whether both errors are below rounding.
   bool is_exact() const;
 };
 

@@ -13,14 +13,17 @@ namespace asperity {
 /// A record on its way into an engine; each number that is asked for leaves its line in the header.
 class InputNotes {
  public:
+  /// Throws InputError for a load that is not above zero and a record that lacks what the engine needs.
   InputNotes(const ContactParameters& parameters, const EngineInputOptions& options, std::string engine);
 
   const ContactParameters& record() const { return p_; }
+  /// R_e [m].
   double effective_radius() const { return p_.effective_radius(); }
   bool has_rolling() const { return p_.rolling_friction.has_value(); }
   bool has_torsion() const { return p_.torsion_friction.has_value(); }
 
   /// mu_l of the engine's |f_l| <= mu F.
+  /// A pure number [-].
   double sliding();
   /// C [m] of |M| <= C F.
   double rolling();

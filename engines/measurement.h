@@ -9,12 +9,14 @@
 
 namespace asperity {
 
+/// One number of an experiment.
 struct EngineMeasurement {
-  std::string name;  ///< "slope after reversal"
-  std::string unit;  ///< SI
-  double measured = 0;
-  double law = 0;  ///< closed form
+  std::string name;     ///< "slope after reversal"
+  std::string unit;     ///< SI
+  double measured = 0;  ///< [unit]
+  double law = 0;       ///< closed form [unit]
 
+  /// Measured over law [-].
   double ratio() const { return measured / law; }
 };
 

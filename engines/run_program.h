@@ -11,6 +11,7 @@ namespace asperity {
 /// Where a program stands in PATH (or the path itself, if it holds a '/'); empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
+/// How it ended.
 struct ProgramRun {
   int status = 0;        ///< exit status; 128 + signal if a signal ended it
   double wall_time = 0;  ///< [s]

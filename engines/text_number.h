@@ -1,4 +1,5 @@
 // Numbers in the inputs that are written for engines.
+// In the unit that the engine asks for.
 #pragma once
 
 #include <cmath>
@@ -10,6 +11,7 @@
 namespace asperity {
 
 /// To 12 significant digits. Throws InputError for what is no number, which an engine would take for a name.
+/// The number is in the unit that the engine asks for.
 inline std::string text_number(double value) {
   if (!std::isfinite(value))
     throw InputError(

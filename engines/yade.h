@@ -30,6 +30,7 @@ class Yade : public Engine {
 };
 
 /// At one load: friction limits with their offsets folded in.
+/// load [N].
 YadeContact yade_contact(const ContactParameters& parameters, double load);
 
 }  // namespace asperity

@@ -15,7 +15,7 @@ namespace asperity {
 struct YadeContact {
   double kno = 0;             ///< [N/m^(3/2)]
   double kso = 0;             ///< [N/m^(3/2)]
-  double friction = 0;        ///< tangensOfFrictionAngle
+  double friction = 0;        ///< tangensOfFrictionAngle [-]
   double kr = 0, bend = 0;    ///< [N m/rad], maxBendPl [m]; zero: no rolling resistance
   double ktw = 0, twist = 0;  ///< [N m/rad], torsion limit over normal force [m]; zero: none
 };

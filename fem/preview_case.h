@@ -11,12 +11,14 @@
 
 namespace asperity {
 
+/// The mesh that a solve would make.
 struct MeshPreview {
   double spacing = 0, region = 0;  ///< of the interface's nodes; half width of the fine region [m]
   double unknowns = 0, memory = 0, seconds = 0;  ///< [-], [byte], [s], roughly (fem/solve_cost.h)
   int steps = 0;
 };
 
+/// The contact by half-spaces, and that mesh.
 struct PreviewedCase {
   half_space::CasePreview contact;
   double hardness = 0;                ///< of `contact.capped` [Pa]; infinite: none

@@ -16,6 +16,7 @@
 
 namespace asperity::half_space {
 
+/// How finely it is solved, and with which hardness.
 struct CaseContactOptions {
   double half_width = 0;  ///< of the square that is solved on [m]; 0: derived from load and roughness
   double spacing = 0;     ///< of its cells [m], or a little less; 0: derived, see derived_spacing

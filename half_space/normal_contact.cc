@@ -27,7 +27,7 @@ Field coarsened(const Field& fine, const Grid& grid) {
   Field coarse(half.cells());
   for (int j = 0; j < half.ny; ++j)
     for (int i = 0; i < half.nx; ++i) {
-      const double* low = &fine[static_cast<std::size_t>(2 * j) * grid.nx + 2 * i];
+      const double* low = &fine[static_cast<std::size_t>(2 * j) * grid.nx + static_cast<std::size_t>(2 * i)];
       coarse[static_cast<std::size_t>(j) * half.nx + i] =
           0.25 * (low[0] + low[1] + low[grid.nx] + low[grid.nx + 1]);
     }

@@ -14,14 +14,16 @@
 
 namespace asperity::half_space {
 
+/// Bounds and end of the iteration.
 struct NormalContactOptions {
   double hardness = std::numeric_limits<double>::infinity();  ///< largest pressure [Pa]
-  double tolerance = 1e-6;  ///< complementarity error of the solution, see NormalContactSolution
+  double tolerance = 1e-6;  ///< complementarity error of the solution, see NormalContactSolution [-]
   int most_iterations = 1000;
 };
 
 struct NormalLoad;
 
+/// Pressures and gaps in equilibrium, and how well.
 struct NormalContactSolution {
   Field pressure;        ///< [Pa], of each cell's mean
   Field gap;             ///< under load [m]; below 0 where material flows under the hardness
@@ -51,6 +53,7 @@ class NormalContact {
   double stiffness(const NormalContactSolution& solution) const;
 
   const Grid& grid() const { return levels_.front().compliance.grid(); }
+  /// E* [Pa].
   double modulus() const { return modulus_; }
 
  private:

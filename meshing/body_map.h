@@ -17,6 +17,7 @@ namespace asperity::meshing {
 
 using Point3 = std::array<double, 3>;
 
+/// The two bodies, by their index in arrays.
 enum class Body { particle = 0, substrate = 1 };
 
 /// Trees in the order of the coarse mesh.
@@ -24,18 +25,20 @@ enum Tree { cap = 0, side_first = 1, core = 5, block = 6, upper_first = 7, upper
 
 /// Geometry that fixes both smooth bodies; lengths in m.
 struct BodySizes {
-  double radius = 0;            ///< of the particle
-  bool full_sphere = false;     ///< instead of a hemisphere
-  double block_half_width = 0;  ///< L of the substrate's cube
-  double spacing_particle = 0;  ///< node spacing at the interface
-  double spacing_substrate = 0;
-  double region_particle = 0;  ///< half width of the uniformly spaced square around the axis
-  double region_substrate = 0;
+  double radius = 0;             ///< of the particle [m]
+  bool full_sphere = false;      ///< instead of a hemisphere
+  double block_half_width = 0;   ///< L of the substrate's cube [m]
+  double spacing_particle = 0;   ///< node spacing at the interface [m]
+  double spacing_substrate = 0;  ///< the same of the substrate [m]
+  double region_particle = 0;    ///< half width of the uniformly spaced square around the axis [m]
+  double region_substrate = 0;   ///< the same of the substrate [m]
+  /// In [m].
   double reach_particle =
       0;  ///< by which the particle's fine region is longer on both sides along x (rolling)
+  /// In [m].
   double reach_substrate =
       0;  ///< by which the substrate's fine region is longer on both sides along x (sliding)
-  double offset_substrate_x = 0, offset_substrate_y = 0;  ///< place of the substrate's centre
+  double offset_substrate_x = 0, offset_substrate_y = 0;  ///< place of the substrate's centre [m]
 };
 
 class BodyMap {
@@ -57,12 +60,14 @@ class BodyMap {
   int tree_count() const { return sizes_.full_sphere ? upper_last + 1 : block + 1; }
   static Body body_of(int tree) { return tree == block ? Body::substrate : Body::particle; }
   /// Logical z of a tree's contact surface: 0 for the cap, 1 for the block.
+  /// A pure number [-].
   static double surface_coordinate(int tree) { return tree == block ? 1.0 : 0.0; }
 
   /// deal.II's number of a tree's face in the equator plane; -1 where the lower hemisphere's tree has none.
   static int equator_face(int tree);
 
   /// Half width of the cap's square, of the core's, and the core's height, as fractions of R.
+  /// Each a fraction [-].
   static constexpr double cap_fraction = 0.45, core_fraction = 0.25, core_height_fraction = 0.25;
 
  private:

@@ -14,10 +14,13 @@ namespace asperity::meshing {
 /// Roughness height [m] at (x, y) [m] relative to the contact axis, growing out of the material.
 using HeightFunction = std::function<double(double, double)>;
 
+/// Sizes, grading and roughness of both meshes.
 struct ContactMeshOptions {
   BodySizes sizes;
-  double layers = 4;  ///< a cell is no wider than its distance to the contact region divided by layers / 2
+  double layers =
+      4;  ///< a cell is no wider than its distance to the contact region divided by layers / 2 [-]
   HeightFunction particle_height, substrate_height;  ///< empty: smooth
+  /// In [m].
   double largest_height_particle = 0,
          largest_height_substrate = 0;  ///< max |height|, sets how deep the roughness fades
 };
@@ -36,6 +39,7 @@ enum Boundary : unsigned {
 class RoughGeometry {
  public:
   explicit RoughGeometry(const ContactMeshOptions& options);
+  /// Place [m] of a point of a tree, roughness included.
   Point3 position(int tree, const Point3& logical) const;
   const BodyMap& map() const { return map_; }
   /// Depth [m] over which the roughness of a body fades to zero.
@@ -60,6 +64,7 @@ std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactM
 struct LogicalBox {
   int tree;
   Point3 corner;
+  /// Side of the box in its tree, a fraction [-].
   double size;
   Point3 vertex(int v) const {
     return {corner[0] + (v & 1) * size, corner[1] + ((v >> 1) & 1) * size, corner[2] + ((v >> 2) & 1) * size};

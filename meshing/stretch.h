@@ -30,6 +30,7 @@ class Stretch {
     return s < 0 ? -x : x;
   }
 
+  /// Of the graded line [m].
   double length() const { return length_; }
   /// Spacing at the end over that of the uniform part.
   double widening() const { return 1 + 3 * cubic_ / slope_ * (1 - uniform_part_) * (1 - uniform_part_); }

@@ -22,6 +22,7 @@ struct DisplayUnit {
   double factor = 1;      ///< SI per display unit
 };
 
+/// One printed number beside what its inputs give.
 struct PaperNumber {
   std::string what;
   DisplayUnit unit{};
@@ -29,6 +30,7 @@ struct PaperNumber {
   std::string remark{};
 };
 
+/// The numbers of one section of the paper.
 struct PaperSection {
   std::string title;  ///< with the place in the paper
   std::vector<PaperNumber> numbers;
@@ -42,6 +44,7 @@ struct PaperCurve {
   std::vector<std::vector<double>> values;
 };
 
+/// All sections, and the curves of the figures.
 struct PaperAnalysis {
   std::vector<PaperSection> sections;
   std::vector<PaperCurve> curves;
@@ -50,6 +53,7 @@ struct PaperAnalysis {
   const PaperNumber& number(const std::string& section, const std::string& what) const;
 };
 
+/// Every section, from these inputs. Throws InputError where they lack a body or quantity.
 PaperAnalysis analyse_paper(const Published& published);
 
 /// A series of rolling measured as in the paper: mean coefficient and offset over the contacts with silicon
@@ -83,6 +87,7 @@ inline constexpr DisplayUnit none{}, GPa{"GPa", "Pa", 1e9}, um{"um", "m", 1e-6},
 }
 
 /// "45 deg" of an angle in rad.
+/// angle [rad].
 std::string whole_degrees(double angle);
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 // Exponential decay with roughness, y = b + c exp(-Delta/d) (Fuchs, Weinhart et al. 2014, eq:murofit;
 // eq:frofit with c < 0). Units: those of y for b and c, of Delta for d. Through three points it is exact;
 // beyond them it only extrapolates.
+// Pure numbers: b and c have the unit of y, d that of Delta.
 #pragma once
 
 #include <Eigen/Dense>
@@ -16,6 +17,7 @@ struct ExponentialLaw {
   double operator()(double x) const { return b + c * std::exp(-x / d); }
 };
 
+/// Parameters with their uncertainties.
 struct ExponentialFit {
   ExponentialLaw law;
   Uncertain b, c, d;

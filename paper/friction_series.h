@@ -25,11 +25,13 @@ struct FrictionPoint {
 /// brackets. Throws InputError.
 std::vector<FrictionPoint> read_friction_series(const std::filesystem::path& file);
 
+/// Straight line through the limits of a series.
 struct FrictionFit {
-  Uncertain coefficient;    ///< mu
-  Uncertain offset;         ///< h [N]
-  double correlation = 0;   ///< of both
-  double chi2_reduced = 0;  ///< 1 where the points have no sd of their own: then the residuals say what it is
+  Uncertain coefficient;   ///< mu
+  Uncertain offset;        ///< h [N]
+  double correlation = 0;  ///< of both [-]
+  double chi2_reduced =
+      0;  ///< 1 where the points have no sd of their own: then the residuals say what it is [-]
 };
 
 /// Weighted least squares of f_l = mu s(f) (f + h); s = lambda/r of the load, 1 for lambda = r. Linear in mu

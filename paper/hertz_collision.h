@@ -5,8 +5,11 @@
 
 namespace asperity {
 
+/// Restitution e [-] for a factor c [-].
+/// Throws InputError for c outside of 0 to 1.83, where nothing comes back.
 double hertz_restitution(double damping_factor);
 /// The c that gives a restitution between 0.1 and 1.
+/// Restitution [-] in, c [-] out.
 double hertz_damping_factor(double restitution);
 
 }  // namespace asperity

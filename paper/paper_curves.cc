@@ -63,7 +63,9 @@ PaperCurve friction_loop(const Published& p) {
 PaperCurve lines(const std::string& name, const std::string& title, const std::vector<double>& forces,
                  const std::vector<std::pair<std::string, std::pair<Uncertain, Uncertain>>>& fits) {
   PaperCurve curve{name, title, {"normal_force [N]"}, {forces}};
-  for (const auto& [label, fit] : fits) {
+  for (const auto& named : fits) {
+    const std::string& label = named.first;
+    const auto& fit = named.second;  // C++17 lambdas take no structured binding
     std::vector<double> sd;
     curve.columns.push_back(label + " [N]");
     curve.values.push_back(along(forces, [&](double f) { return fit.first.value * (f + fit.second.value); }));

@@ -46,8 +46,10 @@ class Published {
   std::vector<PublishedSurface> surfaces;
   std::vector<PublishedRail> rails;
 
+  /// By its name; Throws InputError naming what is not there.
   const PublishedBody& body(const std::string& name) const;
   const PublishedBody& particle() const { return body("borosilicate"); }
+  /// Of the particle [m].
   double radius() const { return particle().radius; }
   /// Of the particle with a plane.
   Hertz hertz(const std::string& plane) const;

@@ -16,6 +16,7 @@ class UnitTable {
  public:
   explicit UnitTable(const std::filesystem::path& file) : file_(file), table_(read_csv(file)) {}
 
+  /// Whether there is a column `name` or `name [unit]`.
   bool has(const std::string& name) const {
     for (const std::string& column : table_.names)
       if (column == name || column.rfind(name + " [", 0) == 0) return true;
@@ -27,6 +28,7 @@ class UnitTable {
   }
 
   /// The column `name` or `name [unit]` [SI].
+  /// Throws InputError naming column and unit.
   double number(const std::string& name, Dimension dimension, std::size_t row) const {
     for (const std::string& column : table_.names) {
       if (column == name) return table_.numbers(column)[row];

@@ -45,6 +45,7 @@ struct CaseResult {
   double wall_time, peak_memory;    ///< [s], [byte]
   nlohmann::ordered_json document;  ///< the whole file, for tables that show all of it
 
+  /// Whether the file states the number of this name among the effective ones.
   bool has(const std::string& effective_name) const;
   /// NaN where the file does not state it.
   EffectiveNumber effective_number(const std::string& name) const;
@@ -56,6 +57,7 @@ struct CaseResult {
 std::optional<CaseResult> read_case_result(const std::filesystem::path& file);
 
 /// From the text of such a file, which messages call `file`.
+/// Throws InputError naming the file and what it lacks.
 CaseResult case_result_of(const nlohmann::ordered_json& document, const std::string& file);
 
 /// A number, or the `value` of an object; NaN for anything else.

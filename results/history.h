@@ -80,6 +80,7 @@ struct HistoryColumn {
 };
 const std::vector<HistoryColumn>& history_columns();
 
+/// The columns of these rows.
 History history_of(const std::vector<HistoryRow>& rows);
 
 /// Throws InputError naming file and column; cells that are not known are NaN. Columns that are not known

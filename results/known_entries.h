@@ -8,12 +8,14 @@
 
 namespace asperity {
 
+/// An entry "Section/Entry", and what it measures.
 struct KnownEntry {
   const char* path;
   Dimension dimension;
   const char* otherwise;  ///< where a case does not say it; empty: it must
 };
 
+/// Those that are numbers with a unit, and those that are words.
 const std::vector<KnownEntry>& known_quantities();
 const std::vector<KnownEntry>& known_words();
 

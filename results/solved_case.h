@@ -25,6 +25,7 @@ class CaseEntries {
 
   const std::map<std::string, std::string>& all() const { return entries_; }
   bool has(const std::string& path) const { return entries_.count(path) > 0; }
+  /// As written; `otherwise` where it is not there.
   std::string text(const std::string& path, const std::string& otherwise = "") const;
   /// SI value; throws InputError naming an entry that is not there.
   double quantity(const std::string& path, Dimension dimension) const;
@@ -43,6 +44,7 @@ struct SolvedCase {
   std::optional<CaseResult> result;  ///< empty as long as the case is not finished
   History history;
 
+  /// The title that the case file gives, for headings.
   std::string title() const;
   bool finished() const { return result.has_value(); }
   /// Of asperity, which solved it; empty where that is not known.
@@ -52,6 +54,7 @@ struct SolvedCase {
   Motion motion() const;
   /// Largest part of the energy that the computation cannot account for, as result.json states it; NaN if it
   /// does not.
+  /// Relative to that energy [-].
   double open_energy() const;
   EffectiveNumber effective(const std::string& name) const {
     return finished() ? result->effective_number(name) : EffectiveNumber{};
@@ -61,6 +64,7 @@ struct SolvedCase {
   /// Both bodies smooth and elastic.
   Hertz hertz() const;
   /// Load at which the first of the smooth bodies would yield; infinite if neither can.
+  /// In [N].
   double first_yield_force() const;
   bool is_rough() const;
   bool can_yield() const;

@@ -20,6 +20,7 @@ std::vector<double> inverse_fft(HalfSpectrum&& spectrum, int nx, int ny);
 inline int signed_wave_number(int i, int n) { return i <= n / 2 ? i : i - n; }
 
 /// Smallest even number >= n whose prime factors are 2, 3 and 5 (fast transform lengths).
+/// n counts points [-].
 int fast_fft_length(double n);
 
 }  // namespace asperity

@@ -10,18 +10,21 @@
 
 namespace asperity {
 
+/// Deleter for FFTW's buffers.
 struct FreeFftw {
   void operator()(void* buffer) const { fftw_free(buffer); }
 };
 using FftwComplexes = std::unique_ptr<fftw_complex[], FreeFftw>;
 using FftwReals = std::unique_ptr<double[], FreeFftw>;
 
+/// Buffers of n numbers, aligned as FFTW likes them, not set to zero.
 inline FftwComplexes fftw_complexes(int n) { return FftwComplexes(fftw_alloc_complex(n)); }
 inline FftwReals fftw_reals(int n) { return FftwReals(fftw_alloc_real(n)); }
 
 /// FFTW may be executed, but not planned, by several threads at once.
 std::mutex& fftw_planner();
 
+/// One plan, destroyed under the planner's lock.
 class FftwPlan {
  public:
   /// Takes over a plan, made while fftw_planner() was held. Throws WorkError where there is none.

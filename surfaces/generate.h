@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// Size and seed of a map.
 struct GenerateOptions {
   int nx = 0, ny = 0;     ///< pixels
   double lx = 0, ly = 0;  ///< size [m]

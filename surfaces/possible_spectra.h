@@ -16,19 +16,21 @@ namespace asperity {
 struct RatioPoint {
   double rolloff = 0;             ///< wavelength [m]
   double correlation_length = 0;  ///< of the unbounded surface, 1/e [m]
-  double ratio = 0;               ///< mean peak to valley of a window / mean Sq
+  double ratio = 0;               ///< mean peak to valley of a window / mean Sq [-]
   double ratio_sd = 0;            ///< standard deviation of that ratio for the mean of afm.windows windows
-  double profile_ratio = 0;       ///< the same with the peak to valley of single rows
+  double profile_ratio = 0;       ///< the same with the peak to valley of single rows [-]
 };
 
 /// Points of increasing roll-off for one Hurst exponent.
 struct RatioCurve {
-  double hurst = 0, cutoff = 0;
+  double hurst = 0, cutoff = 0;  ///< exponent [-], short cut-off wavelength [m]
   std::vector<RatioPoint> points;
   /// Interpolated linearly in ln(rolloff) between the points.
+  /// rolloff [m].
   RatioPoint at(double rolloff) const;
 };
 
+/// Which spectra are tried.
 struct RatioOptions {
   std::vector<double> hursts{0.6, 0.8, 1.0};
   double cutoff = 20e-9;        ///< short cut-off wavelength [m]
@@ -40,6 +42,7 @@ struct RatioOptions {
 };
 
 /// Monte Carlo over virtual scans.
+/// Throws InputError for fewer than two points or windows, or no range of roll-offs.
 std::vector<RatioCurve> ratio_curves(const AfmSettings& afm, const RatioOptions& options);
 
 /// Published numbers with their uncertainties [m].
@@ -51,6 +54,7 @@ struct PublishedRoughness {
 /// Lengths between which spectra fit; empty if lower > upper. open: the end is that of the roll-offs tried,
 /// not a bound.
 struct LengthRange {
+  /// Both in [m].
   double lower = 1, upper = 0;
   bool open_below = false, open_above = false;
   bool empty() const { return lower > upper; }
@@ -63,8 +67,10 @@ struct PossibleSpectrum {
   double measured_rms = 0;
 };
 
+/// What fits, and the sentence that says so.
 struct PossibleSpectra {
   PublishedRoughness published;
+  /// Pure numbers [-].
   double ratio = 0, lowest_ratio = 0,
          highest_ratio = 0;  ///< peak to valley over RMS, and its limits by the uncertainties
   double least_possible = 0, most_possible = 0;  ///< ratios of all curves, two standard deviations included
@@ -80,6 +86,8 @@ struct PossibleSpectra {
   std::string sentence;
 };
 
+/// The curves read at the published ratio. Throws InputError for published numbers not above 0, and without
+/// curves.
 PossibleSpectra possible_spectra(const PublishedRoughness& published, const AfmSettings& afm,
                                  const std::vector<RatioCurve>& curves);
 

@@ -16,6 +16,7 @@ namespace asperity {
 class HeightSampler {
  public:
   /// Missing pixels are first filled smoothly from their surroundings (surfaces/fill_missing.h).
+  /// Throws InputError for a map without points or size.
   explicit HeightSampler(const Topography& map, Outside outside = Outside::refuse);
 
   /// Height [m] at (x, y) [m] from the centre of the map. Periodic maps continue periodically; beyond the

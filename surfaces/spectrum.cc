@@ -52,7 +52,7 @@ RadialSpectrum radial_spectrum(const Topography& original) {
       const int ky = signed_wave_number(iy, map.ny);
       if (ix == 0 && ky <= 0) continue;  // the other half of the column kx = 0, and the mean
       const double q = std::hypot(2 * M_PI * ix / map.lx, 2 * M_PI * ky / map.ly);
-      const int ring = static_cast<int>(q / ring_width + 0.5);
+      const int ring = static_cast<int>(std::lround(q / ring_width));
       if (ring == 0 || ring >= rings) continue;
       power[ring] += std::norm(half[static_cast<std::size_t>(iy) * (map.nx / 2 + 1) + ix]) * to_C;
       wave_number[ring] += q;

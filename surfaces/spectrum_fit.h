@@ -18,10 +18,11 @@
 
 namespace asperity {
 
+/// Parameters of the model, and the wavelengths that gave them.
 struct SpectrumFit {
   /// With its standard error.
   struct Number {
-    double value = 0, error = 0;
+    double value = 0, error = 0;  ///< in the unit of the number
   };
   Number hurst;  ///< Hurst exponent [-]; not forced into (0, 1)
   bool has_rolloff = false;
@@ -33,6 +34,7 @@ struct SpectrumFit {
   double rms = 0;  ///< Sq of the rings [m]
   /// phi of the self-affine line: 1 for an isotropic self-affine surface; errors are already widened by its
   /// square root
+  /// [-].
   double misfit = 0;
   double shortest = 0, longest = 0;  ///< wavelengths fitted [m]
 

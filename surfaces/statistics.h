@@ -19,6 +19,7 @@ struct HeightMoments {
 /// Throws InputError if no point is known.
 HeightMoments height_moments(const Topography& map);
 
+/// Moments of the heights, slope and correlation length.
 struct HeightStatistics : HeightMoments {
   /// (<(dz/dx)^2> + <(dz/dy)^2>)^(1/2), from differences of neighbouring pixels [-]
   double rms_slope = 0;
@@ -29,6 +30,7 @@ struct HeightStatistics : HeightMoments {
   double correlation_length = 0;
 };
 
+/// Of all known points.
 HeightStatistics height_statistics(const Topography& map);
 
 /// Jarque and Bera's test (1987) with the variances that skewness and kurtosis have for a *correlated*
@@ -36,14 +38,17 @@ HeightStatistics height_statistics(const Topography& map);
 /// all pairs of points (leading order, from the orthogonality of Hermite polynomials of correlated normal
 /// variables; Lomnicki 1961, Metrika 4, 37).
 struct GaussianTest {
-  double skewness_error = 0;       ///< standard error of Ssk if heights are Gaussian
-  double kurtosis_error = 0;       ///< standard error of Sku if heights are Gaussian
-  double independent_samples = 0;  ///< 1/<rho^2>: as many independent heights would determine Sq^2 as well
-  double p_value = 0;  ///< chance that a Gaussian surface departs as far (chi squared, 2 degrees of freedom)
+  double skewness_error = 0;  ///< standard error of Ssk if heights are Gaussian [-]
+  double kurtosis_error = 0;  ///< standard error of Sku if heights are Gaussian [-]
+  double independent_samples =
+      0;  ///< 1/<rho^2>: as many independent heights would determine Sq^2 as well [-]
+  double p_value =
+      0;  ///< chance that a Gaussian surface departs as far (chi squared, 2 degrees of freedom) [-]
   enum class Verdict { consistent, not_gaussian, too_few_samples } verdict = Verdict::consistent;
   std::string sentence;  ///< the verdict in words
 };
 
+/// The test of a map's heights.
 GaussianTest gaussian_test(const Topography& map);
 
 }  // namespace asperity

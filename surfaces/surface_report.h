@@ -13,6 +13,7 @@
 
 namespace asperity {
 
+/// The map and what was measured of it.
 struct SurfaceMeasurement {
   Topography map;  ///< levelled
   Level level = Level::plane;
@@ -33,6 +34,7 @@ std::string to_text(const SurfaceMeasurement& measurement);
 
 /// The radial spectrum as a table with the columns "wave_number [rad/m]" and "psd [m^4]", and back.
 std::string spectrum_csv(const RadialSpectrum& spectrum);
+/// Throws InputError naming the row that is no spectrum's.
 TabulatedSpectrum read_spectrum_csv(const std::string& file);
 
 }  // namespace asperity

@@ -19,10 +19,13 @@ struct Topography {
   std::string channel;                ///< name of the channel read, e.g. "Height Sensor"
   std::string source;                 ///< file or generator call, with what was assumed
 
+  /// Spacing of the pixels along x and y [m].
   double dx() const { return lx / nx; }
   double dy() const { return ly / ny; }
+  /// Height of a pixel [m]; without a check of its bounds.
   double& at(int ix, int iy) { return heights[static_cast<std::size_t>(iy) * nx + ix]; }
   double at(int ix, int iy) const { return heights[static_cast<std::size_t>(iy) * nx + ix]; }
+  /// Number of pixels without a height of their own.
   std::size_t missing_count() const {
     std::size_t count = 0;
     for (const auto flag : missing) count += flag;

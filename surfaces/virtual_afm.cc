@@ -167,9 +167,11 @@ ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSet
 #pragma omp parallel for schedule(static)
   for (int jy = 0; jy < afm.pixels; ++jy)
     for (int jx = 0; jx < afm.pixels; ++jx) {
-      const double R = covariance[static_cast<std::size_t>(jy) * grid.stride * n + jx * grid.stride];
-      const double mirrored =
-          jx == 0 ? 0.0 : covariance[static_cast<std::size_t>(jy) * grid.stride * n + n - jx * grid.stride];
+      const double R = covariance[static_cast<std::size_t>(jy) * grid.stride * n +
+                                  static_cast<std::size_t>(jx) * grid.stride];
+      const double mirrored = jx == 0 ? 0.0
+                                      : covariance[static_cast<std::size_t>(jy) * grid.stride * n + n -
+                                                   static_cast<std::size_t>(jx) * grid.stride];
       const double pairs =
           (1 - jx / static_cast<double>(afm.pixels)) * (1 - jy / static_cast<double>(afm.pixels));
       squares[jy] += pairs * (R * R + mirrored * mirrored) * (jy == 0 ? 1 : 2);

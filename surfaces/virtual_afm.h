@@ -24,9 +24,11 @@ struct AfmSettings {
 
 /// A number measured in several windows.
 struct WindowMean {
-  double mean = 0, sd = 0;  ///< mean over the windows, standard deviation of one window
+  double mean = 0,
+         sd = 0;  ///< mean over the windows, standard deviation of one window; in the unit of the number
 };
 
+/// What the microscope reports.
 struct AfmMeasurement {
   WindowMean Sq, Sz;      ///< [m]
   WindowMean Ssk, Sku;    ///< [-]
@@ -39,6 +41,7 @@ struct AfmGrid {
   int pixels = 0, stride = 1;
   double period = 0;
 };
+/// Pixels and period of the larger surface. Throws InputError where it needs too many pixels.
 AfmGrid afm_grid(const SelfAffineSpectrum& spectrum, const AfmSettings& afm);
 
 /// One realisation of the larger surface, expected Sq = spectrum.rms over its period.
@@ -61,10 +64,12 @@ struct ExpectedSq {
   double sd = 0;           ///< standard deviation of one window's Sq [m]
   double mean_square = 0;  ///< <Sq^2> [m^2]
 };
+/// Throws InputError where no wave of the spectrum fits into the scan.
 ExpectedSq expected_measured_Sq(const SelfAffineSpectrum& spectrum, const AfmSettings& afm);
 
 /// The spectrum scaled so that the expected measured Sq is `target` [m]. With a tip, by iteration on
 /// `realisations` surfaces (dilation is not linear in height).
+/// Throws InputError for a target not above 0, WorkError where no amplitude reaches it.
 SelfAffineSpectrum calibrated(SelfAffineSpectrum spectrum, double target, const AfmSettings& afm,
                               int realisations = 4);
 

@@ -26,7 +26,7 @@ const SolvedCase* repeated_in(const CaseGroup& group, const SolvedCase& solved) 
 
 /// Cells of a study are known by their values too: an axis may vary how a case is solved.
 bool is_of_group(const CaseGroup& group, const std::vector<std::string>& values, const SolvedCase& solved) {
-  if (group.values != values || differing_entries(group.physics(), case_inputs(solved)).size() > 0)
+  if (group.values != values || !differing_entries(group.physics(), case_inputs(solved)).empty())
     return false;
   return !values.empty() || same_spacing(group.first().interface_spacing(), solved.interface_spacing());
 }

@@ -47,6 +47,7 @@ struct CaseCollection {
   std::size_t solved() const { return planned - missing.size(); }
 };
 
+/// Whether the folder is one that `asperity study` wrote.
 bool is_study_folder(const std::filesystem::path& folder);
 
 /// A case whose balance of energy is refused (energy_balance.h) counts among the missing. The order in which

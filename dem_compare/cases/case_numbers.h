@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// A number of one case, in its unit.
 struct CaseNumber {
   double load = 0;           ///< [N]
   std::string realisation;   ///< the same for the same surfaces
@@ -15,6 +16,7 @@ struct CaseNumber {
   double value = 0, sd = 0;  ///< sd of the case alone
 };
 
+/// Two loads [N], but for rounding.
 bool same_load(double one, double other);
 /// Of two meshes [m], but for rounding; two that are not known (NaN) are the same.
 bool same_spacing(double one, double other);
@@ -33,7 +35,7 @@ std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers);
 
 /// From the same load and realisation on several spacings (statistics.h), mean over such families.
 struct DiscretisationError {
-  double relative_error = 0;  ///< of the mesh that counts, see on_one_mesh
+  double relative_error = 0;  ///< of the mesh that counts, see on_one_mesh [-]
   int families = 0;
 };
 std::optional<DiscretisationError> discretisation_error(const std::vector<CaseNumber>& numbers);

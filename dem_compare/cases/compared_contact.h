@@ -15,7 +15,7 @@ struct ComparedContact {
   ElasticBody particle, plane;
   double radius = 0;                                      ///< [m]
   double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the substrate [m]; 0: smooth; NaN: not known
-  double friction = 0;                      ///< coefficient at the interface of the solved case; 0: none
+  double friction = 0;                      ///< coefficient at the interface of the solved case; 0: none [-]
   std::optional<ContactParameters> record;  ///< where a file was given for this contact
   std::optional<ContactParameters>
       indenter;  ///< contact with the moving plate; the record's own where not given
@@ -27,6 +27,7 @@ struct ComparedContact {
   const ContactParameters& plate() const { return indenter ? *indenter : *record; }
 };
 
+/// What the cases of a group agree in.
 ComparedContact contact_of(const CaseGroup& group);
 /// Throws InputError for a record without elastic constants or with a sphere as its target.
 ComparedContact contact_of(const ContactParameters& record, const std::optional<ContactParameters>& indenter);

@@ -16,6 +16,7 @@ namespace asperity {
 struct MotionMode {
   Motion motion;
   const char* title;
+  /// A pure number [-].
   std::vector<double> History::*position;
   std::vector<double> History::*resistance;
   const char* resistance_unit;

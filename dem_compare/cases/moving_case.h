@@ -22,6 +22,7 @@ namespace asperity {
 
 /// Dissipated per path length [N], or per angle [N m]; the sum is as uncertain as it fluctuates itself.
 struct ResistanceParts {
+  /// By mechanism and in total.
   Uncertain friction{nan(""), nan("")}, plastic{nan(""), nan("")}, adhesion{nan(""), nan("")},
       total{nan(""), nan("")};
 };
@@ -37,6 +38,7 @@ struct PathSums {
   double block = 0;                           ///< length of a block [m] or [rad]
 };
 
+/// The steady part of a path: its sums and what it dissipated.
 struct SteadyPath {
   PathSums sums;
   ResistanceParts dissipated;

@@ -24,8 +24,10 @@ std::vector<TangentStiffness> tangent_stiffness(const std::vector<double>& appro
                                                 const std::vector<double>& force);
 
 /// Stiffness at a load, interpolated over F^(1/3) (a straight line for Hertz); NaN outside of the branch.
+/// force [N]; the result in [N/m].
 double stiffness_at(const std::vector<TangentStiffness>& branch, double force);
 
+/// A fitted number with its standard error, both in its unit.
 struct FittedNumber {
   double value = 0, standard_error = 0;
 };
@@ -35,14 +37,15 @@ struct FittedNumber {
 struct RadiusFit {
   FittedNumber radius;      ///< R_fit [m]
   FittedNumber offset;      ///< [m]; 0 if not fitted
-  double relative_rms = 0;  ///< root mean square misfit over the largest force
+  double relative_rms = 0;  ///< root mean square misfit over the largest force [-]
 };
 /// F = F_max ((delta - offset)/(delta_max - offset))^exponent c.
 struct ExponentFit {
-  FittedNumber exponent;  ///< 3/2 for Hertz
-  FittedNumber offset;    ///< [m]; 0 if not fitted
-  double relative_rms = 0;
+  FittedNumber exponent;    ///< 3/2 for Hertz
+  FittedNumber offset;      ///< [m]; 0 if not fitted
+  double relative_rms = 0;  ///< as above [-]
 };
+/// approach [m], force [N], E* [Pa].
 RadiusFit fit_radius(const std::vector<double>& approach, const std::vector<double>& force,
                      double reduced_modulus, bool with_offset);
 ExponentFit fit_exponent(const std::vector<double>& approach, const std::vector<double>& force,
@@ -59,12 +62,13 @@ struct LoadPoint {
   double mean_pressure = 0;        ///< load over real area [Pa]
   double largest_pressure = 0;     ///< [Pa]
   double plastic_volume = 0;       ///< [m^3]
+  /// Ratios [-].
   double force_ratio =
       0;  ///< F over Hertz's at the same approach; depends on where the approach is counted from
-  double stiffness_ratio = 0;  ///< k over Hertz's at the same force
-  double unloading_ratio = 0;  ///< that of unloading
-  double area_ratio = 0;       ///< real contact area over Hertz's at the same force
-  double pressure_ratio = 0;   ///< largest pressure over Hertz's at the same force
+  double stiffness_ratio = 0;  ///< k over Hertz's at the same force [-]
+  double unloading_ratio = 0;  ///< that of unloading [-]
+  double area_ratio = 0;       ///< real contact area over Hertz's at the same force [-]
+  double pressure_ratio = 0;   ///< largest pressure over Hertz's at the same force [-]
 };
 
 struct NormalNumbers {
@@ -83,9 +87,11 @@ struct NormalNumbers {
   std::vector<LoadPoint> loads;  ///< steps of the first loading
 
   /// Start of unloading; NaN without one.
+  /// In [N/m].
   double unloading_stiffness() const;
   double loading_stiffness() const;
   /// A number of LoadPoint at a load, linear between the steps; NaN outside of them.
+  /// force [N]; the result in the number's unit.
   double at_load(double force, double LoadPoint::*member) const;
 };
 

@@ -13,6 +13,7 @@
 
 namespace asperity {
 
+/// Cases that one record of parameters is derived from.
 struct ParameterSet {
   ContactInputs inputs;           ///< what all cases agree in
   std::vector<SolvedCase> cases;  ///< by folder

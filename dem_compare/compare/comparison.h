@@ -30,6 +30,7 @@ struct LoadComparison {
   double step_error = 0;  ///< largest relative bound on the loading stiffness from the finite load steps
   /// Half widths of the intervals that hold the true means 19 times in 20: scatter of the mean (Student),
   /// mesh error and step error; NaN where nothing is known of it.
+  /// In the unit of the ratios [-].
   double stiffness_half_width = 0, unloading_half_width = 0, force_half_width = 0;
   Judged stiffness_judged = Judged::not_known;  ///< stiffness_ratio against 1
 };
@@ -61,6 +62,7 @@ struct GroupNumbers {
       0;  ///< largest relative bound on the loading stiffness from the finite load steps
 };
 
+/// One group of cases against Hertz.
 struct GroupComparison {
   std::string label;
   std::vector<std::string> values;
@@ -73,6 +75,7 @@ struct GroupComparison {
   bool is_finest = true;  ///< no smaller one is among them: this is the result, the others judge it
   /// The least compared load from which on the stiffness is within the tolerance, errors included; NaN
   /// without one.
+  /// In [N].
   double hertzian_from = 0;
   /// Smooth bodies that stay elastic: what departs from Hertz is the error of the computation, and says
   /// nothing of roughness.
@@ -83,13 +86,14 @@ struct GroupComparison {
 
 struct Comparison {
   std::string title;
-  double tolerance = 0;
+  double tolerance = 0;  ///< relative, of the stiffness
   std::vector<GroupComparison> groups;
   std::vector<MissingCase> missing;
   std::vector<std::string> remarks;  ///< on cases whose numbers are in doubt
   std::size_t planned = 0;
 };
 
+/// tolerance: relative.
 Comparison compare_with_hertz(const CaseCollection& collection, double tolerance);
 
 }  // namespace asperity

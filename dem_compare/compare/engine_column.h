@@ -19,6 +19,7 @@ class EngineColumn {
   /// Throws InputError for an engine that is not known.
   EngineColumn(const std::string& name, std::filesystem::path folder, EngineRunOptions options = {});
 
+  /// What the engine gives for a law's request; with its reason where it gives none.
   ComparedValue value(const LawValue& law);
 
   /// The engine's first failure, one sentence; "" if there was none.

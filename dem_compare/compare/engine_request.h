@@ -26,6 +26,7 @@ struct RailCase {
   LoadRange loads{};   ///< on one slope, from those on the plate [N]
 };
 
+/// A quantity that does not depend on the load.
 EffectiveQuantity constant(double value, LengthScale scale = LengthScale::none);
 
 /// Moduli of the smooth, elastic bodies, whatever a record says; friction of the record, otherwise of the

@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// A quantity at one load, from the cases of a group.
 struct FiniteElementPoint {
   std::size_t group = 0;  ///< in the collection
   Quantity quantity = Quantity::approach;

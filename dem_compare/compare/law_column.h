@@ -18,6 +18,7 @@
 
 namespace asperity {
 
+/// A law's value, and what an engine is asked to check it.
 struct LawValue : ComparedValue {
   std::optional<EngineRequest> engine;
   std::string no_engine;  ///< why there is no request

@@ -51,11 +51,13 @@ struct ComparedValue {
 };
 inline ComparedValue absent(const std::string& reason) { return {NAN, NAN, "", reason}; }
 
+/// The finite elements' value, from so many realisations.
 struct FiniteElementValue : ComparedValue {
   int realisations = 0;
   double mesh_error = std::numeric_limits<double>::quiet_NaN();  ///< relative; never part of the sd
 };
 
+/// One line of the table.
 struct ComparisonRow {
   std::string contact;
   Quantity quantity = Quantity::approach;

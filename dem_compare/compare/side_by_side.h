@@ -14,8 +14,8 @@
 namespace asperity {
 
 struct SideBySide {
-  double tolerance = 0;
-  std::string engine;  ///< "LAMMPS"; "" if none was asked for
+  double tolerance = 0;  ///< relative
+  std::string engine;    ///< "LAMMPS"; "" if none was asked for
   std::string engine_version;
   std::string engine_failure;       ///< one sentence; "" if it did not fail
   std::vector<ComparisonRow> rows;  ///< of one contact after the other
@@ -23,6 +23,7 @@ struct SideBySide {
   std::vector<std::string> remarks;  ///< what is missing, in words
 };
 
+/// What is set side by side.
 struct SideBySideInput {
   const CaseCollection& collection;
   const Comparison& with_hertz;
@@ -31,6 +32,7 @@ struct SideBySideInput {
   std::optional<ContactParameters> indenter{};  ///< contact of particle and moving plate
 };
 
+/// tolerance: relative. Engines that fail leave their reason in the row.
 SideBySide compare_side_by_side(const SideBySideInput& input, const MeasuredColumn& published,
                                 EngineColumn& engine, double tolerance);
 

@@ -15,10 +15,12 @@ namespace asperity {
 struct Derivation {
   ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
   std::vector<LawReport> laws;   ///< of normal, sliding, torsion, rolling
+  /// The report on the law of this motion.
   const LawReport& law_of(Motion motion) const;
   std::string heading;  ///< bodies and cases in words
 };
 
+/// From all cases of one set.
 Derivation derive_parameters(const ParameterSet& set);
 
 /// Torsion and rolling of sets that differ by the particle's radius alone, their contacts taken for one law

@@ -26,6 +26,7 @@ std::string to_text(const ResistanceLaw& law);
 nlohmann::ordered_json to_json(const ResistanceLaw& law);
 
 /// "1.21 +- 0.03 GPa"; the error is left out where it is not known.
+/// Both in SI.
 std::string with_error(double value, double sd, Dimension dimension);
 /// The same for a unit that begins with N ("pN m"), or without prefix.
 std::string with_error(double value, double sd, const std::string& unit);

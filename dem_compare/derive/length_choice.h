@@ -22,6 +22,7 @@ struct LengthChoice {
   LengthScale scale() const;
   const ResistanceLaw& law() const;
 };
+/// Fits both to the points and weighs them.
 LengthChoice choose_length(const std::vector<ResistancePoint>& points);
 
 /// "odds 333 to 1 for lambda = a; ..." and what would tell where they do not.

@@ -39,8 +39,10 @@ struct ResistanceLaw {
   int degrees_of_freedom = 0;      ///< cases less fitted numbers; 0: the law passes through them untested
   LoadRange loads;
 
+  /// Standard deviations of mu [-] and h [N].
   double coefficient_sd() const { return std::sqrt(covariance(0, 0)); }
   double offset_sd() const { return std::sqrt(covariance(1, 1)); }
+  /// The limit at a point's load, in the unit of the resistance.
   double at(const ResistancePoint& point, LengthScale scale) const {
     return coefficient * point.length(scale) * (point.load + offset);
   }

@@ -12,6 +12,7 @@
 
 namespace asperity {
 
+/// Speed, masses and time step.
 struct DynamicOptions {
   double speed = 1e-3;  ///< of the indenter between reversals [m/s]
   double reversal_share =

@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// One contact at one step.
 struct ContactRecord {
   double approach = 0, normal_force = 0;              ///< [m], [N]
   Eigen::Vector3d lateral = Eigen::Vector3d::Zero();  ///< force on the particle in the contact plane [N]
@@ -19,6 +20,7 @@ struct ContactRecord {
   bool slides = false, rolls = false, twists = false;  ///< the mode's limit is reached
 };
 
+/// One step of the loop.
 struct LoopRow {
   int leg = 0;                                             ///< between two reversals; 0: the first way out
   double indenter_displacement = 0;                        ///< [m]
@@ -51,6 +53,7 @@ LoopNumbers measure(const FrictionLoop& loop);
 /// One row per accepted step, per-contact columns named after the contact.
 std::string to_csv(const FrictionLoop& loop);
 
+/// What the loop keeps of a contact's state.
 ContactRecord record_of(const ContactModelState& state);
 
 }  // namespace asperity

@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// Which laws the numbers are put into.
 struct ReducedLawOptions {
   bool partial_slip = false;  ///< Mindlin and Deresiewicz instead of Mindlin
   bool normal_adhesion =

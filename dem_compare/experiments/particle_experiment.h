@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// What an experiment is made from.
 struct ExperimentSetup {
   ContactModel substrate, indenter;
   double rail_angle = 0;  ///< inclination of the flanks against the horizontal [rad]

@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// When a step counts as equilibrium.
 struct QuasiStaticOptions {
   double tolerance = 1e-11;  ///< of the imbalance over the normal force or the limit of the lateral one
   int most_halvings = 20;

@@ -37,6 +37,7 @@ struct ParticleState {
 };
 
 /// Equilibrium under the load before the indenter moves.
+/// normal_load [N]. Throws InputError for one that a contact cannot carry.
 ParticleState at_rest(const SingleParticle& particle, double normal_load);
 
 /// Motion of one contact from a state to new places of the sphere and the indenter.
@@ -50,7 +51,9 @@ struct Resultants {
 };
 Resultants resultants(const SingleParticle& particle, const std::vector<ContactModelState>& contacts);
 
+/// A state as a row of the loop.
 LoopRow row_of(const SingleParticle& particle, const ParticleState& state, int leg);
+/// In the order of the contacts.
 std::vector<std::string> contact_names(const SingleParticle& particle);
 
 /// Way of the particle's surface to the first limit of any mode [m]. Throws InputError where no contact

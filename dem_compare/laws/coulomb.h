@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// Coefficient and offset of a limit.
 struct CoulombLimit {
   double coefficient = 0;     ///< mu [-]
   double adhesion_force = 0;  ///< h [N]

@@ -20,7 +20,9 @@ struct CreepForce {
   double creep_coefficient = 0;  ///< C [-]
   static constexpr const char* ratio = "creep [1]";
 
+  /// C along the rolling direction [-].
   static double vermeulen_johnson_along(double poisson_ratio) { return 16 / (4 - 3 * poisson_ratio); }
+  /// C across it [-].
   static double vermeulen_johnson_across(double poisson_ratio) { return 16 / (4 - poisson_ratio); }
 
   /// Q [N] at a creep xi >= 0.

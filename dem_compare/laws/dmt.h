@@ -23,6 +23,7 @@ struct Dmt {
   double radius = 0;            ///< R [m]
   double work_of_adhesion = 0;  ///< w [J/m^2], both surfaces together
 
+  /// Largest tension [N].
   double pull_off_force() const { return 2 * boost::math::double_constants::pi * work_of_adhesion * radius; }
   NormalState advance(const NormalState&, double approach) const {
     if (approach < 0) return {approach, 0, 0, 0, false};

@@ -16,6 +16,7 @@ struct HysteresisRolling {
   RotationalStiffness stiffness{};
   static constexpr LengthScale length = LengthScale::particle_radius;
 
+  /// Moment [N m] at a force [N] and a contact radius [m].
   double moment(double normal_force, double contact_radius) const {
     return 3.0 / 16 * loss_factor * normal_force * contact_radius;
   }

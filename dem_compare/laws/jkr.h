@@ -19,11 +19,14 @@ struct Jkr {
   double radius = 0;            ///< R [m]
   double work_of_adhesion = 0;  ///< w [J/m^2], both surfaces together
 
+  /// Largest tension [N].
   double pull_off_force() const { return 1.5 * pi_w() * radius; }
+  /// Force [N] and approach [m] at a contact radius a [m].
   double force_at_radius(double a) const {
     return 4.0 / 3.0 * reduced_modulus * a * a * a / radius -
            std::sqrt(8 * pi_w() * reduced_modulus * a * a * a);
   }
+  /// Approach [m] at a contact radius a [m].
   double approach_at_radius(double a) const {
     return a * a / radius - std::sqrt(2 * pi_w() * a / reduced_modulus);
   }

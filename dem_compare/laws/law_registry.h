@@ -23,6 +23,7 @@
 
 namespace asperity {
 
+/// One parameter of a law, values in `unit`.
 struct LawParameter {
   std::string name, unit, meaning;
   double low = 0, high = std::numeric_limits<double>::infinity();  ///< admissible values, both ends included
@@ -37,6 +38,7 @@ inline LawParameter zero_otherwise(LawParameter parameter) {
   return parameter;
 }
 
+/// What a law says of itself.
 struct LawDescription {
   std::string name;  ///< "jkr"
   std::string equation, source, validity;
@@ -72,7 +74,9 @@ std::string reduced_laws_manual();
 
 namespace law_registry_detail {
 /// The value of a parameter of the law among those given.
+/// In SI. Throws InputError where it is missing or not admissible.
 double value_of(const LawParameter& parameter, const std::string& law, const LawValues& values);
+/// Throws InputError: the law is none of that mode.
 [[noreturn]] void refuse_mode(const std::string& law, const std::string& mode);
 }  // namespace law_registry_detail
 

@@ -7,6 +7,7 @@
 
 namespace asperity {
 
+/// A law and the values that were written with it.
 struct WrittenLaw {
   LawDescription description;
   LawValues values;  ///< those that were written

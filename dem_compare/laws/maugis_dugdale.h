@@ -20,6 +20,7 @@ struct MaugisDugdale {
   double work_of_adhesion = 0;  ///< w [J/m^2], both surfaces together
   double cohesive_stress = 0;   ///< s0 [Pa]; 1.03 w/z0 for the Lennard-Jones distance z0
 
+  /// Maugis' parameter [-]: JKR's limit where large, DMT's where small.
   double lambda() const;
   /// Largest tension under a dead load [N].
   double pull_off_force() const;

@@ -18,6 +18,7 @@ struct Mindlin {
   CoulombLimit friction;
   ChangingLoad changing_load = ChangingLoad::rescale_on_unloading;
 
+  /// 8 G* a [N/m] at a contact radius a [m].
   double stiffness(double contact_radius) const { return 8 * sliding_modulus * contact_radius; }
 
   SlidingHistory advance(const SlidingHistory& before, const NormalState& normal,

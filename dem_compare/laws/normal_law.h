@@ -10,6 +10,7 @@ namespace asperity {
 struct NormalMode {
   static constexpr const char* name = "normal";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;
@@ -20,6 +21,7 @@ struct NormalMode {
     virtual double radius() const = 0;  ///< R [m]
   };
 
+  /// A law held as one of this kind.
   template <class Law>
   class Held final : public Interface {
    public:

@@ -17,6 +17,7 @@ struct PlasticRolling {
   RotationalStiffness stiffness{};
   static constexpr LengthScale length = LengthScale::particle_radius;
 
+  /// a [m] of the front half at a force [N].
   double contact_radius(double normal_force) const {
     return std::sqrt(2 * normal_force / (boost::math::double_constants::pi * hardness));
   }

@@ -7,6 +7,7 @@
 namespace asperity {
 
 /// Friction factors of the contacts, each over the particle's radius: mu lambda/r.
+/// Both coefficients [-].
 struct RailFriction {
   double rolling = 0;         ///< mu_ro lambda/r, mean over both kinds of contact
   double torsion = 0;         ///< mu_to lambda/r at the slopes
@@ -15,10 +16,12 @@ struct RailFriction {
 };
 
 /// eq:murail: mu_rail = (2 cos(theta) mu_ro + sin(theta) mu_to)/(1 + cos(theta)).
+/// angle [rad]; the result [-].
 double rail_friction(double angle, const RailFriction& friction);
 /// h_rail of f_l = mu_rail (f + h_rail) [N].
 double rail_offset(double angle, const RailFriction& friction);
 /// eq:murail solved for mu_to.
+/// angle [rad]; the rest [-].
 double torsion_from_rail(double angle, double rail_friction, double rolling);
 /// h_rail solved for h_to [N], from a measured mu_rail and h_rail.
 double torsion_offset_from_rail(double angle, double rail_friction, double rail_offset,

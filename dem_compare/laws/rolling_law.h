@@ -11,6 +11,7 @@ using RollingHistory = SpringSlider<Eigen::Vector3d>;  ///< resistance: moment [
 struct RollingMode {
   static constexpr const char* name = "rolling";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;

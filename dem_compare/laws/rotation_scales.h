@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// lambda [m]; 1 [-] without one. lever [m].
 inline double length_of(LengthScale scale, const NormalState& normal, double lever) {
   return scale == LengthScale::none              ? 1
          : scale == LengthScale::particle_radius ? lever

@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// G of one body [Pa].
 inline double shear_modulus(const ElasticBody& body) {
   return body.youngs_modulus / (2 * (1 + body.poisson_ratio));
 }

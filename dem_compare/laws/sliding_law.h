@@ -11,6 +11,7 @@ namespace asperity {
 struct SlidingMode {
   static constexpr const char* name = "sliding";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;
@@ -21,6 +22,7 @@ struct SlidingMode {
     virtual double limit(double normal_force) const = 0;
   };
 
+  /// A law held as one of this kind.
   template <class Law>
   class Held final : public Interface {
    public:

@@ -19,6 +19,7 @@ enum class ChangingLoad {
 };
 
 namespace spring_slider_detail {
+/// Zero of a number or a vector, and the size of one, in its unit.
 template <class Value>
 Value zero() {
   if constexpr (std::is_same_v<Value, double>)
@@ -26,6 +27,7 @@ Value zero() {
   else
     return Value::Zero();
 }
+/// Size, in the unit of q.
 inline double magnitude(double q) { return std::abs(q); }
 inline double magnitude(const Eigen::Vector3d& q) { return q.norm(); }
 }  // namespace spring_slider_detail
@@ -34,10 +36,11 @@ inline double magnitude(const Eigen::Vector3d& q) { return q.norm(); }
 template <class Value>
 struct SpringSlider {
   Value resistance = spring_slider_detail::zero<Value>();  ///< what the displaced body is held back with
-  double stiffness = 0;                                    ///< of the spring at that load
+  double stiffness = 0;  ///< of the spring at that load, in units of resistance over displacement
   bool yields = false;
 
   /// The next value of a history that ended in `before`; `limit` <= 0 is no resistance at all.
+  /// Units: those of the resistance and the displacement.
   static SpringSlider advance(const SpringSlider& before, double stiffness, const Value& increment,
                               double limit, ChangingLoad rule) {
     SpringSlider now = before;

@@ -7,21 +7,26 @@
 
 namespace asperity {
 
+/// What resists steady slip.
 struct SlipResistance {
   double force = 0;   ///< lateral [N]
   double moment = 0;  ///< about the normal [N m]
 };
 
+/// The kind, for the registry.
 struct SteadySlipMode {
   static constexpr const char* name = "steady slip";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;
     virtual const char* ratio() const = 0;  ///< the ratio of velocities with its unit, such as "creep [1]"
+    /// Resistance at a ratio, in that unit.
     virtual SlipResistance at(const NormalState& normal, double ratio) const = 0;
   };
 
+  /// A law held as one of this kind.
   template <class Law>
   class Held final : public Interface {
    public:

@@ -16,9 +16,11 @@ struct TorsionHistory : SpringSlider<double> {
       turns;  ///< angles at which the twist turned back and that no wider loop has wiped out [rad]
 };
 
+/// The kind, for the registry.
 struct TorsionMode {
   static constexpr const char* name = "torsion";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;
@@ -32,6 +34,7 @@ struct TorsionMode {
     virtual double length(const NormalState& normal, double lever) const = 0;
   };
 
+  /// A law held as one of this kind.
   template <class Law>
   class Held final : public Interface {
    public:

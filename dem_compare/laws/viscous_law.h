@@ -8,6 +8,7 @@ namespace asperity {
 struct ViscousMode {
   static constexpr const char* name = "viscous";
 
+  /// What every law of this kind gives.
   class Interface {
    public:
     virtual ~Interface() = default;
@@ -15,6 +16,7 @@ struct ViscousMode {
     virtual double factor(double mass, double normal_stiffness) const = 0;
   };
 
+  /// A law held as one of this kind.
   template <class Law>
   class Held final : public Interface {
    public:

@@ -27,6 +27,7 @@ struct ContactModel {
   HistorySpin history_spin = HistorySpin::mean_of_bodies;
 };
 
+/// History and resistances of all modes.
 struct ContactModelState {
   NormalState normal;
   SlidingHistory sliding;

@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// Where a body is.
 struct Placement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
@@ -47,6 +48,7 @@ struct PlanePlacement : Placement {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
 };
 
+/// The step's relative motion, by mode. radius [m].
 ContactMotion sphere_on_plane(const Placement& sphere_before, const Placement& sphere, double radius,
                               const PlanePlacement& plane_before, const PlanePlacement& plane, LeverArm lever,
                               HistorySpin spin = HistorySpin::mean_of_bodies);

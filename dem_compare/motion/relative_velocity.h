@@ -14,6 +14,7 @@
 
 namespace asperity {
 
+/// Place and velocities of one body.
 struct BodyVelocity {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< of the centre [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of the centre [m/s]

@@ -7,10 +7,11 @@
 
 namespace asperity {
 
+/// Where a fit ended, with its errors.
 struct LeastSquaresFit {
   Eigen::VectorXd parameters;
   Eigen::MatrixXd covariance;  ///< s^2 (J^T J)^-1 with s^2 from the residuals
-  double rms_residual = 0;     ///< root mean square of the residuals
+  double rms_residual = 0;     ///< root mean square of the residuals, in their unit
 };
 
 /// Minimises |residuals(p)|^2 from `start`; residuals and parameters should be of order one.

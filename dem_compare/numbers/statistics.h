@@ -11,6 +11,7 @@ namespace asperity {
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean over realisations of a rough surface.
+/// All in the unit of the number.
 struct Scatter {
   int count = 0;
   double mean = 0;
@@ -22,6 +23,7 @@ Scatter scatter_of(const std::vector<double>& values);
 
 /// Discretisation error from the same case on two or more spacings (Richardson 1911; Roache 1994): f(h) = f0
 /// + c h^p.
+/// f0 in the unit of f, the rest relative [-].
 struct MeshError {
   double extrapolated = 0;  ///< f0, the limit of vanishing spacing
   double relative_error =
@@ -36,6 +38,7 @@ struct MeshError {
 /// monotonically or slower than with order 1/2, it is taken as `assumed_order` (1: the cautious choice,
 /// contact edges spoil the second order of linear elements); where it comes out above 2, as 2. Throws
 /// InputError for fewer than two spacings.
+/// spacings [m].
 MeshError mesh_error(std::vector<double> spacings, std::vector<double> values, double assumed_order = 1);
 
 /// A result with both of its errors.

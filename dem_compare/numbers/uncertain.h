@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// Both in the unit of the number.
 struct Uncertain {
   double value = 0;
   double sd = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
@@ -21,8 +22,10 @@ Uncertain propagate(const std::function<double(const std::vector<double>&)>& f,
                     const std::vector<Uncertain>& inputs);
 
 /// (computed - published) over the published sd; NaN without one.
+/// A pure number [-].
 double deviation_in_sigma(const Uncertain& computed, const Uncertain& published);
 /// The same over both sds, in quadrature.
+/// A pure number [-].
 double deviation_in_both_sigmas(const Uncertain& computed, const Uncertain& published);
 
 }  // namespace asperity

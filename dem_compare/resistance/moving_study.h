@@ -36,6 +36,7 @@ struct MovingState {
   double coulomb = 0;
 };
 
+/// One contact with its states of motion.
 struct MovingContact {
   std::string label;
   ContactInputs inputs;
@@ -44,7 +45,9 @@ struct MovingContact {
   std::vector<MovingState> states;  ///< by motion, then load
   std::vector<RailState> rails;     ///< rolled and spun at once; by inclination, then load
 
+  /// The state of a motion at a load [N]; null without one.
   const MovingState* find(const MotionMode& mode, double load) const;
+  /// All states of a motion, by load.
   std::vector<const MovingState*> of(const MotionMode& mode) const;
 };
 
@@ -64,6 +67,7 @@ std::vector<std::string> differing_inputs(const MovingContact& one, const Moving
 /// Seeds that name the same realisation; a surface without a seed goes with any.
 bool same_realisation(const std::string& seeds, const std::string& others);
 
+/// Sliding, rolling and torsion.
 const std::vector<const MotionMode*>& all_motions();
 
 }  // namespace asperity

@@ -26,6 +26,7 @@ struct RailState {
   Uncertain sum{nan(""),
                 nan("")};  ///< M_ro cos + M_to sin of the contact's separate motions [N m]; NaN without both
   Uncertain spin_over_torsion{nan(""), nan("")};  ///< spin moment over what torsion alone resists with
+  /// The rail's moment over `sum`.
   Uncertain over_sum() const;
 };
 

@@ -12,7 +12,7 @@ namespace asperity {
 
 /// Resistances are over MovingState::scale(); slopes are per metre of RMS.
 struct TrendAtLoad {
-  double load = 0;
+  double load = 0;  ///< [N]
   Trend total, friction, plastic, adhesion;
   Trend force;  ///< of the mean force or moment
 };
@@ -35,6 +35,7 @@ struct RoughnessTrend {
   std::vector<CoefficientOverLoads> coefficients;  ///< of contacts with two loads or more
   Trend coefficient;                               ///< of mu over RMS
 
+  /// Of the trend over all loads.
   Trend::Sign sign() const;
   /// Slope of a part over the mean of the whole per metre, over the loads.
   Uncertain relative_of(Trend TrendAtLoad::*part) const;

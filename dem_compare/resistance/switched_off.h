@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// A pair of such contacts at one load, and the difference between them.
 struct Contribution {
   enum class Mechanism { yielding, adhesion } mechanism = Mechanism::yielding;
   const MovingContact *with = nullptr, *without = nullptr;
@@ -20,6 +21,7 @@ struct Contribution {
   /// Part by part: switching yielding off also changes what slip takes, by another area and topography.
   ResistanceParts parts;
 
+  /// The difference over the resistance with the mechanism.
   Uncertain share() const;
   /// At two standard deviations.
   bool is_told() const { return std::abs(difference.value) > 2 * difference.sd; }

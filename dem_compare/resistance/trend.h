@@ -16,7 +16,7 @@ struct Trend {
   int points = 0;
 
   enum class Sign { unknown, none, rises, falls };
-  Sign sign() const;
+  Sign sign() const;  ///< of the slope
   /// Slope over the mean.
   Uncertain relative() const;
 };

@@ -12,13 +12,15 @@
 
 namespace asperity {
 
+/// One number of an effect's law.
 struct EffectParameter {
   std::string name, unit, meaning;
-  double low = 0, high = 0;    ///< physical bounds
+  double low = 0, high = 0;    ///< physical bounds, in `unit`
   bool logarithmic = false;    ///< positive over decades: searched for in its logarithm
   std::vector<double> starts;  ///< values from which a search begins
 };
 
+/// What an effect says of itself.
 struct EffectDescription {
   std::string id, title, equation, source;
   std::string meaning;  ///< for the reader of a report: what it means physically
@@ -35,8 +37,10 @@ struct EffectDescription {
   bool is_smooth = true;
   /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by
   /// as much.
+  /// A share [-].
   double accuracy = 0.05;
   /// The same as a part of the whole response, for laws that part where what they change is still small.
+  /// A share [-].
   double accuracy_of_response = 0;  ///< at most accuracy times the largest change of the run
 };
 
@@ -53,7 +57,9 @@ using EffectStart = std::vector<double>;
 class Effect {
  public:
   virtual ~Effect() = default;
+  /// What it says of itself.
   virtual const EffectDescription& description() const = 0;
+  /// Free numbers with bounds and starts that suit the experiment.
   virtual std::vector<EffectParameter> parameters(const Experiment& experiment) const = 0;
   /// Whether such a recording can show it at all (holds, reversals, several speeds, ...).
   virtual bool can_show(const Experiment&) const { return true; }
@@ -67,11 +73,13 @@ class Effect {
   virtual void assemble(Mechanics& mechanics, const double* parameters) const = 0;
 
   const std::string& id() const { return description().id; }
+  /// Whether it can act in recordings of this motion.
   bool acts_in(Motion mode) const {
     for (const Motion known : description().modes)
       if (known == mode) return true;
     return false;
   }
+  /// Whether the recording varies what the effect is known by.
   bool has_what_it_needs(const Experiment& experiment) const {
     const auto varied = experiment.different.find(needs().channel);
     return (varied == experiment.different.end() ? 0 : varied->second) >= needs().count;

@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// Where, and how much of it.
 struct ChallengeOptions {
   std::filesystem::path output;
   bool quick = false;

@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// One recording of the matrix.
 struct ChallengeItem {
   std::string name;    ///< of its folder
   std::string family;  ///< "single", "finite_elements", "pair", "null", "out_of_catalogue", "decoy",

@@ -11,6 +11,7 @@
 
 namespace asperity {
 
+/// A parameter's true value beside its estimate and interval, all in its unit.
 struct ScoredParameter {
   std::string name;  ///< "lateral_compliance/compliance"
   double truth = 0, estimate = 0, low = 0, high = 0;
@@ -22,11 +23,11 @@ struct ChallengeScore {
   std::vector<std::string> truth, named;  ///< effects, in order of their names
   std::vector<std::vector<std::string>> alternatives;
   std::string verdict;
-  double noise = 0, seconds = 0;
+  double noise = 0, seconds = 0;  ///< share of the largest response; run time [s]
   std::vector<ScoredParameter>
       parameters;       ///< of effects named rightly, where truth and catalogue mean the same
-  double overlap = -1;  ///< of located and true region; -1: there is nothing to locate
-  double held_out_before = 0, held_out_after = 0;
+  double overlap = -1;  ///< of located and true region; -1: there is nothing to locate [-]
+  double held_out_before = 0, held_out_after = 0;  ///< reduced chi^2 of data held out [-]
   UserBaselines baselines;
   std::string failure;  ///< what went wrong with the diagnosis itself
 
@@ -38,6 +39,7 @@ struct ChallengeScore {
   bool is_right() const;
 };
 
+/// Holds a diagnosis against the truth.
 ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& concealed,
                         const Diagnosis& diagnosis);
 
@@ -45,7 +47,9 @@ ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& con
 /// is larger than half the noise.
 double location_overlap(const Recording& recording, const Truth& truth, const Diagnosis& diagnosis);
 
+/// A score as JSON, and back.
 nlohmann::ordered_json score_json(const ChallengeScore& score);
+/// From what score_json wrote.
 ChallengeScore score_from(const nlohmann::ordered_json& json);
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 
 namespace asperity {
 
+/// Held-out reduced chi^2 of each [-].
 struct UserBaselines {
   double simulation = 0;         ///< held-out reduced chi^2 of the calibrated simulation alone
   double sparse_regression = 0;  ///< with the regression's prediction of the residual

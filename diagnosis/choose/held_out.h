@@ -6,8 +6,8 @@
 namespace asperity {
 
 struct HeldOut {
-  double chi2_reduced = 0;  ///< of all samples, each predicted by a fit without its block
-  double cost = 0;          ///< the same with Huber's costs, over the number of samples
+  double chi2_reduced = 0;  ///< of all samples, each predicted by a fit without its block [-]
+  double cost = 0;          ///< the same with Huber's costs, over the number of samples [-]
   bool consistent = true;   ///< the effects' parameters are the same whichever block is left out
   int blocks = 0;
   std::string block_name;  ///< "runs", "cycles", "rows", "blocks"
@@ -21,6 +21,7 @@ struct Blocks {
 };
 Blocks blocks_of(const Samples& samples);
 
+/// Fits without each block and predicts it.
 HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks);
 
 }  // namespace asperity

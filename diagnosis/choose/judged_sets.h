@@ -20,6 +20,7 @@ constexpr double as_good = 2.3;
 ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
                      const ModelFit& fit);
 
+/// A set of effects whose members were judged.
 struct JudgedSet {
   const Candidate* candidate;
   ModelFit fit;

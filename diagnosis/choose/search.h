@@ -8,23 +8,28 @@
 
 namespace asperity {
 
+/// A set that was fitted.
 struct Candidate {
   ModelFit fit;
-  double cost = 0;  ///< -2 log likelihood, with what the laws may be off by (law_error.h)
+  double cost = 0;  ///< -2 log likelihood, with what the laws may be off by (law_error.h) [-]
+  /// [-].
   double score =
       0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 };
 
+/// All sets, and how much they explain.
 struct SearchResult {
   Candidate alone;                    ///< the simulation without any effect
   std::vector<Candidate> candidates;  ///< all sets that were fitted, the best first
   std::size_t admissible = 0;         ///< effects that these data could show
-  double overdispersion = 1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered
+  double overdispersion =
+      1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered [-]
 };
 
 /// True if the residual of an explanation is noise.
 using IsNoise = std::function<bool(const ModelFit&)>;
 
+/// baseline: the fit without any effect; progress is told what is being done.
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress);
 

@@ -10,10 +10,11 @@
 
 namespace asperity {
 
+/// What is concealed in which experiment.
 struct ConcealOptions {
   Motion mode = Motion::normal;
   std::vector<std::string> effects;  ///< of the catalogue or out of it; none: a null
-  double noise = 0.01;               ///< standard deviation of a sample over the largest response
+  double noise = 0.01;               ///< standard deviation of a sample over the largest response [-]
   unsigned seed = 1;
   /// "one_load", "ramp_only": experiments in which some effects are not distinguishable; "long_hold",
   /// "small_loops": those in which one looks like another.

@@ -10,12 +10,14 @@
 namespace asperity::hidden {
 
 struct InstrumentNoise {
-  double sd = 0;                                     ///< of one sample, of all parts together
-  double correlated_share = 0;                       ///< of the variance
-  double correlation_length = 3;                     ///< samples over which the correlated part fades by e
-  double outlier_probability = 0, outlier_size = 8;  ///< size in sd
+  double sd = 0;                  ///< of one sample, of all parts together, in the unit of the signal
+  double correlated_share = 0;    ///< of the variance [-]
+  double correlation_length = 3;  ///< samples over which the correlated part fades by e [-]
+  double outlier_probability = 0, outlier_size = 8;  ///< size in sd [-]
 
+  /// The noise in words, for truth.json.
   std::string words() const;
+  /// Adds a draw of it to each value.
   void add_to(std::vector<double>& signal, Random& random) const;
 };
 

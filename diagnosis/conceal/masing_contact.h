@@ -15,6 +15,7 @@ namespace asperity::hidden {
 class MasingContact {
  public:
   MasingContact() = default;
+  /// stiffness [N/m], limit [N].
   MasingContact(double stiffness, double limit) : stiffness_(stiffness), limit_(limit) {}
 
   /// Positions in order.

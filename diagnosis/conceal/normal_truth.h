@@ -17,6 +17,7 @@ class NormalTruth {
   virtual void take(double approach, double time) = 0;
 };
 
+/// An elastic sphere.
 class ElasticTruth : public NormalTruth {
  public:
   explicit ElasticTruth(Sphere sphere) : sphere_(sphere) {}
@@ -60,11 +61,15 @@ class HystereticTruth : public NormalTruth {
 ///   Kadin (2005, Int. J. Solids Struct. 42:3716).
 class PlasticTruth : public NormalTruth {
  public:
+  /// E* [Pa], R [m], nu [-], Y [Pa].
   PlasticTruth(double reduced_modulus, double radius, double poissons_ratio, double yield_stress);
   double force(double approach, double) const override;
   void take(double approach, double) override { largest_ = approach > largest_ ? approach : largest_; }
+  /// Force [N] on the first loading to an approach [m].
   double loading_force(double approach) const;
+  /// Approach at first yield [m].
   double critical_approach() const { return critical_; }
+  /// Force at first yield [N].
   double critical_force() const { return critical_force_; }
 
  private:
@@ -75,6 +80,7 @@ class PlasticTruth : public NormalTruth {
 /// delta_e(F) + q, tau dq/dt = phi delta_e - q, whether the load is held or not.
 class CreepingTruth : public NormalTruth {
  public:
+  /// share phi [-], time_constant tau [s].
   CreepingTruth(Sphere sphere, double share, double time_constant)
       : sphere_(sphere), share_(share), time_(time_constant) {}
   double force(double approach, double time) const override { return sphere_.force(elastic(approach, time)); }

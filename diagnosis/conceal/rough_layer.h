@@ -19,6 +19,7 @@ class RoughLayer {
   /// Rings out to `reach`.
   RoughLayer(const Sphere& sphere, double decay_length, double pressure_at_zero_gap, double reach, int rings);
   /// Force at an approach of the mean planes; negative approaches count.
+  /// [m] to [N]. Throws WorkError where the rings find no equilibrium.
   double force(double approach);
   /// Displacement of each ring's middle by unit pressure on each ring [m/Pa].
   const Eigen::MatrixXd& influence() const { return influence_; }

@@ -17,7 +17,9 @@ struct Sphere {
   double reduced_modulus = 0;  ///< E* [Pa]
   double radius = 0;           ///< R [m]
 
+  /// Approach [m] and force [N] at a contact radius a [m].
   double approach_of(double a) const { return 0.5 * a * std::log((radius + a) / (radius - a)); }
+  /// Force [N] at a contact radius a [m].
   double force_of(double a) const {
     return reduced_modulus *
            (0.5 * (a * a + radius * radius) * std::log((radius + a) / (radius - a)) - a * radius);

@@ -9,6 +9,7 @@
 
 namespace asperity {
 
+/// A parameter's true value, in SI units.
 struct TrueParameter {
   double value = 0;
   /// Means what the catalogue means by it: an estimate can be held against it. Another law of the same
@@ -16,6 +17,7 @@ struct TrueParameter {
   bool is_the_catalogues = true;
 };
 
+/// An effect that is in the recording.
 struct TrueEffect {
   std::string id;
   bool in_catalogue = true;
@@ -46,6 +48,7 @@ struct Truth {
   std::vector<TrueContribution> contributions;
 };
 
+/// Writes truth.json into the folder.
 void write_truth(const Truth& truth, const std::filesystem::path& folder);
 /// Throws InputError naming the file.
 Truth read_truth(const std::filesystem::path& folder);

@@ -48,7 +48,9 @@ struct WorldRequest {
 std::vector<std::string> concealable(Motion mode);
 std::vector<std::string> concealable_out_of_catalogue(Motion mode);
 
+/// Normal contact under a request's load.
 World normal_world(const WorldRequest& request);
+/// Sliding under constant load.
 World sliding_world(const WorldRequest& request);
 /// Rolling, rail and torsion: series of loads.
 World series_world(const WorldRequest& request);

@@ -11,14 +11,17 @@ namespace asperity {
 constexpr double huber_bend = 3;
 
 /// r^2, or 2 k |r| - k^2 beyond the bend k.
+/// A residual over its sd [-].
 double huber_cost(double residual);
 
+/// Where the search ended.
 struct BoundedFit {
   Eigen::VectorXd x;
-  double cost = 0;             ///< sum of Huber's costs
+  double cost = 0;             ///< sum of Huber's costs [-]
   Eigen::MatrixXd covariance;  ///< (J^T W J)^-1; empty if it was not asked for
 };
 
+/// When it ends, and what is asked of it.
 struct BoundedFitOptions {
   int most_iterations = 15;
   bool covariance = false;

@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// A parameter that a fit searches for; values in its unit.
 struct FreeParameter {
   std::string name, unit;
   int effect = -1;  ///< index into the explanation's effects; -1: of the simulation itself
@@ -17,6 +18,7 @@ struct FreeParameter {
   std::vector<double> starts;
 
   /// Between the value and the coordinate of the search, of order one.
+  /// value in `unit`.
   double coordinate(double value) const;
   double value(double coordinate) const;
 };

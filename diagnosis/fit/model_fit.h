@@ -26,13 +26,14 @@ struct FitProblem {
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
   std::vector<double> values;  ///< of explanation->parameters()
-  double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples
+  double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples [-]
   std::size_t count = 0;       ///< of whitened residuals
   Eigen::MatrixXd covariance;  ///< of the search coordinates; empty where it was not asked for
   /// Factors on the standard deviations, downwards and upwards, that make the cost rise as a parabola would
   /// (with_intervals()).
   std::vector<std::pair<double, double>> stretch;
 
+  /// What the fitted model says at these samples, in their unit.
   std::vector<double> simulate(const Samples& samples) const;
   std::vector<double> residual(const Samples& samples) const {
     return FitProblem::residual(samples, simulate(samples));
@@ -41,10 +42,12 @@ struct ModelFit {
   ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects,
                 const ModelFit& baseline) const;
   /// Null where it has no such parameter; `owner` null: of the simulation itself.
+  /// In the parameter's unit.
   const double* value_of(const std::string& name, const Effect* owner) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
   bool is_itself() const;
   /// 95 % interval of a parameter; `inflation` multiplies the variance.
+  /// inflation [-].
   DiagnosedParameter parameter(std::size_t index, double inflation) const;
 };
 

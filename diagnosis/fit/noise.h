@@ -21,8 +21,8 @@ struct Noise {
 /// second differences at distances of k = 1, 2 and 3 samples: their variance is sigma^2 (6 - 8 rho^k + 2
 /// rho^(2k)). Means of the lowest 60 % bear with outliers and with a signal that jumps now and then.
 struct ShortScaleNoise {
-  double sd = 0, correlation = 0;
-  std::size_t count = 0;  ///< of second differences
+  double sd = 0, correlation = 0;  ///< sigma in the unit of the residual, rho [-]
+  std::size_t count = 0;           ///< of second differences
 };
 ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks);
 

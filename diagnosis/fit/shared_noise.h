@@ -14,9 +14,9 @@
 namespace asperity {
 
 struct SharedNoise {
-  double share = 0;                                     ///< of the variance
-  double memory = 0;                                    ///< rho
-  double neighbours() const { return share * memory; }  ///< correlation of two samples next to each other
+  double share = 0;                                     ///< of the variance [-]
+  double memory = 0;                                    ///< rho [-]
+  double neighbours() const { return share * memory; }  ///< correlation of two samples next to each other [-]
 };
 
 /// The filter along every run, gaps and samples that do not count included.
@@ -32,6 +32,7 @@ class NoiseFilter {
   /// Of a sample that counts, among the whitened ones.
   Eigen::Index place(std::size_t sample) const { return place_[sample]; }
   /// Sum of the logarithms of the innovations' variances, over the samples' own.
+  /// A pure number [-].
   double log_determinant() const { return log_determinant_; }
 
  private:

@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// What the text itself does not say.
 struct ImportOptions {
   std::string format;  ///< "hysitron", "optics11", "fischer", "csv"; "": recognised from the text
   std::string title;

@@ -6,6 +6,7 @@
 
 namespace asperity {
 
+/// Segment and cycle of each sample.
 struct FoundSegments {
   std::vector<std::string> segment;  ///< of each sample: "load", "hold", "unload"
   std::vector<double> cycle;         ///< loops begun so far, from 0

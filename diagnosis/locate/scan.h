@@ -14,10 +14,11 @@
 
 namespace asperity {
 
+/// How far a residual is from noise, and where.
 struct ScanResult {
-  double p_value = 1;                   ///< that noise alone departs as much anywhere
+  double p_value = 1;                   ///< that noise alone departs as much anywhere [-]
   std::vector<MismatchRegion> regions;  ///< those unlikely to be noise, the largest first
-  double chi2_reduced = 0;              ///< mean of (residual/sd)^2
+  double chi2_reduced = 0;              ///< mean of (residual/sd)^2 [-]
 };
 
 /// Noise simulated once for all scans of the same recording.
@@ -44,6 +45,7 @@ class Scanner {
 };
 
 /// chi^2 over the number of samples that count.
+/// A pure number [-].
 double chi2_reduced(const Samples& samples, const std::vector<double>& residual, const Noise& noise);
 
 }  // namespace asperity

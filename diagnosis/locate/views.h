@@ -9,11 +9,13 @@
 
 namespace asperity {
 
+/// One bin.
 struct Bin {
-  double from = 0, to = 0;           ///< of the variable
+  double from = 0, to = 0;           ///< of the variable, in its unit
   std::vector<std::size_t> samples;  ///< that count
 };
 
+/// The bins of one variable in one segment.
 struct View {
   std::size_t table = 0;
   std::string segment;   ///< "" for all
@@ -21,6 +23,7 @@ struct View {
   std::vector<Bin> bins;
 };
 
+/// All views that the samples allow.
 std::vector<View> views_of(const Samples& samples, const Experiment& experiment);
 
 }  // namespace asperity

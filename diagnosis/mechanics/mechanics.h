@@ -55,6 +55,7 @@ struct DelayedPart {
   }
 };
 
+/// Under normal load.
 struct NormalMechanics {
   std::shared_ptr<const NormalContact> contact;              ///< without history; cloned for a run
   std::vector<std::function<double(double force)>> series;   ///< displacement [m] of what lies in series
@@ -63,6 +64,7 @@ struct NormalMechanics {
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
 };
 
+/// Under lateral load.
 struct LateralMechanics {
   enum class Stick { spring, strips } stick = Stick::spring;
   double compliance = 0;                              ///< C in series [m/N]

@@ -19,6 +19,7 @@ class NormalContact {
   /// Force [N] at a displacement of the contact [m] that follows the history accepted last.
   virtual double force(double displacement) const = 0;
   /// Displacement at a force in closed form, where there is one; NaN: solve force() for it.
+  /// [N] to [m].
   virtual double displacement(double) const { return std::numeric_limits<double>::quiet_NaN(); }
   /// The step to this displacement was taken.
   virtual void accept(double) {}
@@ -28,6 +29,7 @@ class NormalContact {
   virtual const Hertz* hertz() const { return nullptr; }
 };
 
+/// Hertz' law, which has no history.
 class HertzContact : public NormalContact {
  public:
   explicit HertzContact(const Hertz& law) : law_(law) {}

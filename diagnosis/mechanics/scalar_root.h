@@ -10,6 +10,7 @@ namespace asperity {
 /// Brackets by growing steps from `guess`, then algorithm 748 (Alefeld, Potra & Shi 1995). Where the function
 /// has more than one root, the bracket is sought from above: the stable branch of an adhesive contact lies
 /// there.
+/// In the unit of the argument.
 template <class Function>
 double increasing_root(const Function& f, double guess, double step, double tolerance) {
   constexpr int most_expansions = 80;

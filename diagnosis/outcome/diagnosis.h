@@ -8,8 +8,10 @@
 
 namespace asperity {
 
+/// What the diagnosis comes to.
 enum class Verdict { no_mismatch, explained, partly_explained, ambiguous, unexplained };
 
+/// As it stands in diagnosis.json.
 std::string name_of(Verdict verdict);
 
 /// Does an effect belong to the physics of the contact or to that of the measurement?
@@ -21,6 +23,7 @@ struct DiagnosedParameter {
   double value = 0, low = 0, high = 0;
 };
 
+/// An effect with its parameters and what speaks for it.
 struct DiagnosedEffect {
   std::string id, title, equation, source, meaning;
   EffectKind kind = EffectKind::contact;
@@ -37,6 +40,7 @@ struct MismatchRegion {
   double share = 0;          ///< of the excess squared residual
 };
 
+/// The noise of one channel.
 struct NoiseEstimate {
   double value = 0;  ///< standard deviation of one sample
   std::string unit;
@@ -50,6 +54,7 @@ struct FitQuality {
   double held_out_chi2_reduced = 0;
 };
 
+/// Another set of effects that the data allow.
 struct AlternativeExplanation {
   std::vector<DiagnosedEffect> effects;
   double probability = 0;

@@ -32,9 +32,11 @@ inline double control_noise(const std::vector<double>& signal) {
 /// `asked`; at most over a fiftieth of the samples.
 struct QuietSignal {
   std::vector<double> values;
-  double spread = 0;  ///< of the noise that is left, extreme to extreme; at most a tenth of the range
+  double spread = 0;  ///< of the noise that is left, extreme to extreme; at most a tenth of the range, in
+                      ///< the unit of the signal
 };
 
+/// That of a signal; `asked` in its unit, 0: without averaging.
 inline QuietSignal quiet(const std::vector<double>& signal, double asked) {
   constexpr double extremes = 10;  // standard deviations, more than white noise reaches in 1e5 samples
   constexpr double most_of_range = 0.1;

@@ -33,10 +33,12 @@ struct Experiment {
        has_off_contact = false;
   bool has_time = false;
 
+  /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
   Hertz hertz() const { return {reduced_modulus(), radius}; }
 };
 
+/// From a recording's description and the range of its samples.
 Experiment experiment_of(const Recording& recording, const Samples& samples);
 
 }  // namespace asperity

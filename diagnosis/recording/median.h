@@ -6,6 +6,7 @@
 
 namespace asperity {
 
+/// In the unit of the values.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<long>(values.size() / 2);

@@ -52,6 +52,7 @@ enum class TableKind { trace, series };
 /// Where the forces of a rolling or rail series act.
 enum class ForcePlace { indenter, substrate };
 
+/// One table of measured channels.
 struct RecordingTable {
   std::string file;  ///< CSV file within the folder
   TableKind kind = TableKind::trace;
@@ -91,6 +92,7 @@ std::vector<std::string> known_channels();
 /// Reads a folder, or its recording.json. Throws InputError: one sentence with file, line and remedy.
 Recording read_recording(const std::filesystem::path& folder);
 /// Everything read_recording() asks of a recording made in memory.
+/// Throws InputError, one sentence with remedy.
 void check_recording(const Recording& recording);
 /// Writes recording.json and one CSV for each table, in SI units; creates the folder.
 void write_recording(const Recording& recording, const std::filesystem::path& folder);

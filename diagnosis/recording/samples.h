@@ -50,6 +50,7 @@ struct Samples {
   int parts = 0;
 };
 
+/// All tables of a recording, in their order.
 Samples samples_of(const Recording& recording);
 
 /// Every sample near reversals, fewer elsewhere, at most about `most`; ends of segments stay.

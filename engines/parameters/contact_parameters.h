@@ -116,6 +116,7 @@ const std::vector<QuantityEntry>& quantity_entries();
 ContactParameters read_contact_parameters(const std::filesystem::path& file);
 ContactParameters parse_contact_parameters(const nlohmann::ordered_json& json, const std::string& file);
 
+/// As the format says, and the same written into a file.
 nlohmann::ordered_json to_json(const ContactParameters& parameters);
 void write_contact_parameters(const ContactParameters& parameters, const std::filesystem::path& file);
 

@@ -18,6 +18,7 @@ struct MeshedRoughness {
   RoughnessFidelity fidelity;  ///< known once the mesh is made
 
   bool rough() const { return scales.rms > 0; }
+  /// Shortest wave over the spacing [-].
   double cells_per_wave() const { return scales.shortest_wave / spacing; }
 };
 
@@ -44,11 +45,13 @@ CaseInput with_derived_path_length(const CaseInput& input);
 CaseSetup set_up(const CaseInput& input);
 
 /// All of it but the surfaces' heights and what follows from them.
+/// Throws InputError as set_up does.
 CaseSetup set_up_sizes(const CaseInput& input);
 
 /// Throws what set_up throws, without making the surfaces.
 void check_extent(const CaseInput& input);
 
+/// Elasticity and plasticity of a body of a case.
 J2Material material_of(const BodyInput& body);
 
 }  // namespace asperity::fem

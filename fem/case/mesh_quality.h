@@ -26,9 +26,11 @@ struct RoughnessFidelity {
   }
 
   bool smooth() const { return sq_topography == 0; }
+  /// Sq of the nodes over that of the topography [-]; 1 where smooth.
   double sq_ratio() const { return smooth() ? 1 : sq_nodes / sq_topography; }
 };
 
+/// Shapes of the cells of both bodies.
 struct HexMeshQuality {
   std::array<double, 2> smallest_scaled_jacobian{
       1, 1};  ///< particle, substrate [-]; 1: a box, 0: flat or inverted

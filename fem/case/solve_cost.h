@@ -7,17 +7,19 @@ namespace asperity::fem {
 
 /// Unknowns of a mesh with these fine regions, roughly: layers of cells that double in size away from both
 /// interfaces.
+/// layers [-].
 double estimated_unknowns(const meshing::BodySizes& sizes, double layers);
 
 /// Peak memory of `asperity solve` on one process [byte].
 double estimated_memory(double unknowns);
 
 struct SolveCost {
-  double unknowns = 0;
-  double memory = 0;   ///< [byte]
-  int steps = 0;       ///< of the experiment
-  double seconds = 0;  ///< on two cores, to a factor of two [s]
+  double unknowns = 0;  ///< [-]
+  double memory = 0;    ///< [byte]
+  int steps = 0;        ///< of the experiment
+  double seconds = 0;   ///< on two cores, to a factor of two [s]
 };
+/// Of a case that is set up.
 SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup);
 
 }  // namespace asperity::fem

@@ -10,6 +10,7 @@ constexpr int lanes = 8;
 
 template <typename Number>
 struct SimdOf;
+/// Vectors of `lanes` numbers of this precision.
 template <>
 struct SimdOf<double> {
   typedef double type __attribute__((vector_size(8 * lanes)));
@@ -21,6 +22,7 @@ struct SimdOf<float> {
 template <typename Number>
 using Simd = typename SimdOf<Number>::type;
 
+/// Of each number.
 template <typename V>
 inline V square_root(const V& x) {
   V y;

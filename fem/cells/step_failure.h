@@ -18,6 +18,7 @@ class StepFailure : public WorkError {
 /// for the one that failed.
 class StepFailures {
  public:
+  /// Runs `work` and keeps its failure, if it has one.
   template <typename Work>
   void guard(const Work& work) {
     try {

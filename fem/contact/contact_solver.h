@@ -17,6 +17,7 @@
 
 namespace asperity::fem {
 
+/// Laws of the interface, and tolerances of the iterations.
 struct ContactSolverOptions {
   /// Sum of unbalanced nodal forces relative to the contact force; met, too, where it is no more than what
   /// rounding of the displacements leaves (light loads on a body far stiffer than the other, which moves as a
@@ -46,8 +47,10 @@ class ContactSolver {
   SolveReport solve(ContactState& state, double target) { return solve(state, target, state.motion); }
 
   /// Moves the particle rigidly by `approach` more, a first guess for larger loads.
+  /// approach [m].
   void push_rigidly(ContactState& state, double approach) const;
 
+  /// Forces, areas and spots of a state.
   ContactResultants resultants(const ContactState& state) const;
   /// Gap of each row at a state [m].
   std::vector<double> gaps(const ContactState& state) const;
@@ -59,12 +62,14 @@ class ContactSolver {
   /// solution under Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces).
   double far_field_compliance(double radius);
   /// The same for the shift under a lateral force (Johnson 1985 eq. 7.41 under Hertz' distribution of shear).
+  /// radius [m]; the result in [m/N].
   double lateral_far_field_compliance(double radius);
 
   bool has_friction() const { return tractions_.has_friction(); }
   bool has_adhesion() const { return tractions_.has_adhesion(); }
   const FrictionLaw* friction() const { return options_.friction.get(); }  ///< null: none
   const InterfaceTractions& tractions() const { return tractions_; }
+  /// Approach at which the undeformed surfaces touch [m].
   double touch_offset() const { return touch_offset_; }
   std::function<void(const std::string&)> log;
 

@@ -38,6 +38,7 @@ struct ContactState : InterfaceState {
   }
 };
 
+/// What a solve took, and how well it ended.
 struct SolveReport {
   int newton = 0, updates = 0, linear = 0;  ///< iterations
   double residual = 0, penetration = 0;     ///< reached, relative
@@ -59,14 +60,14 @@ struct ContactResultants {
   double reaction_fixed = 0;   ///< from reactions of the fixed plane [N]
   std::array<double, 2> lateral_reaction{};  ///< of the fixed plane [N]
   double moment_error = 0;         ///< |moment of tractions about the axes - moment of the same forces on the
-                                   ///< substrate| / (force, radius of the area)
+                                   ///< substrate| / (force, radius of the area) [-]
   double area = 0;                 ///< real contact area [m^2]
   double perimeter = 0;            ///< of its edge [m]
   int spots = 0;                   ///< contacts apart from each other
   std::array<double, 2> centre{};  ///< of the contact pressure, in the substrate's frame [m]
   double pressure_radius = 0;      ///< of the Hertzian pressure with the same second moment [m]
-  double largest_pressure = 0;
-  int active = 0, sticking = 0;  ///< rows in contact, and those of them that stick
+  double largest_pressure = 0;     ///< of a row [Pa]
+  int active = 0, sticking = 0;    ///< rows in contact, and those of them that stick
   bool reaches_rim = false;
 };
 

@@ -12,6 +12,7 @@
 
 namespace asperity::fem {
 
+/// Meshes, materials and the solver of linear systems.
 struct ContactSystemOptions {
   meshing::ContactMeshOptions mesh;
   std::array<J2Material, 2> materials;  ///< particle, substrate

@@ -37,6 +37,7 @@ class InterfaceTractions {
   /// its gaps at the accepted displacements before and after the coupling; where the load grows, a row that
   /// the motion alone does not bring into contact slips from the beginning. time_step: from the accepted
   /// state's time.
+  /// time_step [s], gaps [m].
   void begin_step(const ContactState& accepted, const RigidMotion& motion,
                   const std::vector<double>& gaps_before, const std::vector<double>& gaps, bool load_grows,
                   double time_step);
@@ -52,9 +53,11 @@ class InterfaceTractions {
   /// Makes the evaluated tractions the multipliers; `change` is to be asked before.
   void update_multipliers(ContactState& state) const;
 
+  /// How far an update would go.
   struct Change {
     double pressure, shear;  ///< 1-norms of the changes that an update would make, relative to their totals
   };
+  /// What an update would change of the state's multipliers.
   Change change(const ContactState& state) const;
 
   const std::vector<double>& pressure() const { return pressure_; }
@@ -68,13 +71,16 @@ class InterfaceTractions {
   /// Makes time and history of `state`, which begin_step() was given, those of the evaluated rows at the end
   /// of a step.
   void update_history(ContactState& state) const;
+  /// Energy of the attraction at these gaps [J].
   double adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const;
   /// y += forces of the evaluated tractions on all nodes.
   void add_forces(double* y) const;
+  /// Sum of pressure less attraction over the rows [N].
   double total_force() const;
   /// Load that an accepted state carries: its pressures less the attraction at its gaps [N].
   double carried_load(const ContactState& accepted, const std::vector<double>& gaps) const;
   /// Sum of |shear| over that of the pressures.
+  /// A ratio [-].
   double shear_share() const;
   bool any_closed() const;
   int closed() const;
@@ -90,6 +96,7 @@ class InterfaceTractions {
   /// Numbers that a state keeps of each row for friction.
   std::size_t history_size() const { return friction_ ? kept_of_all_laws + friction_->history().size() : 0; }
   /// Internal variables of the friction law that a state stores for a row; index: in FrictionLaw::history().
+  /// In the unit of the variable.
   double remembered(const ContactState& state, std::size_t row, std::size_t index) const {
     return state.friction_history[row * history_size_ + kept_of_all_laws + index];
   }

@@ -8,11 +8,12 @@ namespace asperity::fem {
 
 class LineSearch {
  public:
-  /// error: unbalanced force from which the next steps are to make progress; patience: steps without progress
-  /// after which the minimum of the energy is located accurately.
+  /// error: unbalanced force [N] from which the next steps are to make progress; patience: steps without
+  /// progress after which the minimum of the energy is located accurately.
   LineSearch(double error, int patience) : patience_(patience) { restart(error); }
+  /// Begins anew from an unbalanced force [N].
   void restart(double error) { least_ = error, barren_ = 0; }
-  /// To be called with the unbalanced force that each step reached.
+  /// To be called with the unbalanced force [N] that each step reached.
   void reached(double error) {
     barren_ = error < progress * least_ ? 0 : barren_ + 1;
     least_ = std::min(least_, error);
@@ -20,6 +21,7 @@ class LineSearch {
 
   /// slope: of the energy along the direction at its start, positive for descent; slope_at(step) moves there
   /// and returns the slope, negative beyond the lowest energy. Returns the step that it moved to last.
+  /// slope in [J], steps are fractions of the direction [-].
   template <typename SlopeAt>
   double step(double slope, const SlopeAt& slope_at) const {
     const double whole = slope_at(1.0);

@@ -19,6 +19,7 @@ namespace asperity::fem {
 class ContactExperiment {
  public:
   ContactExperiment(const CaseInput& input, const SolveOptions& options);
+  /// All steps, with history, fields and checkpoints written on the way.
   void run();
 
  private:

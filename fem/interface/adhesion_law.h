@@ -19,6 +19,7 @@ namespace asperity::fem {
 class AdhesionLaw {
  public:
   virtual ~AdhesionLaw() = default;
+  /// Traction at one gap.
   struct Attraction {
     double stress;  ///< [Pa], not negative
     double slope;   ///< its change with the gap [Pa/m]
@@ -42,6 +43,7 @@ const std::vector<AdhesionLawDeclaration>& adhesion_laws();
 ParameterEntry adhesion_range(const std::string& symbol);
 
 /// The law of that name. Throws InputError with the names there are, or naming the entry that it lacks.
+/// work: of adhesion [J/m^2].
 std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, const LawValues& values);
 
 /// Laws of surfaces on approach (closing) and on separation (opening); both null: no adhesion.

@@ -23,9 +23,10 @@ struct InterfacePoint {
   PlaneVector slip{};    ///< since the last accepted state [m]; none where the point sticks or is open
   double slip_path = 0;  ///< accumulated slip since first touch, this step's included [m]
   double slip_rate = 0;  ///< this step's slip over its time [m per unit of time]
-  double time = 0, time_step = 0;
+  double time = 0, time_step = 0;  ///< [s]
 };
 
+/// The limit at one point.
 struct ShearLimit {
   double stress;  ///< largest shear traction [Pa]
   double slope;   ///< its change with the pressure [-]
@@ -45,13 +46,16 @@ class FrictionLaw {
   virtual void remember(const InterfacePoint&, double* /*history*/) const {}
 
   /// Of a point that has not slipped, with internal variables of zero.
+  /// pressure [Pa].
   ShearLimit initial_limit(double pressure) const;
 };
 
+/// What a law of friction says of itself, and how it is made.
 struct FrictionLawDeclaration : LawDeclaration {
   /// From the values of all of its parameters.
   std::unique_ptr<FrictionLaw> (*make)(const LawValues&);
 };
+/// All of them, by name.
 const std::vector<FrictionLawDeclaration>& friction_laws();
 
 /// The law whose parameters the case gives, all that it needs and none besides; null where it gives none:

@@ -16,6 +16,7 @@ namespace asperity::fem {
 
 using PlaneVector = std::array<double, 2>;
 
+/// Traction and its tangent.
 struct Shear {
   PlaneVector traction;  ///< [Pa]
   double xx, xy, yy;     ///< -dt/ds over eps [-]
@@ -25,6 +26,7 @@ struct Shear {
   double secant() const { return slips ? xx + yy : 1; }
 };
 
+/// trial traction and limit [Pa].
 inline Shear return_to_limit(const PlaneVector& trial, double limit) {
   const double size = std::hypot(trial[0], trial[1]);
   if (size < limit) return {trial, 1, 0, 1, false};

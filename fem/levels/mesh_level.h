@@ -63,6 +63,7 @@ class MeshLevel {
   const std::vector<std::pair<int, double>>& driven_share() const { return driven_share_; }
   /// The driven plane moves by `tilt` times as much along x as along z: under a particle that has rolled by
   /// an angle, -tan(angle) keeps its motion upright.
+  /// tilt [-].
   void set_drive_tilt(double tilt);
   /// Local z dofs, owned here, of the nodes of the fixed plane that are not hanging.
   const std::vector<int>& fixed_z() const { return fixed_z_; }
@@ -70,6 +71,7 @@ class MeshLevel {
   /// Positions of all nodes in the layout of a displacement vector.
   Vector<double> node_positions(const meshing::RoughGeometry& geometry) const;
 
+  /// Gives a vector this level's layout, with zeros.
   template <typename Number>
   void initialise(Vector<Number>& vector) const {
     vector.reinit(partitioner_);
@@ -96,6 +98,7 @@ class MeshLevel {
     }
   }
   /// The same with a given displacement of the driven plane along z (displacement control).
+  /// x and driven [m].
   void distribute(double* x, double driven) const {
     distribute(x);
     for (const auto& [dof, share] : driven_share_) x[dof] += share * driven;

@@ -16,18 +16,19 @@ namespace asperity::fem {
 
 /// Of a step that is solved for (InterfacePoint says what time is).
 struct StepTime {
-  double time = 0;  ///< at its end
-  double step = 1;
+  double time = 0;  ///< at its end [s]
+  double step = 1;  ///< length of the step [s]
 };
 
 /// A point that yields, at the end of a step.
 struct YieldingPoint {
   double initial;    ///< yield stress without plastic strain [Pa]
-  double alpha;      ///< equivalent plastic strain
-  double increment;  ///< of it in this step; over time.step its rate
+  double alpha;      ///< equivalent plastic strain [-]
+  double increment;  ///< of it in this step; over time.step its rate [-]
   StepTime time;
 };
 
+/// The yield stress at a point, and its tangent.
 struct FlowStress {
   double stress;  ///< uniaxial yield stress [Pa]
   double slope;   ///< its change with the increment of the equivalent plastic strain in this step [Pa], above
@@ -59,12 +60,14 @@ struct MaterialObjection {
   std::string entry, sentence;
 };
 
+/// What a hardening says of itself, how it is made and what it refuses.
 struct MaterialDeclaration : LawDeclaration {
   /// From the values of all of its parameters.
   Plasticity (*make)(const LawValues&);
   /// Empty sentence: none. For a body's Young's modulus [Pa] and all of its values.
   MaterialObjection (*objection)(double youngs_modulus, const LawValues&);
 };
+/// All of them, by name.
 const std::vector<MaterialDeclaration>& material_laws();
 
 /// The yield stress, which every law takes: inf, elastic, where it is not given.

@@ -18,11 +18,12 @@ namespace asperity::fem {
 
 /// Constants of one body.
 struct J2Material {
-  double shear_modulus = 0, bulk_modulus = 0;
-  double yield_stress = std::numeric_limits<double>::infinity();
-  double kinematic_modulus = 0;                ///< H_kin [Pa]
-  std::shared_ptr<const Hardening> hardening;  ///< null: none but the kinematic one
+  double shear_modulus = 0, bulk_modulus = 0;                     ///< [Pa]
+  double yield_stress = std::numeric_limits<double>::infinity();  ///< initial one [Pa]
+  double kinematic_modulus = 0;                                   ///< H_kin [Pa]
+  std::shared_ptr<const Hardening> hardening;                     ///< null: none but the kinematic one
 
+  /// From E [Pa] and nu [-].
   static J2Material elastic(double youngs_modulus, double poisson_ratio) {
     J2Material material;
     material.shear_modulus = youngs_modulus / (2 * (1 + poisson_ratio));
@@ -31,10 +32,12 @@ struct J2Material {
   }
   bool can_yield() const { return std::isfinite(yield_stress); }
   /// alpha: at the end of a step that made the last `increment` of it.
+  /// alpha and increment [-].
   FlowStress flow(double alpha, double increment, const StepTime& time) const {
     return hardening ? hardening->flow({yield_stress, alpha, increment, time}) : FlowStress{yield_stress, 0};
   }
   /// Before a step yields.
+  /// alpha [-]; the result in [Pa].
   double flow_stress(double alpha, const StepTime& time = {}) const {
     return alpha == 0 ? yield_stress : flow(alpha, 0, time).stress;
   }
@@ -58,6 +61,7 @@ struct J2Tangent {
   SymmetricTensor<V> normal;
 };
 
+/// a : b.
 template <typename V>
 inline V double_contraction(const SymmetricTensor<V>& a, const SymmetricTensor<V>& b) {
   using Number = std::decay_t<decltype(a[0][0])>;
@@ -66,6 +70,7 @@ inline V double_contraction(const SymmetricTensor<V>& a, const SymmetricTensor<V
 
 /// Plastic multiplier (increment of alpha) that returns a trial stress q = sqrt(3/2)|s_trial - beta| to the
 /// surface. Throws StepFailure where none is found.
+/// q [Pa], alpha and the result [-].
 inline double return_to_yield_surface(const J2Material& m, double q, double alpha, const StepTime& time) {
   const double stiff = 3 * m.shear_modulus + m.kinematic_modulus;
   const FlowStress first = m.flow(alpha, 0, time);

@@ -65,6 +65,7 @@ class InterfaceNodes {
 
 /// Stiffness of a contact row [N/m]: against closing, and symmetric against slip in the plane. All 0: open.
 struct RowStiffness {
+  /// against_closing [N/m].
   RowStiffness(double against_closing = 0) : normal(against_closing) {}
   double normal, xx = 0, xy = 0, yy = 0;
   bool open() const { return normal == 0 && !resists_slip(); }
@@ -89,6 +90,7 @@ class InterfaceOperator {
 
   int rows() const { return static_cast<int>(start_.size()) - 1; }
   const InterfaceNodes& nodes() const { return nodes_; }
+  /// One for each row of the coupling.
   void set_stiffness(const std::vector<RowStiffness>& stiffness);
 
   /// y += G^T E G x.

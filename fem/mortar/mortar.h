@@ -32,6 +32,7 @@ struct PlaneQuad {
 };
 std::vector<PlaneQuad> quads(const std::vector<PlaneFace>& faces);
 
+/// One row of the gap operator: its node, area and normal.
 struct GapRow {
   int node = -1;                                ///< interface node of the particle's side
   double area = 0;                              ///< D_a [m^2]

@@ -30,12 +30,14 @@ inline RigidMotion between(const RigidMotion& a, const RigidMotion& b, double fr
 /// Rows: axes of the substrate's frame seen in the particle's.
 using Rotation = std::array<std::array<double, 3>, 3>;
 
+/// Q of a motion: roll about y, then spin about z.
 inline Rotation rotation(const RigidMotion& m) {
   const double c = std::cos(m.roll), s = std::sin(m.roll), cz = std::cos(m.spin), sz = std::sin(m.spin);
   return {{{cz * c, -sz, cz * s}, {sz * c, cz, sz * s}, {-s, 0, c}}};
 }
 
 /// Q (X - C) + C of a point X of the particle: where the turn alone takes it, C = (0, 0, radius).
+/// point and radius [m].
 inline std::array<double, 3> turned(const Rotation& q, const std::array<double, 3>& point, double radius) {
   std::array<double, 3> place{0, 0, radius};
   for (int c = 0; c < 3; ++c)

@@ -17,9 +17,9 @@ class DiscretisationError {
   /// shortest_wave [m] of the surfaces, infinite for smooth ones.
   DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave);
 
-  double resolution() const { return resolution_; }  ///< kappa
+  double resolution() const { return resolution_; }  ///< kappa [-]
 
-  // Relative:
+  /// Relative to the number itself, from here to spots().
   double area() const;  ///< also of the mean pressure; twice that of the radius
   double largest_pressure() const;
   double stiffness() const;
@@ -35,7 +35,7 @@ class DiscretisationError {
   double pull_off() const;
   double spots() const;
 
-  // Lengths [m]:
+  /// Lengths [m].
   double approach() const;     ///< of the mean planes
   double first_touch() const;  ///< where the surfaces touch first
   double unloading() const;    ///< difference of two approaches at small loads

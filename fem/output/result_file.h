@@ -13,6 +13,7 @@
 
 namespace asperity::fem {
 
+/// What the file says beside case and history.
 struct ResultSummary {
   Provenance provenance;
   double wall_time = 0, peak_memory = 0;  ///< [s], [byte]
@@ -24,6 +25,7 @@ struct ResultSummary {
       half_space;  ///< the same contact by boundary elements, where they solve it
 };
 
+/// The file's text.
 std::string result_json(const CaseInput& input, const CaseSetup& setup,
                         const std::vector<HistoryRow>& records, const ResultSummary& summary);
 

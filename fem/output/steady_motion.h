@@ -8,6 +8,7 @@
 
 namespace asperity::fem {
 
+/// Mean resistance and its scatter along the path.
 struct SteadyResistance {
   double mean;         ///< of sliding over the normal force [-], of torsion and rolling [N m]
   double sd;           ///< standard deviation of the force or moment along the path, in the same unit
@@ -22,8 +23,10 @@ std::optional<SteadyResistance> steady_torsion(const std::vector<HistoryRow>& re
 /// noise of the mesh, over the load times the contact radius (Rolling_analytic in tests/fem/rolling_test.cc).
 constexpr double rolling_noise = 5e-4;
 /// Mean moment against the motion; on rough surfaces mostly the conservative topographic part.
+/// radius: of the particle [m].
 std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius);
 /// Energy dissipated per angle over the same path: the rolling resistance.
+/// radius [m]; the result in [N m].
 std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius);
 
 }  // namespace asperity::fem

@@ -9,6 +9,7 @@
 
 namespace asperity::fem {
 
+/// One array of point or cell data.
 struct VtkArray {
   std::string name;
   int components = 1;

@@ -22,6 +22,7 @@ struct MotionExtent {
   double low_roll = 0, high_roll = 0, largest_spin = 0;  ///< [rad]
 };
 
+/// How far the stations go.
 MotionExtent extent_of(const std::vector<Station>& stations);
 
 /// Where the particle begins so that its path lies evenly about the axis of the meshes.

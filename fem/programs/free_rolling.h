@@ -8,11 +8,13 @@
 
 namespace asperity::fem {
 
+/// What the next step is estimated from.
 struct RollingContact {
   double radius = 0, hertz_radius = 0;  ///< of the particle and of Hertz' contact [m]
   double lateral_stiffness = 0;         ///< [N/m]; 0: without friction
 };
 
+/// Shift and angle of a step.
 struct RollingStep {
   double path_per_angle = 0;  ///< [m/rad]
   double back =

@@ -8,6 +8,7 @@
 
 namespace asperity::fem {
 
+/// One place of the path.
 struct Station {
   double load = 0;     ///< fraction of the largest load (force control) or approach (displacement control)
   RigidMotion motion;  ///< of the particle's frame
@@ -30,6 +31,7 @@ struct MotionScales {
 std::vector<Station> make_program(const ExperimentInput& experiment, const MotionScales& scales);
 
 /// Positions from 0 to `length`, without 0: steps grow from a tenth of `onset` to `largest`.
+/// In the unit of `length`.
 std::vector<double> graded_path(double length, double onset, double largest);
 
 }  // namespace asperity::fem

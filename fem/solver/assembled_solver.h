@@ -16,6 +16,7 @@ class AssembledSolver : public LinearSolver {
   ~AssembledSolver() override;
   void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
               double driven_spring) override;
+  /// Throws InputError for a motion that rolls.
   void recouple(const RigidMotion& motion) override;
   void follow_slopes() override {}  // read from the interface at each update
   int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const override;

@@ -8,6 +8,7 @@
 namespace asperity::fem {
 
 /// See LinearSolver::solve.
+/// relative_tolerance [-].
 template <typename Matrix, typename Preconditioner>
 int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Preconditioner& preconditioner,
                         Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) {

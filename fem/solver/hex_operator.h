@@ -31,7 +31,9 @@ class HexOperator {
   /// yet.
   void set_driven_spring(double stiffness) { driven_spring_ = static_cast<Number>(stiffness); }
 
+  /// dst = (C^T (K + G^T E G) C) src.
   void vmult(Vector<Number>& dst, const Vector<Number>& src) const;
+  /// The same: the matrix is symmetric.
   void Tvmult(Vector<Number>& dst, const Vector<Number>& src) const { vmult(dst, src); }
   /// Diagonal of the condensed operator, 1 at constrained unknowns.
   Vector<Number> diagonal() const;
@@ -44,6 +46,7 @@ class HexOperator {
   dealii::types::global_dof_index m() const { return level_.size(); }
   dealii::types::global_dof_index n() const { return level_.size(); }
   Number el(dealii::types::global_dof_index, dealii::types::global_dof_index) const { return Number(0); }
+  /// As deal.II's smoothers ask for it.
   void initialize_dof_vector(Vector<Number>& vector) const { level_.initialise(vector); }
   const MeshLevel& level() const { return level_; }
   const std::vector<Number>& positions() const { return positions_; }
@@ -73,6 +76,7 @@ inline void load_nodes(const CellBatch& batch, const Number* field, Simd<Number>
     }
 }
 
+/// Adds the values of a batch's nodes to a field.
 template <typename Number>
 inline void add_nodes(const CellBatch& batch, const Simd<Number> (&values)[3][8], Number* field) {
   for (int l = 0; l < batch.count; ++l)

@@ -14,6 +14,7 @@ namespace asperity::fem {
 
 class LevelTransfer {
  public:
+  /// Throws WorkError where a cell has no counterpart on the coarser mesh.
   LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse);
 
   /// fine += P coarse. Sets the constrained entries of `coarse` as well.

@@ -30,6 +30,7 @@ class LinearSolver {
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after
   /// 400 steps: an inexact direction is still one of descent). Constrained entries and ghosts of x are set.
   /// Returns the iterations.
+  /// relative_tolerance [-].
   virtual int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const = 0;
 
   /// For the log: what it is and how large, e.g. "9 multigrid levels".

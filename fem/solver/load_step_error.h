@@ -27,6 +27,7 @@ namespace asperity::fem {
 /// for few and many steps (tests/fem/plastic_contact_test.cc).
 constexpr double uncertainty_of_load_step_error = 0.5;
 
+/// How far the direction of flow turns at one point within a step.
 struct FlowTurn {
   std::array<double, 6> strain{};  ///< e = |de_p| (n at the step's end - n where yielding sets in) / 2
   double energy = 0;               ///< e : change of stress in the step [J/m^3]
@@ -68,6 +69,7 @@ inline FlowTurn flow_turn(const SymmetricTensor<Simd<double>>& start,
 constexpr double change_at_a_turn = 0.01;
 
 /// The change of force that gives the tangent compliance of a step; 0 where it is too small for that.
+/// All in [N].
 inline double telling_change(double force_change, double force) {
   return std::abs(force_change) > change_at_a_turn * std::abs(force) ? force_change : 0.0;
 }

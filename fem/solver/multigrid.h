@@ -26,6 +26,7 @@ class Multigrid {
   void set_interface_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes,
                           const RigidMotion& motion);
 
+  /// Takes new slopes of the interface to every level.
   void set_interface_slopes(const std::vector<GapRow>& rows) {
     for (auto& level : level_) level.interface->set_slopes(rows);
   }

@@ -21,7 +21,9 @@ struct BodyEnergies {
   double plastic_volume = 0;               ///< volume of points with plastic strain [m^3]
   std::array<double, 2> plastic_strain{};  ///< largest of particle and substrate
   std::array<double, 2> von_mises{};       ///< the same [Pa]
+  /// Of both bodies [-], [Pa].
   double largest_plastic_strain() const { return std::max(plastic_strain[0], plastic_strain[1]); }
+  /// Of both bodies [Pa].
   double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
   double largest_yield_ratio = 0;  ///< von Mises over initial yield stress
   /// Error from the rotation of the flow direction within the last step at its size, over the volume [J]; see
@@ -32,12 +34,13 @@ struct BodyEnergies {
 
 /// Stress and history of a cell, averages over its points (for output).
 struct CellState {
-  SymmetricTensor<double> stress;  ///< xx yy zz xy yz xz [Pa]
-  double von_mises, plastic_strain;
+  SymmetricTensor<double> stress;    ///< xx yy zz xy yz xz [Pa]
+  double von_mises, plastic_strain;  ///< [Pa], [-]
 };
 
 class PlasticBodies {
  public:
+  /// What a point of integration keeps.
   struct PointHistory : PlasticState<Simd<double>> {
     SymmetricTensor<Simd<double>>
         flow_error{};  ///< error of the plastic strain from finite steps (load_step_error.h)
@@ -64,6 +67,7 @@ class PlasticBodies {
   void accept_step();
 
   /// Both at once.
+  /// force_change [N].
   BodyEnergies accept(const Vector<double>& u_before, const Vector<double>& u, double force_change = 0) {
     const BodyEnergies energies = try_step(u_before, u, force_change);
     accept_step();

@@ -19,6 +19,7 @@ class SurfaceQuery {
   SurfaceQuery(SurfaceQuery&&) noexcept;
   SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
 
+  /// Whether the surface bounds a volume, so that distances have a sign.
   bool closed() const;
 
   /// Distance from a point to the nearest point of the surface [m].
@@ -31,6 +32,7 @@ class SurfaceQuery {
   double lowest_z(double x, double y) const;
   double highest_z(double x, double y) const;
 
+  /// The same for many points at once, several at a time [m].
   std::vector<double> distances(const std::vector<Point>& points) const;
   std::vector<double> signed_distances(const std::vector<Point>& points) const;
 

@@ -6,6 +6,7 @@ namespace asperity::meshing {
 
 enum class LengthUnit { micrometre, nanometre, metre };
 
+/// "um", "nm" or "m".
 inline const char* symbol(LengthUnit unit) {
   return unit == LengthUnit::micrometre ? "um" : unit == LengthUnit::nanometre ? "nm" : "m";
 }

@@ -32,6 +32,7 @@ struct SurfaceCheck {
   std::string defects() const;
 };
 
+/// Looks at all edges, corners and pairs of triangles.
 SurfaceCheck check_surface(const TriangleSurface& surface);
 
 /// Throws InputError saying what keeps the surface from bounding a body; `what` names it, e.g. "the

@@ -30,6 +30,7 @@ struct TetrahedraOptions {
   double volume_tolerance = 0.01;  ///< allowed |V / V_surface - 1|
 };
 
+/// Points and tetrahedra.
 struct TetrahedralMesh {
   std::vector<Point> points;                             ///< [m]
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< positive volume, VTK order
@@ -40,6 +41,7 @@ struct TetrahedralMesh {
   std::array<Point, 4> corners(std::size_t tetrahedron) const;  ///< points of one tetrahedron
 };
 
+/// Volume and shapes of a mesh.
 struct TetrahedraQuality {
   double volume = 0;                    ///< [m^3]
   double smallest_dihedral_angle = 0;   ///< [rad]
@@ -52,6 +54,7 @@ struct TetrahedraQuality {
 /// mesh's volume misses the tolerance. The same input gives the same mesh.
 TetrahedralMesh tetrahedra(const TriangleSurface& surface, const TetrahedraOptions& options);
 
+/// Over all of a mesh's tetrahedra.
 TetrahedraQuality quality(const TetrahedralMesh& mesh);
 
 }  // namespace asperity::meshing

@@ -22,6 +22,7 @@ struct TriangleSurface {
 /// points no quad uses are left out. Each quad is split along the diagonal with the better triangles. Hanging
 /// nodes (one per edge, as in a 2:1 balanced octree) are inserted into the coarse quad's edge, so that a
 /// closed body stays closed.
+/// Throws InputError for no quads, or a quad of a point that is not there.
 TriangleSurface triangles_of_quads(const std::vector<Point>& points, const std::vector<QuadIndices>& quads);
 
 /// Heights on a regular grid of nodes: heights[iy * nx + ix] at (origin_x + ix dx, origin_y + iy dy) [m].
@@ -35,6 +36,7 @@ struct HeightField {
 /// Open surface through the nodes of a height field, facing +z. Triangles with a missing node are left out.
 /// It departs from bilinear interpolation by at most |z00 + z11 - z10 - z01| / 4 in each cell (at the cell's
 /// centre).
+/// Throws InputError for a field that is no grid, or one without a cell of three known heights.
 TriangleSurface triangles_of_heights(const HeightField& field);
 
 /// Copy shifted by a vector [m], e.g. a sphere's surface put at its approach.
@@ -46,9 +48,11 @@ double area(const TriangleSurface& surface);
 /// Volume by the divergence theorem [m^3]; positive if it faces outward; needs a closed surface.
 double volume(const TriangleSurface& surface);
 
+/// Lowest and highest coordinates.
 struct BoundingBox {
   Point lower{}, upper{};  ///< [m]
 };
+/// Of all points of a surface.
 BoundingBox bounding_box(const TriangleSurface& surface);
 
 }  // namespace asperity::meshing

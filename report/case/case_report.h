@@ -7,6 +7,7 @@
 
 namespace asperity::report {
 
+/// folder: of the solve; painter draws its sections.
 std::string case_report_html(const std::filesystem::path& folder, SectionPainter& painter);
 
 /// version: of asperity, which solved it; empty where that is not known. "Written on 2026-11-21 by asperity

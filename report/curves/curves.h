@@ -19,10 +19,12 @@ struct ForceUnit {
 ForceUnit force_unit(double largest_force);
 
 /// All branches of one case, and Hertz.
+/// Load against approach of all contacts of a study.
 Chart load_approach_chart(const SolvedCase& solved);
 Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers);
 Chart contact_area_chart(const SolvedCase& solved);
 
+/// The same of all contacts of a study.
 Chart load_approach_chart(const std::vector<StudyCurve>& curves);
 /// A number against load: means of the group with the largest load; bars are standard deviations over
 /// realisations. The ratios have a band around 1; others are divided by `unit` [SI] and have Hertz' value as

@@ -16,12 +16,15 @@ DisplayUnit display_unit(const std::string& si, double largest);
 /// "normal displacement" of normal_displacement.
 std::string channel_words(const std::string& channel);
 
+/// The measured response and the model's, with the improved one if asked.
 std::string response_figure(const ComparedTable& table, bool improved);
 /// Residual over noise; samples within `regions` are set off.
+/// limit: ends of the axis, residual over noise [-].
 std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,
                             const std::vector<MismatchRegion>& regions, const std::string& title,
                             double limit);
 /// Largest residual over noise before, for axes alike.
+/// A pure number [-].
 double residual_limit(const ComparedTable& table);
 
 }  // namespace asperity::report

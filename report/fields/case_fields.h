@@ -13,6 +13,7 @@ namespace asperity::report {
 /// Share of values beyond the ends of a colour bar, so that single points do not decide it.
 constexpr double outliers = 0.002;
 
+/// Of all steps [N].
 double largest_force(const SolvedCase& solved);
 /// Of smooth, elastic bodies at the largest load [m].
 double hertz_radius(const SolvedCase& solved);
@@ -24,6 +25,7 @@ StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd
 std::string no_fields(const SolvedCase& solved);
 
 /// A figure over two lengths in nm; the window is given in m.
+/// Ends of the window [m].
 MapFigure figure_in_nm(double x_low, double x_high, double y_low, double y_high,
                        const std::string& upright_name);
 

@@ -32,6 +32,7 @@ struct InterfaceExtent {
 InterfaceExtent interface_extent(const std::filesystem::path& file);
 
 /// The bodies, displaced, cut by the plane y = `y`: polygons with their cell data.
+/// y [m].
 vtkSmartPointer<vtkPolyData> vertical_section(const StepFiles& files, double y);
 
 }  // namespace asperity::report

@@ -12,9 +12,10 @@ namespace asperity::report {
 /// Values on a regular grid, the first row at the bottom; NaN where there is none.
 struct Map {
   int nx = 0, ny = 0;
-  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  ///< outer edges
+  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  ///< outer edges in the unit of the axes
   std::vector<double> values;                           ///< [iy * nx + ix]
 
+  /// Largest value, in the map's unit.
   double largest() const;
 };
 
@@ -25,8 +26,8 @@ struct ColourRange {
 ColourRange colour_range(const Map& map, double share);
 
 struct MapFigure {
-  std::string x_label, y_label, colour_label;  ///< with units
-  double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
+  std::string x_label, y_label, colour_label;           ///< with units
+  double x_low = 0, x_high = 1, y_low = 0, y_high = 1;  ///< ends of the axes in their units
   const ColourScale* scale = &ColourScale::viridis();
   ColourRange range;
   std::vector<double> circles;  ///< radii around (0, 0), dashed
@@ -34,8 +35,10 @@ struct MapFigure {
   int width = 430;
 };
 
+/// The map's pixels in the colours of a scale.
 Image paint(const Map& map, const ColourScale& scale, const ColourRange& range);
 /// Gives one colour to the pixels whose value is above `threshold`.
+/// threshold in the map's unit.
 void paint_over(Image& image, const Map& map, double threshold, const Colour& colour);
 std::string to_svg(const MapFigure& figure, const Image& image);
 

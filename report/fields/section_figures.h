@@ -14,6 +14,7 @@ namespace asperity::report {
 /// The display is started when the first section is drawn and shared by all.
 class SectionPainter {
  public:
+  /// One picture for each view. Throws WorkError where no display can be started.
   std::vector<Image> draw(vtkPolyData& section, const std::vector<SectionView>& views);
 
  private:

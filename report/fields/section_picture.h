@@ -12,6 +12,7 @@
 
 namespace asperity::report {
 
+/// What is drawn, in which window.
 struct SectionView {
   std::string array;                                    ///< cell data
   double x_low = 0, x_high = 0, z_low = 0, z_high = 0;  ///< window [m]

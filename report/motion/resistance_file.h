@@ -9,6 +9,7 @@
 
 namespace asperity::report {
 
+/// The rows of a study.
 std::string resistance_csv(const MovingStudy& study);
 /// Format "asperity-resistance/1".
 nlohmann::ordered_json resistance_json(const ResistanceFindings& findings);

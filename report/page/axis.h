@@ -12,6 +12,7 @@ struct Axis {
   double pixel_low = 0, pixel_high = 1;  ///< where they lie
   std::vector<double> ticks;
 
+  /// Where a value of the axis' unit lies [pixel].
   double pixel(double value) const {
     return pixel_low + (value - low) / (high - low) * (pixel_high - pixel_low);
   }
@@ -21,9 +22,11 @@ struct Axis {
 Axis make_axis(double low, double high, double pixel_low, double pixel_high, bool widen, int about_ticks = 6);
 
 /// A tick's label, with as few digits as tell the ticks apart.
+/// value in the axis' unit.
 std::string tick_label(double value, const Axis& axis);
 
 /// A number for SVG coordinates.
+/// In pixels.
 std::string coordinate(double value);
 
 /// Text safe inside HTML and SVG.

@@ -25,11 +25,13 @@ struct Chart {
   std::vector<Series> series;
   bool y_from_zero = true;
   bool x_from_zero = true;
+  /// In the unit of y.
   double band_low = 0, band_high = 0;  ///< a shaded band of y, where band_high > band_low
   std::string band_label;
   int width = 640, height = 420;
 };
 
+/// The chart as an inline SVG element.
 std::string to_svg(const Chart& chart);
 
 }  // namespace asperity::report

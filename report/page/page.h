@@ -14,6 +14,7 @@ struct Table {
   bool first_column_is_text = true;
 };
 
+/// A table as HTML; cells are HTML already.
 std::string table_html(const Table& table);
 /// `explanation`: what the figure shows, for someone who has not seen one before.
 std::string figure_html(const std::string& title, const std::string& picture, const std::string& explanation);
@@ -30,6 +31,7 @@ std::string details_html(const std::string& summary, const std::string& body);
 std::string paragraph(const std::string& html);
 std::string note(const std::string& html);
 
+/// The whole page around its body.
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body);
 
 }  // namespace asperity::report

@@ -7,6 +7,7 @@
 
 namespace asperity::report {
 
+/// Sections as tables of text.
 std::string paper_text(const PaperAnalysis& analysis);
 /// Format "asperity-paper/1".
 std::string paper_json(const PaperAnalysis& analysis);

@@ -21,6 +21,7 @@ std::string remaining_tables(const SolvedCase& solved);
 std::string inputs_table(const SolvedCase& solved);
 /// Ratios to Hertz at each load.
 std::string ratio_table(const GroupComparison& group);
+/// true_radius: of the particle [m].
 std::string fit_table(const NormalNumbers& numbers, double true_radius);
 
 /// Largest relative balance error in the words of a verdict, or that none was given.

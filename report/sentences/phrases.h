@@ -22,21 +22,26 @@ std::string motion_name(const MotionMode& mode, bool capital = false);
 /// "31.2 ± 4.1", "(3.79 ± 0.54) 10⁻⁴": two digits of the sd; one that is not known, or zero, is left out.
 std::string number_text(const Uncertain& number);
 /// "0.93 ± 0.02" in `digits` significant digits of the scatter's mean; "–" if it is not known.
+/// unit: SI value of the unit that is written.
 std::string plus_minus(const Scatter& scatter, double unit = 1, int digits = 3);
 
 /// "+1.9 ± 0.7 %", with its standard error where that is known; "–" if the error is not known.
 std::string mesh_error_text(const Estimate& estimate);
 /// "1.31 to 1.34"; "1.31" where both are the same.
+/// Pure numbers, in the unit that the sentence names.
 std::string interval_text(double low, double high);
 /// "+3.1 ± 0.5 %"
 std::string change_percent(const Uncertain& share);
 /// "0.234 ± 0.021 pN m"
 std::string moment_text(const Uncertain& moment);
 /// "100 uN"
+/// In [N].
 std::string force_text(double force);
 /// "22 nm"
+/// In [m].
 std::string length_text(double length);
 /// "2.3 σ"
+/// A ratio to the standard deviation [-].
 std::string sigma_text(double sigmas);
 
 /// Of a change per metre: over a nanometre.

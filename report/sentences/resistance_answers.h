@@ -19,6 +19,7 @@ struct ResistanceAnswers {
   std::vector<std::string> measurement;  ///< where simulations and the paper disagree, and by how much
   std::vector<std::string> care;         ///< what stands in the way of more
 };
+/// Of the findings of a study.
 ResistanceAnswers answers(const ResistanceFindings& findings);
 
 /// "λ = a", "not identifiable"; of "neither" with decisive odds, which of the two lengths is the better one.

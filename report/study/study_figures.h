@@ -10,6 +10,7 @@
 
 namespace asperity::report {
 
+/// Everything against load.
 std::string load_figures(const std::vector<StudyCurve>& curves);
 /// Empty where the study does not vary RMS or spectrum.
 std::string roughness_dependence_figures(const std::vector<StudyCurve>& curves);

@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// One channel.
 struct ChannelEntry {
   std::string name;
   std::string unit;        ///< of its values, as the file spells it

@@ -20,7 +20,7 @@ std::optional<double> whole_number_text(const std::string& text);
 
 /// "2.5" and "um" out of "2.5 um"; empty if it does not begin with a number.
 struct NumberWithUnit {
-  double number = 0;
+  double number = 0;  ///< in the unit of the text
   std::string unit;
 };
 std::optional<NumberWithUnit> number_with_unit(const std::string& text);

@@ -10,6 +10,7 @@
 
 namespace asperity {
 
+/// A header of names and titles, and rows of numbers.
 struct TextTable {
   std::map<std::string, std::string> header;  ///< names in lower case
   std::vector<std::string> titles;  ///< header lines that are no "name: value", such as "x [um] y [um]"
@@ -27,6 +28,7 @@ TextTable text_beginning(const SourceFile& file);
 TextTable text_table(const SourceFile& file);
 
 /// Unit of heights: the header's, else the user's, else metres with `height_unit_assumed` set.
+/// In [m]. Throws InputError for a unit that is no length.
 double text_height_unit(const SourceFile& file, const TextTable& table, const ReadOptions& options,
                         StoredMap& map);
 

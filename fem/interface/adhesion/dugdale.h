@@ -12,9 +12,11 @@ namespace asperity::fem {
 
 class Dugdale : public AdhesionLaw {
  public:
+  /// Of the range [-].
   static constexpr double usual_half_ramp = 0.25;
 
   /// half_ramp: half the length of the ramp over the range.
+  /// work [J/m^2], range h0 [m].
   Dugdale(double work, double range, double half_ramp = usual_half_ramp)
       : work_(work), range_(range), half_ramp_(half_ramp) {}
 

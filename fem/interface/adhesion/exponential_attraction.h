@@ -11,6 +11,7 @@ namespace asperity::fem {
 
 class ExponentialAttraction : public AdhesionLaw {
  public:
+  /// work w [J/m^2], decay rho [m].
   ExponentialAttraction(double work, double decay) : work_(work), decay_(decay) {}
 
   Attraction at(double gap) const override {

@@ -10,6 +10,7 @@ namespace asperity::fem {
 
 class VanDerWaals : public AdhesionLaw {
  public:
+  /// work w [J/m^2], distance z0 [m].
   VanDerWaals(double work, double distance) : work_(work), distance_(distance) {}
 
   Attraction at(double gap) const override {

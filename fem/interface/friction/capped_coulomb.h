@@ -8,6 +8,7 @@ namespace asperity::fem {
 
 class CappedCoulomb : public FrictionLaw {
  public:
+  /// coefficient mu [-], strength tau [Pa].
   CappedCoulomb(double coefficient, double strength) : coefficient_(coefficient), strength_(strength) {}
   ShearLimit limit(const InterfacePoint& point, const double*) const override {
     const double by_pressure = coefficient_ * point.pressure;

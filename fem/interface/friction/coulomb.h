@@ -8,11 +8,13 @@ namespace asperity::fem {
 
 class Coulomb : public FrictionLaw {
  public:
+  /// coefficient mu [-].
   explicit Coulomb(double coefficient) : coefficient_(coefficient) {}
   ShearLimit limit(const InterfacePoint& point, const double*) const override {
     return {coefficient_ * point.pressure, coefficient_};
   }
 
+  /// The entry of mu, which other laws share.
   static ParameterEntry parameter() {
     ParameterEntry mu{"Friction coefficient", {"mu"}};
     mu.documentation =

@@ -8,6 +8,7 @@ namespace asperity::fem {
 
 class ShearStrength : public FrictionLaw {
  public:
+  /// strength tau [Pa].
   explicit ShearStrength(double strength) : strength_(strength) {}
   ShearLimit limit(const InterfacePoint& point, const double*) const override {
     return {point.pressure > 0 ? strength_ : 0.0, 0};

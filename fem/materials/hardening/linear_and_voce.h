@@ -27,6 +27,7 @@ class LinearAndVoce : public Hardening {
   }
   bool is_linear() const override { return rate_ == 0; }
 
+  /// Entries of the case file.
   static std::vector<ParameterEntry> parameters() {
     std::vector<ParameterEntry> all{
         yield_stress_parameter(),
@@ -50,12 +51,14 @@ class LinearAndVoce : public Hardening {
     for (std::size_t k = 1; k < all.size(); ++k) all[k].optional = true;
     return all;
   }
+  /// From the values of all parameters.
   static Plasticity make(const LawValues& values) {
     const double modulus = values.at("Hardening modulus"), kinematic = values.at("Hardening");
     return {values.at("Yield stress"), kinematic * modulus,
             std::make_shared<LinearAndVoce>((1 - kinematic) * modulus, values.at("Voce saturation"),
                                             values.at("Voce rate"))};
   }
+  /// youngs_modulus [Pa]; why these values cannot be meant, empty if they can.
   static MaterialObjection objection(double youngs_modulus, const LawValues& values) {
     const bool saturates = values.at("Voce saturation") > 0;
     if (saturates != (values.at("Voce rate") > 0))

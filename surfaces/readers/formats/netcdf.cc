@@ -66,7 +66,7 @@ class NetcdfFile {
     if (type != NC_STRING || length != 1) return "";
     char* value = nullptr;
     check(nc_get_att_string(id_, variable, attribute.c_str(), &value));
-    const std::string copy = value ? trimmed_text(value) : "";
+    std::string copy = value ? trimmed_text(value) : "";
     nc_free_string(1, &value);
     return copy;
   }

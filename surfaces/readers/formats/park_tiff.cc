@@ -135,7 +135,7 @@ ParkHeader read_header(const SourceFile& file, TagValue tag, std::uint32_t versi
   header.offset = cursor.next<double>();
   header.unit = cursor.next_text(8);
   if (version == version_2) {
-    cursor.skip(6 * 4);               // smallest, largest, mean, compression, logarithmic, square
+    cursor.skip(std::size_t{6} * 4);  // smallest, largest, mean, compression, logarithmic, square
     cursor.skip(2 * sizeof(double));  // servo gain, scanner range
     cursor.next_text(8);              // xy voltage mode
     cursor.next_text(8);              // voltage mode
