@@ -21,7 +21,8 @@ struct WrittenAxis {
   std::vector<StudyChoice> choices;
 };
 
-/// A topography file is named relative to the file it stands in; cases live in other folders.
+/// A topography file is named relative to the file it stands in; cases live in other folders. Throws
+/// InputError where its text is none of a topography.
 void make_topography_absolute(Setting& setting, const std::filesystem::path& file);
 
 /// A line of Study/Vary; throws InputError naming file and line.

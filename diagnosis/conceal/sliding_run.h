@@ -8,6 +8,7 @@
 
 namespace asperity::hidden {
 
+/// What the concealed experiment does: loads and speeds, and the strokes under each.
 struct SlidingProgram {
   std::vector<double> loads;     ///< [N]
   std::vector<double> speeds;    ///< of each load's runs [m/s]
@@ -19,9 +20,11 @@ struct SlidingProgram {
 /// One run at one load. The world and the program must outlive it.
 class SlidingRun {
  public:
+  /// At rest under `load` [N], with `friction` its coefficient [-]; `seed` of the events of stick-slip.
   SlidingRun(const World& world, const SlidingProgram& program, double friction, double load,
              bool with_effects, unsigned seed);
 
+  /// Of the contact, by Hertz [m].
   double contact_radius() const { return radius_; }
 
   /// Moves on to a position [m], reached at a time [s] with a speed [m/s], in a cycle counted from 0; the

@@ -7,7 +7,7 @@
 
 namespace asperity::fem {
 
-/// A longest length for a message, in three digits that are no longer than it: what is advised is not
+/// A longest length [m] for a message, in three digits that are no longer than it: what is advised is not
 /// refused.
 std::string at_most(double length);
 
@@ -17,7 +17,8 @@ std::string at_most(double length);
 void fit_to_rolling(const CaseInput& input, meshing::BodySizes& sizes, double region);
 void fit_to_sliding(const CaseInput& input, meshing::BodySizes& sizes);
 
-/// The same for a program, which goes over both bodies; needs the setup's motion.
+/// The same for a program, which goes over both bodies; needs the setup's motion. Throws InputError where it
+/// leaves the fine regions.
 void fit_to_program(const CaseInput& input, CaseSetup& setup);
 
 }  // namespace asperity::fem

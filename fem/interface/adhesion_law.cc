@@ -5,9 +5,7 @@
 
 namespace asperity::fem {
 
-const std::vector<AdhesionLawDeclaration>& adhesion_laws() {
-  return declared_laws<AdhesionLawDeclaration>();
-}
+const std::vector<AdhesionLawDeclaration>& adhesion_laws() { return declared_laws<AdhesionLawDeclaration>(); }
 
 ParameterEntry adhesion_range(const std::string& symbol) {
   ParameterEntry range{

@@ -9,9 +9,7 @@ ShearLimit FrictionLaw::initial_limit(double pressure) const {
   return limit(point, std::vector<double>(history().size(), 0.0).data());
 }
 
-const std::vector<FrictionLawDeclaration>& friction_laws() {
-  return declared_laws<FrictionLawDeclaration>();
-}
+const std::vector<FrictionLawDeclaration>& friction_laws() { return declared_laws<FrictionLawDeclaration>(); }
 
 std::unique_ptr<FrictionLaw> make_friction_law(const InterfaceInput& input) {
   const auto parameters = parameters_of(friction_laws());

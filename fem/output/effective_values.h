@@ -16,7 +16,7 @@ nlohmann::json effective_values(const CaseInput& input, const std::vector<Histor
                                 const HistoryRow& peak, const HistoryRow& least,
                                 const DiscretisationError& error, const ResultSummary& summary);
 
-/// Largest size of a column.
+/// Largest size of a column, in its unit.
 double largest_size(const std::vector<HistoryRow>& records, double HistoryRow::*column);
 
 }  // namespace asperity::fem
