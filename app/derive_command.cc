@@ -11,6 +11,7 @@
 #include "core/output_folder.h"
 #include "dem_compare/derive/derivation.h"
 #include "engines/needed_cases.h"
+#include "report/sentences/derivation_sentences.h"
 
 namespace asperity {
 namespace {
@@ -42,16 +43,17 @@ void run_derive(const DeriveArguments& arguments) {
             differences(found.sets) + "\n";
   std::vector<Derivation> derivations;
   for (const auto& set : found.sets) derivations.push_back(derive_parameters(set));
-  const std::vector<LawReport> over_radii = compare_radii(found.sets, derivations);
+  const std::vector<LawFindings> over_radii = compare_radii(found.sets, derivations);
   for (std::size_t i = 0; i < derivations.size(); ++i) {
+    report::write_words(derivations[i]);
     const fs::path file = file_of(output, i, derivations.size());
     write_contact_parameters(derivations[i].parameters, file);
     const std::string needed = needed_cases_text(derivations[i].parameters);
-    text += (text.empty() ? "" : "\n") + to_text(derivations[i]) + (needed.empty() ? "" : "\n" + needed) +
-            "\nwrote " + file.string() + "\n";
+    text += (text.empty() ? "" : "\n") + report::derivation_text(derivations[i]) +
+            (needed.empty() ? "" : "\n" + needed) + "\nwrote " + file.string() + "\n";
     all.push_back(to_json(derivations[i].parameters));
   }
-  for (const auto& report : over_radii) text += "\n" + to_text(report);
+  for (const auto& findings : over_radii) text += "\n" + report::law_text(findings);
   if (arguments.json)
     std::cout << (all.size() == 1 ? all[0] : all).dump(1) << "\n" << std::flush;
   else

@@ -55,7 +55,7 @@ void say_counts(const Say& say, const meshing::ContactMeshOptions& options, cons
   for (int body = 0; body < 2; ++body)
     say(std::string(body_name[body]) + ": " + std::to_string(cells[body]) + " hexahedra, " +
         std::to_string(faces[body]) + " faces on its interface, nodes every " +
-        length(body == 0 ? sizes.spacing_particle : sizes.spacing_substrate) + " within +-" +
+        length(body == 0 ? sizes.spacing_particle : sizes.spacing_substrate) + " within ±" +
         length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
         std::to_string(map.finest_level(static_cast<meshing::Body>(body))) + " levels of refinement");
   say("both: " + std::to_string(level.size()) + " unknowns; to solve them takes about " +

@@ -115,7 +115,7 @@ void say_mesh(const PreviewedCase& preview, const std::function<void(const std::
   if (!preview.mesh) return say("asperity solve would refuse it: " + preview.refusal);
   const MeshPreview& mesh = *preview.mesh;
   say("to solve it by finite elements: nodes every " + quantity(mesh.spacing, Dimension::length) +
-      " within +-" + quantity(mesh.region, Dimension::length) + ", some " +
+      " within ±" + quantity(mesh.region, Dimension::length) + ", some " +
       quantity(mesh.unknowns / 1e6, Dimension::none, 2) + " million unknowns, " +
       quantity(mesh.memory / (1 << 30), Dimension::none, 2) + " GiB, " + std::to_string(mesh.steps) +
       " steps in about " + wait_text(mesh.seconds) + " on two cores");

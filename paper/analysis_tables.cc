@@ -86,7 +86,7 @@ PaperSection table_1(const Published& p) {
                                  display::um,
                                  Uncertain{body.radius},
                                  {},
-                                 "bought as 17.3 +- 1.0 um in diameter (8.65 um), called about 10 um in the "
+                                 "bought as 17.3 ± 1.0 um in diameter (8.65 um), called about 10 um in the "
                                  "text; the authors' published "
                                  "simulation takes 10 um"});
   }

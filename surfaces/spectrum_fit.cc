@@ -211,9 +211,9 @@ SpectrumFit fit_spectrum(const RadialSpectrum& spectrum) {
 std::string SpectrumFit::sentence() const {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };
   const auto with_error = [&](const Number& number) {
-    return length(number.value) + " +- " + length(number.error);
+    return length(number.value) + " ± " + length(number.error);
   };
-  std::string text = "Hurst exponent " + format_quantity(hurst.value, Dimension::none) + " +- " +
+  std::string text = "Hurst exponent " + format_quantity(hurst.value, Dimension::none) + " ± " +
                      format_quantity(hurst.error, Dimension::none, 1);
   if (hurst.value > 1) text += " (above 1: smoother than any self-affine surface)";
   if (hurst.value < 0) text += " (below 0: no self-affine surface)";

@@ -121,11 +121,10 @@ GaussianTest gaussian_test(const Topography& map) {
   } else {
     const bool rejected = test.p_value < significance;
     test.verdict = rejected ? GaussianTest::Verdict::not_gaussian : GaussianTest::Verdict::consistent;
-    std::snprintf(
-        text, sizeof text,
-        "%s: skewness %.2f +- %.2f, kurtosis %.2f +- %.2f (p = %.2g, about %.0f independent heights)",
-        rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error, moments.Sku,
-        test.kurtosis_error, test.p_value, test.independent_samples);
+    std::snprintf(text, sizeof text,
+                  "%s: skewness %.2f ± %.2f, kurtosis %.2f ± %.2f (p = %.2g, about %.0f independent heights)",
+                  rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error,
+                  moments.Sku, test.kurtosis_error, test.p_value, test.independent_samples);
   }
   test.sentence = text;
   return test;

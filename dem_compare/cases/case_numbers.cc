@@ -88,6 +88,12 @@ std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers) {
   return chosen;
 }
 
+std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& numbers) {
+  std::vector<CaseNumber> counted;
+  for (const auto i : on_one_mesh(numbers)) counted.push_back(numbers[i]);
+  return counted;
+}
+
 std::optional<DiscretisationError> discretisation_error(const std::vector<CaseNumber>& numbers) {
   DiscretisationError error;
   for (const auto i : on_one_mesh(numbers)) {

@@ -32,6 +32,7 @@ std::optional<RealisationScatter> realisation_scatter(const std::vector<CaseNumb
 /// One of each load and realisation, all on one mesh: the finest that all of them have. Each on its own
 /// finest where they have none in common.
 std::vector<std::size_t> on_one_mesh(const std::vector<CaseNumber>& numbers);
+std::vector<CaseNumber> counted_of(const std::vector<CaseNumber>& numbers);
 
 /// From the same load and realisation on several spacings (statistics.h), mean over such families.
 struct DiscretisationError {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/joined.h"
 #include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
@@ -25,11 +26,6 @@ ContactBody body_of(const ElasticBody& body, double radius) {
   return contact;
 }
 
-std::string elastic_text(const ElasticBody& body) {
-  return "E " + format_quantity(body.youngs_modulus, Dimension::pressure) + ", nu " +
-         format_quantity(body.poisson_ratio, Dimension::none);
-}
-
 Json cases_json(const ParameterSet& set) {
   Json cases = Json::array();
   for (const auto& solved : set.cases) {
@@ -48,44 +44,34 @@ Json cases_json(const ParameterSet& set) {
 }
 
 /// Which versions solved the cases, for the provenance of what they told.
-std::string versions_of(const ParameterSet& set) {
+std::vector<std::string> versions_of(const ParameterSet& set) {
   std::set<std::string> versions;
   for (const auto& solved : set.cases)
     if (!solved.version().empty()) versions.insert(solved.version());
-  std::string text;
-  for (const auto& version : versions) text += (text.empty() ? "asperity " : ", ") + version;
-  return text.empty() ? "a version that is not said" : text;
+  return {versions.begin(), versions.end()};
 }
 
 /// G* of the materials where no sliding case told one: an engine's laws need it.
-void complete_shear_modulus(const SolvedCase& solved, ContactParameters& parameters, LawReport& sliding) {
+void complete_shear_modulus(const SolvedCase& solved, Derivation& derivation) {
   const double mindlin = sliding_modulus(solved.particle(), solved.substrate());
-  if (parameters.reduced_shear_modulus) {
-    sliding.findings.push_back(
-        "G* of k_l = 8 G* a: " +
-        with_error(parameters.reduced_shear_modulus->value, parameters.reduced_shear_modulus->sd,
-                   Dimension::pressure) +
-        " (materials, Mindlin 1949: " + format_quantity(mindlin, Dimension::pressure, 4) + ")");
+  LawFindings& sliding = derivation.laws.back();
+  auto& modulus = derivation.parameters.reduced_shear_modulus;
+  if (modulus) {
+    sliding.found.push_back(ShearModulusFact{{modulus->value, modulus->sd}, mindlin});
     return;
   }
-  parameters.reduced_shear_modulus.emplace();
-  parameters.reduced_shear_modulus->value = mindlin;
-  parameters.reduced_shear_modulus->provenance =
-      "of the materials (Mindlin 1949, 2 - nu): no sliding case told it";
-  sliding.not_identifiable.push_back("G*: that of the materials is written, " +
-                                     format_quantity(mindlin, Dimension::pressure, 4));
+  modulus.emplace().value = mindlin;
+  derivation.origin_of(&ContactParameters::reduced_shear_modulus) = {{Origin::From::material_shear}};
+  sliding.open.push_back({OpenQuestion::About::shear_modulus, Derived::stiffness, sliding.mode, mindlin});
 }
 
 /// What sliding friction alone would make of torsion.
-void compare_torsion_with_sliding(const ContactParameters& parameters, LawReport& torsion) {
+void compare_torsion_with_sliding(const ContactParameters& parameters, LawFindings& torsion) {
   if (!parameters.sliding_friction || !parameters.torsion_friction ||
       parameters.torsion_friction->length_scale != LengthScale::contact_radius)
     return;
-  const double expected = full_slip_torsion_coefficient(parameters.sliding_friction->value);
-  torsion.findings.push_back(
-      "mu of torsion over that of sliding friction spread as Hertz' pressure, 3 pi/16 mu_l (Lubkin 1951): " +
-      with_error(parameters.torsion_friction->value / expected, std::numeric_limits<double>::quiet_NaN(),
-                 ""));
+  torsion.found.push_back(TorsionFact{parameters.torsion_friction->value /
+                                      full_slip_torsion_coefficient(parameters.sliding_friction->value)});
 }
 
 }  // namespace
@@ -93,67 +79,42 @@ void compare_torsion_with_sliding(const ContactParameters& parameters, LawReport
 Derivation derive_parameters(const ParameterSet& set) {
   const SolvedCase& first = set.cases.front();
   Derivation derivation;
+  derivation.inputs = set.inputs;
+  derivation.cases = set.cases.size();
   ContactParameters& parameters = derivation.parameters;
   parameters.particle = body_of(first.particle(), first.hertz().radius);
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
   parameters.particle.rms = first.entries.topography("Particle").rms();
   parameters.target.rms = first.entries.topography("Substrate").rms();
-  const std::string particle = "sphere " + format_quantity(first.hertz().radius, Dimension::length) + " (" +
-                               elastic_text(first.particle()) + ")";
-  parameters.title = "Derived from " + std::to_string(set.cases.size()) +
-                     (set.cases.size() == 1 ? " solved case: " : " solved cases: ") + particle +
-                     " on plane (" + elastic_text(first.substrate()) + ")";
-  derivation.heading = parameters.title;
-  for (const auto& [entry, value] : set.inputs) {
-    const bool says_nothing = value == "smooth" || value == "isotropic" || value == "dugdale" ||
-                              value == "inf" || value.rfind("0", 0) == 0;
-    const bool is_said = entry.find("Radius") != std::string::npos ||
-                         entry.find("Young") != std::string::npos ||
-                         entry.find("Poisson") != std::string::npos;
-    if (!is_said && (!says_nothing || entry == "Interface/Friction coefficient"))
-      derivation.heading += "\n  " + entry + " = " + value;
-  }
-  derivation.laws.push_back(derive_normal(set, parameters));
-  derivation.laws.push_back(derive_motion(set, sliding_mode(), parameters));
-  complete_shear_modulus(first, parameters, derivation.laws.back());
-  derivation.laws.push_back(derive_motion(set, torsion_mode(), parameters));
+  derive_normal(set, derivation);
+  derive_motion(set, sliding_mode(), derivation);
+  complete_shear_modulus(first, derivation);
+  derive_motion(set, torsion_mode(), derivation);
   compare_torsion_with_sliding(parameters, derivation.laws.back());
-  derivation.laws.push_back(derive_motion(set, rolling_mode(), parameters));
+  derive_motion(set, rolling_mode(), derivation);
 
-  const std::string solver = versions_of(set);
-  for (const auto& entry : quantity_entries())
-    if (auto& quantity = parameters.*entry.member; quantity && quantity->load_range)
-      quantity->provenance += "; solved by " + solver + ", folders in derivation/cases";
+  for (auto& [member, origin] : derivation.origins)
+    if ((parameters.*member)->load_range)
+      origin.push_back({Origin::From::solver, unknown, joined(versions_of(set), ", ")});
   Json& record = parameters.derivation;
   for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(set);
   for (const auto& solved : set.cases)
     if (is_energy_flagged(solved))
       record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
-  for (const LawReport& report : derivation.laws) {
-    Json law = report.details;
-    law["findings"] = report.findings;
-    law["not_told"] = report.not_identifiable;
-    record[name_of(report.motion)] = std::move(law);
-  }
+  for (const LawFindings& law : derivation.laws) record[name_of(law.motion())] = law.details;
   return derivation;
 }
 
-const LawReport& Derivation::law_of(Motion motion) const {
-  return *std::find_if(laws.begin(), laws.end(), [&](const LawReport& law) { return law.motion == motion; });
+const LawFindings& Derivation::law_of(Motion motion) const {
+  return *std::find_if(laws.begin(), laws.end(),
+                       [&](const LawFindings& law) { return law.motion() == motion; });
 }
 
-std::string to_text(const LawReport& report) {
-  std::string text = report.title + "\n";
-  for (const auto& finding : report.findings) text += "  " + finding + "\n";
-  for (const auto& open : report.not_identifiable) text += "  not identifiable: " + open + "\n";
-  return text;
-}
-
-std::string to_text(const Derivation& derivation) {
-  std::string text = derivation.heading + "\n";
-  for (const auto& law : derivation.laws) text += "\n" + to_text(law);
-  return text;
+std::vector<Origin>& Derivation::origin_of(Member member) {
+  for (auto& [known, origin] : origins)
+    if (known == member) return origin;
+  return origins.emplace_back(member, std::vector<Origin>{}).second;
 }
 
 }  // namespace asperity

@@ -7,17 +7,24 @@
 
 #include "core/motion.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/derive/law_report.h"
+#include "dem_compare/derive/law_findings.h"
 #include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
 
 struct Derivation {
-  ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds
-  std::vector<LawReport> laws;   ///< of normal, sliding, torsion, rolling
-  /// The report on the law of this motion.
-  const LawReport& law_of(Motion motion) const;
-  std::string heading;  ///< bodies and cases in words
+  using Member = std::optional<EffectiveQuantity> ContactParameters::*;
+
+  ContactParameters parameters;  ///< `derivation` holds cases, points, fits and odds; in words nothing yet
+  ContactInputs inputs;          ///< what all cases agree in
+  std::size_t cases = 0;
+  std::vector<LawFindings> laws;  ///< of normal, sliding, torsion, rolling
+  std::vector<std::pair<Member, std::vector<Origin>>> origins;
+
+  /// The findings on the law of this motion.
+  const LawFindings& law_of(Motion motion) const;
+  /// Where a quantity comes from; empty for a new one.
+  std::vector<Origin>& origin_of(Member member);
 };
 
 /// From all cases of one set.
@@ -27,11 +34,7 @@ Derivation derive_parameters(const ParameterSet& set);
 /// with the same mu and h: radius and load part lambda = r from lambda = a better than loads do. Adds the
 /// choice to the record of each of these sets, and writes its lambda where a set alone could not tell. Empty
 /// for a single radius.
-std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
-                                     std::vector<Derivation>& derivations);
-
-/// For people: each law with its numbers, then what could not be told.
-std::string to_text(const Derivation& derivation);
-std::string to_text(const LawReport& report);
+std::vector<LawFindings> compare_radii(const std::vector<ParameterSet>& sets,
+                                       std::vector<Derivation>& derivations);
 
 }  // namespace asperity

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/printed.h"
-
 namespace asperity {
 
 bool LengthChoice::is_told() const { return std::abs(log_odds) > std::log(telling_odds); }
@@ -28,32 +26,24 @@ LengthChoice choose_length(const std::vector<ResistancePoint>& points) {
   return choice;
 }
 
+nlohmann::ordered_json to_json(const ResistanceLaw& law) {
+  return {{"coefficient", law.coefficient},
+          {"offset", law.offset},
+          {"covariance",
+           {{law.covariance(0, 0), law.covariance(0, 1)}, {law.covariance(1, 0), law.covariance(1, 1)}}},
+          {"offset_is_told", law.has_offset},
+          {"case_scatter", law.case_scatter},
+          {"realisation_scatter", law.realisation_scatter},
+          {"relative_misfit", law.misfit},
+          {"degrees_of_freedom", law.degrees_of_freedom}};
+}
+
 nlohmann::ordered_json to_json(const LengthChoice& choice) {
   return {{"r", to_json(choice.with_radius)},
           {"a", to_json(choice.with_contact)},
           {"log_odds_a_over_r", choice.log_odds},
           {"leave_one_out_r", choice.radius_error},
           {"leave_one_out_a", choice.contact_error}};
-}
-
-void tell_choice(const LengthChoice& choice, LawReport& report) {
-  report.findings.push_back("lambda = r: " + to_text(choice.with_radius));
-  report.findings.push_back("lambda = a: " + to_text(choice.with_contact));
-  const bool contact_is_likelier = choice.log_odds >= 0;
-  constexpr double most_that_matters = 6;  // powers of ten
-  const double tens = std::abs(choice.log_odds) / std::log(10.0);
-  std::string text =
-      "odds " +
-      (tens > most_that_matters ? "more than 10^6" : printed("%.3g", std::exp(std::abs(choice.log_odds)))) +
-      " to 1 for lambda = " + (contact_is_likelier ? "a" : "r");
-  if (std::isfinite(choice.contact_error))
-    text += "; a contact predicted from the others is off by " + percent(choice.contact_error) + " with a, " +
-            percent(choice.radius_error) + " with r";
-  report.findings.push_back(text);
-  if (!choice.is_told())
-    report.not_identifiable.push_back(
-        "the length lambda: odds below 20 to 1; lambda = a is written, as friction over the contact demands. "
-        "Loads from 0.1 to 3 mN, four or more, or other radii of the particle would tell");
 }
 
 }  // namespace asperity

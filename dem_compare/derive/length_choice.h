@@ -3,9 +3,9 @@
 // SI units.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
-#include "dem_compare/derive/law_report.h"
 #include "dem_compare/derive/resistance_law.h"
 
 namespace asperity {
@@ -25,8 +25,8 @@ struct LengthChoice {
 /// Fits both to the points and weighs them.
 LengthChoice choose_length(const std::vector<ResistancePoint>& points);
 
-/// "odds 333 to 1 for lambda = a; ..." and what would tell where they do not.
-void tell_choice(const LengthChoice& choice, LawReport& report);
+/// For parameters.json, SI units.
+nlohmann::ordered_json to_json(const ResistanceLaw& law);
 nlohmann::ordered_json to_json(const LengthChoice& choice);
 
 }  // namespace asperity

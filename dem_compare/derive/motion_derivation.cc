@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/printed.h"
 #include "dem_compare/cases/moving_case.h"
-#include "dem_compare/derive/length_choice.h"
-#include "dem_compare/derive/power_law.h"
 #include "dem_compare/derive/rolling_stiffness.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using About = OpenQuestion::About;
+using From = Origin::From;
 
 /// One case of the mode.
 struct MotionCase {
@@ -58,108 +56,88 @@ MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
   return seen;
 }
 
-void tell_test_of_law(const ResistanceLaw& law, LawReport& report) {
+void find_test_of_law(const ResistanceLaw& law, LawFindings& findings) {
   if (!law.has_offset)
-    report.not_identifiable.push_back(
-        "h: one load cannot part mu f from mu h; solve a case at a tenth or ten times the load");
+    findings.open.push_back({About::offset});
   else if (law.degrees_of_freedom == 0)
-    report.not_identifiable.push_back(
-        "whether the law holds: it passes through two cases whatever they are, and its uncertainty takes "
-        "each for "
-        "good to a thousandth; solve a third load");
+    findings.open.push_back({About::test_of_law});
   else
-    report.findings.push_back("misfit of the law: " + percent(law.misfit) + " (root mean square of " +
-                              std::to_string(law.degrees_of_freedom + 2) + " cases)");
+    findings.found.push_back(MisfitFact{law.misfit, law.degrees_of_freedom + 2});
 }
 
-void derive_motion_stiffness(const MotionMode& mode, const std::vector<MotionCase>& seen,
-                             ContactParameters& parameters, LawReport& report) {
+void derive_stiffness(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
+  const MotionMode& mode = *findings.mode;
   std::vector<CaseNumber> probed, reversed;
+  bool has_energies = false;
   for (const auto& item : seen) {
+    has_energies = has_energies || item.moving.has_energies();
     if (item.probed_stiffness > 0) probed.push_back(item.number(item.probed_stiffness, item.probed_sd));
     if (item.reversal.value > 0) reversed.push_back(item.number(item.reversal.value, item.reversal.error));
   }
+  ContactParameters& parameters = derivation.parameters;
   const auto radius = [&](double load) { return parameters.contact_radius(load); };
   const auto law_of = [&](const std::vector<CaseNumber>& all) {
     return fit_power(counted_of(all), radius, mode.stiffness_exponent);
   };
-  if (probed.empty() && reversed.empty()) {
-    report.not_identifiable.push_back(
-        "the stiffness: no case was reversed after full slip; set Experiment/Reverse = true" +
-        std::string(&mode == &rolling_mode() ? " and Experiment/Return distance to a contact radius or more"
-                                             : ""));
-    return;
-  }
+  if (probed.empty() && reversed.empty())
+    return findings.open.push_back(
+        {&mode == &rolling_mode() ? About::rolling_stiffness : About::stiffness, Derived::stiffness, &mode});
   const std::vector<CaseNumber>& written = probed.empty() ? reversed : probed;
   const PowerLaw law = law_of(written);
-  const bool rolled = &mode == &rolling_mode() && std::any_of(seen.begin(), seen.end(), [](const auto& item) {
-    return item.moving.has_energies();
-  });
-  const char* source = !probed.empty() ? "without slip"
-                       : rolled        ? "of rolling back in a second pass, to half the loop's width"
-                                       : "slope after the reversal";
-  report.findings.push_back(
-      std::string("stiffness ") + source + ": " + with_error(law.value, law.sd, mode.stiffness_unit) +
-      " at " + format_quantity(law.at_load, Dimension::force) + "; " + extent_of(counted_of(written)));
+  const auto source = !probed.empty()                            ? StiffnessSource::probe
+                      : &mode == &rolling_mode() && has_energies ? StiffnessSource::second_pass
+                                                                 : StiffnessSource::reversal;
+  findings.found.push_back(StiffnessFact{&mode, source, law, counted_of(written)});
   if (!probed.empty() && !reversed.empty()) {
     const PowerLaw reversal = law_of(reversed);
-    report.findings.push_back("slope after the reversal, partial slip taken out: " +
-                              with_error(reversal.value, reversal.sd, mode.stiffness_unit) + " at " +
-                              format_quantity(reversal.at_load, Dimension::force));
-    report.details["reversal_stiffness"] = {
+    findings.found.push_back(ReversalFact{&mode, reversal});
+    findings.details["reversal_stiffness"] = {
         {"value", reversal.value}, {"sd", reversal.sd}, {"at_load", reversal.at_load}};
   }
-  tell_exponent(law, mode.stiffness_exponent, "the stiffness", report);
-  tell_scatter_and_mesh(written, "the stiffness", report);
-  std::string provenance = std::string(source) + "; " + source_of(written);
-  if (mode.stiffness_exponent != 1)
-    provenance += "; of a smooth contact it grows as a^" + with_error(mode.stiffness_exponent, unknown, "") +
-                  ", not as a";
+  find_growth(law, mode.stiffness_exponent, Derived::stiffness, findings);
+  find_scatter_and_mesh(written, Derived::stiffness, findings);
   parameters.*mode.stiffness =
-      EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load, provenance};
+      EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load};
+  const Origin cases{From::cases, unknown, "", written};
+  auto& origin = derivation.origin_of(mode.stiffness) = {{From::stiffness, unknown, "", {}, source}, cases};
+  if (mode.stiffness_exponent != 1) origin.push_back({From::smooth_growth, mode.stiffness_exponent});
   if (&mode != &sliding_mode()) return;
   constexpr double mindlin = 8;
   const double to_modulus = 1 / (mindlin * radius(law.at_load));
   parameters.reduced_shear_modulus =
-      EffectiveQuantity{law.value * to_modulus,
-                        law.sd * to_modulus,
-                        law.loads,
-                        LengthScale::none,
-                        unknown,
-                        "k_l = 8 G* a fitted, a Hertz' with E* of this file; " + source_of(written)};
+      EffectiveQuantity{law.value * to_modulus, law.sd * to_modulus, law.loads};
+  derivation.origin_of(&ContactParameters::reduced_shear_modulus) = {{From::lateral_stiffness}, cases};
 }
 
-/// One line per load.
-void tell_resistances(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
+/// One fact per load.
+void find_resistances(const std::vector<const MotionCase*>& used, LawFindings& findings) {
   for (std::size_t i = 0; i < used.size();) {
     std::size_t end = i;
-    double mean = 0, variance = 0, fluctuation = 0, independent = 0;
     while (end < used.size() && same_load(used[end]->load, used[i]->load)) ++end;
     const auto count = static_cast<double>(end - i);
-    for (std::size_t k = i; k < end; ++k) {
-      const Uncertain resistance = used[k]->resistance();
-      mean += resistance.value / count;
+    MeanResistanceFact fact{findings.mode, used[i]->load, {0, 0}, static_cast<int>(end - i)};
+    double variance = 0;
+    for (; i < end; ++i) {
+      const Uncertain resistance = used[i]->resistance();
+      const SteadyPath& path = used[i]->moving.first;
+      fact.mean.value += resistance.value / count;
       variance += resistance.sd * resistance.sd / (count * count);
-      fluctuation += used[k]->moving.first.fluctuation / resistance.value / count;
-      independent += used[k]->moving.first.independent;
+      fact.fluctuation += path.fluctuation / resistance.value / count;
+      fact.independent += path.independent;
     }
-    report.findings.push_back("at " + format_quantity(used[i]->load, Dimension::force) + ": " +
-                              with_error(mean, std::sqrt(variance), mode.resistance_unit) +
-                              (count > 1 ? ", mean of " + std::to_string(end - i) + " realisations" : "") +
-                              "; fluctuation along the path " + percent(fluctuation) + ", " +
-                              with_error(std::round(independent), unknown, "") + " independent blocks");
-    i = end;
+    fact.mean.sd = std::sqrt(variance);
+    findings.found.push_back(fact);
   }
 }
 
-std::string folders_of(const std::vector<const MotionCase*>& cases) {
-  std::string text;
-  for (const MotionCase* item : cases) text += (text.empty() ? "" : ", ") + item->solved->folder.string();
-  return text;
+std::vector<std::string> folders_of(const std::vector<const MotionCase*>& cases) {
+  std::vector<std::string> folders;
+  for (const MotionCase* item : cases) folders.push_back(item->solved->folder.string());
+  return folders;
 }
 
 /// What the paths of the cases were too short for.
-void tell_paths(const MotionMode& mode, const std::vector<const MotionCase*>& used, LawReport& report) {
+void find_short_paths(const std::vector<const MotionCase*>& used, LawFindings& findings) {
   std::vector<const MotionCase*> changing;
   double shortest = std::numeric_limits<double>::infinity(), largest_drift = 0;
   for (const MotionCase* item : used) {
@@ -168,20 +146,16 @@ void tell_paths(const MotionMode& mode, const std::vector<const MotionCase*>& us
     changing.push_back(item);
     largest_drift = std::max(largest_drift, std::abs(item->moving.first.drift));
   }
+  const MotionMode* mode = findings.mode;
   if (!changing.empty())
-    report.not_identifiable.push_back("where the resistance ends: it still changes, by up to " +
-                                      percent(largest_drift) +
-                                      " from the first half of the path to the second (" +
-                                      folders_of(changing) + "); set " + mode.path_entry + " to more");
+    findings.open.push_back(
+        {About::end_of_change, Derived::resistance, mode, largest_drift, folders_of(changing)});
   constexpr double diameters_wanted = 2;
-  if (mode.path_is_length && shortest < diameters_wanted)
-    report.not_identifiable.push_back("fluctuation over long paths: the shortest steady path is " +
-                                      with_error(std::round(10 * shortest) / 10, unknown, "") +
-                                      " contact diameters, two or more are wanted; set " + mode.path_entry +
-                                      " to more");
+  if (mode->path_is_length && shortest < diameters_wanted)
+    findings.open.push_back({About::long_paths, Derived::resistance, mode, shortest});
 }
 
-Json moved_case_json(const MotionCase& item) {
+nlohmann::ordered_json moved_case_json(const MotionCase& item) {
   return {{"folder", item.solved->folder.string()},
           {"load", item.load},
           {"mean", item.resistance().value},
@@ -193,8 +167,9 @@ Json moved_case_json(const MotionCase& item) {
           {"drift", item.moving.first.drift}};
 }
 
-void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& seen,
-                       ContactParameters& parameters, LawReport& report) {
+void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
+  const MotionMode& mode = *findings.mode;
+  ContactParameters& parameters = derivation.parameters;
   std::vector<CaseNumber> all;
   std::vector<const MotionCase*> steady, sticking, used;
   for (const auto& item : seen) {
@@ -202,92 +177,73 @@ void derive_resistance(const MotionMode& mode, const std::vector<MotionCase>& se
     if (item.moving.reached()) all.push_back(item.number(item.resistance().value, item.resistance().sd));
   }
   if (!sticking.empty())
-    report.not_identifiable.push_back(
-        "the resistance of cases that did not slip fully, or for fewer than three steps (" +
-        folders_of(sticking) + "): set " + mode.path_entry + " to more");
+    findings.open.push_back({About::slip, Derived::resistance, &mode, unknown, folders_of(sticking)});
   if (all.empty()) return;
-  std::vector<ResistancePoint> points;
   for (const auto i : on_one_mesh(all)) {
     used.push_back(steady[i]);
-    points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation, parameters.particle.radius,
-                      parameters.contact_radius(all[i].load)});
-    report.details["resistance"].push_back(moved_case_json(*steady[i]));
+    findings.points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation,
+                               parameters.particle.radius, parameters.contact_radius(all[i].load)});
+    findings.details["resistance"].push_back(moved_case_json(*steady[i]));
   }
-  tell_resistances(mode, used, report);
-  tell_paths(mode, used, report);
+  find_resistances(used, findings);
+  find_short_paths(used, findings);
 
-  EffectiveQuantity friction, offset;
-  ResistanceLaw law;
   const bool is_dissipation = std::all_of(used.begin(), used.end(),
                                           [](const MotionCase* item) { return item->moving.has_energies(); });
-  const char* per = &mode == &sliding_mode() ? "path length" : "angle";
-  const std::string provenance =
-      (is_dissipation ? std::string("energy dissipated per ") + per +
-                            " by slip, yielding and bonds on the steady first pass; "
-                      : "steady resistance after full slip; ") +
-      source_of(all);
-  if (is_dissipation)
-    report.findings.push_back(std::string("The resistance is the energy dissipated per ") + per +
-                              ": the conservative topographic part is not in it.");
+  const From from = !is_dissipation            ? From::steady_resistance
+                    : &mode == &sliding_mode() ? From::dissipation_per_length
+                                               : From::dissipation_per_angle;
+  std::vector<Origin> origin{{from}, {From::cases, unknown, "", all}}, odds;
+  if (is_dissipation) findings.found.push_back(DissipationFact{&mode});
+  EffectiveQuantity &friction = (parameters.*mode.friction).emplace(),
+                    &offset = (parameters.*mode.offset).emplace();
+  ResistanceLaw law;
   if (mode.has_length) {
-    const LengthChoice choice = choose_length(points);
+    const LengthChoice choice = choose_length(findings.points);
     law = choice.law();
     friction.length_scale = choice.scale();
-    tell_choice(choice, report);
-    report.details["length"] = to_json(choice);
-    friction.provenance = provenance + printed("; ln of the odds for a over r: %.3g", choice.log_odds);
+    find_length(choice, findings);
+    findings.details["length"] = to_json(choice);
+    odds = {{From::odds, choice.log_odds}};
   } else {
-    law = fit_resistance(points, LengthScale::none);
-    report.findings.push_back(to_text(law));
-    report.details["law"] = to_json(law);
-    friction.provenance = provenance;
+    law = fit_resistance(findings.points, LengthScale::none);
+    findings.found.push_back(LawFact{law});
+    findings.details["law"] = to_json(law);
   }
-  report.points = points;
-  tell_test_of_law(law, report);
-  tell_scatter_and_mesh(all, "the resistance", report);
+  find_test_of_law(law, findings);
+  find_scatter_and_mesh(all, Derived::resistance, findings);
   friction.value = law.coefficient;
   friction.sd = law.coefficient_sd();
   offset.value = law.offset;
   if (law.has_offset) offset.sd = law.offset_sd();
   friction.load_range = offset.load_range = law.loads;
-  offset.provenance = law.has_offset ? provenance : "one load cannot tell it; zero is assumed";
-  parameters.*mode.friction = friction;
-  parameters.*mode.offset = offset;
-}
-
-/// Local friction is an input of the cases: of the effective one, only what departs from it is found.
-void tell_local_friction(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters,
-                         LawReport& report) {
-  auto& friction = parameters.*mode.friction;
-  if (!friction) return;
-  for (const auto& [entry, value] : set.inputs)
-    if (entry == "Interface/Friction coefficient") {
-      friction->provenance += "; local friction coefficient that went in: " + value;
-      report.findings.push_back("The local friction coefficient of " + value +
-                                " went in; what comes out follows from it.");
-    }
+  derivation.origin_of(mode.offset) = law.has_offset ? origin : std::vector<Origin>{{From::no_offset}};
+  origin.insert(origin.end(), odds.begin(), odds.end());
+  if (const auto local = derivation.inputs.find("Interface/Friction coefficient");
+      local != derivation.inputs.end()) {
+    origin.push_back({From::local_friction, unknown, local->second});
+    findings.found.push_back(LocalFrictionFact{local->second});
+  }
+  derivation.origin_of(mode.friction) = origin;
 }
 
 }  // namespace
 
-LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters) {
-  LawReport report;
-  report.motion = mode.motion;
-  report.title = mode.title;
+void derive_motion(const ParameterSet& set, const MotionMode& mode, Derivation& derivation) {
+  LawFindings findings;
+  findings.mode = &mode;
   std::vector<MotionCase> seen;
   for (const auto& solved : set.cases)
     if (solved.motion() == mode.motion) seen.push_back(observe(solved, mode));
   std::stable_sort(seen.begin(), seen.end(),
                    [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
   if (seen.empty()) {
-    report.not_identifiable.push_back("all of it: there is no case with Experiment/Type = " +
-                                      name_of(mode.motion));
-    return report;
+    findings.open.push_back({About::experiment, Derived::resistance, &mode});
+  } else {
+    derive_resistance(seen, derivation, findings);
+    derive_stiffness(seen, derivation, findings);
   }
-  derive_resistance(mode, seen, parameters, report);
-  tell_local_friction(set, mode, parameters, report);
-  derive_motion_stiffness(mode, seen, parameters, report);
-  return report;
+  derivation.laws.push_back(std::move(findings));
 }
 
 }  // namespace asperity

@@ -4,14 +4,12 @@
 // resistance_law.h.
 #pragma once
 
-#include "dem_compare/cases/motion_mode.h"
-#include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/derive/law_report.h"
+#include "dem_compare/derive/derivation.h"
 
 namespace asperity {
 
-/// Sets the quantities of the mode (for sliding, reduced_shear_modulus too); `parameters` must have E*
-/// already.
-LawReport derive_motion(const ParameterSet& set, const MotionMode& mode, ContactParameters& parameters);
+/// Sets the quantities of the mode (for sliding, reduced_shear_modulus too) and adds what was found; the
+/// normal law must be there already.
+void derive_motion(const ParameterSet& set, const MotionMode& mode, Derivation& derivation);
 
 }  // namespace asperity

@@ -5,15 +5,15 @@
 #include <limits>
 
 #include "core/error.h"
-#include "core/printed.h"
 #include "dem_compare/cases/normal_numbers.h"
-#include "dem_compare/derive/power_law.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using About = OpenQuestion::About;
+using From = Origin::From;
+using P = ContactParameters;
 
 /// Hertz fits of one case's first loading.
 struct NormalFit {
@@ -90,129 +90,105 @@ std::optional<CaseNumber> stiffness_of(const SolvedCase& solved) {
   return number.value > 0 ? std::optional(number) : std::nullopt;
 }
 
-void derive_modulus(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
+/// A mean that is at least as uncertain as what it is made of.
+Uncertain mean_of(const std::vector<double>& values, double own_sd) {
+  const Scatter mean = scatter_of(values);
+  return {mean.mean, mean.count > 1 ? std::max(mean.standard_error, own_sd) : own_sd};
+}
+
+void derive_modulus(const ParameterSet& set, Derivation& derivation, LawFindings& findings) {
   const Hertz hertz = set.cases.front().hertz();
+  EffectiveQuantity& modulus = derivation.parameters.reduced_modulus.emplace();
+  std::vector<Origin>& origin = derivation.origin_of(&P::reduced_modulus);
   std::vector<NormalFit> fits;
   for (const auto& solved : set.cases)
     if (const auto fit = fit_of(solved)) fits.push_back(*fit);
   fits = largest_loads(fits);
-  EffectiveQuantity modulus;
   if (fits.empty()) {
     modulus.value = hertz.reduced_modulus;
-    modulus.provenance = "of the materials (Hertz 1882): no case has enough load steps for a fit";
-    report.not_identifiable.push_back(
-        "E* of the contact: no case has the three load steps (four if rough) that a Hertz fit needs; the "
-        "materials' own value is written. Set Experiment/Load steps to 10");
-  } else {
-    std::vector<CaseNumber> all;
-    for (const auto& fit : fits) all.push_back(fit.modulus);
-    std::vector<double> moduli, radii, exponents, offsets;
-    double errors = 0;
-    modulus.load_range = fits.front().loads;
-    const auto used = on_one_mesh(all);
-    for (const auto i : used) {
-      moduli.push_back(fits[i].modulus.value), radii.push_back(fits[i].radius.value);
-      exponents.push_back(fits[i].exponent), offsets.push_back(fits[i].offset);
-      errors += fits[i].modulus.sd * fits[i].modulus.sd;
-      modulus.load_range->low = std::min(modulus.load_range->low, fits[i].loads.low);
-      modulus.load_range->high = std::max(modulus.load_range->high, fits[i].loads.high);
-      report.details["fits"].push_back({{"folder", fits[i].solved->folder.string()},
-                                        {"reduced_modulus", fits[i].modulus.value},
-                                        {"radius", fits[i].radius.value},
-                                        {"exponent", fits[i].exponent},
-                                        {"offset", fits[i].offset},
-                                        {"relative_misfit", fits[i].misfit}});
-    }
-    const Scatter mean = scatter_of(moduli);
-    const double of_fits = std::sqrt(errors) / static_cast<double>(used.size());
-    modulus.value = mean.mean;
-    modulus.sd = mean.count > 1 ? std::max(mean.standard_error, of_fits) : of_fits;
-    modulus.provenance = std::string("Hertz fit of the first loading") +
-                         (fits.front().solved->is_rough() ? " with an offset of the approach" : "") + "; " +
-                         source_of(all);
-    report.findings.push_back(
-        "E* = " + with_error(modulus.value, modulus.sd, Dimension::pressure) + " (materials: " +
-        format_quantity(hertz.reduced_modulus, Dimension::pressure, 4) + "), " + modulus.provenance);
-    report.findings.push_back("the same as a radius: R_effective = " +
-                              with_error(scatter_of(radii).mean, unknown, Dimension::length) +
-                              " (particle: " + format_quantity(hertz.radius, Dimension::length) +
-                              ") with the materials' E*");
-    const Scatter exponent = scatter_of(exponents);
-    if (exponent.count > 0)
-      report.findings.push_back(
-          "exponent of the load over the approach: " +
-          with_error(exponent.mean,
-                     exponent.count > 1 ? exponent.standard_error : fits[used.front()].exponent_error, "") +
-          " (Hertz: 1.5)" +
-          (fits.front().solved->is_rough()
-               ? ", offset " + with_error(scatter_of(offsets).mean, scatter_of(offsets).standard_error,
-                                          Dimension::length)
-               : ""));
-    else
-      report.not_identifiable.push_back(
-          "exponent of the normal law: it takes five load steps; set Experiment/Load steps to 10");
-    tell_scatter_and_mesh(all, "E*", report);
+    origin = {{From::materials}};
+    findings.open.push_back({About::hertz_fit});
+    return;
   }
-  parameters.reduced_modulus = modulus;
+  std::vector<CaseNumber> all;
+  for (const auto& fit : fits) all.push_back(fit.modulus);
+  std::vector<double> moduli, radii, exponents, offsets;
+  double errors = 0;
+  modulus.load_range = fits.front().loads;
+  const auto used = on_one_mesh(all);
+  for (const auto i : used) {
+    const NormalFit& fit = fits[i];
+    moduli.push_back(fit.modulus.value), radii.push_back(fit.radius.value);
+    exponents.push_back(fit.exponent), offsets.push_back(fit.offset);
+    errors += fit.modulus.sd * fit.modulus.sd;
+    modulus.load_range->low = std::min(modulus.load_range->low, fit.loads.low);
+    modulus.load_range->high = std::max(modulus.load_range->high, fit.loads.high);
+    findings.details["fits"].push_back({{"folder", fit.solved->folder.string()},
+                                        {"reduced_modulus", fit.modulus.value},
+                                        {"radius", fit.radius.value},
+                                        {"exponent", fit.exponent},
+                                        {"offset", fit.offset},
+                                        {"relative_misfit", fit.misfit}});
+  }
+  const Uncertain mean = mean_of(moduli, std::sqrt(errors) / static_cast<double>(used.size()));
+  modulus.value = mean.value, modulus.sd = mean.sd;
+  const bool with_offset = fits.front().solved->is_rough();
+  origin = {{with_offset ? From::hertz_fit_with_offset : From::hertz_fit}, {From::cases, unknown, "", all}};
+  findings.found.push_back(ModulusFact{mean, hertz.reduced_modulus, with_offset, all});
+  findings.found.push_back(RadiusFact{scatter_of(radii).mean, hertz.radius});
+  const Scatter exponent = scatter_of(exponents), offset = scatter_of(offsets);
+  if (exponent.count > 0)
+    findings.found.push_back(ExponentFact{
+        {exponent.mean, exponent.count > 1 ? exponent.standard_error : fits[used.front()].exponent_error},
+        with_offset,
+        {offset.mean, offset.standard_error}});
+  else
+    findings.open.push_back({About::exponent});
+  find_scatter_and_mesh(all, Derived::modulus, findings);
 }
 
-void derive_normal_stiffness(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
+void derive_normal_stiffness(const ParameterSet& set, Derivation& derivation, LawFindings& findings) {
   std::vector<CaseNumber> all;
   for (const auto& solved : set.cases)
     if (const auto number = stiffness_of(solved)) all.push_back(*number);
-  if (all.empty()) {
-    report.not_identifiable.push_back(
-        "k_n: no case has a stiffness at its largest load; set Experiment/Unload = true");
-    return;
-  }
+  if (all.empty()) return findings.open.push_back({About::normal_stiffness});
+  P& parameters = derivation.parameters;
   const std::vector<CaseNumber> used = counted_of(all);
   const PowerLaw law = fit_power(used, [&](double load) { return parameters.contact_radius(load); });
   parameters.normal_stiffness =
-      EffectiveQuantity{law.value,   law.sd,
-                        law.loads,   LengthScale::contact_radius,
-                        law.at_load, "elastic stiffness at the largest load; " + source_of(all)};
-  report.findings.push_back(
-      "k_n = " + with_error(law.value, law.sd, Dimension::stiffness) + " at " +
-      format_quantity(law.at_load, Dimension::force) + ", growing with a (2 E* a: " +
-      format_quantity(2 * parameters.reduced_modulus->value * parameters.contact_radius(law.at_load),
-                      Dimension::stiffness) +
-      "); " + extent_of(used));
+      EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load};
+  derivation.origin_of(&P::normal_stiffness) = {{From::largest_load}, {From::cases, unknown, "", all}};
+  const double hertz = 2 * parameters.reduced_modulus->value * parameters.contact_radius(law.at_load);
+  findings.found.push_back(NormalStiffnessFact{law, hertz, used});
   for (const auto& number : used)
-    report.details["stiffness"].push_back(
+    findings.details["stiffness"].push_back(
         {{"load", number.load}, {"value", number.value}, {"realisation", number.realisation}});
-  tell_exponent(law, 1, "k_n", report);
+  find_growth(law, 1, Derived::normal_stiffness, findings);
 }
 
 /// Plastic flow makes the first loading another law than all that follow: it must not go unsaid.
-void tell_yielding(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
-  double largest = 0, from = std::numeric_limits<double>::infinity();
-  int yielded = 0;
+void find_yielding(const ParameterSet& set, Derivation& derivation, LawFindings& findings) {
+  YieldFact fact{0, set.cases.size(), std::numeric_limits<double>::infinity(), 0};
   for (const auto& solved : set.cases) {
     const History& history = solved.history;
     bool here = false;
     for (std::size_t i = 0; i < history.size(); ++i) {
       if (!(history.plastic_volume[i] > 0)) continue;
-      if (!here) from = std::min(from, history.normal_force[i]);
+      if (!here) fact.from = std::min(fact.from, history.normal_force[i]);
       here = true;
-      largest = std::max(largest, history.plastic_volume[i]);
+      fact.largest = std::max(fact.largest, history.plastic_volume[i]);
     }
-    yielded += here;
+    fact.yielded += here;
   }
-  report.details["yielded"] = {{"cases", yielded}, {"largest_plastic_volume", largest}};
-  if (yielded == 0) return;
-  report.details["yielded"]["from_load"] = from;
-  constexpr double um3 = 1e-18;
-  report.findings.push_back("material yielded in " + std::to_string(yielded) + " of " +
-                            std::to_string(set.cases.size()) + " cases, seen first at " +
-                            format_quantity(from, Dimension::force) + " (plastic volume up to " +
-                            printed("%.2g um^3", largest / um3) +
-                            "): E* and its exponent are those of the first loading; unloading and reloading "
-                            "are stiffer, and k_n is theirs");
-  for (auto* quantity : {&parameters.reduced_modulus, &parameters.normal_stiffness})
-    if (*quantity) (*quantity)->provenance += "; material yielded";
+  findings.details["yielded"] = {{"cases", fact.yielded}, {"largest_plastic_volume", fact.largest}};
+  if (fact.yielded == 0) return;
+  findings.details["yielded"]["from_load"] = fact.from;
+  findings.found.push_back(fact);
+  for (const auto member : {&P::reduced_modulus, &P::normal_stiffness})
+    if (derivation.parameters.*member) derivation.origin_of(member).push_back({From::yielded});
 }
 
-void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, LawReport& report) {
+void derive_pull_off(const ParameterSet& set, Derivation& derivation, LawFindings& findings) {
   std::vector<double> pulls;
   bool adhesive = false;
   LoadRange loads{std::numeric_limits<double>::infinity(), 0};
@@ -229,33 +205,24 @@ void derive_pull_off(const ParameterSet& set, ContactParameters& parameters, Law
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }
   if (pulls.empty()) {
-    if (adhesive)
-      report.not_identifiable.push_back(
-          "pull-off force: no case of experiment normal was drawn apart; set Experiment/Unload = true");
+    if (adhesive) findings.open.push_back({About::pull_off});
     return;
   }
   const Scatter pull = scatter_of(pulls);
-  parameters.pull_off_force =
-      EffectiveQuantity{pull.mean,
-                        pull.standard_error,
-                        loads,
-                        LengthScale::none,
-                        unknown,
-                        "largest pull while unloading; the loads are those reached before, " +
-                            std::to_string(pull.count) + " cases"};
-  report.findings.push_back("pull-off force " + with_error(pull.mean, pull.standard_error, Dimension::force));
+  derivation.parameters.pull_off_force = EffectiveQuantity{pull.mean, pull.standard_error, loads};
+  derivation.origin_of(&P::pull_off_force) = {{From::pull, static_cast<double>(pull.count)}};
+  findings.found.push_back(PullOffFact{{pull.mean, pull.standard_error}});
 }
 
 }  // namespace
 
-LawReport derive_normal(const ParameterSet& set, ContactParameters& parameters) {
-  LawReport report;
-  report.title = "Normal";
-  derive_modulus(set, parameters, report);
-  derive_normal_stiffness(set, parameters, report);
-  tell_yielding(set, parameters, report);
-  derive_pull_off(set, parameters, report);
-  return report;
+void derive_normal(const ParameterSet& set, Derivation& derivation) {
+  LawFindings findings;
+  derive_modulus(set, derivation, findings);
+  derive_normal_stiffness(set, derivation, findings);
+  find_yielding(set, derivation, findings);
+  derive_pull_off(set, derivation, findings);
+  derivation.laws.push_back(std::move(findings));
 }
 
 }  // namespace asperity

@@ -4,13 +4,11 @@
 // the loads of the fit; plastic flow of the first loading is in E*.
 #pragma once
 
-#include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/derive/law_report.h"
-#include "engines/parameters/contact_parameters.h"
+#include "dem_compare/derive/derivation.h"
 
 namespace asperity {
 
-/// Sets reduced_modulus, normal_stiffness and pull_off_force of `parameters`.
-LawReport derive_normal(const ParameterSet& set, ContactParameters& parameters);
+/// Sets reduced_modulus, normal_stiffness and pull_off_force, and adds what was found.
+void derive_normal(const ParameterSet& set, Derivation& derivation);
 
 }  // namespace asperity

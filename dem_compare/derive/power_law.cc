@@ -48,14 +48,4 @@ PowerLaw fit_power(const std::vector<CaseNumber>& numbers,
   return law;
 }
 
-void tell_exponent(const PowerLaw& law, double expected, const std::string& name, LawReport& report) {
-  if (std::isnan(law.exponent)) {
-    report.not_identifiable.push_back("how " + name + " grows with the load: solve a case at another load");
-    return;
-  }
-  report.findings.push_back(name + " grows as a^n, n = " + with_error(law.exponent, law.exponent_sd, "") +
-                            " (the law taken has " +
-                            with_error(expected, std::numeric_limits<double>::quiet_NaN(), "") + ")");
-}
-
 }  // namespace asperity

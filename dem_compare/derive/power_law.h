@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dem_compare/cases/case_numbers.h"
-#include "dem_compare/derive/law_report.h"
 #include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
@@ -23,8 +22,5 @@ struct PowerLaw {
 /// Mean of log(k/a^n) with n given; the exponent is fitted apart. Needs a number.
 PowerLaw fit_power(const std::vector<CaseNumber>& numbers,
                    const std::function<double(double load)>& contact_radius, double exponent = 1);
-
-/// "k grows as a^(1.04 +- 0.01)", or what would tell.
-void tell_exponent(const PowerLaw& law, double expected, const std::string& name, LawReport& report);
 
 }  // namespace asperity

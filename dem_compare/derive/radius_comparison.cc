@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dem_compare/cases/motion_mode.h"
 #include "dem_compare/derive/derivation.h"
-#include "dem_compare/derive/length_choice.h"
 
 namespace asperity {
 namespace {
@@ -38,16 +36,16 @@ void adopt_length(const LengthChoice& all, const MotionMode& mode, Derivation& d
   friction.value = adopted.coefficient;
   friction.sd = adopted.coefficient_sd();
   friction.length_scale = all.scale();
-  friction.provenance += "; lambda told by the particle's other radii";
+  derivation.origin_of(mode.friction).push_back({Origin::From::other_radii});
   offset.value = adopted.offset;
   if (adopted.has_offset) offset.sd = adopted.offset_sd();
 }
 
 }  // namespace
 
-std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
-                                     std::vector<Derivation>& derivations) {
-  std::vector<LawReport> reports;
+std::vector<LawFindings> compare_radii(const std::vector<ParameterSet>& sets,
+                                       std::vector<Derivation>& derivations) {
+  std::vector<LawFindings> compared;
   std::vector<bool> seen(sets.size(), false);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (seen[i]) continue;
@@ -55,29 +53,27 @@ std::vector<LawReport> compare_radii(const std::vector<ParameterSet>& sets,
     for (std::size_t k = i; k < sets.size(); ++k)
       if (same_but_for_radius(sets[i], sets[k])) alike.push_back(k), seen[k] = true;
     for (const MotionMode* mode : {&torsion_mode(), &rolling_mode()}) {
+      LawFindings findings;
+      findings.mode = mode;
       std::vector<std::size_t> family;
-      std::string radii;
       for (const auto set : alike) {
         if (derivations[set].law_of(mode->motion).points.empty()) continue;
-        radii += (radii.empty() ? "" : ", ") +
-                 format_quantity(derivations[set].parameters.particle.radius, Dimension::length);
+        findings.radii.push_back(derivations[set].parameters.particle.radius);
         family.push_back(set);
       }
       if (family.size() < 2) continue;
-      LawReport report;
-      report.title = std::string(mode->title) + ", over the radii " + radii + " with one mu and h for all";
-      report.points = points_of_sets(family, derivations, mode->motion);
-      const LengthChoice choice = choose_length(report.points);
-      tell_choice(choice, report);
-      report.details = to_json(choice);
+      findings.points = points_of_sets(family, derivations, mode->motion);
+      const LengthChoice choice = choose_length(findings.points);
+      find_length(choice, findings);
+      findings.details = to_json(choice);
       for (const auto set : family) {
         adopt_length(choice, *mode, derivations[set]);
-        derivations[set].parameters.derivation[name_of(mode->motion)]["over_radii"] = report.details;
+        derivations[set].parameters.derivation[name_of(mode->motion)]["over_radii"] = findings.details;
       }
-      reports.push_back(std::move(report));
+      compared.push_back(std::move(findings));
     }
   }
-  return reports;
+  return compared;
 }
 
 }  // namespace asperity

@@ -45,7 +45,7 @@ Provenance ContactExperiment::provenance() const { return {options_.inputs_sha25
 
 void ContactExperiment::start() {
   const auto& sizes = setup_.system.mesh.sizes;
-  say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over +-" +
+  say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over ±" +
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
   for (int body = 0; body < 2; ++body)

@@ -1,9 +1,9 @@
 #include "report/page/words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <regex>
 
 #include "core/printed.h"
 #include "report/page/axis.h"
@@ -108,8 +108,19 @@ std::string imprint_text(double imprint) {
 }
 
 std::string readable(const std::string& text) {
-  static const std::regex micro(R"((\d ?)u(N|m)\b)");
-  return std::regex_replace(escaped(text), micro, "$1µ$2");
+  std::string html = escaped(text);
+  // "100 uN", "20um": a unit behind a number, and nothing behind the unit.
+  for (std::size_t u = html.find('u', 1); u != std::string::npos; u = html.find('u', u + 1)) {
+    const auto is = [&](std::size_t at, int (*kind)(int)) {
+      return at < html.size() && kind(static_cast<unsigned char>(html[at])) != 0;
+    };
+    const bool behind_number =
+        is(u - 1, std::isdigit) || (u > 1 && html[u - 1] == ' ' && is(u - 2, std::isdigit));
+    const bool is_unit = u + 1 < html.size() && (html[u + 1] == 'N' || html[u + 1] == 'm') &&
+                         !is(u + 2, std::isalnum) && html[std::min(u + 2, html.size() - 1)] != '_';
+    if (behind_number && is_unit) html.replace(u, 1, "µ");
+  }
+  return html;
 }
 
 std::string area_text(double area) {

@@ -7,14 +7,15 @@
 #include "core/csv.h"
 #include "core/joined.h"
 #include "core/printed.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
 
 std::string with_sd(const std::optional<Uncertain>& number, const DisplayUnit& unit) {
   if (!number) return "";
-  return printed("%.5g", number->value / unit.factor) +
-         (number->has_sd() ? printed(" +- %.3g", number->sd / unit.factor) : "");
+  return number->has_sd() ? number_text({number->value / unit.factor, number->sd / unit.factor})
+                          : printed("%.5g", number->value / unit.factor);
 }
 
 std::string sigma(double deviation) { return std::isfinite(deviation) ? printed("%+.2f", deviation) : ""; }

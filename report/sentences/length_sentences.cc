@@ -45,13 +45,6 @@ std::string exponents_sentence(const LengthAnswer& answer, const std::string& ov
            : ""});
 }
 
-std::string law_text(const ResistanceLaw& law) {
-  constexpr double micro = 1e-6;
-  const Uncertain offset{law.offset / micro, law.offset_sd() / micro};
-  return say("µ = {}, h = {}", {number_text({law.coefficient, law.coefficient_sd()}),
-                                law.has_offset ? number_text(offset) + " uN" : "0 (not identifiable)"});
-}
-
 std::string odds_sentence(const LengthAnswer& answer) {
   if (!answer.choice || answer.choice->log_odds == 0) return "";
   const LengthChoice& choice = *answer.choice;
@@ -61,7 +54,7 @@ std::string odds_sentence(const LengthAnswer& answer) {
   return say(" Odds {} to 1 for λ = {}, an offset h left free{}; with it {}.",
              {odds > most_that_matters ? "above 10⁶" : number_text({odds}), is_contact ? "a" : "r",
               choice.is_told() ? "" : printed(" (decisive from %.0f to 1)", LengthChoice::telling_odds),
-              law_text(is_contact ? choice.with_contact : choice.with_radius)});
+              law_words(is_contact ? choice.with_contact : choice.with_radius)});
 }
 
 std::string without_offset_sentence(const LengthAnswer& answer) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/printed.h"
-#include "core/quantity.h"
 #include "dem_compare/cases/block_averages.h"
 
 namespace asperity::report {
@@ -112,6 +111,34 @@ std::string moment_text(const Uncertain& moment) {
 std::string force_text(double force) { return format_quantity(force, Dimension::force); }
 
 std::string length_text(double length) { return format_quantity(length, Dimension::length); }
+
+std::string share_text(double share) {
+  const double percents = per_cent * share;
+  return printed(std::abs(percents) >= 10 ? "%.0f %%" : "%.2g %%", percents);
+}
+
+std::string quantity_text(const Uncertain& quantity, Dimension dimension) {
+  constexpr int digits = 4;
+  const std::string text = format_quantity(quantity.value, dimension, digits);
+  if (!(quantity.has_sd() && quantity.sd > 0)) return text;
+  const auto blank = text.find(' ');
+  if (blank == std::string::npos) return number_text(quantity);
+  const std::string unit = text.substr(blank + 1);
+  return number_text(quantity * (1 / unit_factor(unit, dimension))) + " " + unit;
+}
+
+std::string quantity_text(const Uncertain& quantity, const std::string& unit) {
+  if (!unit.empty() && unit.front() == 'N') return quantity_text(quantity, Dimension::force) + unit.substr(1);
+  return quantity_text(quantity, Dimension::none) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string law_words(const ResistanceLaw& law, const std::string& symbol) {
+  constexpr double micro = 1e-6;
+  return say("{} = {}, h = {}",
+             {symbol, number_text({law.coefficient, law.coefficient_sd()}),
+              law.has_offset ? number_text({law.offset / micro, law.offset_sd() / micro}) + " uN"
+                             : "0 (not identifiable)"});
+}
 
 std::string sigma_text(double sigmas) { return printed("%.3g σ", std::round(10 * std::abs(sigmas)) / 10); }
 

@@ -6,7 +6,9 @@
 #include <initializer_list>
 #include <string>
 
+#include "core/quantity.h"
 #include "dem_compare/cases/motion_mode.h"
+#include "dem_compare/derive/resistance_law.h"
 #include "dem_compare/numbers/statistics.h"
 #include "dem_compare/resistance/trend.h"
 
@@ -40,6 +42,14 @@ std::string force_text(double force);
 /// "22 nm"
 /// In [m].
 std::string length_text(double length);
+/// "1.2 %" of a share [-].
+std::string share_text(double share);
+/// "1.234 ± 0.046 mN", the sd in the unit of the value; four digits of a value whose sd is not known.
+std::string quantity_text(const Uncertain& quantity, Dimension dimension);
+/// The same for a unit that begins with N ("pN m"), or without prefix.
+std::string quantity_text(const Uncertain& quantity, const std::string& unit);
+/// "µ = 0.230 ± 0.002, h = 12.0 ± 1.0 uN"
+std::string law_words(const ResistanceLaw& law, const std::string& symbol = "µ");
 /// "2.3 σ"
 /// A ratio to the standard deviation [-].
 std::string sigma_text(double sigmas);

@@ -26,7 +26,7 @@ TEST(MeshCase_behaviour, writes_hexahedra_surfaces_and_tetrahedra_and_says_what_
                            "particle_tetrahedra.msh", "substrate_tetrahedra.vtu", "substrate_tetrahedra.msh"})
     EXPECT_TRUE(std::filesystem::exists(folder.path / "meshes" / file)) << file;
   for (const char* words : {"particle: smallest scaled Jacobian 0.", "substrate: smallest scaled Jacobian 0.",
-                            "particle: Sq of the nodes", "nodes every 20 nm within +-250 nm",
+                            "particle: Sq of the nodes", "nodes every 20 nm within ±250 nm",
                             "unknowns; to solve them takes about", "free of self-intersections"})
     EXPECT_NE(said.find(words), std::string::npos) << words << " is missing in\n" << said;
 

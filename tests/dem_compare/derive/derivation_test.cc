@@ -12,6 +12,7 @@
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "engines/engine_input.h"
+#include "tests/dem_compare/derive/found.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/verification.h"
 
@@ -19,6 +20,7 @@ namespace asperity {
 namespace {
 
 using test::TemporaryFolder;
+using About = OpenQuestion::About;
 
 const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
 const Hertz standard{reduced_modulus(glass, silicon), 8.5e-6};
@@ -288,10 +290,13 @@ TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
     fluctuation += item["fluctuation"].get<double>() / item["mean"].get<double>() / 2;
     squares += std::pow(item["standard_error"].get<double>(), 2);
   }
-  const std::string expected = with_error(mean, std::sqrt(squares) / 2, "N") +
-                               ", mean of 2 realisations; fluctuation along the path " + percent(fluctuation);
-  const std::string text = to_text(derivation.law_of(Motion::sliding));
-  EXPECT_NE(text.find("at 1 mN: " + expected), std::string::npos) << expected << "\n" << text;
+  const auto* fact = test::found<MeanResistanceFact>(derivation.law_of(Motion::sliding));
+  ASSERT_TRUE(fact);
+  EXPECT_EQ(fact->cases, 2);
+  EXPECT_DOUBLE_EQ(fact->load, 1e-3);
+  EXPECT_DOUBLE_EQ(fact->mean.value, mean);
+  EXPECT_DOUBLE_EQ(fact->mean.sd, std::sqrt(squares) / 2);
+  EXPECT_DOUBLE_EQ(fact->fluctuation, fluctuation);
 }
 
 TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
@@ -301,16 +306,18 @@ TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
   ParameterSet set;
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   const History& history = set.cases.front().history;
-  const auto said = [&] { return to_text(derive_parameters(set).law_of(Motion::sliding)); };
+  const auto asks = [&] {
+    return test::asked(derive_parameters(set).law_of(Motion::sliding), About::long_paths) != nullptr;
+  };
   const double a = hertz.contact_radius(1e-3);
   double way = 0;  // of the steady parts there and back
   for (const double x : history.lateral_displacement) way = std::max(way, x);
   const bool is_short = 2 * way < 4 * a;
-  EXPECT_EQ(said().find("contact diameters, two or more are wanted") != std::string::npos, is_short);
+  EXPECT_EQ(asks(), is_short);
   for (double& x : set.cases.front().history.lateral_displacement) x *= 6 * a / way;
-  EXPECT_EQ(said().find("contact diameters, two or more are wanted"), std::string::npos);
+  EXPECT_FALSE(asks());
   for (double& x : set.cases.front().history.lateral_displacement) x *= 0.1;
-  EXPECT_NE(said().find("contact diameters, two or more are wanted"), std::string::npos);
+  EXPECT_TRUE(asks());
 }
 
 /// A spring of Mindlin's stiffness that yields: k = 8 G* a tells G*.
@@ -362,13 +369,15 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
     return derive_parameters(set);
   };
   EXPECT_NEAR(derived(probed).parameters.lateral_stiffness->value, 5e4, 1e-6);
-  EXPECT_EQ(derived(probed).parameters.lateral_stiffness->provenance.find("without slip"), 0u);
-  EXPECT_EQ(derived(reversed).parameters.lateral_stiffness->provenance.find("slope after the reversal"), 0u);
+  const auto source = [&](const SolvedCase& solved) {
+    return test::found<StiffnessFact>(derived(solved).law_of(Motion::sliding))->source;
+  };
+  EXPECT_EQ(source(probed), StiffnessSource::probe);
+  EXPECT_EQ(source(reversed), StiffnessSource::reversal);
   EXPECT_FALSE(derived(forward).parameters.lateral_stiffness);
-  const std::string text = to_text(derived(forward));
-  EXPECT_NE(text.find("no case was reversed after full slip; set Experiment/Reverse = true"),
-            std::string::npos);
-  EXPECT_EQ(text.find("Experiment/Return distance"), std::string::npos);  // that is for rolling
+  const Derivation open = derived(forward);
+  EXPECT_TRUE(test::asked(open.law_of(Motion::sliding), About::stiffness));
+  EXPECT_FALSE(test::asked(open.law_of(Motion::sliding), About::rolling_stiffness));
 }
 
 TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {
@@ -390,24 +399,26 @@ TEST(Derivation_behaviour, says_which_local_friction_went_in) {
   std::mt19937 random(21);
   ParameterSet set = make_set({}, {1e-3}, 1, random);
   set.inputs = {{"Interface/Friction coefficient", "0.2"}, {"Particle/Radius", "8.5 um"}};
-  const std::string provenance = derive_parameters(set).parameters.sliding_friction->provenance;
-  EXPECT_NE(provenance.find("local friction coefficient that went in: 0.2"), std::string::npos) << provenance;
-  EXPECT_EQ(provenance.find("8.5 um"), std::string::npos) << provenance;
+  const auto* origin = test::origin(derive_parameters(set), &ContactParameters::sliding_friction,
+                                    Origin::From::local_friction);
+  ASSERT_TRUE(origin);
+  EXPECT_EQ(origin->text, "0.2");
 }
 
 TEST(Derivation_behaviour, says_that_material_yielded) {
   std::mt19937 random(14);
   ParameterSet set = make_set({}, wide, 1, random);
-  EXPECT_EQ(to_text(derive_parameters(set)).find("yielded"), std::string::npos);
+  EXPECT_FALSE(test::found<YieldFact>(derive_parameters(set).law_of(Motion::normal)));
   auto& volume = set.cases.back().history.plastic_volume;
   for (std::size_t i = 5; i < volume.size(); ++i) volume[i] = 2e-20;
   const Derivation derivation = derive_parameters(set);
-  EXPECT_NE(
-      to_text(derivation)
-          .find("material yielded in 1 of 8 cases, seen first at 2.25 mN (plastic volume up to 0.02 um^3)"),
-      std::string::npos)
-      << to_text(derivation);
-  EXPECT_NE(derivation.parameters.reduced_modulus->provenance.find("material yielded"), std::string::npos);
+  const auto* fact = test::found<YieldFact>(derivation.law_of(Motion::normal));
+  ASSERT_TRUE(fact);
+  EXPECT_EQ(fact->yielded, 1u);
+  EXPECT_EQ(fact->cases, 8u);
+  EXPECT_DOUBLE_EQ(fact->from, 2.25e-3);
+  EXPECT_DOUBLE_EQ(fact->largest, 2e-20);
+  EXPECT_TRUE(test::origin(derivation, &ContactParameters::reduced_modulus, Origin::From::yielded));
   EXPECT_EQ(derivation.parameters.derivation["normal"]["yielded"]["cases"], 1);
 }
 
@@ -416,17 +427,17 @@ TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
   const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
   EXPECT_EQ(derivation.parameters.sliding_offset->value, 0);
   EXPECT_TRUE(std::isnan(derivation.parameters.sliding_offset->sd));
-  const std::string text = to_text(derivation);
-  EXPECT_NE(text.find("not identifiable: h: one load cannot part mu f from mu h"), std::string::npos) << text;
-  EXPECT_NE(text.find("not identifiable: the length lambda"), std::string::npos) << text;
-  EXPECT_NE(text.find("there is no case with Experiment/Type = rolling"), std::string::npos) << text;
-  EXPECT_NE(text.find("scatter between realisations"), std::string::npos) << text;
+  EXPECT_TRUE(test::asked(derivation.law_of(Motion::sliding), About::offset));
+  EXPECT_TRUE(test::asked(derivation.law_of(Motion::torsion), About::length));
+  EXPECT_TRUE(test::asked(derivation.law_of(Motion::rolling), About::experiment));
+  EXPECT_TRUE(test::found<ScatterFact>(derivation.law_of(Motion::sliding)));
 }
 
 TEST(Derivation_behaviour, is_read_back_as_it_was_written) {
   std::mt19937 random(4);
   const TemporaryFolder folder;
-  const ContactParameters written = derive_parameters(make_set({}, wide, 1, random)).parameters;
+  ContactParameters written = derive_parameters(make_set({}, wide, 1, random)).parameters;
+  written.sliding_friction->provenance = "of \"eight\" cases";
   write_contact_parameters(written, folder.path / "parameters.json");
   const ContactParameters read = read_contact_parameters(folder.path / "parameters.json");
   for (const auto& entry : quantity_entries()) {

@@ -304,20 +304,6 @@ TEST(LengthChoice_analytic, finds_it_from_one_smooth_case_per_load) {
   EXPECT_EQ(radius.scale(), LengthScale::particle_radius);
 }
 
-TEST(LengthChoice_behaviour, odds_are_said_for_the_likelier_length) {
-  const auto said = [](double log_odds) {
-    LengthChoice choice;
-    choice.log_odds = log_odds, choice.contact_error = NAN;
-    LawReport report;
-    tell_choice(choice, report);
-    return report.findings.back();
-  };
-  EXPECT_EQ(said(std::log(50)), "odds 50 to 1 for lambda = a");
-  EXPECT_EQ(said(-std::log(50)), "odds 50 to 1 for lambda = r");
-  EXPECT_EQ(said(20), "odds more than 10^6 to 1 for lambda = a");
-  EXPECT_EQ(said(-20), "odds more than 10^6 to 1 for lambda = r");
-}
-
 TEST(LengthChoice_analytic, does_not_pretend_to_know_when_loads_span_little) {
   std::mt19937 random(6);
   double largest = 0;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dem_compare/derive/derivation.h"
+#include "tests/dem_compare/derive/found.h"
 #include "tests/dem_compare/resistance/moving_folder.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/verification.h"
@@ -39,8 +39,9 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   };
   EXPECT_TRUE(verified("mu").within(p.rolling_friction->value, mu, 0.05));
   EXPECT_TRUE(verified("h").within(p.rolling_offset->value, offset, 0.15));
-  EXPECT_NE(p.rolling_friction->provenance.find("dissipated"), std::string::npos);
-  EXPECT_NE(to_text(derivation).find("energy dissipated per angle"), std::string::npos);
+  EXPECT_TRUE(
+      test::origin(derivation, &ContactParameters::rolling_friction, Origin::From::dissipation_per_angle));
+  EXPECT_TRUE(test::found<DissipationFact>(derivation.law_of(Motion::rolling)));
   // Rolled back, the made moment falls by twice the resistance at once: a spring of half of that over the
   // first steps, of a twentieth of a contact radius each.
   ASSERT_TRUE(p.rolling_stiffness);
@@ -50,7 +51,9 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   EXPECT_LT(p.rolling_stiffness->value, 2 * moment / step);
   ASSERT_TRUE(p.rolling_stiffness->load_range);
   EXPECT_NEAR(p.rolling_stiffness->load_range->high, 1e-3, 1e-9);
-  EXPECT_NE(p.rolling_stiffness->provenance.find("a second pass"), std::string::npos);
+  const auto* stiffness = test::found<StiffnessFact>(derivation.law_of(Motion::rolling));
+  ASSERT_TRUE(stiffness);
+  EXPECT_EQ(stiffness->source, StiffnessSource::second_pass);
 }
 
 TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has) {
@@ -58,10 +61,10 @@ TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has
   test::MovingFolder made;
   made.path_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
   test::write_moving(root.path / "short", made);
-  const std::string text = to_text(derive_parameters(collect_parameter_sets({root.path}).sets.front()));
-  EXPECT_NE(text.find("the shortest steady path is 1.5 contact diameters, two or more are wanted"),
-            std::string::npos)
-      << text;
+  const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
+  const auto* open = test::asked(derivation.law_of(Motion::sliding), OpenQuestion::About::long_paths);
+  ASSERT_TRUE(open);
+  EXPECT_NEAR(open->number, 1.5, 0.05);
 }
 
 /// The same history on two meshes: 3 h/a of the stiffness is the mesh's share of its sd
@@ -92,8 +95,7 @@ TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   test::write_moving(root.path / "short", made);
   const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
   EXPECT_FALSE(derivation.parameters.rolling_friction);
-  EXPECT_NE(to_text(derivation).find("Experiment/Distance to more"), std::string::npos)
-      << to_text(derivation);
+  EXPECT_TRUE(test::asked(derivation.law_of(Motion::rolling), OpenQuestion::About::slip));
 }
 
 }  // namespace
