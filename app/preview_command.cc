@@ -15,7 +15,7 @@
 #include "core/output_folder.h"
 #include "core/quantity.h"
 #include "fem/preview_case.h"
-#include "report/fields/map_figure.h"
+#include "report/preview/preview_report.h"
 
 namespace asperity {
 namespace {
@@ -27,16 +27,6 @@ struct PreviewArguments {
 
 void say(const std::string& line) { std::cout << line << std::endl; }
 
-/// White where nothing presses, dark red at the largest pressure.
-std::string pressure_picture(const half_space::CaseContact& contact) {
-  const auto& grid = contact.grid;
-  report::Map map;
-  map.nx = grid.nx, map.ny = grid.ny;
-  map.values = contact.solution.pressure;
-  return report::png_bytes(
-      report::paint(map, report::ColourScale::white_to_red(), {0, contact.shape.largest_pressure}));
-}
-
 void run_preview(const PreviewArguments& arguments) {
   double hardness = 0;
   if (!arguments.hardness.empty()) {
@@ -47,14 +37,15 @@ void run_preview(const PreviewArguments& arguments) {
   const CaseInput input = case_from_settings(settings, arguments.file);
   naming_lines_of_scans(settings, input, [&] {
     const PreviewedCase preview = preview_case(input, hardness);
-    say_preview(input, preview, say);
+    for (const auto& line : report::preview_lines(input, preview)) say(line);
     if (arguments.output.empty()) return;
     const std::filesystem::path folder = arguments.output;
     make_folder(folder);
-    write_file_atomically(folder / "preview.json", preview_json(input, preview));
-    write_file_atomically(folder / "pressure.png", pressure_picture(preview.contact.fine));
+    write_file_atomically(folder / "preview.json", report::preview_json(input, preview));
+    write_file_atomically(folder / "pressure.svg", report::pressure_picture(preview.contact.fine));
     if (preview.contact.capped)
-      write_file_atomically(folder / "pressure_capped.png", pressure_picture(*preview.contact.capped));
+      write_file_atomically(folder / "pressure_capped.svg",
+                            report::pressure_picture(*preview.contact.capped));
     say("wrote preview.json and pictures of the pressure to " + folder.string());
   });
 }

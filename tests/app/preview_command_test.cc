@@ -37,7 +37,10 @@ TEST(Preview_analytic, of_smooth_bodies_says_what_Hertz_says_and_writes_it) {
   EXPECT_NEAR(value("approach") / hertz.approach(1e-3), 1, 0.01);
   EXPECT_GT(said["mesh"]["dofs"], 1000);
   EXPECT_FALSE(said.contains("capped"));
-  EXPECT_EQ(read_file(output / "pressure.png").substr(1, 3), "PNG");
+  const std::string picture = read_file(output / "pressure.svg");
+  EXPECT_CONTAINS(picture, "xmlns");
+  EXPECT_CONTAINS(picture, "x [nm]");
+  EXPECT_CONTAINS(picture, "contact pressure [GPa]");
 }
 
 TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is_left_out) {

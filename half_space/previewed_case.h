@@ -1,0 +1,45 @@
+// What `asperity preview` tells of a case: its normal contact by half-spaces, and the mesh that it needs. SI
+// units.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+#include "half_space/case_contact.h"
+
+namespace asperity {
+
+/// The mesh that a solve would make.
+struct MeshPreview {
+  double spacing = 0, region = 0;  ///< of the interface's nodes; half width of the fine region [m]
+  double unknowns = 0, memory = 0, seconds = 0;  ///< [-], [byte], [s], roughly (fem/solve_cost.h)
+  int steps = 0;
+};
+
+/// A body that yields.
+struct YieldingBody {
+  const char* name;
+  double first_yield = 0;  ///< largest pressure of a smooth contact at which it begins to [Pa]
+};
+
+/// What the case has and half-spaces pressed together have not.
+struct LeftOutOfPreview {
+  std::optional<Motion> motion;
+  bool adhesion = false, friction = false;
+  bool finite_bodies = false;  ///< the case is led by its approach, of which their compliance is a part
+};
+
+/// The contact by half-spaces, and that mesh.
+struct PreviewedCase {
+  half_space::CasePreview contact;
+  double hardness = std::numeric_limits<double>::infinity();  ///< of `contact.capped` [Pa]; infinite: none
+  std::optional<MeshPreview> mesh;                            ///< none: refused
+  std::string refusal;                                        ///< what `asperity solve` would say
+  std::vector<YieldingBody> yielding;
+  LeftOutOfPreview left_out;
+};
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+#include <algorithm>
+
+#include "report/fields/map_figure.h"
+#include "report/preview/preview_report.h"
+
+namespace asperity::report {
+
+std::string pressure_picture(const half_space::CaseContact& contact) {
+  constexpr double nm = 1e-9, GPa = 1e9;
+  const auto& grid = contact.grid;
+  Map map;
+  map.nx = grid.nx, map.ny = grid.ny;
+  for (const double pressure : contact.solution.pressure) map.values.push_back(pressure / GPa);
+  MapFigure figure;
+  figure.x_label = "x [nm]", figure.y_label = "y [nm]", figure.colour_label = "contact pressure [GPa]";
+  figure.x_high = 0.5 * grid.nx * grid.dx / nm, figure.x_low = -figure.x_high;
+  figure.y_high = 0.5 * grid.ny * grid.dx / nm, figure.y_low = -figure.y_high;
+  figure.scale = &ColourScale::white_to_red();
+  figure.range = {0, contact.shape.largest_pressure / GPa};
+  figure.width = 640;
+  std::string svg = to_svg(figure, paint(map, *figure.scale, figure.range));
+  // On its own, a drawing says what it is and how its texts look.
+  const std::string begin = "<svg ";
+  return svg.replace(0, begin.size(),
+                     "<svg xmlns='http://www.w3.org/2000/svg' font-family='sans-serif' font-size='12' ");
+}
+
+}  // namespace asperity::report

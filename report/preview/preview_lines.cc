@@ -1,0 +1,121 @@
+#include <cmath>
+#include <functional>
+
+#include "core/quantity.h"
+#include "core/wait_text.h"
+#include "report/preview/preview_report.h"
+
+namespace asperity::report {
+namespace {
+
+using half_space::CaseContact;
+using half_space::CasePreview;
+using Say = std::function<void(const std::string&)>;
+
+std::string quantity(double value, Dimension dimension, int digits = 3) {
+  return format_quantity(value, dimension, digits);
+}
+std::string percent(double share) { return quantity(100 * share, Dimension::none, 2) + " %"; }
+std::string area_text(double area) { return quantity(area * 1e12, Dimension::none) + " um^2"; }
+std::string stiffness_text(double stiffness) { return quantity(stiffness, Dimension::stiffness, 4); }
+
+std::string grid_text(const CaseInput& input, const CaseContact& contact) {
+  const auto& grid = contact.grid;
+  std::string text = "half-spaces: a square of " + quantity(grid.nx * grid.dx, Dimension::length) + " in " +
+                     std::to_string(grid.nx) + " x " + std::to_string(grid.ny) + " cells of " +
+                     quantity(grid.dx, Dimension::length);
+  const double wave = half_space::shortest_wave(input);
+  if (std::isfinite(wave))
+    text += ", " + quantity(wave / grid.dx, Dimension::none, 2) + " over the shortest wave of " +
+            quantity(wave, Dimension::length);
+  if (contact.enlarged > 0)
+    text += ", enlarged " + std::to_string(contact.enlarged) + " times until it held the contact";
+  return text;
+}
+
+void say_yielding(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
+  const double largest = preview.contact.fine.shape.largest_pressure;
+  bool yields = false;
+  for (const auto& body : preview.yielding) {
+    const double first = body.first_yield;
+    yields = yields || largest > first;
+    say(std::string(body.name) + ": a smooth one yields from " +
+        quantity(hertz_of(input).force_at_peak_pressure(first), Dimension::force) +
+        " on (Hertz); asperities do from about " + quantity(first, Dimension::pressure) + " on, and " +
+        (largest > first ? "will here" : "will not here"));
+  }
+  if (yields) say("the numbers above are those of elastic bodies; where they yield the area is larger");
+  if (!preview.contact.capped) {
+    if (yields && std::isfinite(preview.hardness))
+      say("no pressure reaches the hardness of " + quantity(preview.hardness, Dimension::pressure));
+    else if (yields)
+      say("a contact of three times the yield stress would go beyond half the Radius, which half-spaces do "
+          "not tell");
+    return;
+  }
+  const auto& capped = *preview.contact.capped;
+  say("with pressures up to a hardness of " + quantity(preview.hardness, Dimension::pressure) + ": area " +
+      area_text(capped.shape.area) + ", of which " +
+      percent(capped.shape.area_at_bound / capped.shape.area_of_cells) + " carries the hardness, approach " +
+      quantity(capped.approach(), Dimension::length) + ", stiffness of unloading " +
+      stiffness_text(capped.stiffness) + " (on one grid, so without an error)");
+}
+
+void say_mesh(const PreviewedCase& preview, const Say& say) {
+  if (!preview.mesh) return say("asperity solve would refuse it: " + preview.refusal);
+  const MeshPreview& mesh = *preview.mesh;
+  say("to solve it by finite elements: nodes every " + quantity(mesh.spacing, Dimension::length) +
+      " within ±" + quantity(mesh.region, Dimension::length) + ", some " +
+      quantity(mesh.unknowns / 1e6, Dimension::none, 2) + " million unknowns, " +
+      quantity(mesh.memory / (1 << 30), Dimension::none, 2) + " GiB, " + std::to_string(mesh.steps) +
+      " steps in about " + wait_text(mesh.seconds) + " on two cores");
+  const double reach = preview.contact.fine.shape.reach;
+  if (reach > mesh.region)
+    say("the contact reaches to " + quantity(reach, Dimension::length) +
+        " from the axis, beyond that region; set Mesh/Contact region");
+}
+
+}  // namespace
+
+std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
+  std::vector<std::string> sentences;
+  if (left_out.motion)
+    sentences.push_back("of " + name_of(*left_out.motion) +
+                        " the pressing down is previewed, on the axes of both meshes; the motion is not");
+  if (left_out.adhesion) sentences.push_back("adhesion is left out: it presses as more load does");
+  if (left_out.friction) sentences.push_back("friction is left out");
+  if (left_out.finite_bodies)
+    sentences.push_back(
+        "the approach is that of half-spaces from first touch: what the finite bodies give way in the case "
+        "is left out");
+  return sentences;
+}
+
+std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCase& preview) {
+  std::vector<std::string> lines = left_out_sentences(preview.left_out);
+  const Say say = [&](const std::string& line) { lines.push_back(line); };
+  const CasePreview& contact = preview.contact;
+  const auto& shape = contact.fine.shape;
+  const Hertz hertz = hertz_of(input);
+  const double force = shape.force;
+  say(grid_text(input, contact.fine));
+  say("normal force " + quantity(force, Dimension::force) +
+      "; beside each number, how far half as many cells along a side are off, and Hertz' of smooth bodies");
+  say("stiffness " + stiffness_text(contact.fine.stiffness) + " (" + percent(contact.error_of_stiffness()) +
+      "; " + stiffness_text(hertz.normal_stiffness(force)) + ")");
+  say("approach of the mean surfaces " + quantity(contact.fine.approach(), Dimension::length) + " (" +
+      quantity(contact.error_of_approach(), Dimension::length, 2) + "; " +
+      quantity(hertz.approach(force), Dimension::length) + "), from first touch " +
+      quantity(contact.fine.approach() - contact.fine.first_touch, Dimension::length));
+  say("real contact area " + area_text(shape.area) + " (" + percent(contact.error_of_area()) + "; " +
+      area_text(hertz.contact_area(force)) + ") in " + std::to_string(shape.spots) + " spots");
+  say("mean pressure " + quantity(shape.mean_pressure, Dimension::pressure) + ", largest " +
+      quantity(shape.largest_pressure, Dimension::pressure) + " (" +
+      percent(contact.error_of_largest_pressure()) + "; " +
+      quantity(hertz.peak_pressure(force), Dimension::pressure) + ")");
+  say_yielding(input, preview, say);
+  say_mesh(preview, say);
+  return lines;
+}
+
+}  // namespace asperity::report
