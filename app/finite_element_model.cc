@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "app/case_file.h"
 #include "app/inputs_hash.h"
@@ -107,7 +108,8 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     const fs::path folder = options_.folder / study.cases[i].name;
     if (progress[i].state == CaseProgress::State::stopped ||
         progress[i].state == CaseProgress::State::waiting)
-      throw WorkError("the diagnosis was stopped; the same command goes on with what is solved");
+      // No WorkError: a stop ends the diagnosis, where a case that fails is left out of it.
+      throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
     if (progress[i].state == CaseProgress::State::failed)
       throw WorkError("'" + folder.string() + "' could not be solved: " + progress[i].message);
     responses.push_back(response_of(folder));
