@@ -102,6 +102,8 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
   options.cores = options_.cores;
   options.program = options_.solver;
   options.say = options_.say;
+  // A normal case is solved in minutes: one that was broken off is begun again, whatever build began it.
+  options.objection_to_resume = [](const auto&, const auto&) { return std::string("is not complete"); };
   const std::vector<CaseProgress> progress = run_study(study, options);
   std::vector<SolvedResponse> responses;
   for (std::size_t i = 0; i < progress.size(); ++i) {
