@@ -6,7 +6,12 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
+#include "app/diagnosed_case.h"
+#include "app/finite_element_model.h"
+#include "app/solver_commands.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
@@ -21,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct DiagnoseArguments {
-  std::string recording, output = "diagnosis";
+  std::string recording, output = "diagnosis", case_file, study;
+  std::vector<std::string> overrides;
   bool json = false, catalogue = false;
 };
 
@@ -39,6 +45,14 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
     for (const auto& effect : a.effects) names += (names.empty() ? "" : " + ") + effect.id;
     text += "  or: " + names + printed(" (probability %.2g)", a.probability) + "; " + a.told_apart_by + "\n";
   }
+  if (d.simulation.by_finite_elements) {
+    text +=
+        printed("  simulation: the case, %d solutions; its approach is off by %.2g nm (mesh, load steps)\n",
+                d.simulation.solves, d.simulation.displacement_error * 1e9);
+    for (const auto& e : d.simulation.corrected)
+      text += printed("  corrected.prm: %s = %.4g %s (95 %%: %.4g to %.4g)\n", e.entry.c_str(), e.value,
+                      e.unit.c_str(), e.low, e.high);
+  }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
   return text + "wrote " + (output / "diagnosis.json").string() + " and " +
          (output / "report.html").string() + "\n";
@@ -53,9 +67,22 @@ void run_diagnose(const DiagnoseArguments& arguments) {
   const Recording recording = read_recording(arguments.recording);
   DiagnoseOptions options;
   options.progress = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
-  const Diagnosis diagnosis = diagnose(recording, options);
   const fs::path output = arguments.output;
+  std::unique_ptr<FiniteElementModel> model;
+  if (!arguments.case_file.empty()) {
+    FiniteElementModelOptions how;
+    how.solver = solver_program();
+    how.folder = arguments.study.empty() ? output / "solves" : fs::path(arguments.study);
+    how.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    how.say = options.progress;
+    model = std::make_unique<FiniteElementModel>(arguments.case_file, arguments.overrides, how);
+    options.simulation = model.get();
+  } else if (!arguments.overrides.empty() || !arguments.study.empty()) {
+    throw InputError("--set and --study are about a case of finite elements; name it with --case CASE.prm");
+  }
+  const Diagnosis diagnosis = diagnose(recording, options);
   make_folder(output);
+  if (model) write_diagnosed_case(model->settings(), diagnosis, output);
   const std::string json = diagnosis_json(diagnosis);
   write_file_atomically(output / "diagnosis.json", json);
   write_file_atomically(output / "report.html", report::diagnosis_page(recording, diagnosis));
@@ -72,6 +99,17 @@ void add_diagnose_command(CLI::App& app) {
       ->check(CLI::ExistingPath);
   command->add_option("--output", arguments->output, "Folder for diagnosis.json and report.html")
       ->capture_default_str();
+  command->add_option(
+      "--case", arguments->case_file,
+      "Case file that is the simulation in place of reduced laws: solved under the recording's "
+      "loads, and again with what was left out (normal contact)");
+  command
+      ->add_option("--set", arguments->overrides,
+                   "\"Section/Entry=value\": replaces an entry of the case file")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--study", arguments->study,
+                      "Folder of solved cases, which are reused (default: solves in the output's)");
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
   command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");

@@ -16,6 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void go_on_as_solver(char** argv) {
+  const fs::path program = solver_program();
+  ::execv(program.c_str(), argv);
+  throw WorkError("cannot start '" + program.string() + "': " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
 fs::path solver_program() {
   constexpr auto name = "asperity-solver";
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
@@ -24,14 +32,6 @@ fs::path solver_program() {
   throw WorkError("the program " + std::string(name) + " is missing in '" + here.string() +
                   "'; build or install asperity anew, with all of its programs");
 }
-
-[[noreturn]] void go_on_as_solver(char** argv) {
-  const fs::path program = solver_program();
-  ::execv(program.c_str(), argv);
-  throw WorkError("cannot start '" + program.string() + "': " + std::generic_category().message(errno));
-}
-
-}  // namespace
 
 void add_solver_command(CLI::App& app, const SolverCommand& command, char** argv) {
   CLI::App* added = app.add_subcommand(command.name, command.says);

@@ -3,6 +3,8 @@
 // once.
 #pragma once
 
+#include <filesystem>
+
 namespace CLI {
 class App;
 }
@@ -23,6 +25,9 @@ inline constexpr SolverCommand solve{"solve", "Solve one case: result.json, hist
 inline constexpr SolverCommand study{"study", "Solve a matrix of cases, several at a time"};
 inline constexpr SolverCommand report{"report", "Write report.html for a solved case or a study"};
 }  // namespace solver_commands
+
+/// asperity-solver beside this program, or in ../libexec/asperity. Throws WorkError where it is in neither.
+std::filesystem::path solver_program();
 
 /// A command of that name that goes on as asperity-solver with the arguments of this process. When it is
 /// called, it throws WorkError where that program is neither beside this one nor in ../libexec/asperity.

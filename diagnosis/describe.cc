@@ -11,8 +11,9 @@ namespace asperity {
 namespace {
 
 /// The interval with what the laws may be off by in it: two standard deviations are taken for the accuracy.
-DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, double accuracy) {
-  const double law = accuracy * std::abs(p.value);
+DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, double accuracy, double by_mesh) {
+  constexpr double two_sided_95 = 1.959964;
+  const double law = std::hypot(accuracy * p.value, two_sided_95 * by_mesh);
   p.low = std::max(free.low, p.value - std::hypot(p.value - p.low, law));
   p.high = std::min(free.high, p.value + std::hypot(p.high - p.value, law));
   return p;
@@ -35,14 +36,22 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
       std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count))) *
       shared_variance(problem.samples, fit.residual(problem.samples), problem.noise);
   const ModelFit known = with_intervals(problem, fit);
-  const double accuracy = accuracy_of(fit);
+  const double accuracy = accuracy_of(problem, fit);
+  // What the parameters would be if finite elements were off by what they state.
+  ModelFit off = fit;
+  if (fit.explanation->correction()) {
+    constexpr int steps = 6;
+    off.explanation = off_by_mesh_error(fit);
+    off = refitted(problem, off, problem.thin, false, steps);
+  }
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectDescription& d = effects[e]->description();
     DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
       if (free.effect == static_cast<int>(e))
-        effect.parameters.push_back(widened(known.parameter(k, inflation), free, accuracy));
+        effect.parameters.push_back(
+            widened(known.parameter(k, inflation), free, accuracy, off.values[k] - fit.values[k]));
     }
     list.push_back(effect);
   }

@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "diagnosis/choose/judged_sets.h"
+#include "diagnosis/choose/law_error.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/prepared_fit.h"
+#include "diagnosis/mapping/solved_case_mapping.h"
 
 namespace asperity {
 namespace {
@@ -21,8 +23,15 @@ constexpr double held_out_equal = 1.05;
 
 class Diagnoser {
  public:
-  Diagnoser(const Recording& recording, const DiagnoseOptions& options)
-      : recording_(recording), options_(options), prepared_(prepared_fit(recording, options.progress)) {}
+  /// `mapping`: null where reduced laws are the simulation.
+  Diagnoser(const Recording& recording, const DiagnoseOptions& options, SolvedCaseMapping* mapping)
+      : recording_(recording),
+        options_(options),
+        mapping_(mapping),
+        prepared_(prepared_fit(
+            recording, options.progress,
+            mapping ? MakeCorrection([mapping](FitProblem& problem) { mapping->correct(problem); })
+                    : nullptr)) {}
 
   Diagnosis run() {
     say("locating the mismatch");
@@ -41,10 +50,17 @@ class Diagnoser {
       scanner_of_noise =
           std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     }
-    const Scanner& scanner = *scanner_of_noise;
-    const ScanResult before = scanner.scan(problem_.baseline_residual);
-    const bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
     const Blocks blocks = blocks_of(problem_.samples);
+    if (mapping_) {
+      confirm(*scanner_of_noise, blocks);
+      scanner_of_noise =
+          std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    }
+    const Scanner& scanner = *scanner_of_noise;
+    const ScanResult before =
+        scanner.scan(problem_.baseline_residual,
+                     problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
+    const bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
     judged_ = judged_sets(problem_, search_, scanner, blocks, baseline_held_out_);
@@ -55,6 +71,7 @@ class Diagnoser {
       nothing_named(Verdict::no_mismatch, {}, {});
     else
       nothing_named(Verdict::unexplained, before.regions, before.regions);
+    if (mapping_) describe_simulation();
     if (result_.verdict != Verdict::no_mismatch)
       for (auto& remark : remarks_on_effects_not_tried(problem_.experiment))
         result_.remarks.push_back(std::move(remark));
@@ -65,6 +82,30 @@ class Diagnoser {
  private:
   void say(const std::string& what) const {
     if (options_.progress) options_.progress(what);
+  }
+
+  /// The sets that survive the search by corrected laws, by finite elements; noise anew from the best.
+  void confirm(const Scanner& scanner, const Blocks& blocks) {
+    const JudgedSets screened =
+        judged_sets(problem_, search_, scanner, blocks,
+                    predict_held_out(problem_, finished(problem_, baseline_), blocks));
+    std::vector<const Candidate*> survivors;
+    for (const JudgedSet& set : screened.list) survivors.push_back(set.candidate);
+    mapping_->confirm(search_, problem_, survivors);
+    if (!search_.candidates.empty() && search_.candidates.front().score > search_.alone.score &&
+        prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples)))
+      rescore(search_, problem_);
+    baseline_ = search_.alone.fit;
+  }
+
+  void describe_simulation() {
+    const bool named = !result_.left_out.empty();
+    result_.simulation =
+        mapping_->described(problem_, named ? &judged_.list.front().fit : nullptr, result_.left_out);
+    for (const auto& remark : mapping_->remarks()) result_.remarks.push_back(remark);
+    if (result_.verdict != Verdict::no_mismatch)
+      for (auto& remark : mapping_->remarks_on_effects_without_form(problem_.experiment))
+        result_.remarks.push_back(std::move(remark));
   }
 
   void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch,
@@ -147,6 +188,7 @@ class Diagnoser {
 
   const Recording& recording_;
   const DiagnoseOptions& options_;
+  SolvedCaseMapping* mapping_;
   PreparedFit prepared_;
   FitProblem& problem_ = prepared_.problem;
   ModelFit& baseline_ = prepared_.baseline;
@@ -175,7 +217,10 @@ std::string name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) {
-  return Diagnoser(recording, options).run();
+  if (!options.simulation) return Diagnoser(recording, options, nullptr).run();
+  SolvedCaseMapping mapping(*options.simulation, options.progress);
+  const Recording of_case = mapping.with_bodies_of_case(recording);
+  return Diagnoser(of_case, options, &mapping).run();
 }
 
 }  // namespace asperity

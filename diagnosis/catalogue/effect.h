@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/forward/forward_model.h"
 #include "diagnosis/mechanics/mechanics.h"
 #include "diagnosis/outcome/diagnosis.h"
 
@@ -51,6 +52,13 @@ struct NeededValues {
   int count = 0;
 };
 
+/// Where an effect enters a simulation by finite elements.
+enum class EntersBy {
+  measurement,      ///< it acts on any history: compliance, offset, drift, tilt
+  finite_elements,  ///< entries of the case
+  reduced_law_only  ///< it has no form there yet
+};
+
 /// One starting point of a search, a value for each parameter.
 using EffectStart = std::vector<double>;
 
@@ -69,6 +77,16 @@ class Effect {
   virtual bool is_itself(const double*) const { return true; }
   /// Further starting points read off the residuals before physics is added.
   virtual std::vector<EffectStart> starts(const Samples&, const std::vector<double>&) const { return {}; }
+  /// How it enters a case of finite elements that is pressed as this experiment is.
+  virtual EntersBy enters_by(const Experiment&) const {
+    return description().kind == EffectKind::instrument ? EntersBy::measurement : EntersBy::reduced_law_only;
+  }
+  /// Entries of the case that stand for these parameters; empty for EntersBy other than finite elements.
+  virtual std::vector<CaseChange> case_changes(const Experiment&, const double*) const { return {}; }
+  /// Why it has no form of finite elements, as the end of a sentence; empty where it has one.
+  virtual std::string why_not_by_finite_elements(const Experiment&) const {
+    return "there is no form of it for finite elements yet";
+  }
   /// Changes the mechanics.
   virtual void assemble(Mechanics& mechanics, const double* parameters) const = 0;
 

@@ -148,6 +148,14 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
+LawError mesh_error(const ModelFit& fit, const Samples& samples, const std::vector<double>& response) {
+  const auto off = asperity::simulate(off_by_mesh_error(fit)->mechanics(fit.values), samples);
+  LawError error(response.size());
+  for (std::size_t i = 0; i < error.size(); ++i)
+    error[i] = samples.list[i].counts ? std::abs(off[i] - response[i]) : 0.0;
+  return error;
+}
+
 std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
   const Samples& samples = problem.samples;
   std::vector<LawError> errors;
@@ -161,7 +169,9 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
                      : 0.0;
   changed = largest_nearby(samples, changed);
   const double largest = *std::max_element(changed.begin(), changed.end());
+  if (fit.explanation->correction()) errors.push_back(mesh_error(fit, samples, with));
   for (const Effect* left_out : effects) {
+    if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
     std::vector<const Effect*> others;
     for (const Effect* effect : effects)
       if (effect != left_out) others.push_back(effect);
@@ -192,10 +202,11 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
   return all;
 }
 
-double accuracy_of(const ModelFit& fit) {
+double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
   double accuracy = 0;
   for (const Effect* effect : fit.explanation->effects())
-    accuracy = std::max(accuracy, effect->description().accuracy);
+    if (!fit.is_confirmed || effect->enters_by(problem.experiment) != EntersBy::finite_elements)
+      accuracy = std::max(accuracy, effect->description().accuracy);
   return accuracy;
 }
 

@@ -17,8 +17,13 @@ namespace asperity {
 /// Standard deviation of one effect's law, of each sample.
 using LawError = std::vector<double>;
 
-/// One for each effect of a fit: its accuracy times the largest of what it changes nearby, with the other
-/// parameters as they are.
+/// What mesh and load steps of finite elements may be off by, as a part of the response: one standard
+/// deviation of the displacement that they state. Approach is off in proportion to the square of spacing over
+/// contact radius, whose square is in proportion to the approach: by the same length at any load.
+LawError mesh_error(const ModelFit& fit, const Samples& samples, const std::vector<double>& response);
+
+/// One for the mesh, where there is one, and one for each effect of a fit whose reduced law counts: its
+/// accuracy times the largest of what it changes nearby, with the other parameters as they are.
 std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 /// Of all effects together.
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
@@ -43,6 +48,6 @@ class LawErrors {
 };
 
 /// What the least exact law of a set may be off by, relative.
-double accuracy_of(const ModelFit& fit);
+double accuracy_of(const FitProblem& problem, const ModelFit& fit);
 
 }  // namespace asperity

@@ -38,6 +38,11 @@ double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, con
   return laws.cost(problem.samples, problem.noise, residual, law_errors(problem, fit, baseline));
 }
 
+/// In a case of finite elements only what enters there, or acts on any history.
+bool has_a_form(const Effect& effect, const Experiment& experiment) {
+  return !experiment.by_finite_elements || effect.enters_by(experiment) != EntersBy::reduced_law_only;
+}
+
 /// The best sets of one size.
 std::vector<const Candidate*> best_of_size(const SearchResult& result, std::size_t size, std::size_t most) {
   std::vector<const Candidate*> list;
@@ -52,11 +57,13 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
                             const std::function<void(const std::string&)>& progress) {
   SearchResult result;
   result.alone.fit = baseline;
-  result.alone.cost = baseline.cost;
   const LawErrors laws(problem.samples);
+  result.alone.cost =
+      problem.correction ? cost_of_explanation(problem, laws, baseline, baseline) : baseline.cost;
   Effects admissible;
   for (const auto& effect : effect_catalogue())
-    if (effect->is_shown_by(problem.experiment)) admissible.push_back(effect.get());
+    if (effect->is_shown_by(problem.experiment) && has_a_form(*effect, problem.experiment))
+      admissible.push_back(effect.get());
   result.admissible = admissible.size();
   std::set<Effects> tried;
   for (std::size_t size = 1; size <= largest_set; ++size) {
@@ -106,7 +113,9 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
 void rescore(SearchResult& result, const FitProblem& problem) {
   const LawErrors laws(problem.samples);
   result.alone.fit = refitted(problem, result.alone.fit, problem.samples, false, 0);
-  result.alone.cost = result.alone.fit.cost;
+  result.alone.cost = problem.correction
+                          ? cost_of_explanation(problem, laws, result.alone.fit, result.alone.fit)
+                          : result.alone.fit.cost;
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < result.candidates.size(); ++i) {
     Candidate& candidate = result.candidates[i];

@@ -66,6 +66,13 @@ class YieldingContact : public NormalContact {
   double deepest_ = 0, largest_ = 0, residual_ = 0, unloading_ = 1.5;
 };
 
+constexpr double without_hardening = 2.84;  // H/Y
+
+/// The body that yields first where both are of the same strength.
+bool particle_is_softer(const Experiment& e) {
+  return e.particle.youngs_modulus <= e.substrate.youngs_modulus;
+}
+
 class BulkPlasticity : public Effect {
  public:
   const EffectDescription& description() const override {
@@ -99,15 +106,31 @@ class BulkPlasticity : public Effect {
                           true,
                           {0.08 * onset, 0.25 * onset, 0.6 * onset}};
     if (e.yield_hint > yield.low && e.yield_hint < yield.high) yield.starts.push_back(e.yield_hint);
+    // Of finite elements the hardness is an answer, and no parameter.
+    if (e.by_finite_elements) return {yield};
     return {yield,
-            {"hardness_ratio", "", "H/Y of a small contact; 2.84 without hardening", 1.8, 4, false, {2.84}}};
+            {"hardness_ratio",
+             "",
+             "H/Y of a small contact; 2.84 without hardening",
+             1.8,
+             4,
+             false,
+             {without_hardening}}};
+  }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.particle_yields || e.substrate_yields ? EntersBy::reduced_law_only : EntersBy::finite_elements;
+  }
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    return {{particle_is_softer(e) ? "Particle/Yield stress" : "Substrate/Yield stress", p[0], "Pa"}};
+  }
+  std::string why_not_by_finite_elements(const Experiment& e) const override {
+    return enters_by(e) == EntersBy::finite_elements ? "" : "the case has a yield stress already";
   }
   void assemble(Mechanics& m, const double* p) const override {
     const Experiment& e = m.experiment;
-    const double poisson = e.particle.youngs_modulus <= e.substrate.youngs_modulus
-                               ? e.particle.poisson_ratio
-                               : e.substrate.poisson_ratio;
-    m.normal.contact = std::make_shared<YieldingContact>(m.geometry, p[0], p[1], poisson);
+    const double poisson = particle_is_softer(e) ? e.particle.poisson_ratio : e.substrate.poisson_ratio;
+    const double hardness = e.by_finite_elements ? without_hardening : p[1];
+    m.normal.contact = std::make_shared<YieldingContact>(m.geometry, p[0], hardness, poisson);
   }
 };
 

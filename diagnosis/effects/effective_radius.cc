@@ -32,6 +32,11 @@ class EffectiveRadius : public Effect {
              true,
              {0.5, 0.9, 1.1, 2}}};
   }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    return {{"Particle/Radius", p[0] * e.radius, "m"}};
+  }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
     m.geometry.radius *= p[0];
     m.normal.contact = std::make_shared<HertzContact>(m.geometry);

@@ -47,8 +47,12 @@ SimulationChoice completed(const SimulationChoice& given, const Experiment& expe
 }
 
 Explanation::Explanation(const Experiment& experiment, const SimulationChoice& choice,
-                         std::vector<const Effect*> effects)
-    : experiment_(experiment), choice_(choice), effects_(std::move(effects)) {
+                         std::vector<const Effect*> effects,
+                         std::shared_ptr<const BranchCorrection> correction)
+    : experiment_(experiment),
+      choice_(choice),
+      effects_(std::move(effects)),
+      correction_(std::move(correction)) {
   std::stable_sort(effects_.begin(), effects_.end(), [](const Effect* a, const Effect* b) {
     return a->description().order != b->description().order ? a->description().order < b->description().order
                                                             : a->id() < b->id();
@@ -85,7 +89,15 @@ Mechanics Explanation::mechanics(const std::vector<double>& values) const {
     effects_[e]->assemble(m, values.data() + next);
     while (next < parameters_.size() && parameters_[next].effect == static_cast<int>(e)) ++next;
   }
+  m.normal.correction = correction_;
   return m;
+}
+
+std::shared_ptr<const Explanation> Explanation::with(
+    std::shared_ptr<const BranchCorrection> correction) const {
+  auto other = std::make_shared<Explanation>(*this);
+  other->correction_ = std::move(correction);
+  return other;
 }
 
 bool Explanation::is_smooth() const {

@@ -1,6 +1,7 @@
 // The simulation together with a set of effects: its free parameters and what it says of the recording.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,17 @@ struct FreeParameter {
 class Explanation {
  public:
   Explanation(const Experiment& experiment, const SimulationChoice& choice,
-              std::vector<const Effect*> effects);
+              std::vector<const Effect*> effects,
+              std::shared_ptr<const BranchCorrection> correction = nullptr);
 
   const std::vector<const Effect*>& effects() const { return effects_; }
+  /// What finite elements say beyond the reduced laws; null where the laws are the simulation.
+  const std::shared_ptr<const BranchCorrection>& correction() const { return correction_; }
   const std::vector<FreeParameter>& parameters() const { return parameters_; }
   /// The mechanics with values of parameters() in their order.
   Mechanics mechanics(const std::vector<double>& values) const;
+  /// The same explanation with another correction.
+  std::shared_ptr<const Explanation> with(std::shared_ptr<const BranchCorrection> correction) const;
   bool is_smooth() const;    ///< in its parameters
   std::string name() const;  ///< "a + b", "the simulation alone"
   /// Whether these effects can stand together.
@@ -42,6 +48,7 @@ class Explanation {
   SimulationChoice choice_;
   std::vector<const Effect*> effects_;  ///< in the order of assembly
   std::vector<FreeParameter> parameters_;
+  std::shared_ptr<const BranchCorrection> correction_;
 };
 
 /// What is free in the simulation before any physics is added: as given, else the coefficient of the mode.

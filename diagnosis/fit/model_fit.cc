@@ -119,7 +119,9 @@ std::vector<double> ModelFit::simulate(const Samples& samples) const {
 ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects,
                         const ModelFit& baseline) const {
   ModelFit fewer;
-  fewer.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
+  fewer.explanation =
+      std::make_shared<Explanation>(problem.experiment, problem.choice, effects, explanation->correction());
+  fewer.is_confirmed = is_confirmed;
   for (const FreeParameter& p : fewer.explanation->parameters()) {
     const Effect* owner =
         p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
@@ -171,7 +173,8 @@ DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) cons
 
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
                          const ModelFit* near) {
-  const auto explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
+  const auto explanation =
+      std::make_shared<Explanation>(problem.experiment, problem.choice, effects, problem.correction);
   // From a smaller explanation, most of the values are known.
   const std::size_t searched =
       near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;

@@ -16,6 +16,8 @@ struct FitProblem {
   SimulationChoice choice;
   Samples samples, thin;
   Noise noise;
+  /// At the case as it is, where the simulation is one of finite elements; null: reduced laws.
+  std::shared_ptr<const BranchCorrection> correction;
   std::vector<double>
       baseline_residual;  ///< recorded minus simulated before physics is added, of all samples
 
@@ -26,6 +28,9 @@ struct FitProblem {
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
   std::vector<double> values;  ///< of explanation->parameters()
+  /// Finite elements were solved with these values: the reduced laws of effects with entries in the case
+  /// count for no more than small steps.
+  bool is_confirmed = false;
   double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples [-]
   std::size_t count = 0;       ///< of whitened residuals
   Eigen::MatrixXd covariance;  ///< of the search coordinates; empty where it was not asked for
@@ -60,6 +65,10 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
                   int iterations);
 /// The last steps, on all samples and with the covariance there.
 ModelFit finished(const FitProblem& problem, const ModelFit& fit);
+
+/// The same explanation with the displacement of finite elements off by its standard deviation. Expects a
+/// correction.
+std::shared_ptr<const Explanation> off_by_mesh_error(const ModelFit& fit);
 
 /// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
 /// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.

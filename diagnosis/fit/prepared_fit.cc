@@ -31,8 +31,8 @@ bool PreparedFit::learn_noise(const std::vector<double>& residual) {
   return true;
 }
 
-PreparedFit prepared_fit(const Recording& recording,
-                         const std::function<void(const std::string&)>& progress) {
+PreparedFit prepared_fit(const Recording& recording, const std::function<void(const std::string&)>& progress,
+                         const MakeCorrection& correct) {
   check_recording(recording);
   const auto say = [&](const std::string& what) {
     if (progress) progress(what);
@@ -41,7 +41,9 @@ PreparedFit prepared_fit(const Recording& recording,
       (recording.tables.size() == 1 ? " table" : " tables"));
   PreparedFit prepared;
   FitProblem& problem = prepared.problem = problem_of(recording);
-  say("simulating " + std::to_string(problem.samples.list.size()) + " samples with the laws named");
+  if (correct) correct(problem);
+  say("simulating " + std::to_string(problem.samples.list.size()) + " samples with " +
+      (problem.correction ? "the case's solution" : "the laws named"));
   std::vector<double> recorded(problem.samples.list.size());
   for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = problem.samples.list[i].response;
   const Noise recorded_noise = problem.noise = estimate_noise(recording, problem.samples, recorded);

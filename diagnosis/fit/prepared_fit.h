@@ -18,7 +18,11 @@ struct PreparedFit {
   bool learn_noise(const std::vector<double>& residual);
 };
 
+/// Completes a problem whose samples and experiment are known: what finite elements say of the case as it is.
+using MakeCorrection = std::function<void(FitProblem&)>;
+
 /// Throws InputError where nothing presses or responds.
-PreparedFit prepared_fit(const Recording& recording, const std::function<void(const std::string&)>& progress);
+PreparedFit prepared_fit(const Recording& recording, const std::function<void(const std::string&)>& progress,
+                         const MakeCorrection& correct = nullptr);
 
 }  // namespace asperity

@@ -55,6 +55,16 @@ struct DelayedPart {
   }
 };
 
+/// What finite elements say beyond the reduced law, as a displacement of the contact at its force.
+class BranchCorrection {
+ public:
+  virtual ~BranchCorrection() = default;
+  /// [m]
+  virtual double displacement(const Sample& sample, double force) const = 0;
+  /// Standard deviation of the finite elements' own displacement, of mesh and load steps, at any force [m].
+  virtual double error() const = 0;
+};
+
 /// Under normal load.
 struct NormalMechanics {
   std::shared_ptr<const NormalContact> contact;              ///< without history; cloned for a run
@@ -62,6 +72,7 @@ struct NormalMechanics {
   std::vector<DelayedPart> delays;                           ///< displacement [m] that follows the contact's
   std::vector<std::function<double(const Sample&)>> shifts;  ///< displacement [m]; may keep a history
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
+  std::shared_ptr<const BranchCorrection> correction;  ///< in series with the contact; null: none
 };
 
 /// Under lateral load.

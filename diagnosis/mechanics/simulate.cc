@@ -25,8 +25,9 @@ class NormalRun {
   double force_at(const Sample& sample) {
     begin_step(sample);
     const double shifted = sample.normal_displacement - shift(sample);
-    const double d =
-        mechanics_.series.empty() && mechanics_.delays.empty() ? shifted : contact_displacement(shifted);
+    const double d = mechanics_.series.empty() && mechanics_.delays.empty() && !mechanics_.correction
+                         ? shifted
+                         : contact_displacement(shifted);
     accept(d);
     return contact_->force(d) + addition(sample, sample.normal_displacement);
   }
@@ -66,6 +67,7 @@ class NormalRun {
     time_step_ = begun_ ? std::max(0.0, sample.time - time_) : 0;
     time_ = sample.time;
     begun_ = true;
+    sample_ = &sample;
   }
   void accept(double d) {
     contact_->accept(d);
@@ -84,6 +86,7 @@ class NormalRun {
   double series(double force) const {
     double sum = 0;
     for (const auto& part : mechanics_.series) sum += part(force);
+    if (mechanics_.correction) sum += mechanics_.correction->displacement(*sample_, force);
     return sum;
   }
   double addition(const Sample& sample, double displacement) const {
@@ -93,7 +96,8 @@ class NormalRun {
   }
   /// Solves d + series(f(d)) + delayed(d) = given for the contact's own displacement d.
   double contact_displacement(double given) {
-    if (given - delayed(0) <= contact_->release()) return last_given_ = given, last_ = given - delayed(0);
+    const double outside = delayed(0) + series(0);
+    if (given - outside <= contact_->release()) return last_given_ = given, last_ = given - outside;
     const auto excess = [&](double d) { return d + series(contact_->force(d)) + delayed(d) - given; };
     const double step = given - last_given_;
     last_given_ = given;
@@ -106,6 +110,7 @@ class NormalRun {
   std::unique_ptr<NormalContact> contact_;
   double last_ = 0, last_given_ = 0, step_ = 0, time_ = 0, time_step_ = 0;
   bool begun_ = false;
+  const Sample* sample_ = nullptr;
 };
 
 // ---- lateral

@@ -71,6 +71,21 @@ struct ComparedTable {
   bool is_series = false;
 };
 
+/// An entry of the case with what was left out, and its 95 % interval [SI].
+struct CorrectedEntry {
+  std::string entry, unit;
+  double value = 0, low = 0, high = 0;
+};
+
+/// The simulation that was diagnosed, where it was a case of finite elements.
+struct SolvedSimulation {
+  bool by_finite_elements = false;
+  std::string before, after;      ///< where the solutions are: of the case as it was, and as corrected
+  int solves = 0;                 ///< cases that the answer rests on, those solved earlier included
+  double displacement_error = 0;  ///< of mesh and load steps, as the solution of the case states it [m]
+  std::vector<CorrectedEntry> corrected;
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::unexplained;
   std::string in_words;  ///< the verdict in a sentence or two
@@ -83,6 +98,7 @@ struct Diagnosis {
   std::vector<AlternativeExplanation> alternatives;
   std::vector<std::string> remarks;  ///< what limits the answer, in sentences
   std::vector<ComparedTable> compared;
+  SolvedSimulation simulation;
 };
 
 /// diagnosis.json

@@ -55,6 +55,17 @@ std::string diagnosis_json(const Diagnosis& d) {
   json["format"] = "asperity-diagnosis/1";
   json["verdict"] = name_of(d.verdict);
   json["in_words"] = d.in_words;
+  if (d.simulation.by_finite_elements) {
+    Json corrected = Json::object();
+    for (const auto& e : d.simulation.corrected)
+      corrected[e.entry] = {{"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}};
+    json["simulation"] = "finite elements";
+    json["solutions"] = {{"count", d.simulation.solves},
+                         {"before", d.simulation.before},
+                         {"after", d.simulation.after},
+                         {"displacement_error", {{"value", d.simulation.displacement_error}, {"unit", "m"}}},
+                         {"corrected", corrected}};
+  }
   json["noise"] = Json::object();
   for (const auto& [channel, noise] : d.noise)
     json["noise"][channel] = {{"value", noise.value}, {"unit", noise.unit}, {"from", noise.from}};

@@ -32,6 +32,9 @@ struct Experiment {
   bool has_trace = false, has_series = false, has_both_directions = false, has_unloading = false,
        has_off_contact = false;
   bool has_time = false;
+  /// The simulation is a case of finite elements: laws keep only what its entries can say.
+  bool by_finite_elements = false;
+  bool particle_yields = false, substrate_yields = false;  ///< in that case, as it is
 
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }

@@ -1,0 +1,33 @@
+#include "app/diagnosed_case.h"
+
+#include "core/atomic_file.h"
+#include "core/printed.h"
+
+namespace asperity {
+
+namespace fs = std::filesystem;
+
+void write_diagnosed_case(const Settings& settings, const Diagnosis& diagnosis, const fs::path& output) {
+  const SolvedSimulation& simulation = diagnosis.simulation;
+  for (const char* name : {"corrected.prm", "history_before.csv", "history_after.csv"})
+    fs::remove(output / name);
+  write_file_atomically(output / "history_before.csv",
+                        read_file(fs::path(simulation.before) / "history.csv"));
+  if (simulation.corrected.empty()) return;
+  Settings corrected = settings;
+  std::string head = "# The case with what asperity diagnose found missing (" + name_of(diagnosis.verdict) +
+                     "), 95 % intervals:\n";
+  for (const CorrectedEntry& e : simulation.corrected) {
+    const std::size_t slash = e.entry.find('/');
+    override_setting(corrected, {e.entry.substr(0, slash), e.entry.substr(slash + 1),
+                                 printed("%.6g %s", e.value, e.unit.c_str()), "diagnosis"});
+    head +=
+        printed("# %s = %.6g %s (%.6g to %.6g)\n", e.entry.c_str(), e.value, e.unit.c_str(), e.low, e.high);
+  }
+  write_file_atomically(output / "corrected.prm", head + format_settings(corrected));
+  if (!simulation.after.empty())
+    write_file_atomically(output / "history_after.csv",
+                          read_file(fs::path(simulation.after) / "history.csv"));
+}
+
+}  // namespace asperity
