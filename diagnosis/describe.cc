@@ -182,6 +182,9 @@ std::string in_words(const Diagnosis& d) {
       const auto others = std::count_if(d.alternatives.begin() + 1, d.alternatives.end(), [&](const auto& a) {
         return a.probability * std::exp(as_good) > likeliest;
       });
+      if (others == 0)
+        return "Something was left out. " + titles(d.left_out) + " fits: " + numbers +
+               "; but a case that might fit as well could not be solved (see the remarks).";
       return "Something was left out, and these data cannot say which of " + std::to_string(1 + others) +
              " explanations it is. With the likeliest, " + titles(d.left_out) + ", " + numbers + ".";
     }

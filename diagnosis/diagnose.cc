@@ -137,7 +137,7 @@ class Diagnoser {
     for (const JudgedSet* rival : rivals)
       weight += std::exp(rival->candidate->score - chosen.candidate->score);
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
-    bool ambiguous = false;
+    bool ambiguous = mapping_ && mapping_->is_incomplete();
     for (const JudgedSet* rival : rivals) {
       const double difference = chosen.candidate->score - rival->candidate->score;
       const bool predicts_as_well =
@@ -157,7 +157,9 @@ class Diagnoser {
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
       const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
-                                         result_.alternatives.front().told_apart_by};
+                                         result_.alternatives.empty()
+                                             ? "a case that can be solved with what the remarks name"
+                                             : result_.alternatives.front().told_apart_by};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
     result_.compared = compared_tables(recording_, problem_, baseline_, chosen.fit);

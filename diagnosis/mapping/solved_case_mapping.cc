@@ -205,9 +205,13 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
   std::vector<Candidate> kept;
   for (auto& candidate : search.candidates) {
     const Effects& effects = candidate.fit.explanation->effects();
-    if (!in_case(effects, problem.experiment).empty() &&
-        (!wanted.count({effects.begin(), effects.end()}) || !confirm_set(candidate, problem)))
-      continue;
+    if (!in_case(effects, problem.experiment).empty()) {
+      if (!wanted.count({effects.begin(), effects.end()})) continue;
+      if (!confirm_set(candidate, problem)) {
+        is_incomplete_ = true;
+        continue;
+      }
+    }
     kept.push_back(candidate);
   }
   search.candidates = std::move(kept);

@@ -33,6 +33,8 @@ class SolvedCaseMapping {
   SolvedSimulation described(const FitProblem& problem, const ModelFit* chosen,
                              const std::vector<DiagnosedEffect>& effects) const;
   const std::vector<std::string>& remarks() const { return remarks_; }
+  /// A set that was worth solving could not be: what is left cannot be the only explanation.
+  bool is_incomplete() const { return is_incomplete_; }
   /// Effects that have no form in this case.
   std::vector<std::string> remarks_on_effects_without_form(const Experiment& experiment) const;
 
@@ -53,6 +55,7 @@ class SolvedCaseMapping {
   std::vector<Solution> after_;
   double displacement_error_ = 0;
   int solves_ = 0;
+  bool is_incomplete_ = false;
   std::vector<std::string> remarks_;
 };
 

@@ -51,8 +51,22 @@ std::string interval(const DiagnosedParameter& p) {
          with_unit(p.high, p.unit) + ")";
 }
 
+/// What the recording was set against, and which entries the corrected case has.
+std::string simulation_words(const SolvedSimulation& simulation) {
+  std::string text = "The simulation is the case itself, solved by finite elements (" +
+                     std::to_string(simulation.solves) + " solutions); its approach is off by about " +
+                     with_unit(simulation.displacement_error, "m") +
+                     " (mesh and load steps), which is a part of the evidence.";
+  if (!simulation.corrected.empty()) text += " In corrected.prm:";
+  for (const auto& e : simulation.corrected)
+    text += " " + escaped(e.entry) + " = " + number(e.value) + " " + escaped(e.unit) +
+            " (95 %: " + number(e.low) + " to " + number(e.high) + ").";
+  return text;
+}
+
 std::vector<std::string> verdict_sentences(const Diagnosis& d) {
   std::vector<std::string> list{escaped(d.in_words)};
+  if (d.simulation.by_finite_elements) list.push_back(simulation_words(d.simulation));
   for (const auto& effect : d.left_out) {
     std::string text =
         "<b>" + escaped(effect.title) + "</b> (" + kind_words(effect.kind) + "): " + escaped(effect.meaning);

@@ -1,0 +1,94 @@
+// asperity diagnose --case as a person calls it: finite elements solved under a recording's loads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/atomic_file.h"
+#include "core/hertz.h"
+#include "core/printed.h"
+#include "tests/app/called_program.h"
+#include "tests/app/smooth_case.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::call;
+using test::Outcome;
+using test::smooth_case;
+using test::TemporaryFolder;
+
+/// Loading of a sphere of borosilicate on silicon: `force` of the displacement, noise 0.5 % of the largest.
+std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
+                               const std::function<double(double)>& force) {
+  const auto recording = folder.path / "recording";
+  std::filesystem::create_directory(recording);
+  write_file_atomically(recording / "recording.json",
+                        R"json({"format": "asperity-recording/1", "title": "pressed", "mode": "normal",
+  "particle": {"material": "borosilicate", "youngs_modulus": "71 GPa", "poissons_ratio": 0.17, "radius": "8.5 um"},
+  "substrate": {"material": "Si(100)", "youngs_modulus": "179 GPa", "poissons_ratio": 0.25
+}
+, "tables" : [
+  {"file" : "loading.csv", "kind" : "trace", "control" : ["normal_displacement"], "response" : "normal_force"}
+]
+})");
+  std::string csv = "time [s],normal_displacement [m],normal_force [N],segment\n";
+std::mt19937 random(3);
+std::normal_distribution<double> noise(0, 0.005 * force(deepest));
+for (int i = 1; i <= 200; ++i) {
+  const double d = deepest * i / 200;
+  csv += printed("%g,%.9e,%.9e,load\n", 0.1 * i, d, force(d) + noise(random));
+}
+write_file_atomically(recording / "loading.csv", csv);
+return recording;
+}
+
+TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
+  const TemporaryFolder folder;
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  const auto recording = recorded(folder, 40e-9, [&](double d) { return hertz.force(d); });
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "diagnosis";
+  const std::string command =
+      "diagnose " + recording.string() + " --case " + file.string() + " --output " + output.string();
+  const Outcome outcome = call(command);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
+  EXPECT_EQ(said["verdict"], "no_mismatch") << outcome.output;
+  EXPECT_EQ(said["simulation"], "finite elements");
+  EXPECT_EQ(said["solutions"]["count"], 1);
+  EXPECT_TRUE(std::filesystem::exists(output / "history_before.csv"));
+  EXPECT_FALSE(std::filesystem::exists(output / "corrected.prm"));
+  EXPECT_NE(read_file(output / "report.html").find("The simulation is the case itself"), std::string::npos);
+
+  // What was solved is taken again.
+  const auto solved = said["solutions"]["before"].get<std::string>();
+  const auto written = std::filesystem::last_write_time(solved + "/result.json");
+  EXPECT_EQ(call(command).status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(solved + "/result.json"), written);
+}
+
+TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
+  const TemporaryFolder folder;
+  const auto recording = recorded(folder, 40e-9, [](double d) { return d * 1e4; });
+  const auto file = folder.write("case.prm", smooth_case());
+  const std::string command = "diagnose " + recording.string() + " --output " + (folder.path / "d").string();
+  const auto refused = [&](const std::string& more, const char* why) {
+    const Outcome outcome = call(command + more);
+    EXPECT_EQ(outcome.status, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find(why), std::string::npos) << outcome.output;
+  };
+  refused(" --case " + file.string() +
+              " --set 'Interface/Work of adhesion=50 mJ/m^2' --set 'Interface/Adhesion range=1 nm'",
+          "cases without adhesion so far");
+  refused(" --case " + file.string() + " --set 'Experiment/Type=torsion' --set 'Experiment/Angle=1 mrad'",
+          "Experiment/Type is torsion");
+  refused(" --set 'Particle/Radius=1 um'", "name it with --case");
+  refused(" --case " + (folder.path / "none.prm").string(), "none.prm");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,185 @@
+// Diagnoses whose simulation is solved anew: a stand-in for finite elements, whose yielding is that of
+// published finite elements (Kogut & Etsion 2002) and not that of the catalogue's reduced law (Jackson &
+// Green 2005).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <random>
+
+#include "core/error.h"
+#include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::message_of;
+using test::nm;
+
+constexpr double radius = 8.5e-6;
+const ElasticBody glass{71e9, 0.17}, wafer{179e9, 0.25};
+
+/// Stiffer than Hertz by a factor, as a body of finite size may be, or yielding.
+class StandIn : public ForwardModel {
+ public:
+  double stiffer = 1;
+  std::string cannot_solve;  ///< an entry
+  int solved = 0;
+
+  SimulatedBodies bodies() const override { return {glass, wafer, radius}; }
+
+  std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
+                                    const std::vector<LoadingProtocol>& protocols) override {
+    double of_radius = radius;
+    std::optional<double> yield;
+    for (const auto& change : changes) {
+      if (change.entry == cannot_solve) throw WorkError("the steps did not converge");
+      if (change.entry == "Particle/Radius")
+        of_radius = change.value;
+      else if (change.entry == "Particle/Yield stress")
+        yield = change.value;
+      else
+        ADD_FAILURE() << change.entry;
+    }
+    std::vector<SolvedResponse> responses;
+    for (const auto& protocol : protocols) responses.push_back(response(protocol, of_radius, yield));
+    return responses;
+  }
+
+ private:
+  SolvedResponse response(const LoadingProtocol& protocol, double of_radius, std::optional<double> yield) {
+    ++solved;
+    std::unique_ptr<hidden::NormalTruth> contact;
+    const double modulus = reduced_modulus(glass, wafer);
+    if (yield)
+      contact = std::make_unique<hidden::PlasticTruth>(modulus, of_radius, glass.poisson_ratio, *yield);
+    const auto force = [&](double d) {
+      if (contact) return contact->force(d, 0);
+      return 4.0 / 3 * stiffer * modulus * std::sqrt(of_radius) * d * std::sqrt(d);
+    };
+    double low = 0, high = 1e-6;
+    for (int i = 0; i < 80; ++i)
+      (force(0.5 * (low + high)) < protocol.largest_force ? low : high) = 0.5 * (low + high);
+    SolvedResponse r;
+    constexpr int steps = 40;
+    for (int i = 0; i <= steps; ++i) add(r, low * i / steps, force(low * i / steps));
+    r.peak = steps;
+    if (contact) contact->take(low, 0);
+    for (int i = steps - 1; i >= 0 && protocol.unloads; --i) add(r, low * i / steps, force(low * i / steps));
+    r.displacement_error = 0.05 * nm;
+    r.source = "stand-in";
+    return r;
+  }
+  static void add(SolvedResponse& r, double displacement, double force) {
+    if (!r.force.empty() && r.force.size() > 1 && force <= 0) return;
+    r.displacement.push_back(displacement);
+    r.force.push_back(force);
+  }
+};
+
+/// Pressed to 60 nm and back; `force` of the displacement.
+Recording pressed(const std::function<double(double)>& force, double noise) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "pressed.csv";
+  table.control = {"normal_displacement"};
+  table.response = "normal_force";
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i <= 300; ++i) {
+    const double d = 60 * nm * (i <= 150 ? i / 150.0 : (300 - i) / 150.0);
+    table.columns["time"].push_back(0.1 * i);
+    table.columns["normal_displacement"].push_back(d);
+    table.columns["normal_force"].push_back(force(d) + noise * normal(random));
+    table.segment.push_back(i <= 150 ? "load" : "unload");
+  }
+  r.tables = {table};
+  return r;
+}
+
+double hertz(double d) { return Hertz{reduced_modulus(glass, wafer), radius}.force(d); }
+Diagnosis diagnosed(const Recording& recording, StandIn* simulation) {
+  DiagnoseOptions options;
+  options.simulation = simulation;
+  return diagnose(recording, options);
+}
+
+TEST(SolvedCase_behaviour, what_the_case_says_is_the_simulation_and_not_the_reduced_law) {
+  StandIn stiff;
+  stiff.stiffer = 1.06;
+  const Recording recording = pressed([](double d) { return 1.06 * hertz(d); }, 0.003 * hertz(60 * nm));
+  EXPECT_NE(diagnosed(recording, nullptr).verdict, Verdict::no_mismatch);
+  const Diagnosis d = diagnosed(recording, &stiff);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+  EXPECT_EQ(stiff.solved, 1);
+  EXPECT_TRUE(d.simulation.by_finite_elements);
+  EXPECT_TRUE(d.simulation.corrected.empty());
+}
+
+TEST(SolvedCase_behaviour, yielding_gets_the_yield_stress_of_the_case_and_not_that_of_the_reduced_law) {
+  constexpr double yield = 0.9e9;
+  hidden::PlasticTruth truth(reduced_modulus(glass, wafer), radius, glass.poisson_ratio, yield);
+  const double largest = truth.loading_force(60 * nm);
+  const Recording recording = pressed(
+      [&](double d) {
+        const double force = truth.force(d, 0);
+        truth.take(d, 0);
+        return force;
+      },
+      0.003 * largest);
+  StandIn elastic;
+  const Diagnosis d = diagnosed(recording, &elastic);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "bulk_plasticity");
+  ASSERT_EQ(d.simulation.corrected.size(), 1u);
+  const CorrectedEntry& entry = d.simulation.corrected[0];
+  EXPECT_EQ(entry.entry, "Particle/Yield stress");
+  EXPECT_NEAR(entry.value / yield, 1, 0.03);
+  EXPECT_LT(entry.low, yield);
+  EXPECT_GT(entry.high, yield);
+  EXPECT_LT(d.improved.held_out_chi2_reduced, 1.5);
+  EXPECT_LE(elastic.solved, 20);
+}
+
+TEST(SolvedCase_behaviour, nothing_is_the_only_explanation_where_another_could_not_be_solved) {
+  constexpr double yield = 0.9e9;
+  hidden::PlasticTruth truth(reduced_modulus(glass, wafer), radius, glass.poisson_ratio, yield);
+  const Recording recording = pressed(
+      [&](double d) {
+        const double force = truth.force(d, 0);
+        truth.take(d, 0);
+        return force;
+      },
+      0.003 * truth.loading_force(60 * nm));
+  StandIn fails;
+  fails.cannot_solve = "Particle/Yield stress";
+  const Diagnosis d = diagnosed(recording, &fails);
+  EXPECT_NE(d.verdict, Verdict::explained) << d.in_words;
+  EXPECT_NE(d.verdict, Verdict::partly_explained) << d.in_words;
+  EXPECT_NE(d.verdict, Verdict::no_mismatch) << d.in_words;
+  bool said = false;
+  for (const auto& remark : d.remarks)
+    said = said || remark.find("the steps did not converge") != std::string::npos;
+  EXPECT_TRUE(said);
+}
+
+TEST(SolvedCase_behaviour, other_motions_are_refused) {
+  Recording recording = pressed(hertz, 1e-9);
+  recording.mode = Motion::sliding;
+  StandIn simulation;
+  EXPECT_EQ(
+      message_of<InputError>([&] { diagnosed(recording, &simulation); }),
+      "--case takes recordings of normal contact so far, and this one is of sliding; leave out --case to "
+      "diagnose it by reduced laws");
+}
+
+}  // namespace
+}  // namespace asperity
