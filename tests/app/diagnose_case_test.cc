@@ -26,24 +26,30 @@ std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
                                const std::function<double(double)>& force) {
   const auto recording = folder.path / "recording";
   std::filesystem::create_directory(recording);
-  write_file_atomically(recording / "recording.json",
-                        R"json({"format": "asperity-recording/1", "title": "pressed", "mode": "normal",
-  "particle": {"material": "borosilicate", "youngs_modulus": "71 GPa", "poissons_ratio": 0.17, "radius": "8.5 um"},
-  "substrate": {"material": "Si(100)", "youngs_modulus": "179 GPa", "poissons_ratio": 0.25
-}
-, "tables" : [
-  {"file" : "loading.csv", "kind" : "trace", "control" : ["normal_displacement"], "response" : "normal_force"}
-]
-})");
+  const nlohmann::json glass{{"material", "borosilicate"},
+                             {"youngs_modulus", "71 GPa"},
+                             {"poissons_ratio", 0.17},
+                             {"radius", "8.5 um"}};
+  const nlohmann::json wafer{
+      {"material", "silicon"}, {"youngs_modulus", "179 GPa"}, {"poissons_ratio", 0.25}};
+  nlohmann::json table{{"file", "loading.csv"}, {"kind", "trace"}, {"response", "normal_force"}};
+  table["control"] = std::vector<std::string>{"normal_displacement"};
+  nlohmann::json about{{"format", "asperity-recording/1"},
+                       {"title", "pressed"},
+                       {"mode", "normal"},
+                       {"particle", glass},
+                       {"substrate", wafer}};
+  about["tables"] = std::vector<nlohmann::json>{table};
+  write_file_atomically(recording / "recording.json", about.dump());
   std::string csv = "time [s],normal_displacement [m],normal_force [N],segment\n";
-std::mt19937 random(3);
-std::normal_distribution<double> noise(0, 0.005 * force(deepest));
-for (int i = 1; i <= 200; ++i) {
-  const double d = deepest * i / 200;
-  csv += printed("%g,%.9e,%.9e,load\n", 0.1 * i, d, force(d) + noise(random));
-}
-write_file_atomically(recording / "loading.csv", csv);
-return recording;
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.005 * force(deepest));
+  for (int i = 1; i <= 200; ++i) {
+    const double d = deepest * i / 200;
+    csv += printed("%g,%.9e,%.9e,load\n", 0.1 * i, d, force(d) + noise(random));
+  }
+  write_file_atomically(recording / "loading.csv", csv);
+  return recording;
 }
 
 TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
