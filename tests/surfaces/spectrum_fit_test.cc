@@ -217,17 +217,17 @@ TEST(SpectrumFit_behaviour, a_sentence_says_what_was_seen_and_what_was_not) {
   fit.misfit = 1.23;
   fit.longest = 2e-6, fit.shortest = 10e-9;
   EXPECT_EQ(fit.sentence(),
-            "Hurst exponent 0.812 +- 0.02, no roll-off up to 2 um, no cut-off down to 10 nm; misfit 1.2 "
+            "Hurst exponent 0.812 ± 0.02, no roll-off up to 2 um, no cut-off down to 10 nm; misfit 1.2 "
             "(1: an isotropic self-affine surface)");
   fit.has_rolloff = fit.has_noise = true;
   fit.rolloff = {250e-9, 12e-9}, fit.noise = {30e-9, 2e-9};
-  EXPECT_NE(fit.sentence().find(", roll-off at 250 nm +- 12 nm, noise below 30 nm +- 2 nm; misfit"),
+  EXPECT_NE(fit.sentence().find(", roll-off at 250 nm ± 12 nm, noise below 30 nm ± 2 nm; misfit"),
             std::string::npos);
   fit.has_noise = false, fit.has_cutoff = true;
   fit.cutoff = {25e-9, 1e-9};
-  EXPECT_NE(fit.sentence().find(", cut-off at 25 nm +- 1 nm; misfit"), std::string::npos);
+  EXPECT_NE(fit.sentence().find(", cut-off at 25 nm ± 1 nm; misfit"), std::string::npos);
   fit.hurst.value = 1.2;
-  EXPECT_NE(fit.sentence().find("1.2 +- 0.02 (above 1: smoother than any self-affine surface), roll-off"),
+  EXPECT_NE(fit.sentence().find("1.2 ± 0.02 (above 1: smoother than any self-affine surface), roll-off"),
             std::string::npos);
   fit.hurst.value = -0.1;
   EXPECT_NE(fit.sentence().find("(below 0: no self-affine surface)"), std::string::npos);
