@@ -19,10 +19,12 @@ std::string pressure_picture(const half_space::CaseContact& contact) {
   figure.range = {0, contact.shape.largest_pressure / GPa};
   figure.width = 640;
   std::string svg = to_svg(figure, paint(map, *figure.scale, figure.range));
-  // On its own, a drawing says what it is and how its texts look.
+  // On its own, a drawing has no page whose styles say how it looks.
   const std::string begin = "<svg ";
-  return svg.replace(0, begin.size(),
-                     "<svg xmlns='http://www.w3.org/2000/svg' font-family='sans-serif' font-size='12' ");
+  svg.replace(0, begin.size(), "<svg xmlns='http://www.w3.org/2000/svg' width='640' ");
+  return svg.insert(svg.find('>') + 1,
+                    "<style>.frame{fill:none;stroke:#555}text{font:12px sans-serif;fill:#222}</style>"
+                    "<rect width='100%' height='100%' fill='white'/>");
 }
 
 }  // namespace asperity::report

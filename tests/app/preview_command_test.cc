@@ -39,6 +39,7 @@ TEST(Preview_analytic, of_smooth_bodies_says_what_Hertz_says_and_writes_it) {
   EXPECT_FALSE(said.contains("capped"));
   const std::string picture = read_file(output / "pressure.svg");
   EXPECT_CONTAINS(picture, "xmlns");
+  EXPECT_CONTAINS(picture, ".frame{fill:none");  // else a black rectangle hides the map
   EXPECT_CONTAINS(picture, "x [nm]");
   EXPECT_CONTAINS(picture, "contact pressure [GPa]");
 }
