@@ -7,10 +7,12 @@
 #include <random>
 
 #include "core/atomic_file.h"
+#include "core/csv.h"
 #include "core/hertz.h"
 #include "core/printed.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
+#include "tests/support/shared_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -23,7 +25,8 @@ using test::TemporaryFolder;
 
 /// Loading of a sphere of borosilicate on silicon: `force` of the displacement, noise 0.5 % of the largest.
 std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
-                               const std::function<double(double)>& force) {
+                               const std::function<double(double)>& force, const char* modulus = "179 GPa",
+                               double poisson = 0.25) {
   const auto recording = folder.path / "recording";
   std::filesystem::create_directory(recording);
   const nlohmann::json glass{{"material", "borosilicate"},
@@ -31,7 +34,7 @@ std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
                              {"poissons_ratio", 0.17},
                              {"radius", "8.5 um"}};
   const nlohmann::json wafer{
-      {"material", "silicon"}, {"youngs_modulus", "179 GPa"}, {"poissons_ratio", 0.25}};
+      {"material", "silicon"}, {"youngs_modulus", modulus}, {"poissons_ratio", poisson}};
   nlohmann::json table{{"file", "loading.csv"}, {"kind", "trace"}, {"response", "normal_force"}};
   table["control"] = std::vector<std::string>{"normal_displacement"};
   nlohmann::json about{{"format", "asperity-recording/1"},
@@ -75,6 +78,46 @@ TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
   const auto written = std::filesystem::last_write_time(solved + "/result.json");
   EXPECT_EQ(call(command).status, 0);
   EXPECT_EQ(std::filesystem::last_write_time(solved + "/result.json"), written);
+}
+
+/// Loading to ten times the approach of first yield of a sphere that yields at 1 GPa on a rigid plane, by
+/// axisymmetric finite elements of another program.
+TEST(DiagnoseCaseNightly_other_code,
+     yielding_is_named_with_its_yield_stress_and_the_corrected_case_predicts) {
+  constexpr double yield = 1e9, poisson = 0.17, radius = 8.5e-6, deepest = 10;
+  const double modulus = reduced_modulus({71e9, poisson}, {1e15, 0.3}), pi = std::acos(-1);
+  const double factor = 1.295 * std::exp(0.736 * poisson);
+  const double approach = std::pow(pi * factor * yield / (2 * modulus), 2) * radius;
+  const double at_yield = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(approach, 1.5);
+  const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_ownFE.csv"));
+  const std::vector<double> w = table.numbers("w/wc"), f = table.numbers("F/Fc_nu0.17");
+  const auto force = [&](double d) {  // straight in F^(2/3) between the table's rows
+    const double depth = d / approach;
+    if (depth <= w.front()) return at_yield * std::pow(depth, 1.5);
+    std::size_t k = 1;
+    while (w[k] < depth) ++k;
+    const double part = (depth - w[k - 1]) / (w[k] - w[k - 1]), low = std::pow(f[k - 1], 2.0 / 3);
+    return at_yield * std::pow(low + part * (std::pow(f[k], 2.0 / 3) - low), 1.5);
+  };
+  const TemporaryFolder folder;
+  const auto recording = recorded(folder, deepest * approach, force, "1000000 GPa", 0.3);
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "diagnosis";
+  const Outcome outcome =
+      call("diagnose " + recording.string() + " --case " + file.string() +
+           " --set 'Substrate/Young modulus=1000000 GPa' --set 'Substrate/Poisson ratio=0.3' --output " +
+           output.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
+  EXPECT_EQ(said["verdict"], "explained") << outcome.output;
+  const auto& corrected = said["solutions"]["corrected"];
+  ASSERT_EQ(corrected.size(), 1u) << outcome.output;
+  const auto& entry = corrected["Particle/Yield stress"];
+  EXPECT_NEAR(entry["value"].get<double>() / yield, 1, 0.05);
+  EXPECT_LT(entry["ci95"][0], yield);
+  EXPECT_GT(entry["ci95"][1], yield);
+  EXPECT_NE(read_file(output / "corrected.prm").find("set Yield stress"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(output / "history_after.csv"));
 }
 
 TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
