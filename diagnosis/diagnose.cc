@@ -157,7 +157,7 @@ class Diagnoser {
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
       const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
-                                         result_.alternatives.empty()
+                                         mapping_ && mapping_->is_incomplete()
                                              ? "a case that can be solved with what the remarks name"
                                              : result_.alternatives.front().told_apart_by};
       result_.alternatives.insert(result_.alternatives.begin(), first);

@@ -37,7 +37,6 @@ struct SimulatedBodies {
   ElasticBody particle, substrate;
   double radius = 0;  ///< [m]
   bool particle_yields = false, substrate_yields = false;
-  bool is_rough = false;
 };
 
 /// A simulation that is solved anew for each set of changes.
