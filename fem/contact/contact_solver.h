@@ -80,6 +80,14 @@ class ContactSolver {
   /// A first guess: one step of elastic bodies in which the rows that tractions_ holds stick.
   void step_with_held_rows(ContactState& state, double target, TangentField* tangent,
                            Vector<double>& residual, Vector<double>& direction, SolveReport& report);
+  /// Parts of resultants(). Of the rows: forces, moments, largest pressure, what sticks; returns the moments
+  /// about x and y of the forces on both bodies, which cancel but for error [N m].
+  std::array<double, 2> add_rows(const ContactState& state, const std::vector<double>& gap,
+                                 ContactResultants& result) const;
+  /// Area, edge, spots and centre.
+  void add_shape(const ContactState& state, const std::vector<double>& gap, ContactResultants& result) const;
+  /// Reactions of the driven and the fixed plane. Collective.
+  void add_reactions(const ContactState& state, ContactResultants& result) const;
   /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by
   /// component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state,
