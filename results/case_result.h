@@ -28,6 +28,11 @@ struct ResolvedRoughness {
   double repeats_every;                            ///< [m]
 };
 
+/// What a column or field that a file of its own has added is.
+struct Addition {
+  std::string name, meaning;
+};
+
 struct CaseResult {
   static constexpr const char* format = "asperity-result/1";
 
@@ -38,6 +43,7 @@ struct CaseResult {
   std::vector<std::pair<std::string, double>> balance;  ///< relative errors of force, moment, energy
   /// Entries that decide the answer, "Section/Entry" and text; empty for a result of an earlier version.
   std::map<std::string, std::string> physical_entries;
+  std::vector<Addition> added_columns;                        ///< of history.csv
   std::array<double, 2> rms_in_region;                        ///< particle, substrate [m]
   std::array<std::optional<ResolvedRoughness>, 2> roughness;  ///< particle, substrate
   double cells, unknowns, interface_spacing;                  ///< of the mesh; spacing [m]

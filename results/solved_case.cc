@@ -57,6 +57,12 @@ void add_result_inputs(const CaseResult& result, Entries& entries) {
   if (!result.title.empty()) entries["Title"] = result.title;
 }
 
+std::vector<std::string> names_of(const std::vector<Addition>& additions) {
+  std::vector<std::string> names;
+  for (const auto& addition : additions) names.push_back(addition.name);
+  return names;
+}
+
 }  // namespace
 
 std::string CaseEntries::text(const std::string& path, const std::string& otherwise) const {
@@ -146,6 +152,8 @@ SolvedCase read_solved_case(const fs::path& folder) {
   solved.folder = folder;
   solved.history = read_history(folder / "history.csv");
   solved.result = read_case_result(folder / "result.json");
+  if (solved.finished() && !solved.result->added_columns.empty())
+    solved.history = read_history(folder / "history.csv", names_of(solved.result->added_columns));
   Entries entries;
   if (solved.finished()) add_result_inputs(*solved.result, entries);
   // What people wrote reads better than SI numbers, and says more.
