@@ -62,7 +62,8 @@ std::vector<Addition> additions_in(const Json& document, const char* kind) {
   std::vector<Addition> additions;
   for (const Json& said : part_of(document, {"added", kind}))
     if (!text_in(said, {"name"}).empty())
-      additions.push_back({text_in(said, {"name"}), text_in(said, {"meaning"})});
+      additions.push_back({text_in(said, {"name"}), text_in(said, {"meaning"}), text_in(said, {"unit"}),
+                           text_in(said, {"place"}), number_in(said, {"components"})});
   return additions;
 }
 
@@ -101,6 +102,7 @@ CaseResult case_result_of(const Json& document, const std::string& file) {
   for (const auto& [path, said] : object_in(document, {"inputs", "entries"}).items())
     result.physical_entries[present_path(path)] = said.is_string() ? said.get<std::string>() : said.dump();
   result.added_columns = additions_in(document, "columns");
+  result.added_fields = additions_in(document, "fields");
   result.rms_in_region = {number_in(document, {"inputs", "rms_in_region", "particle"}),
                           number_in(document, {"inputs", "rms_in_region", "substrate"})};
   result.roughness = {roughness_in(document, "particle"), roughness_in(document, "substrate")};

@@ -60,6 +60,7 @@ struct HistoryColumns {
                             ///< large [m]
 };
 
+/// An accepted step.
 struct HistoryRow : HistoryColumns<double> {
   std::vector<double> added;  ///< of the columns that files of their own add, in their units
 };

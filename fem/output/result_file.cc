@@ -12,6 +12,7 @@
 #include "fem/output/added_column.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/effective_values.h"
+#include "fem/output/field.h"
 #include "results/known_entries.h"
 
 namespace asperity::fem {
@@ -136,11 +137,17 @@ json mesh_of(const CaseSetup& setup, const std::vector<HistoryRow>& records, con
            std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}};
 }
 
-/// What files of their own add to history.csv; null: nothing.
+/// What files of their own add to history.csv and to the fields; null: nothing.
 json additions() {
   json added;
   for (const auto& column : added_columns())
     added["columns"].push_back({{"name", column.name}, {"meaning", column.meaning}});
+  for (const auto& field : added_fields())
+    added["fields"].push_back({{"name", field.name},
+                               {"unit", field.unit},
+                               {"meaning", field.meaning},
+                               {"place", field.place == FieldPlace::contact ? "contact" : "bodies"},
+                               {"components", field.components}});
   return added;
 }
 

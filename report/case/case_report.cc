@@ -143,7 +143,7 @@ std::string added_columns_section(const SolvedCase& solved) {
   std::vector<std::string> figures;
   for (std::size_t k = 0; k < solved.history.added.size(); ++k) {
     const AddedValues& column = solved.history.added[k];
-    figures.push_back(figure_html(escaped(column.name), to_svg(added_column_chart(solved, column)),
+    figures.push_back(figure_html(column.name, to_svg(added_column_chart(solved, column)),
                                   escaped(solved.result->added_columns[k].meaning)));
   }
   return figures.empty() ? "" : section_html("Further columns of the history", side_by_side(figures));
@@ -211,7 +211,8 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   body += curves_section(solved, numbers);
   if (!motion) body += motion_figure(solved);
   body += added_columns_section(solved);
-  body += section_html("Pressure and gap in the contact", contact_figures(solved));
+  body += section_html("Pressure and gap in the contact",
+                       contact_figures(solved) + added_contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += tables_of(solved, group, numbers);
   return page_html(solved.title(), subtitle_of(folder, solved.version()), body);
