@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/experiment_declaration.h"
 #include "core/json_text.h"
 #include "core/parameter_file.h"
 #include "core/renamed_entries.h"
@@ -135,7 +136,7 @@ Motion SolvedCase::motion() const {
   const std::string name = finished() && !result->experiment.empty()
                                ? result->experiment
                                : entries.text("Experiment/Type", "normal");
-  const auto motion = motion_named(name);
+  const auto motion = is_declared_experiment(name) ? Motion::program : motion_named(name);
   if (!motion)
     throw InputError(folder.string() + ": there is no experiment '" + name +
                      "'; its result.json or case.prm was changed");

@@ -74,8 +74,9 @@ std::string what_was_asked(const SolvedCase& solved) {
   if (type == "sliding") words += ", slid" + way("Experiment/Distance", Dimension::length);
   if (type == "rolling") words += ", rolled" + way("Experiment/Distance", Dimension::length);
   if (type == "torsion") words += ", spun" + way("Experiment/Angle", Dimension::angle);
-  if (type == "program")
-    words += ", then moved as written (" + escaped(entries.text("Experiment/Program")) + ")";
+  if (solved.motion() == Motion::program)
+    words += ", then moved as " + (type == "program" ? "written" : escaped(type) + " moves it") + " (" +
+             escaped(entries.text("Experiment/Program")) + ")";
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");
     words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";
