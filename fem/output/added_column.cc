@@ -2,10 +2,11 @@
 
 #include <stdexcept>
 
-namespace asperity::fem {
-namespace columns {
-std::vector<AddedColumn> make_all();  // generated from the files of columns/
+namespace asperity::columns {
+std::vector<fem::AddedColumn> make_all();  // generated from the files of columns/
 }
+
+namespace asperity::fem {
 namespace {
 
 std::vector<AddedColumn> checked(std::vector<AddedColumn> columns) {

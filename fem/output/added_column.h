@@ -1,5 +1,5 @@
 // Columns of the history that a file of its own adds: a file NAME.cc of columns/ that defines
-//   namespace asperity::fem::columns { AddedColumn make_NAME(); }
+//   namespace asperity::columns { fem::AddedColumn make_NAME(); }
 // and that nothing else names, or from elsewhere a RegisteredColumn. They stand behind those of
 // results/history.h, and result.json says what they are.
 #pragma once

@@ -1,6 +1,6 @@
 // Fields for ParaView and the report: what asperity writes (fields.cc), and what files of their own add: a
 // file NAME.cc of fields/ that defines
-//   namespace asperity::fem::fields { Field make_NAME(); }
+//   namespace asperity::fields { fem::Field make_NAME(); }
 // and that nothing else names, or from elsewhere a RegisteredField. result.json says what those are.
 #pragma once
 

@@ -3,10 +3,11 @@
 
 #include "fem/output/field.h"
 
-namespace asperity::fem {
-namespace fields {
-std::vector<Field> make_all();  // generated from the files of fields/
+namespace asperity::fields {
+std::vector<fem::Field> make_all();  // generated from the files of fields/
 }
+
+namespace asperity::fem {
 namespace {
 
 /// A number for each row of the contact.

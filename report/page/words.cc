@@ -3,17 +3,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/printed.h"
 #include "report/page/axis.h"
 #include "report/sentences/phrases.h"
+#include "results/known_entries.h"
 
 namespace asperity::report {
 namespace {
 
 /// Balances of a converged solve lie below it; nobody reads further digits.
 constexpr double smallest_share = 1e-5;
+
+/// "0", "0 nm", "0.0 GPa".
+bool is_zero(const std::string& text) {
+  char* end = nullptr;
+  return std::strtod(text.c_str(), &end) == 0 && end != text.c_str();
+}
 
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;
@@ -30,6 +38,11 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
              in_units(hardening, Dimension::pressure);
   const double voce = entries.quantity(section + "/Voce saturation", Dimension::pressure, 0);
   if (voce > 0) words += ", Voce hardening up to " + in_units(voce, Dimension::pressure) + " more";
+  // Entries of laws from files of their own, by their names; 0: not given.
+  for (const auto& [path, text] : entries.all()) {
+    if (path.rfind(section + "/", 0) != 0 || is_known_entry(path) || is_zero(text)) continue;
+    words += ", " + escaped(path.substr(section.size() + 1)) + " = " + escaped(text);
+  }
   return words;
 }
 

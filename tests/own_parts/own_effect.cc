@@ -20,7 +20,9 @@ class PeriodicReading : public Effect {
                                      "Heydemann 1981",
                                      "The interferometer reads too much and too little in turns.",
                                      EffectKind::instrument,
-                                     {Motion::normal}};
+                                     {Motion::normal},
+                                     {},
+                                     {}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment&) const override {
