@@ -114,7 +114,7 @@ std::string table_of(const Rows& rows, double tolerance) {
 }
 
 std::string good_enough(const SideBySide& comparison, const std::string& contact) {
-  Table table{{"simplification", "quantity", "judged by", "good enough"}, {}, true};
+  Table table{{"simplification", "quantity", "judged by", "good enough"}};
   for (const auto& verdict : comparison.verdicts)
     if (verdict.contact == contact)
       table.rows.push_back(

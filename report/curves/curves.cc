@@ -19,7 +19,7 @@ std::vector<double> divided(std::vector<double> values, double unit) {
 }
 
 Series hertz_curve(const Hertz& hertz, double largest_approach, const ForceUnit& unit) {
-  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed};
   constexpr int points = 100;
   for (int i = 0; i <= points; ++i) {
     const double approach = largest_approach * i / points;
@@ -67,7 +67,7 @@ std::vector<Series> smoothed(const std::vector<Series>& branches) {
 /// Something of Hertz's as a function of load.
 template <class Value>
 Series hertz_over_load(double largest_force, const ForceUnit& unit, const Value& value) {
-  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed};
   constexpr int points = 200;
   for (int i = 1; i <= points; ++i) {
     const double force = largest_force * i / points;
@@ -97,10 +97,7 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
                   is_loading ? (is_first ? loading_colour : reloading_colour) : unloading_colour,
                   !is_first    ? Series::Style::dashed
                   : is_loading ? Series::Style::line_with_points
-                               : Series::Style::dashed_with_points,
-                  {},
-                  {},
-                  {}};
+                               : Series::Style::dashed_with_points};
     for (std::size_t i = branch.first; i <= branch.last; ++i) {
       series.x.push_back(x[i]);
       series.y.push_back(y[i]);
@@ -112,7 +109,7 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
 
 Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit,
                       const std::string& label, const std::string& colour, Series::Style style) {
-  Series series{label, colour, style, {}, {}, {}};
+  Series series{label, colour, style};
   for (const auto& tangent : tangents) {
     series.x.push_back(tangent.force / unit.si);
     series.y.push_back(tangent.stiffness / kN_per_m);
@@ -208,7 +205,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
         last = branch.last;
         if (branch.kind == HistoryBranch::Kind::unloading) break;
       }
-      Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line, {}, {}, {}};
+      Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line};
       for (std::size_t row = 0; row < last; ++row)
         add_between(series, history.normal_displacement[row] / nm, history.normal_force[row] / unit.si,
                     history.normal_displacement[row + 1] / nm, history.normal_force[row + 1] / unit.si);
@@ -228,7 +225,7 @@ std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate Lo
                               double unit, const ForceUnit& force) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
+    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points};
     for (const auto& load : curves[i].last().loads) {
       series.x.push_back(load.force / force.si);
       series.y.push_back((load.*value).mean / unit);

@@ -116,8 +116,7 @@ std::string residual_figure(const ComparedTable& table, const std::vector<double
   chart.band_low = -2;
   chart.band_high = 2;
   chart.band_label = "noise (95 %)";
-  Series inside{"", "#b5261e", Series::Style::points, {}, {}, {}},
-      outside{"", "#5b6675", Series::Style::points, {}, {}, {}};
+  Series inside{"", "#b5261e", Series::Style::points}, outside{"", "#5b6675", Series::Style::points};
   const std::size_t stride = std::max<std::size_t>(1, table.x.size() / (most_points / 2));
   for (std::size_t i = 0; i < table.x.size(); i += stride) {
     bool located = false;

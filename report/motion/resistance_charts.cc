@@ -38,8 +38,7 @@ ResistanceUnit own_unit(const MotionMode& mode) {
 
 /// The paper's values, in the unit of the figure.
 void add_measured(const RoughnessTrend& trend, const AgainstPublished& published, Chart& chart) {
-  Series measured{
-      "measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points, {}, {}, {}};
+  Series measured{"measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points};
   for (const auto& one : published.magnitudes) {
     if (one.mode != trend.mode ||
         std::find(trend.contacts.begin(), trend.contacts.end(), one.contact) == trend.contacts.end())
@@ -67,8 +66,7 @@ Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, Res
   chart.y_label = unit_label(mode, unit);
   chart.width = narrow;
   for (const auto& contact : study.contacts) {
-    Series series{
-        contact.label, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{contact.label, line_colour(chart.series.size()), Series::Style::line_with_points};
     for (const auto* state : contact.of(mode)) {
       const double by = divisor(contact, *state, unit);
       if (std::isfinite(by) && by > 0) add(series, state->load / uN, state->resistance * (1 / by));
@@ -84,12 +82,8 @@ Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& p
   chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
   chart.width = narrow;
   for (const auto& at : trend.loads) {
-    Series series{in_units(at.load, Dimension::force),
-                  line_colour(chart.series.size()),
-                  Series::Style::line_with_points,
-                  {},
-                  {},
-                  {}};
+    Series series{in_units(at.load, Dimension::force), line_colour(chart.series.size()),
+                  Series::Style::line_with_points};
     for (const auto* contact : trend.contacts)
       if (const MovingState* state = contact->find(*trend.mode, at.load))
         add(series, contact->bodies.rms / nm, state->resistance * (1 / state->scale()));
@@ -111,7 +105,7 @@ Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
   for (const auto& part :
        {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
         Part{"bonds", &ResistanceParts::adhesion}}) {
-    Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points};
     bool any = false;
     for (const auto* contact : trend.contacts)
       if (const MovingState* state = contact->find(*trend.mode, at.load)) {

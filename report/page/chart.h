@@ -16,8 +16,8 @@ struct Series {
   std::string label;  ///< empty: not in the legend
   std::string colour;
   Style style = Style::line;
-  std::vector<double> x, y;
-  std::vector<double> error;  ///< half length of error bars; empty, or NaN where there is none
+  std::vector<double> x{}, y{};
+  std::vector<double> error{};  ///< half length of error bars; empty, or NaN where there is none
 };
 
 struct Chart {

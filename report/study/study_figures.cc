@@ -42,12 +42,8 @@ Chart stiffness_against(std::vector<const StudyCurve*> curves, const std::string
   chart.width = 520;
   for (const std::size_t at : shown_loads(curves.front()->last())) {
     const double force = curves.front()->last().loads[at].force;
-    Series series{in_units(force, Dimension::force),
-                  line_colour(chart.series.size()),
-                  Series::Style::line_with_points,
-                  {},
-                  {},
-                  {}};
+    Series series{in_units(force, Dimension::force), line_colour(chart.series.size()),
+                  Series::Style::line_with_points};
     for (const auto* curve : curves) {
       const auto& loads = curve->last().loads;
       constexpr double same = 1e-3;
