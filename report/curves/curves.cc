@@ -132,9 +132,7 @@ ForceUnit force_unit(double largest_force) {
 Chart load_approach_chart(const SolvedCase& solved) {
   const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
-  Chart chart;
-  chart.x_label = "approach δ of the bodies [nm]";
-  chart.y_label = "normal force F [" + unit.name + "]";
+  Chart chart{"approach δ of the bodies [nm]", "normal force F [" + unit.name + "]"};
   chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm),
                                         divided(history.normal_force, unit.si)));
   chart.series.push_back(hertz_curve(solved.hertz(), largest_or_zero(history.normal_displacement), unit));
@@ -144,9 +142,7 @@ Chart load_approach_chart(const SolvedCase& solved) {
 Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
   const ForceUnit unit = force_unit(numbers.largest_force);
   const Hertz hertz = solved.hertz();
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = "normal stiffness dF/dδ [kN/m]";
+  Chart chart{"normal force F [" + unit.name + "]", "normal stiffness dF/dδ [kN/m]"};
   chart.series = {
       tangent_series(numbers.loading, unit, "loading", loading_colour, Series::Style::line_with_points),
       tangent_series(numbers.unloading, unit, "unloading", unloading_colour,
@@ -172,9 +168,7 @@ Chart contact_area_chart(const SolvedCase& solved) {
   const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   const Hertz hertz = solved.hertz();
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = "real contact area [µm²]";
+  Chart chart{"normal force F [" + unit.name + "]", "real contact area [µm²]"};
   chart.series =
       branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
   chart.series.push_back(hertz_over_load(largest_or_zero(history.normal_force), unit,
@@ -190,9 +184,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
     approach = std::max(approach, largest_or_zero(curve.largest->first().history.normal_displacement));
   }
   const ForceUnit unit = force_unit(force);
-  Chart chart;
-  chart.x_label = "approach δ of the bodies [nm]";
-  chart.y_label = "normal force F [" + unit.name + "]";
+  Chart chart{"approach δ of the bodies [nm]", "normal force F [" + unit.name + "]"};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     bool named = false;
     for (const auto& solved : curves[i].largest->cases) {
@@ -247,9 +239,7 @@ double largest_drawn_force(const std::vector<StudyCurve>& curves) {
 Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio,
                   const std::string& label) {
   const ForceUnit unit = force_unit(largest_drawn_force(curves));
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = label;
+  Chart chart{"normal force F [" + unit.name + "]", label};
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
   chart.band_label = printed("Hertz ± %.3g %%", 100 * tolerance);
@@ -263,9 +253,7 @@ Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
                   const std::string& label, const std::function<double(const Hertz&, double force)>& hertz) {
   const double largest = largest_drawn_force(curves);
   const ForceUnit force = force_unit(largest);
-  Chart chart;
-  chart.x_label = "normal force F [" + force.name + "]";
-  chart.y_label = label;
+  Chart chart{"normal force F [" + force.name + "]", label};
   chart.width = 520;
   chart.series = over_load(curves, value, unit, force);
   if (!curves.empty())

@@ -61,9 +61,7 @@ std::string unit_label(const MotionMode& mode, ResistanceUnit unit) {
 }
 
 Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, ResistanceUnit unit) {
-  Chart chart;
-  chart.x_label = "load [µN]";
-  chart.y_label = unit_label(mode, unit);
+  Chart chart{"load [µN]", unit_label(mode, unit)};
   chart.width = narrow;
   for (const auto& contact : study.contacts) {
     Series series{contact.label, line_colour(chart.series.size()), Series::Style::line_with_points};
@@ -77,9 +75,7 @@ Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, Res
 }
 
 Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& published) {
-  Chart chart;
-  chart.x_label = "RMS roughness of the plane [nm]";
-  chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
+  Chart chart{"RMS roughness of the plane [nm]", unit_label(*trend.mode, own_unit(*trend.mode))};
   chart.width = narrow;
   for (const auto& at : trend.loads) {
     Series series{in_units(at.load, Dimension::force), line_colour(chart.series.size()),
@@ -94,9 +90,7 @@ Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& p
 }
 
 Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
-  Chart chart;
-  chart.x_label = "RMS roughness of the plane [nm]";
-  chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
+  Chart chart{"RMS roughness of the plane [nm]", unit_label(*trend.mode, own_unit(*trend.mode))};
   chart.width = narrow;
   struct Part {
     const char* name;

@@ -22,12 +22,12 @@ struct Series {
 
 struct Chart {
   std::string x_label, y_label;  ///< with units
-  std::vector<Series> series;
+  std::vector<Series> series{};
   bool y_from_zero = true;
   bool x_from_zero = true;
   /// In the unit of y.
   double band_low = 0, band_high = 0;  ///< a shaded band of y, where band_high > band_low
-  std::string band_label;
+  std::string band_label{};
   int width = 640, height = 420;
 };
 

@@ -32,9 +32,7 @@ Chart stiffness_against(std::vector<const StudyCurve*> curves, const std::string
                         const std::function<double(const StudyCurve&)>& abscissa) {
   std::sort(curves.begin(), curves.end(),
             [&](const auto* a, const auto* b) { return abscissa(*a) < abscissa(*b); });
-  Chart chart;
-  chart.x_label = label;
-  chart.y_label = "stiffness / Hertz (same load)";
+  Chart chart{label, "stiffness / Hertz (same load)"};
   chart.y_from_zero = false;
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
