@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-CaseEntry topography(std::string section, Member<TopographySpec> member) {
+CaseEntry topography(std::string section, const Member<TopographySpec>& member) {
   return {
       std::move(section),
       "Topography",
@@ -63,7 +63,8 @@ CaseEntry motion_program(std::string section) {
           }};
 }
 
-CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter, Member<LawValues> values) {
+CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
+                    const Member<LawValues>& values) {
   const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
     return values(input)[name];
   };

@@ -40,7 +40,7 @@ std::string canonical_number(double value) { return printed("%.14g", value); }
 
 }  // namespace
 
-CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
+CaseEntry quantity(std::string section, std::string name, const Member<double>& member, Dimension dimension,
                    Range range, std::string default_text, std::string example, std::string documentation) {
   const std::string admissible = kind_of(dimension) + in_words(range, dimension);
   return {std::move(section),
@@ -58,7 +58,7 @@ CaseEntry quantity(std::string section, std::string name, Member<double> member,
           [=](const std::string& text) { return canonical_number(parse_quantity(text, dimension)); }};
 }
 
-CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
+CaseEntry whole_number(std::string section, std::string name, const Member<int>& member, int low,
                        std::string default_text, std::string documentation) {
   const std::string admissible = "a whole number, " + std::to_string(low) + " or more";
   return {std::move(section),

@@ -19,16 +19,16 @@ template <class T>
 using Member = std::function<T&(CaseInput&)>;
 
 /// A number with a unit of `dimension`, kept in SI. Reading it throws InputError outside of `range`.
-CaseEntry quantity(std::string section, std::string name, Member<double> member, Dimension dimension,
+CaseEntry quantity(std::string section, std::string name, const Member<double>& member, Dimension dimension,
                    Range range, std::string default_text, std::string example, std::string documentation);
 
 /// A whole number of at least `low`. Reading another throws InputError.
-CaseEntry whole_number(std::string section, std::string name, Member<int> member, int low,
+CaseEntry whole_number(std::string section, std::string name, const Member<int>& member, int low,
                        std::string default_text, std::string documentation);
 
 /// One of several words, each with the value it stands for. Reading another throws InputError.
 template <class T>
-CaseEntry choice(std::string section, std::string name, Member<T> member,
+CaseEntry choice(std::string section, std::string name, const Member<T>& member,
                  std::vector<std::pair<std::string, T>> values, std::string default_text,
                  std::string documentation) {
   std::vector<std::string> words;

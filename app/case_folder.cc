@@ -93,7 +93,7 @@ Provenance provenance_of_result(const fs::path& folder) {
 
 std::string difference_from_folder(const FolderedCase& now) {
   const fs::path remembered = now.folder / "case.prm";
-  const std::string unknown = "was solved from another case";
+  std::string unknown = "was solved from another case";
   if (!fs::exists(remembered)) return unknown;
   try {
     const Settings before = complete_settings(read_settings(remembered), remembered),

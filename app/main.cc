@@ -2,19 +2,9 @@
 // refused.
 #include <CLI/CLI.hpp>
 
-#include "app/case_command.h"
-#include "app/challenge_command.h"
-#include "app/compare_command.h"
-#include "app/conceal_command.h"
-#include "app/derive_command.h"
-#include "app/diagnose_command.h"
-#include "app/engine_command.h"
-#include "app/experiment_command.h"
-#include "app/import_command.h"
-#include "app/paper_command.h"
+#include "app/commands.h"
 #include "app/program.h"
 #include "app/solver_commands.h"
-#include "app/surface_command.h"
 
 int main(int argc, char** argv) {
   using namespace asperity;

@@ -1,4 +1,4 @@
-#include "app/preview_command.h"
+#include "app/commands.h"
 
 #include <CLI/CLI.hpp>
 

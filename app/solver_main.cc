@@ -1,12 +1,8 @@
 // The program `asperity-solver`: the commands that need deal.II, CGAL or VTK. `asperity` starts it for them.
 #include <CLI/CLI.hpp>
 
-#include "app/mesh_command.h"
-#include "app/preview_command.h"
+#include "app/commands.h"
 #include "app/program.h"
-#include "app/report_command.h"
-#include "app/solve_command.h"
-#include "app/study_command.h"
 
 int main(int argc, char** argv) {
   using namespace asperity;

@@ -1,4 +1,4 @@
-#include "app/study_command.h"
+#include "app/commands.h"
 
 #include <CLI/CLI.hpp>
 

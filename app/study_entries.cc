@@ -3,6 +3,7 @@
 #include "app/case_file.h"
 #include "core/error.h"
 #include "core/renamed_entries.h"
+#include "core/text_pieces.h"
 #include "core/topography_spec.h"
 
 namespace asperity {
@@ -22,12 +23,6 @@ void make_topography_absolute(Setting& setting, const fs::path& file) {
 
 namespace {
 
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Parts between separators that stand outside of parentheses.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
@@ -39,7 +34,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     else
       parts.back() += c;
   }
-  for (auto& part : parts) part = trim(part);
+  for (auto& part : parts) part = trimmed(part);
   return parts;
 }
 
@@ -47,8 +42,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
 Setting case_setting(const std::string& path, const std::string& value, const std::string& where,
                      const fs::path& file) {
   const auto slash = path.rfind('/');
-  Setting setting{slash == std::string::npos ? "" : trim(path.substr(0, slash)),
-                  slash == std::string::npos ? path : trim(path.substr(slash + 1)), value, where};
+  Setting setting{slash == std::string::npos ? "" : trimmed(path.substr(0, slash)),
+                  slash == std::string::npos ? path : trimmed(path.substr(slash + 1)), value, where};
   use_present_name(setting);
   check_entry_exists(setting);
   make_topography_absolute(setting, file);
@@ -61,7 +56,7 @@ Setting read_assignment(const std::string& text, const std::string& where, const
   if (equals == std::string::npos)
     throw InputError(where + ": '" + text +
                      "' lacks '='; write Section/Entry=value, several separated by ';'");
-  return case_setting(trim(text.substr(0, equals)), trim(text.substr(equals + 1)), where, file);
+  return case_setting(trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)), where, file);
 }
 
 /// "label: value; Section/Entry=value; ...": label and further entries may be missing.
@@ -72,8 +67,8 @@ StudyChoice read_value(const Setting& written, const std::string& text, const fs
     throw InputError(written.where + ": the values of " + written.entry +
                      " have an empty one; remove the comma");
   const auto colon = first.find(": ");
-  const std::string value = colon == std::string::npos ? first : trim(first.substr(colon + 1));
-  StudyChoice choice{colon == std::string::npos ? first : trim(first.substr(0, colon)),
+  const std::string value = colon == std::string::npos ? first : trimmed(first.substr(colon + 1));
+  StudyChoice choice{colon == std::string::npos ? first : trimmed(first.substr(0, colon)),
                      {case_setting(written.entry, value, written.where, file)}};
   choice.settings.front().former = written.former;
   for (auto part = parts.begin() + 1; part != parts.end(); ++part)

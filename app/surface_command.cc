@@ -1,4 +1,4 @@
-#include "app/surface_command.h"
+#include "app/commands.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,7 +10,6 @@
 #include <string>
 
 #include "app/length_argument.h"
-#include "app/surface_afm_command.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"

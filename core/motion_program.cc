@@ -9,25 +9,12 @@
 #include "core/error.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "core/text_pieces.h"
 
 namespace asperity {
 namespace {
 
 const std::string example = "slide 200 nm and spin 20 mrad; roll 30 mrad in 12 steps";
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::vector<std::string> split(const std::string& text, const std::string& separator) {
-  std::vector<std::string> pieces;
-  std::size_t from = 0;
-  for (std::size_t at; (at = text.find(separator, from)) != std::string::npos; from = at + separator.size())
-    pieces.push_back(trimmed(text.substr(from, at - from)));
-  pieces.push_back(trimmed(text.substr(from)));
-  return pieces;
-}
 
 /// The value as one of two dimensions, and which; a plain number is the first.
 std::pair<double, bool> either(const std::string& text, Dimension first, Dimension second) {
@@ -96,7 +83,8 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
     throw InputError("a program of motions has at most " + std::to_string(longest) + " characters, not " +
                      std::to_string(text.size()));
   static const std::regex steps(R"(^(.*\S)\s+in\s+(\d+)\s+steps?$)");
-  for (const std::string& piece : split(text, ";")) {
+  for (const std::string& between : pieces_of(text, ";")) {
+    const std::string piece = trimmed(between);
     if (piece.empty()) continue;
     ProgramPart part;
     std::string motions = piece;
@@ -107,7 +95,7 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
         throw InputError("'" + piece + "': give between 1 and 100000 steps");
       motions = trimmed(found[1].str());
     }
-    for (const std::string& motion : split(motions, " and ")) read_motion(motion, part);
+    for (const std::string& motion : pieces_of(motions, " and ")) read_motion(trimmed(motion), part);
     program.push_back(part);
   }
   return program;

@@ -11,6 +11,7 @@
 #include "core/nearest_name.h"
 #include "core/read_limits.h"
 #include "core/renamed_entries.h"
+#include "core/text_pieces.h"
 #include "core/utf8.h"
 
 namespace asperity {
@@ -31,17 +32,11 @@ std::string parameter_text(const fs::path& file) {
   return as_utf8(std::move(text));
 }
 
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 /// Splits off the first word.
 std::string take_word(std::string& text) {
   const auto end = std::min(text.find_first_of(" \t"), text.size());
   std::string word = text.substr(0, end);
-  text = trim(text.substr(end));
+  text = trimmed(text.substr(end));
   return word;
 }
 
@@ -62,14 +57,14 @@ class PrmReader {
     int number = 0;
     while (std::getline(stream, line)) {
       const int first = ++number;
-      line = trim(without_comment(line));
+      line = trimmed(without_comment(line));
       while (!line.empty() && line.back() == '\\') {
         line.pop_back();
         std::string next;
         if (!std::getline(stream, next)) break;
         ++number;
-        line = trim(line) + " " + trim(without_comment(next));
-        line = trim(line);
+        line = trimmed(line) + " " + trimmed(without_comment(next));
+        line = trimmed(line);
         if (line.size() > read_limits::longest_line) refuse_long(file, first);
       }
       if (line.size() > read_limits::longest_line) refuse_long(file, first);
@@ -121,7 +116,8 @@ class PrmReader {
       const auto equals = line.find('=');
       if (equals == std::string::npos)
         throw InputError(where + ": 'set " + line + "' lacks '='; write 'set Entry = value'");
-      Setting setting{section_path(), trim(line.substr(0, equals)), trim(line.substr(equals + 1)), where};
+      Setting setting{section_path(), trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)),
+                      where};
       if (setting.entry.empty()) throw InputError(where + ": 'set' lacks the name of an entry before '='");
       const auto [earlier, is_new] = set_in_line.emplace(setting.path(), number);
       if (!is_new)
@@ -184,8 +180,8 @@ void collect_json(const nlohmann::ordered_json& object, const std::string& secti
     if (value.is_array() || value.is_null())
       throw InputError(where + ": '" + name + "' holds " + value.type_name() +
                        "; write a number, true, false, or a text such as \"8.5 um\"");
-    override_setting(
-        settings, {section, name, value.is_string() ? trim(value.get<std::string>()) : value.dump(), where});
+    override_setting(settings, {section, name,
+                                value.is_string() ? trimmed(value.get<std::string>()) : value.dump(), where});
   }
 }
 
@@ -221,15 +217,15 @@ Settings read_settings(const fs::path& file, const std::vector<std::string>& ove
 
 Setting parse_override(const std::string& text) {
   const auto equals = text.find('=');
-  const std::string path = trim(text.substr(0, equals));
+  const std::string path = trimmed(text.substr(0, equals));
   const std::string where = "--set \"" + text + "\"";
   if (equals == std::string::npos || path.empty())
     throw InputError(
         where + ": write --set \"Section/Entry=value\", for example --set \"Experiment/Normal load=1 mN\"");
   const auto slash = path.rfind('/');
-  Setting setting{"", path, trim(text.substr(equals + 1)), where};
+  Setting setting{"", path, trimmed(text.substr(equals + 1)), where};
   if (slash != std::string::npos)
-    setting.section = trim(path.substr(0, slash)), setting.entry = trim(path.substr(slash + 1));
+    setting.section = trimmed(path.substr(0, slash)), setting.entry = trimmed(path.substr(slash + 1));
   use_present_name(setting);
   return setting;
 }

@@ -1,6 +1,6 @@
 #include "core/printable.h"
 
-#include <cstdio>
+#include "core/printed.h"
 
 namespace asperity {
 namespace {
@@ -43,11 +43,9 @@ void for_each_code_point(const std::string& text, const std::function<void(const
 }
 
 std::string escape_sequence(const CodePoint& character) {
-  char text[16];
   const auto value = static_cast<unsigned long>(character.value);
   const bool is_byte = !character.is_valid || value < 0x80;
-  std::snprintf(text, sizeof text, is_byte ? "\\x%02lx" : value < 0x10000 ? "\\u%04lx" : "\\U%08lx", value);
-  return text;
+  return printed(is_byte ? "\\x%02lx" : value < 0x10000 ? "\\u%04lx" : "\\U%08lx", value);
 }
 
 std::string printable(const std::string& text) {

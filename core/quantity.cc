@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/printed.h"
+#include "core/text_pieces.h"
 
 namespace asperity {
 namespace {
@@ -69,12 +70,6 @@ bool takes_prefixes(Dimension dimension) {
   return dimension != Dimension::none && dimension != Dimension::area && dimension != Dimension::angle;
 }
 
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 std::string list_of(const Units& units) {
   std::string list;
   for (const auto& [name, factor] : units)
@@ -96,42 +91,34 @@ double unit_factor(const std::string& unit, Dimension dimension) {
 }
 
 double parse_quantity(const std::string& text, Dimension dimension) {
-  const std::string trimmed = trim(text);
+  const std::string plain = trimmed(text);
   char* end = nullptr;
-  const double number = std::strtod(trimmed.c_str(), &end);
-  if (trimmed.empty() || end == trimmed.c_str() || std::isnan(number))
+  const double number = std::strtod(plain.c_str(), &end);
+  if (plain.empty() || end == plain.c_str() || std::isnan(number))
     throw InputError("'" + text + "' is not a number with a unit; write for example '2.5 " +
                      si_symbol(dimension) + "'");
-  const std::string unit = trim(trimmed.substr(static_cast<std::size_t>(end - trimmed.c_str())));
+  const std::string unit = trimmed(plain.substr(static_cast<std::size_t>(end - plain.c_str())));
   if (unit.empty()) return number;
   try {
     return number * unit_factor(unit, dimension);
   } catch (const InputError& error) {
-    throw InputError("in '" + trimmed + "' the " + error.what());
+    throw InputError("in '" + plain + "' the " + error.what());
   }
 }
 
 std::string format_quantity(double si_value, Dimension dimension, int digits) {
-  char buffer[64];
-  if (dimension == Dimension::none || !std::isfinite(si_value)) {
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
-    return buffer;
-  }
+  const std::string number = printed("%.*g", digits, si_value);
+  if (dimension == Dimension::none || !std::isfinite(si_value)) return number;
   const std::string symbol = si_symbol(dimension);
   // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor
   // 1e+03 pm).
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, si_value);
-  const double rounded = std::strtod(buffer, nullptr);
+  const double rounded = std::strtod(number.c_str(), nullptr);
   if (rounded != 0.0 && takes_prefixes(dimension))
     for (const auto& [prefix, factor] : prefixes())
-      if (std::abs(rounded) >= factor * (1 - 1e-12)) {
+      if (std::abs(rounded) >= factor * (1 - 1e-12))
         // Two digits of 316 um are 320 um, not 3.2e+02 um.
-        std::snprintf(buffer, sizeof buffer, "%.*g %s%s", std::max(digits, 3), rounded / factor,
-                      prefix.c_str(), symbol.c_str());
-        return buffer;
-      }
-  std::snprintf(buffer, sizeof buffer, "%.*g %s", digits, si_value, symbol.c_str());
-  return buffer;
+        return printed("%.*g ", std::max(digits, 3), rounded / factor) + prefix + symbol;
+  return number + " " + symbol;
 }
 
 }  // namespace asperity

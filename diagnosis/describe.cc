@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/printed.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
 
@@ -95,14 +95,11 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
   double correlation = 0;
   for (const SharedNoise& shared : problem.noise.shared)
     correlation = std::max(correlation, shared.neighbours());
-  char text[160];
   constexpr double worth_saying = 0.1;
-  if (correlation > worth_saying) {
-    std::snprintf(text, sizeof text,
-                  "neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
-                  correlation);
-    remarks.push_back(text);
-  }
+  if (correlation > worth_saying)
+    remarks.push_back(
+        printed("neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
+                correlation));
   if (outliers > 0)
     remarks.push_back(std::to_string(outliers) + (outliers == 1 ? " sample lies" : " samples lie") +
                       " far off their neighbours and do not count");
@@ -163,11 +160,10 @@ std::vector<ComparedTable> compared_tables(const Recording& recording, const Fit
 }
 
 std::string in_words(const Diagnosis& d) {
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers,
-                "chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
-                d.baseline.chi2_reduced, d.improved.chi2_reduced, d.baseline.held_out_chi2_reduced,
-                d.improved.held_out_chi2_reduced);
+  const std::string numbers =
+      printed("chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
+              d.baseline.chi2_reduced, d.improved.chi2_reduced, d.baseline.held_out_chi2_reduced,
+              d.improved.held_out_chi2_reduced);
   switch (d.verdict) {
     case Verdict::no_mismatch:
       return "Recording and simulation agree: what is left is noise. Nothing was left out that these data "

@@ -148,6 +148,11 @@ void InputNotes::meaning(const std::string& name, double value, const std::strin
 
 void InputNotes::cannot(const std::string& what) { limits_.push_back(what); }
 
+void InputNotes::leaves_out_pull_off(const std::string& why) {
+  if (p_.pull_off_force)
+    cannot("pull-off force h_n = " + text_number(p_.pull_off_force->value) + " N: " + why + "; left out");
+}
+
 std::vector<std::string> InputNotes::lines() const {
   std::vector<std::string> all;
   all.push_back("Written by asperity for " + engine_ + " from " + (p_.file.empty() ? "a record" : p_.file) +

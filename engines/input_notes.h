@@ -43,6 +43,8 @@ class InputNotes {
   void meaning(const std::string& name, double value, const std::string& unit, const std::string& meaning);
   /// Something the engine cannot do at all.
   void cannot(const std::string& what);
+  /// The record's pull-off force, if it has one, and why it is left out.
+  void leaves_out_pull_off(const std::string& why);
 
   /// "particle" and "target", or the materials' names where the record has them: two that differ.
   std::string particle_name() const;

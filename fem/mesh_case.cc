@@ -1,11 +1,11 @@
 #include "fem/mesh_case.h"
 
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "core/error.h"
 #include "core/output_folder.h"
+#include "core/printed.h"
 #include "core/quantity.h"
 #include "fem/case/case_setup.h"
 #include "fem/case/mesh_quality.h"
@@ -26,12 +26,6 @@ const char* const body_name[2] = {"particle", "substrate"};
 
 std::string length(double metres, int digits = 3) {
   return format_quantity(metres, Dimension::length, digits);
-}
-
-std::string text(const char* pattern, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
 }
 
 /// One call for each line of a text.
@@ -59,20 +53,20 @@ void say_counts(const Say& say, const meshing::ContactMeshOptions& options, cons
         length(body == 0 ? sizes.region_particle : sizes.region_substrate) + " of the axis, " +
         std::to_string(map.finest_level(static_cast<meshing::Body>(body))) + " levels of refinement");
   say("both: " + std::to_string(level.size()) + " unknowns; to solve them takes about " +
-      text("%.2g GiB", estimated_memory(static_cast<double>(level.size())) / (1 << 30)) + " of memory");
+      printed("%.2g GiB", estimated_memory(static_cast<double>(level.size())) / (1 << 30)) + " of memory");
 }
 
 void say_quality(const Say& say, const HexMeshQuality& quality) {
   for (int body = 0; body < 2; ++body) {
     const std::string name = body_name[body];
-    say(name + ": smallest scaled Jacobian " + text("%.3f", quality.smallest_scaled_jacobian[body]));
+    say(name + ": smallest scaled Jacobian " + printed("%.3f", quality.smallest_scaled_jacobian[body]));
     const RoughnessFidelity& roughness = quality.roughness[body];
     if (roughness.smooth()) continue;
     say(name + ": Sq of the nodes " + length(roughness.sq_nodes, 4) + ", of the topography there " +
-        length(roughness.sq_topography, 4) + text(" (%+.2f %%)", 100 * (roughness.sq_ratio() - 1)) +
+        length(roughness.sq_topography, 4) + printed(" (%+.2f %%)", 100 * (roughness.sq_ratio() - 1)) +
         "; facets depart from it by " + length(roughness.sq_between) +
-        text(" rms (%.2g %%)", 100 * roughness.missed_height_share()) +
-        text(" and miss %.2g %% of its slope variance", 100 * roughness.missed_slope_share()));
+        printed(" rms (%.2g %%)", 100 * roughness.missed_height_share()) +
+        printed(" and miss %.2g %% of its slope variance", 100 * roughness.missed_slope_share()));
   }
 }
 
@@ -126,7 +120,7 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
     const auto check = meshing::check_surface(surface);
     say_lines(say, meshing::summary(name, surface, check));
     say(name +
-        text(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) +
+        printed(" surface: its volume is %.2f %%", 100 * check.volume / smooth_volume(options.sizes, body)) +
         " of the smooth " +
         (body == 1                   ? "block's"
          : options.sizes.full_sphere ? "sphere's"

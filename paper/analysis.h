@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dem_compare/laws/rail_balance.h"
@@ -29,6 +30,16 @@ struct PaperNumber {
   std::optional<Uncertain> published{}, computed{};
   std::string remark{};
 };
+
+/// A number that the paper gives no value of.
+inline PaperNumber not_printed(std::string what, const DisplayUnit& unit, const Uncertain& computed,
+                               std::string remark = "") {
+  return {std::move(what), unit, {}, computed, std::move(remark)};
+}
+/// What is to be said of something that is no number.
+inline PaperNumber remark_alone(std::string what, std::string remark) {
+  return {std::move(what), {}, {}, {}, std::move(remark)};
+}
 
 /// The numbers of one section of the paper.
 struct PaperSection {

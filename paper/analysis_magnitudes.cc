@@ -13,23 +13,18 @@ PaperSection magnitudes_section(const Published& p) {
       const Uncertain ratio =
           propagate([&](const auto& x) { return x[0] * (load + x[1]) / (x[2] * (load + x[3])); },
                     {s.sliding, s.sliding_offset, s.rolling_r, s.rolling_r_offset});
-      rows.push_back({printed("%s: sliding over rolling force at %g mN", s.name.c_str(), load * 1e3),
-                      display::none,
-                      {},
-                      ratio,
-                      load < 1e-3 ? "'2-3 orders of magnitude': below two at the lowest load" : ""});
+      rows.push_back(not_printed(
+          printed("%s: sliding over rolling force at %g mN", s.name.c_str(), load * 1e3), display::none,
+          ratio, load < 1e-3 ? "'2-3 orders of magnitude': below two at the lowest load" : ""));
     }
     const Uncertain orders =
         propagate([](const auto& x) { return std::log10(x[0] / x[1]); }, {s.rolling_r_offset, s.pull_off});
-    rows.push_back(
-        {s.name + ": orders of magnitude between h_ro and h_n", display::none, {}, orders, "'2.5 orders'"});
+    rows.push_back(not_printed(s.name + ": orders of magnitude between h_ro and h_n", display::none, orders,
+                               "'2.5 orders'"));
     const Uncertain times =
         propagate([](const auto& x) { return x[0] / x[1]; }, {s.sliding_offset, s.pull_off});
-    rows.push_back({s.name + ": h_l over h_n",
-                    display::none,
-                    {},
-                    times,
-                    "'about 4, decreasing': h_l is not monotonic in roughness"});
+    rows.push_back(not_printed(s.name + ": h_l over h_n", display::none, times,
+                               "'about 4, decreasing': h_l is not monotonic in roughness"));
   }
   const PublishedSurface& s = p.surfaces.front();
   const double load = p.quoted("loop_load", Dimension::force).value;
@@ -37,50 +32,38 @@ PaperSection magnitudes_section(const Published& p) {
       propagate([&](const auto& x) { return x[0] * (load + x[1]); }, {s.rolling_r, s.rolling_r_offset});
   const Uncertain sliding =
       propagate([&](const auto& x) { return x[0] * (load + x[1]); }, {s.sliding, s.sliding_offset});
-  rows.push_back({"lateral force of rolling at 100 uN, untreated", display::uN, {}, rolling});
-  rows.push_back({"lateral force of sliding at 100 uN, untreated", display::uN, {}, sliding});
-  rows.push_back({"friction at the diamond below which it would slide first",
-                  display::none,
-                  {},
+  rows.push_back(not_printed("lateral force of rolling at 100 uN, untreated", display::uN, rolling));
+  rows.push_back(not_printed("lateral force of sliding at 100 uN, untreated", display::uN, sliding));
+  rows.push_back(
+      not_printed("friction at the diamond below which it would slide first", display::none,
                   Uncertain{rolling.value / load, rolling.sd / load},
                   "the fitted law gives no threshold of 100 uN for rolling: the diamond would have to be "
-                  "this slippery"});
+                  "this slippery"));
   return section;
 }
 
 PaperSection equations_section() {
-  return {"Signs and labels of equations (sec. 3.1, 3.2, 4.6, 4.8)",
-          {{"elastic force of sliding, rolling and torsion",
-            display::none,
-            {},
-            {},
-            "printed f_el = +k delta, which would drive the motion; 'act against' and df/dx = -k of the loop "
-            "need -k delta"},
-           {"normal relative velocity",
-            display::none,
-            {},
-            {},
-            "printed v.n = d delta/dt; with n from contact to particle and delta = R - r it is -d delta/dt, "
-            "as the dissipative force has it"},
-           {"after eq:torques1b", display::none, {}, {}, "printed f_i^l = -f_i^s; it is -f_s^l"},
-           {"before eq:muto", display::none, {}, {}, "cites eq:barlaro; it uses eq:barmuro"},
-           {"caption of fig. rail", display::none, {}, {}, "printed lambda = r_s^to; it is r_s"},
-           {"Table 2, torsion friction",
-            display::none,
-            {},
-            {},
-            "printed mu_i^to; it is mu_s^to, as the indenter has no torsion"},
-           {"assumption before eq:muto2, 'for 60 deg it can be proven'",
-            display::none,
-            {},
-            {},
-            "it holds where 2 cos(theta) = 1: the third rail has 60 deg, not the 65 deg of Table 2"},
-           {"the authors' published simulation (MercuryDPM, Drivers/Papers/SlidingRollingTorsion)",
-            display::none,
-            {},
-            {},
-            "has R = 10 um, a linear spring, mu_ro = 0.00103, mu_to = 0.005, nu = 0.17 for silicon, and no "
-            "partial slip: it does not give the figures"}}};
+  return {
+      "Signs and labels of equations (sec. 3.1, 3.2, 4.6, 4.8)",
+      {remark_alone(
+           "elastic force of sliding, rolling and torsion",
+           "printed f_el = +k delta, which would drive the motion; 'act against' and df/dx = -k of the loop "
+           "need -k delta"),
+       remark_alone(
+           "normal relative velocity",
+           "printed v.n = d delta/dt; with n from contact to particle and delta = R - r it is -d delta/dt, "
+           "as the dissipative force has it"),
+       remark_alone("after eq:torques1b", "printed f_i^l = -f_i^s; it is -f_s^l"),
+       remark_alone("before eq:muto", "cites eq:barlaro; it uses eq:barmuro"),
+       remark_alone("caption of fig. rail", "printed lambda = r_s^to; it is r_s"),
+       remark_alone("Table 2, torsion friction",
+                    "printed mu_i^to; it is mu_s^to, as the indenter has no torsion"),
+       remark_alone("assumption before eq:muto2, 'for 60 deg it can be proven'",
+                    "it holds where 2 cos(theta) = 1: the third rail has 60 deg, not the 65 deg of Table 2"),
+       remark_alone(
+           "the authors' published simulation (MercuryDPM, Drivers/Papers/SlidingRollingTorsion)",
+           "has R = 10 um, a linear spring, mu_ro = 0.00103, mu_to = 0.005, nu = 0.17 for silicon, and no "
+           "partial slip: it does not give the figures")}};
 }
 
 }  // namespace asperity

@@ -24,7 +24,7 @@ PaperSection rail_section(const Published& p) {
     const std::string of = whole_degrees(rail.angle.value) + ": ";
     const Uncertain rolling = at_rail(laws.printed_rolling, laws.rolling, rail.rms);
     const Uncertain offset = at_rail(laws.printed_offset, laws.offset, rail.rms);
-    rows.push_back({of + "mu_ro at the rail's roughness, eq:murofit", display::none, {}, rolling});
+    rows.push_back(not_printed(of + "mu_ro at the rail's roughness, eq:murofit", display::none, rolling));
     const auto friction = [](const std::vector<double>& x) {
       return rail_friction(x[0], {x[1], x[2], 0, 0});
     };
@@ -55,12 +55,9 @@ PaperSection rail_section(const Published& p) {
       return torsion_offset_from_rail(x[0], x[4], rail.offset.value, {x[1], x[2], x[3], 0});
     };
     const Uncertain implied = propagate(h_to, {rail.angle, rolling, torsion, offset, rail.friction});
-    rows.push_back(
-        {of + "h_to that h_rail asks for",
-         display::uN,
-         {},
-         implied,
-         implied.value < 0 ? "a negative offset has no meaning: the paper's 'cannot be defined'" : ""});
+    rows.push_back(not_printed(
+        of + "h_to that h_rail asks for", display::uN, implied,
+        implied.value < 0 ? "a negative offset has no meaning: the paper's 'cannot be defined'" : ""));
   }
   const double count = static_cast<double>(inverted.size());
   Uncertain mean{0, 0};

@@ -16,8 +16,10 @@ PaperSection series_section(const Published& p, const std::vector<FrictionPoint>
   const auto add = [&](const std::string& scale, const FrictionFit& fit) {
     const std::string remark =
         printed("correlation of both %.2f, reduced chi2 %.2f", fit.correlation, fit.chi2_reduced);
-    section.numbers.push_back({"rolling friction, lambda = " + scale, display::none, {}, fit.coefficient});
-    section.numbers.push_back({"rolling offset, lambda = " + scale, display::uN, {}, fit.offset, remark});
+    section.numbers.push_back(
+        not_printed("rolling friction, lambda = " + scale, display::none, fit.coefficient));
+    section.numbers.push_back(
+        not_printed("rolling offset, lambda = " + scale, display::uN, fit.offset, remark));
   };
   add("r", with_r);
   add("a", with_a);
@@ -59,12 +61,10 @@ PaperSection rolling_section(const Published& p) {
       const Uncertain ratio =
           propagate([&](const auto& x) { return x[0] * a_over_r * (load + x[1]) / (x[2] * (load + x[3])); },
                     {s.rolling_a, s.rolling_a_offset, s.rolling_r, s.rolling_r_offset});
-      rows.push_back(
-          {printed("%s: force with lambda = a over that with r, %g mN", s.name.c_str(), load * 1e3),
-           display::none,
-           {},
-           ratio,
-           load < 1e-3 ? "both fit the same data; the sd takes their parameters as independent" : ""});
+      rows.push_back(not_printed(
+          printed("%s: force with lambda = a over that with r, %g mN", s.name.c_str(), load * 1e3),
+          display::none, ratio,
+          load < 1e-3 ? "both fit the same data; the sd takes their parameters as independent" : ""));
     }
   return section;
 }

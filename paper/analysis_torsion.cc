@@ -21,10 +21,8 @@ void add_length_scales(std::vector<PaperNumber>& rows, const Published& p) {
                     f == 1e-4 ? "the two scalings are not equivalent over the measured loads" : ""});
   }
   const double equal_a = with_r.value / with_a.value * R;  // f = (4/3) E* a^3/R
-  rows.push_back({"load at which both scalings agree",
-                  display::mN,
-                  {},
-                  Uncertain{4.0 / 3 * hertz.reduced_modulus * equal_a * equal_a * equal_a / R}});
+  rows.push_back(not_printed("load at which both scalings agree", display::mN,
+                             Uncertain{4.0 / 3 * hertz.reduced_modulus * equal_a * equal_a * equal_a / R}));
 }
 
 /// The torsion force of eq:muto2 from the published lines, all rails together, fitted with both length
@@ -113,23 +111,15 @@ void add_torsion_stiffness(std::vector<PaperNumber>& rows, const Published& p) {
                k = 8 * sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
   const double no_slip =
       no_slip_torsion_stiffness(torsion_modulus(p.particle().elasticity, p.body("silicon").elasticity), a);
-  rows.push_back({"k_to = 8 G* a with the lever r", display::Nm_per_rad, {}, Uncertain{k * R * R}});
-  rows.push_back({"no-slip torsion (16/3) G a^3",
-                  display::Nm_per_rad,
-                  {},
-                  Uncertain{no_slip},
-                  "1/G = 1/G1 + 1/G2 (Mindlin 1949; Reissner and Sagoci 1944)"});
-  rows.push_back({"ratio of both",
-                  display::none,
-                  {},
-                  Uncertain{k * R * R / no_slip},
-                  "a choice of the simulation: finite elements are not to be compared with it"});
+  rows.push_back(not_printed("k_to = 8 G* a with the lever r", display::Nm_per_rad, Uncertain{k * R * R}));
+  rows.push_back(not_printed("no-slip torsion (16/3) G a^3", display::Nm_per_rad, Uncertain{no_slip},
+                             "1/G = 1/G1 + 1/G2 (Mindlin 1949; Reissner and Sagoci 1944)"));
+  rows.push_back(not_printed("ratio of both", display::none, Uncertain{k * R * R / no_slip},
+                             "a choice of the simulation: finite elements are not to be compared with it"));
   rows.push_back(
-      {"k_to = 8 G* a with lambda = a and lever r", display::Nm_per_rad, {}, Uncertain{k * a * R}});
-  rows.push_back({"k_to = 8 G* a with lambda = a, over no-slip torsion",
-                  display::none,
-                  {},
-                  Uncertain{k * a * R / no_slip}});
+      not_printed("k_to = 8 G* a with lambda = a and lever r", display::Nm_per_rad, Uncertain{k * a * R}));
+  rows.push_back(not_printed("k_to = 8 G* a with lambda = a, over no-slip torsion", display::none,
+                             Uncertain{k * a * R / no_slip}));
 }
 
 }  // namespace

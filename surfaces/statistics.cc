@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "surfaces/autocorrelation.h"
 
 namespace asperity {
@@ -112,21 +112,18 @@ GaussianTest gaussian_test(const Topography& map) {
       std::pow(moments.Ssk / test.skewness_error, 2) + std::pow((moments.Sku - 3) / test.kurtosis_error, 2);
   test.p_value = std::exp(-chi_squared / 2);
 
-  char text[256];
   if (!(test.independent_samples >= fewest_samples)) {  // also NaN, of a flat map
     test.verdict = GaussianTest::Verdict::too_few_samples;
-    std::snprintf(text, sizeof text,
-                  "cannot be judged: only about %.0f independent heights (a larger scan is needed)",
-                  std::isfinite(test.independent_samples) ? test.independent_samples : 0.0);
+    test.sentence = printed("cannot be judged: only about %.0f independent heights (a larger scan is needed)",
+                            std::isfinite(test.independent_samples) ? test.independent_samples : 0.0);
   } else {
     const bool rejected = test.p_value < significance;
     test.verdict = rejected ? GaussianTest::Verdict::not_gaussian : GaussianTest::Verdict::consistent;
-    std::snprintf(text, sizeof text,
-                  "%s: skewness %.2f ± %.2f, kurtosis %.2f ± %.2f (p = %.2g, about %.0f independent heights)",
-                  rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error,
-                  moments.Sku, test.kurtosis_error, test.p_value, test.independent_samples);
+    test.sentence =
+        printed("%s: skewness %.2f ± %.2f, kurtosis %.2f ± %.2f (p = %.2g, about %.0f independent heights)",
+                rejected ? "not Gaussian" : "consistent with Gaussian", moments.Ssk, test.skewness_error,
+                moments.Sku, test.kurtosis_error, test.p_value, test.independent_samples);
   }
-  test.sentence = text;
   return test;
 }
 

@@ -1,12 +1,12 @@
 #include "surfaces/surface_report.h"
 
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
 #include "core/csv.h"
 #include "core/error.h"
+#include "core/printed.h"
 #include "core/quantity.h"
 
 namespace asperity {
@@ -110,11 +110,7 @@ std::string to_text(const SurfaceMeasurement& measurement) {
       {"heights are", measurement.gaussian.sentence},
       {"spectrum", measurement.fit ? measurement.fit->sentence() : "too few or too flat points for a fit"}};
   std::string text;
-  for (const auto& [name, value] : lines) {
-    char label[32];
-    std::snprintf(label, sizeof label, "%-20s ", name.c_str());
-    text += label + value + "\n";
-  }
+  for (const auto& [name, value] : lines) text += printed("%-20s ", name.c_str()) + value + "\n";
   return text;
 }
 

@@ -7,15 +7,10 @@
 #include "core/joined.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
+#include "core/text_pieces.h"
 
 namespace asperity {
 namespace {
-
-std::string without_blanks_around(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// Of quantities that have one unit alone, none: plain numbers.
 Dimension dimension_of(const std::string& unit) {
@@ -39,15 +34,14 @@ WrittenLaw parse_law(const std::string& text) {
   std::istringstream parts(text);
   std::string part;
   std::getline(parts, part, ',');
-  WrittenLaw law{reduced_law(without_blanks_around(part)), {}};
+  WrittenLaw law{reduced_law(trimmed(part)), {}};
   while (std::getline(parts, part, ',')) {
     const auto equals = part.find('=');
     if (equals == std::string::npos)
-      throw InputError("in '" + text + "' the part '" + without_blanks_around(part) +
-                       "' is not 'parameter = value'");
-    const std::string name = without_blanks_around(part.substr(0, equals));
+      throw InputError("in '" + text + "' the part '" + trimmed(part) + "' is not 'parameter = value'");
+    const std::string name = trimmed(part.substr(0, equals));
     const LawParameter& parameter = law_parameter(law.description, name);
-    law.values[name] = value_of(parameter, without_blanks_around(part.substr(equals + 1)));
+    law.values[name] = value_of(parameter, trimmed(part.substr(equals + 1)));
   }
   return law;
 }

@@ -6,22 +6,11 @@
 // contacts has been measured softer and load-dependent. No rate effect (see viscous.h). SI units.
 #pragma once
 
-#include <algorithm>
-
 #include "dem_compare/laws/rotation_fields.h"
 
 namespace asperity {
 
-struct RollingResistance {
-  double coefficient = 0;     ///< mu [-]
-  double adhesion_force = 0;  ///< h [N]
-  LengthScale length = LengthScale::particle_radius;
-  RotationalStiffness stiffness{};
-
-  double limit(const NormalState& normal, double lever) const {
-    return std::max(0.0, coefficient * length_of(length, normal, lever) * (normal.force + adhesion_force));
-  }
-};
+using RollingResistance = RotationResistance;
 
 inline const LawEntry<RollingResistance, RollingMode> rolling_resistance_entry{
     {"rolling_resistance", "d M = K d phi, |M| <= mu lambda (f_n + h), lambda = r or a",

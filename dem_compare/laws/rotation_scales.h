@@ -2,6 +2,8 @@
 // sec. 3.2). SI units.
 #pragma once
 
+#include <algorithm>
+
 #include "core/length_scale.h"
 #include "dem_compare/laws/normal_state.h"
 #include "dem_compare/laws/spring_slider.h"
@@ -40,6 +42,20 @@ struct RotationalStiffness {
         break;
     }
     return value;
+  }
+};
+
+/// A spring with a slider (Luding 2008; Fuchs, Weinhart et al. 2014, eqs. yield):
+///   d M = K d phi,   |M| <= mu lambda (f_n + h),   lambda = r or a.
+struct RotationResistance {
+  double coefficient = 0;     ///< mu [-]
+  double adhesion_force = 0;  ///< h [N]
+  LengthScale length = LengthScale::particle_radius;
+  RotationalStiffness stiffness{};
+
+  /// Largest moment [N m]; lever [m].
+  double limit(const NormalState& normal, double lever) const {
+    return std::max(0.0, coefficient * length_of(length, normal, lever) * (normal.force + adhesion_force));
   }
 };
 

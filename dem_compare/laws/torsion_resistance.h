@@ -6,26 +6,11 @@
 // takes from the lateral friction (Farkas et al. 2003) are left out. SI units.
 #pragma once
 
-#include <algorithm>
-
 #include "dem_compare/laws/rotation_fields.h"
 
 namespace asperity {
 
-struct TorsionResistance {
-  double coefficient = 0;     ///< mu [-]
-  double adhesion_force = 0;  ///< h [N]
-  LengthScale length = LengthScale::particle_radius;
-  RotationalStiffness stiffness{};
-
-  double limit(const NormalState& normal, double lever) const {
-    return std::max(0.0, coefficient * length_of(length, normal, lever) * (normal.force + adhesion_force));
-  }
-  TorsionHistory advance(const TorsionHistory& before, const NormalState& normal, double lever,
-                         double increment) const {
-    return {advance_spring<TorsionResistance, double>(*this, before, normal, lever, increment), 0, {}};
-  }
-};
+using TorsionResistance = RotationResistance;
 
 inline const LawEntry<TorsionResistance, TorsionMode> torsion_resistance_entry{
     {"torsion_resistance", "d M = K d theta, |M| <= mu lambda (f_n + h), lambda = r or a",

@@ -40,10 +40,4 @@ inline RelativeVelocity relative_velocity(const BodyVelocity& particle, const Bo
   return {-v.dot(normal), v - v.dot(normal) * normal, w - w.dot(normal) * normal, w.dot(normal)};
 }
 
-/// Rolling as the velocity at which the contact travels over the particle's surface [m/s].
-inline Eigen::Vector3d rolling_velocity(const RelativeVelocity& motion, double lever,
-                                        const Eigen::Vector3d& normal) {
-  return lever * motion.rolling.cross(normal);
-}
-
 }  // namespace asperity

@@ -28,9 +28,9 @@ struct EffectDescription {
   EffectKind kind = EffectKind::contact;
   std::vector<Motion> modes;
   /// Parameters of the simulation that have no meaning any more with this effect.
-  std::vector<std::string> replaces;
+  std::vector<std::string> replaces{};
   /// Parts of the mechanics that only one effect can hold at once.
-  std::vector<std::string> slots;
+  std::vector<std::string> slots{};
   /// Effects are put together in this order: geometry, laws, what stands around them.
   int order = 2;
   /// False where the response jumps as a parameter moves (a snap of the contact, an event of slip, comes a

@@ -1,6 +1,6 @@
 // docs/effects.md from the catalogue itself.
-#include <cstdio>
 
+#include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -30,11 +30,7 @@ Experiment example(Motion mode) {
   return e;
 }
 
-std::string plain(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string plain(double value) { return printed("%.3g", value); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/joined.h"
 #include "core/json_text.h"
+#include "core/printed.h"
 #include "diagnosis/diagnose.h"
 
 namespace asperity {
@@ -78,8 +79,7 @@ std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
         write_file_atomically(
             folder / score_file,
             Json{{"program", options.program}, {"score", score_json(scores[i])}}.dump(1) + "\n");
-      char head[64];
-      std::snprintf(head, sizeof head, "%3zu/%zu %5.1f s  ", ++done, items.size(), scores[i].seconds);
+      const std::string head = printed("%3zu/%zu %5.1f s  ", ++done, items.size(), scores[i].seconds);
       const std::lock_guard<std::mutex> lock(talking);
       if (options.progress)
         options.progress(head + items[i].name + ": " + scores[i].verdict + ", " +

@@ -1,7 +1,8 @@
 #include "diagnosis/challenge/challenge_matrix.h"
 
-#include <cstdio>
 #include <filesystem>
+
+#include "core/printed.h"
 
 namespace asperity {
 namespace {
@@ -118,9 +119,7 @@ class Matrix {
     item.family = family;
     // Seeds follow each other, so that parameters, kinds of noise and experiments differ from item to item.
     item.options = {mode, effects, noise, seed_ + static_cast<unsigned>(items_.size()) + 1, setting};
-    char number[16];
-    std::snprintf(number, sizeof number, "%03zu", items_.size() + 1);
-    item.name = number + ("-" + family) + "-" + name_of(mode);
+    item.name = printed("%03zu", items_.size() + 1) + "-" + family + "-" + name_of(mode);
     for (const auto& effect : effects) item.name += "-" + effect;
     items_.push_back(item);
   }

@@ -1,13 +1,13 @@
 // The challenge's result as Markdown and JSON.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <numeric>
 #include <set>
 
 #include "core/joined.h"
+#include "core/printed.h"
 #include "diagnosis/challenge/challenge.h"
 
 namespace asperity {
@@ -34,16 +34,11 @@ Condition family(const std::string& name) {
 bool is_right(const ChallengeScore& score) { return score.is_right(); }
 
 std::string percent(const Rate& rate) {
-  char text[48];
-  if (!rate.all) return "– (0)";
-  std::snprintf(text, sizeof text, "%.1f %% (%d of %d)", 100 * rate.value(), rate.hits, rate.all);
-  return text;
+  return rate.all ? printed("%.1f %% (%d of %d)", 100 * rate.value(), rate.hits, rate.all) : "– (0)";
 }
 
 std::string number(double value, const char* format = "%.3g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return std::isfinite(value) ? text : "–";
+  return std::isfinite(value) ? printed(format, value) : "–";
 }
 
 double quantile(std::vector<double> values, double share) {

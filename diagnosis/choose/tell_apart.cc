@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/printed.h"
 
 namespace asperity {
 namespace {
@@ -181,11 +182,9 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
     for (const double degrees : {0.0, 70.0}) {
       Sample s = row;
       s.rail_angle = degrees * boost::math::double_constants::degree;
-      char words[80];
-      std::snprintf(words, sizeof words,
-                    degrees == 0 ? "measure on a plane substrate" : "measure in a rail of %.0f degrees",
-                    degrees);
-      list.push_back({words, one_row(s)});
+      list.push_back({degrees == 0 ? "measure on a plane substrate"
+                                   : printed("measure in a rail of %.0f degrees", degrees),
+                      one_row(s)});
     }
   if (e.mode == Motion::sliding || e.mode == Motion::rolling) {
     Sample s = row;
@@ -228,19 +227,15 @@ std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFi
     const double found = difference(one, other, proposal.samples) / noise;
     if (found > largest) largest = found, best = &proposal;
   }
-  char text[256];
-  if (!best || largest < std::max(1.0, 1.5 * here)) {
-    std::snprintf(text, sizeof text,
-                  "no change of load, path, speed, radius or roughness within reach separates the two by "
-                  "more than %.1f times the noise; repeat the "
-                  "measurement without the sample, or with another instrument",
-                  std::max(largest, here));
-    return text;
-  }
-  std::snprintf(text, sizeof text,
-                ": there the two differ by up to %.0f times the noise of a sample, in these data by %.1f",
-                largest, here);
-  return best->words + text;
+  if (!best || largest < std::max(1.0, 1.5 * here))
+    return printed(
+        "no change of load, path, speed, radius or roughness within reach separates the two by "
+        "more than %.1f times the noise; repeat the "
+        "measurement without the sample, or with another instrument",
+        std::max(largest, here));
+  return best->words +
+         printed(": there the two differ by up to %.0f times the noise of a sample, in these data by %.1f",
+                 largest, here);
 }
 
 }  // namespace asperity

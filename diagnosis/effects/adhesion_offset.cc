@@ -14,10 +14,7 @@ class AdhesionOffset : public Effect {
         "Derjaguin 1934; Fuchs, Weinhart et al. 2014, eq. (yield1)",
         "Friction does not vanish with the load: attraction acts like an additional normal force.",
         EffectKind::contact,
-        {Motion::sliding, Motion::torsion},
-        {},
-        {},
-        2};
+        {Motion::sliding, Motion::torsion}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

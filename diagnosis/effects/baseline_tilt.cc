@@ -15,10 +15,7 @@ class BaselineTilt : public Effect {
                                      "interference) adds a force in proportion to displacement; it is "
                                      "there without the sample too, and must not be taken for attraction.",
                                      EffectKind::instrument,
-                                     {Motion::normal},
-                                     {},
-                                     {},
-                                     2};
+                                     {Motion::normal}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -14,10 +14,7 @@ class ContactPointOffset : public Effect {
                                      "Zero displacement was set before or after the surfaces touched; the "
                                      "whole curve is shifted along its displacement.",
                                      EffectKind::instrument,
-                                     {Motion::normal},
-                                     {},
-                                     {},
-                                     2};
+                                     {Motion::normal}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

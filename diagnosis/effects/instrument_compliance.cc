@@ -16,10 +16,7 @@ class InstrumentCompliance : public Effect {
         "proportion to the load, so that part of the "
         "recorded displacement never reaches the contact.",
         EffectKind::instrument,
-        {Motion::normal},
-        {},
-        {},
-        2};
+        {Motion::normal}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -17,10 +17,7 @@ class LateralCompliance : public Effect {
         "reversal the force turns more slowly than the contact's "
         "own stiffness would let it.",
         EffectKind::instrument,
-        {Motion::sliding, Motion::rolling, Motion::rail},
-        {},
-        {},
-        2};
+        {Motion::sliding, Motion::rolling, Motion::rail}};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

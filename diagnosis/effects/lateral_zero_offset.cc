@@ -14,10 +14,7 @@ class LateralZeroOffset : public Effect {
         "Ogletree, Carpick & Salmeron 1996, sec. II",
         "The sensor's zero is off by a constant, whatever the load or the direction of motion.",
         EffectKind::instrument,
-        {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion},
-        {},
-        {},
-        2};
+        {Motion::sliding, Motion::rolling, Motion::rail, Motion::torsion}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

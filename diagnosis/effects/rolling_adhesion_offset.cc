@@ -14,10 +14,7 @@ class RollingAdhesionOffset : public Effect {
         "Fuchs, Weinhart et al. 2014, eq. (fs1); Dominik & Tielens 1995",
         "Rolling costs a force without a load: attraction holds the rear edge of the contact.",
         EffectKind::contact,
-        {Motion::rolling, Motion::rail},
-        {},
-        {},
-        2};
+        {Motion::rolling, Motion::rail}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -21,10 +21,7 @@ class RoughnessCompliance : public Effect {
         "Asperities are pressed flat before the bulk bears: the contact is soft at low load and approaches "
         "the smooth one at high load.",
         EffectKind::contact,
-        {Motion::normal},
-        {},
-        {},
-        2};
+        {Motion::normal}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -17,10 +17,7 @@ class StaticFrictionPeak : public Effect {
                                      "To set the contact in motion takes more than to keep it moving; the "
                                      "excess fades over a slip length.",
                                      EffectKind::contact,
-                                     {Motion::sliding, Motion::rolling, Motion::rail},
-                                     {},
-                                     {},
-                                     2};
+                                     {Motion::sliding, Motion::rolling, Motion::rail}};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

@@ -16,10 +16,7 @@ class SurfaceTilt : public Effect {
                                      "A part of the normal load points along the tilted surface; it keeps "
                                      "its sign when the motion reverses, and grows with load.",
                                      EffectKind::instrument,
-                                     {Motion::sliding, Motion::rolling},
-                                     {},
-                                     {},
-                                     2};
+                                     {Motion::sliding, Motion::rolling}};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_both_directions; }

@@ -15,10 +15,7 @@ class ThermalDrift : public Effect {
                                      "Instrument or sample expand at a steady rate, so that displacement "
                                      "grows with time whether or not the load changes.",
                                      EffectKind::instrument,
-                                     {Motion::normal},
-                                     {},
-                                     {},
-                                     2};
+                                     {Motion::normal}};
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_time && e.has_trace; }

@@ -17,9 +17,7 @@ class TorsionResistance : public Effect {
                                      "slopes; the spin is resisted too, the more the steeper they are.",
                                      EffectKind::contact,
                                      {Motion::rail},
-                                     {"torsion_friction"},
-                                     {},
-                                     2};
+                                     {"torsion_friction"}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

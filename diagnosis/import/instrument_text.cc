@@ -8,8 +8,8 @@
 #include "core/joined.h"
 #include "core/read_limits.h"
 #include "core/utf8.h"
+#include "diagnosis/recording/cell_text.h"
 #include "diagnosis/recording/file_size.h"
-#include "diagnosis/recording/trimmed.h"
 
 namespace asperity {
 
@@ -50,8 +50,8 @@ std::optional<std::size_t> InstrumentText::line_with(const std::string& start, s
 std::optional<double> InstrumentText::number_behind(const std::string& key) const {
   const auto line = line_with(key);
   if (!line) return std::nullopt;
-  std::string rest = trimmed(lines[*line].substr(key.size()));
-  if (!rest.empty() && (rest[0] == ':' || rest[0] == '=')) rest = trimmed(rest.substr(1));
+  std::string rest = cell_text(lines[*line].substr(key.size()));
+  if (!rest.empty() && (rest[0] == ':' || rest[0] == '=')) rest = cell_text(rest.substr(1));
   return number_in(rest.substr(0, rest.find_first_of(" \t")));
 }
 
@@ -62,7 +62,7 @@ std::vector<std::string> cells_of_line(const std::string& line) {
   std::vector<std::string> cells;
   for (std::size_t from = 0;;) {
     const auto at = line.find(separator, from);
-    cells.push_back(trimmed(line.substr(from, at == std::string::npos ? at : at - from)));
+    cells.push_back(cell_text(line.substr(from, at == std::string::npos ? at : at - from)));
     if (at == std::string::npos) break;
     from = at + 1;
   }
@@ -86,7 +86,7 @@ std::string bracketed(const std::string& name) {
   if (name.empty()) return "";
   const char close = name.back(), open = close == ')' ? '(' : close == ']' ? '[' : '\0';
   const auto at = open ? name.rfind(open) : std::string::npos;
-  return at == std::string::npos ? "" : trimmed(name.substr(at + 1, name.size() - at - 2));
+  return at == std::string::npos ? "" : cell_text(name.substr(at + 1, name.size() - at - 2));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "core/joined.h"
 #include "diagnosis/import/segments.h"
 #include "diagnosis/import/text_formats.h"
-#include "diagnosis/recording/trimmed.h"
+#include "diagnosis/recording/cell_text.h"
 
 namespace asperity {
 namespace {
@@ -23,15 +23,15 @@ MappedColumn parsed(const std::string& entry) {
   const auto equals = entry.find('=');
   const std::string refusal = "the column map '" + entry + "' is not of the form \"channel [unit] = column\"";
   if (equals == std::string::npos) throw InputError(refusal);
-  std::string left = trimmed(entry.substr(0, equals));
+  std::string left = cell_text(entry.substr(0, equals));
   MappedColumn mapped;
-  mapped.expression = trimmed(entry.substr(equals + 1));
+  mapped.expression = cell_text(entry.substr(equals + 1));
   const auto bracket = left.find('[');
   if (bracket != std::string::npos) {
     const auto end = left.find(']', bracket);
     if (end == std::string::npos) throw InputError(refusal);
-    mapped.unit = trimmed(left.substr(bracket + 1, end - bracket - 1));
-    left = trimmed(left.substr(0, bracket));
+    mapped.unit = cell_text(left.substr(bracket + 1, end - bracket - 1));
+    left = cell_text(left.substr(0, bracket));
   }
   const auto colon = left.find(':');
   if (colon != std::string::npos) {
@@ -53,7 +53,7 @@ std::vector<double> evaluated(const std::string& expression, const InstrumentTab
   std::vector<double> values(source.rows(), 1.0);
   for (std::size_t from = 0; from <= expression.size();) {
     const auto star = std::min(expression.find('*', from), expression.size());
-    const std::string factor = trimmed(expression.substr(from, star - from));
+    const std::string factor = cell_text(expression.substr(from, star - from));
     from = star + 1;
     const auto number = number_in(factor);
     if (number && !source.find(factor)) {

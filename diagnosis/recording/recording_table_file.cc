@@ -8,8 +8,8 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/read_limits.h"
+#include "diagnosis/recording/cell_text.h"
 #include "diagnosis/recording/file_size.h"
-#include "diagnosis/recording/trimmed.h"
 
 namespace asperity {
 namespace {
@@ -23,7 +23,7 @@ std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells;
   for (std::size_t from = 0;;) {
     const auto comma = line.find(',', from);
-    cells.push_back(trimmed(line.substr(from, comma == std::string_view::npos ? comma : comma - from)));
+    cells.push_back(cell_text(line.substr(from, comma == std::string_view::npos ? comma : comma - from)));
     if (comma == std::string_view::npos) return cells;
     from = comma + 1;
   }
@@ -32,14 +32,14 @@ std::vector<std::string> cells_of(std::string_view line) {
 /// "normal_force [uN]" -> channel and factor.
 Column column_of(const std::string& head) {
   const auto bracket = head.find('[');
-  Column column{trimmed(head.substr(0, bracket)), 1};
+  Column column{cell_text(head.substr(0, bracket)), 1};
   if (column.channel == "segment") return column;
   const Dimension dimension = dimension_of_channel(column.channel);
   if (bracket == std::string::npos) return column;
   const auto end = head.find(']', bracket);
   if (end == std::string::npos)
     throw InputError("column '" + head + "' lacks the closing bracket of its unit");
-  const std::string unit = trimmed(head.substr(bracket + 1, end - bracket - 1));
+  const std::string unit = cell_text(head.substr(bracket + 1, end - bracket - 1));
   const bool is_plain = dimension == Dimension::none && (unit == "-" || unit == "–");
   try {
     if (!is_plain) column.factor = unit_factor(unit, dimension);
@@ -86,7 +86,7 @@ void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
     const std::string_view line(text.data() + from, end - from);
     from = end + 1;
     ++number;
-    if (trimmed(line).empty() || line.front() == '#') continue;
+    if (cell_text(line).empty() || line.front() == '#') continue;
     try {
       if (line.size() > read_limits::longest_line)
         throw InputError("this line is longer than " + std::to_string(read_limits::longest_line) +

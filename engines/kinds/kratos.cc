@@ -6,7 +6,6 @@
 #include "core/printable.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
-#include "engines/text_number.h"
 
 namespace asperity {
 namespace {
@@ -39,9 +38,7 @@ std::string kratos_input(InputNotes& notes) {
     notes.cannot(
         "torsion: the rolling torque acts along the whole angular velocity, spin included, with rolling's "
         "coefficient");
-  if (p.pull_off_force)
-    notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) +
-                 " N: needs the DMT or JKR law of its own; left out");
+  notes.leaves_out_pull_off("needs the DMT or JKR law of its own");
   relation["DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME"] = "DEM_D_Hertz_viscous_Coulomb";
   const std::string particle = notes.particle_name(), target = notes.target_name();
   nlohmann::ordered_json json;

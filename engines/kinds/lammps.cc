@@ -92,10 +92,8 @@ std::string Lammps::contact_input(InputNotes& notes) const {
     notes.meaning("twisting sds k", contact.torsion_stiffness, "N m/rad", "K_to, torque k times angle");
     notes.meaning("twisting sds mu", contact.torsion, "m", "C_to, |M| <= mu F: a length");
   }
-  if (notes.record().pull_off_force)
-    notes.cannot("pull-off force h_n = " + text_number(notes.record().pull_off_force->value) +
-                 " N: dmt and jkr would add twice of it to the limits of all modes, and walls lose that of "
-                 "dmt up to 2024; left out");
+  notes.leaves_out_pull_off(
+      "dmt and jkr would add twice of it to the limits of all modes, and walls lose that of dmt up to 2024");
   notes.meaning("normal damping", 0, "1/(m s)",
                 "not in the record; choose it, half of critical is g = (k_n/m)^(1/2)/a");
   // Without "rescale", a lateral force that is held while the contact unloads adds to the energy of a

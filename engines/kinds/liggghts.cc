@@ -20,9 +20,7 @@ void name_what_is_left_out(InputNotes& notes) {
     notes.cannot(
         "torsion limit and stiffness: there is no torsion beside 'luding', which takes rolling's coefficient "
         "and history for it; -100.0 % at every load");
-  if (notes.record().pull_off_force)
-    notes.cannot("pull-off force h_n = " + text_number(notes.record().pull_off_force->value) +
-                 " N: cohesion sjkr is an area law of its own; left out");
+  notes.leaves_out_pull_off("cohesion sjkr is an area law of its own");
   notes.cannot(
       "relaxation of the lateral spring as a contact unloads: without damping, a spinning impact gains up to "
       "a tenth of its lateral energy; keep coefficientRestitution at 0.9 or below");

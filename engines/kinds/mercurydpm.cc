@@ -35,10 +35,9 @@ std::string mercurydpm_input(InputNotes& notes) {
         "every step and never "
         "unloads; check yours");
   }
-  if (p.pull_off_force)
-    notes.cannot("pull-off force h_n = " + text_number(p.pull_off_force->value) +
-                 " N: a ReversibleAdhesive species takes it by setAdhesionForceMax, and then adds it to the "
-                 "limits of all modes; left out");
+  notes.leaves_out_pull_off(
+      "a ReversibleAdhesive species takes it by setAdhesionForceMax, and then adds it to the limits of all "
+      "modes");
   std::string text = notes.text(cplusplus_comment) + R"(
 #include <Species/HertzianViscoelasticMindlinRollingTorsionSpecies.h>
 

@@ -21,10 +21,8 @@ std::string musen_input(InputNotes& notes) {
     notes.cannot("rolling stiffness: the torque has no spring");
   }
   if (notes.has_torsion()) notes.cannot("torsion: merged with rolling, the same coefficient holds for spin");
-  if (p.pull_off_force)
-    notes.cannot(
-        "pull-off force h_n = " + text_number(p.pull_off_force->value) +
-        " N: the model Popov-JKR makes it 1.5 pi gamma R_e with gamma the full work of adhesion; left out");
+  notes.leaves_out_pull_off(
+      "the model Popov-JKR makes it 1.5 pi gamma R_e with gamma the full work of adhesion");
   std::string text = notes.text(plain_comment) + "\n# Materials editor, compounds\n";
   for (int i = 0; i < 2; ++i)
     text += printable(i == 0 ? notes.particle_name() : notes.target_name()) + ": Young modulus [Pa] " +

@@ -215,10 +215,7 @@ std::string Yade::contact_input(InputNotes& notes) const {
     notes.meaning("twist_limit", contact.twist, "m",
                   "C_to, |M| <= twist_limit F: MindlinPhys has no such limit, asperity_step() lays it on");
   }
-  if (notes.record().pull_off_force)
-    notes.cannot(
-        "pull-off force h_n = " + text_number(notes.record().pull_off_force->value) +
-        " N: includeAdhesion (DMT, 4 pi gamma R_e) would add it to the limits of all modes; left out");
+  notes.leaves_out_pull_off("includeAdhesion (DMT, 4 pi gamma R_e) would add it to the limits of all modes");
   notes.cannot(
       "other radii: kno and kso follow R_e^(1/2) of each contact, kr, ktw, maxBendPl and twist_limit are "
       "those of the R_e above");

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "core/quantity.h"
 #include "fem/cells/vtk_order.h"
 #include "fem/mortar/interface_operator.h"
@@ -110,12 +110,6 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
   return result;
 }
 
-std::string text(const char* pattern, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-
 }  // namespace
 
 std::vector<double> scaled_jacobians(const MeshLevel& level, const Vector<double>& positions) {
@@ -165,8 +159,8 @@ HexMeshQuality hex_mesh_quality(const MeshLevel& level, const Vector<double>& po
 
 std::string missed_roughness_text(const RoughnessFidelity& roughness, const std::string& body) {
   if (roughness.missed_slope_share() < worth_saying_of_slopes) return "";
-  return body + ": facets miss " + text("%.0f %%", 100 * roughness.missed_slope_share()) +
-         " of the slope variance and " + text("%.0f %%", 100 * roughness.missed_height_share()) +
+  return body + ": facets miss " + printed("%.0f %%", 100 * roughness.missed_slope_share()) +
+         " of the slope variance and " + printed("%.0f %%", 100 * roughness.missed_height_share()) +
          " of Sq: pressures read too small (result.json says by how much)";
 }
 
@@ -182,10 +176,10 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
           roughness.missed_height_share() > allowed_missed_height)
         throw InputError(file + ": " + name + "/Topography: between nodes every " +
                          format_quantity(spacing, Dimension::length) + " the mesh misses " +
-                         text("%.0f %%", 100 * roughness.missed_slope_share()) +
+                         printed("%.0f %%", 100 * roughness.missed_slope_share()) +
                          " of the topography's slope variance and " +
-                         text("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " +
-                         text("%g %%", 100 * allowed_missed_slopes) +
+                         printed("%.0f %%", 100 * roughness.missed_height_share()) + " of its Sq (at most " +
+                         printed("%g %%", 100 * allowed_missed_slopes) +
                          " of either is allowed); set Mesh/Interface spacing to a quarter of the "
                          "topography's shortest wave or less, or leave "
                          "out shorter waves with cutoff= in Topography");
@@ -197,13 +191,14 @@ void require_quality(const HexMeshQuality& quality, const meshing::ContactMeshOp
                          format_quantity(roughness.sq_nodes, Dimension::length, 4) +
                          " where the topography has " +
                          format_quantity(roughness.sq_topography, Dimension::length, 4) + " (at most " +
-                         text("%g %%", 100 * allowed_roughness_error) +
+                         printed("%g %%", 100 * allowed_roughness_error) +
                          " apart is allowed); set Mesh/Interface spacing to a quarter of the topography's "
                          "shortest wave or less");
     }
     if (jacobian > smallest_allowed_scaled_jacobian) continue;
-    const std::string found = " the hexahedra to a scaled Jacobian of " + text("%.3f", jacobian) +
-                              " (more than " + text("%g", smallest_allowed_scaled_jacobian) + " is needed); ";
+    const std::string found = " the hexahedra to a scaled Jacobian of " + printed("%.3f", jacobian) +
+                              " (more than " + printed("%g", smallest_allowed_scaled_jacobian) +
+                              " is needed); ";
     if (roughness.smooth() || quality.without_roughness[body] <= smallest_allowed_scaled_jacobian)
       throw InputError(file + ": " + name +
                        ": the transition from fine cells at the contact to the body's border distorts" +

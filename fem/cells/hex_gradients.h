@@ -39,7 +39,8 @@ inline void interpolate_both(std::array<V, 4>& e, Number near, Number far) {
 template <typename V, typename Number>
 inline void reference_gradients(const V* f, std::array<std::array<V, 4>, 3>& g) {
   for (int s = 0; s < 4; ++s) {
-    g[0][s] = f[2 * s + 1] - f[2 * s];
+    const int x = 2 * s;
+    g[0][s] = f[x + 1] - f[x];
     const int y = (s & 1) + 4 * (s >> 1);
     g[1][s] = f[y + 2] - f[y];
     g[2][s] = f[s + 4] - f[s];

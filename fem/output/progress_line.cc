@@ -1,17 +1,12 @@
 #include "fem/output/progress_line.h"
 
-#include <cstdio>
-
+#include "core/printed.h"
 #include "core/quantity.h"
 
 namespace asperity::fem {
 namespace {
 
-std::string moment(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g N m", value);
-  return text;
-}
+std::string moment(double value) { return printed("%.4g N m", value); }
 
 /// Tangential motions and forces.
 std::string motion_of(const HistoryRow& r) {

@@ -1,9 +1,9 @@
 #include "meshing/triangles/export.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "meshing/triangles/surface_files.h"
 #include "meshing/triangles/tetrahedra_files.h"
 
@@ -14,12 +14,6 @@ namespace {
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& known) {
   throw InputError("cannot recognise the format of '" + path.string() +
                    "' from its extension; end the name with " + known);
-}
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
 }
 
 std::string count_of(std::size_t count, const std::string& singular, const std::string& plural) {
@@ -55,8 +49,8 @@ std::string summary(const std::string& name, const TriangleSurface& surface, con
   std::string text = name + " surface: " + count_of(surface.triangles.size(), "triangle", "triangles") +
                      ", " + count_of(surface.points.size(), "point", "points") + ", " +
                      count_of(check.components, "piece", "pieces") + ", area " +
-                     format("%.5g um^2", check.area / um2);
-  if (check.closed()) text += ", volume " + format("%.5g um^3", check.volume / um3);
+                     printed("%.5g um^2", check.area / um2);
+  if (check.closed()) text += ", volume " + printed("%.5g um^3", check.volume / um3);
   text += "\n" + name + " surface: ";
   if (check.bounds_a_body()) return text + "closed, manifold, outward, free of self-intersections\n";
   return text + "not a body: " + check.defects() + "\n";
@@ -66,12 +60,12 @@ std::string summary(const std::string& name, const TetrahedralMesh& mesh, const 
                     double surface_volume) {
   return name + " tetrahedra: " + std::to_string(mesh.tetrahedra.size()) + " with " +
          std::to_string(mesh.points.size()) + " points, their volume " +
-         format("%+.2f %%", 100 * (quality.volume / surface_volume - 1)) + " from the surface's\n" + name +
+         printed("%+.2f %%", 100 * (quality.volume / surface_volume - 1)) + " from the surface's\n" + name +
          " tetrahedra: smallest dihedral angle " +
-         format("%.1f deg", quality.smallest_dihedral_angle * 180 / M_PI) + ", radius ratio " +
-         format("%.2f", quality.smallest_radius_ratio) + " (mean " +
-         format("%.2f", quality.mean_radius_ratio) + "), scaled Jacobian " +
-         format("%.2f", quality.smallest_scaled_jacobian) + "\n";
+         printed("%.1f deg", quality.smallest_dihedral_angle * 180 / M_PI) + ", radius ratio " +
+         printed("%.2f", quality.smallest_radius_ratio) + " (mean " +
+         printed("%.2f", quality.mean_radius_ratio) + "), scaled Jacobian " +
+         printed("%.2f", quality.smallest_scaled_jacobian) + "\n";
 }
 
 }  // namespace asperity::meshing

@@ -4,27 +4,13 @@
 #include <string>
 
 #include "core/atomic_file.h"
+#include "core/base64.h"
 #include "meshing/triangles/binary_text.h"
 #include "meshing/triangles/quality.h"
 
 namespace asperity::meshing {
 
 namespace {
-
-/// Base64 (RFC 4648) of some bytes.
-std::string base64(const std::string& bytes) {
-  static const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t start = 0; start < bytes.size(); start += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - start);
-    std::uint32_t group = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      group = group << 8 | (i < count ? static_cast<unsigned char>(bytes[start + i]) : 0u);
-    for (std::size_t i = 0; i < 4; ++i) text += i <= count ? letters[group >> (18 - 6 * i) & 63u] : '=';
-  }
-  return text;
-}
 
 /// One <DataArray>: the array's length in bytes, then the array, together in base64.
 std::string data_array(const std::string& attributes, const std::string& bytes) {

@@ -114,7 +114,7 @@ std::string table_of(const Rows& rows, double tolerance) {
 }
 
 std::string good_enough(const SideBySide& comparison, const std::string& contact) {
-  Table table{{"simplification", "quantity", "judged by", "good enough"}, {}, true};
+  Table table{{"simplification", "quantity", "judged by", "good enough"}};
   for (const auto& verdict : comparison.verdicts)
     if (verdict.contact == contact)
       table.rows.push_back(
@@ -155,10 +155,9 @@ std::string quantity_block(const Rows& rows, double tolerance) {
 
 Chart quantity_chart(const Rows& rows) {
   const auto& display = display_of(rows.front()->quantity);
-  Chart chart;
-  chart.x_label = "load [µN]";
-  chart.y_label = std::string(display.words) +
-                  (std::string(display.unit).empty() ? "" : std::string(" [") + display.unit + "]");
+  Chart chart{"load [µN]",
+              std::string(display.words) +
+                  (std::string(display.unit).empty() ? "" : std::string(" [") + display.unit + "]")};
   const auto add = [&](Series series, const Source& source,
                        const std::function<bool(const ComparisonRow&)>& belongs) {
     for (const auto* row : rows) {

@@ -19,7 +19,7 @@ std::vector<double> divided(std::vector<double> values, double unit) {
 }
 
 Series hertz_curve(const Hertz& hertz, double largest_approach, const ForceUnit& unit) {
-  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed};
   constexpr int points = 100;
   for (int i = 0; i <= points; ++i) {
     const double approach = largest_approach * i / points;
@@ -67,7 +67,7 @@ std::vector<Series> smoothed(const std::vector<Series>& branches) {
 /// Something of Hertz's as a function of load.
 template <class Value>
 Series hertz_over_load(double largest_force, const ForceUnit& unit, const Value& value) {
-  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed, {}, {}, {}};
+  Series series{"Hertz: smooth, elastic", hertz_colour, Series::Style::dashed};
   constexpr int points = 200;
   for (int i = 1; i <= points; ++i) {
     const double force = largest_force * i / points;
@@ -97,10 +97,7 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
                   is_loading ? (is_first ? loading_colour : reloading_colour) : unloading_colour,
                   !is_first    ? Series::Style::dashed
                   : is_loading ? Series::Style::line_with_points
-                               : Series::Style::dashed_with_points,
-                  {},
-                  {},
-                  {}};
+                               : Series::Style::dashed_with_points};
     for (std::size_t i = branch.first; i <= branch.last; ++i) {
       series.x.push_back(x[i]);
       series.y.push_back(y[i]);
@@ -112,7 +109,7 @@ std::vector<Series> branch_series(const History& history, const std::vector<doub
 
 Series tangent_series(const std::vector<TangentStiffness>& tangents, const ForceUnit& unit,
                       const std::string& label, const std::string& colour, Series::Style style) {
-  Series series{label, colour, style, {}, {}, {}};
+  Series series{label, colour, style};
   for (const auto& tangent : tangents) {
     series.x.push_back(tangent.force / unit.si);
     series.y.push_back(tangent.stiffness / kN_per_m);
@@ -135,9 +132,7 @@ ForceUnit force_unit(double largest_force) {
 Chart load_approach_chart(const SolvedCase& solved) {
   const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
-  Chart chart;
-  chart.x_label = "approach δ of the bodies [nm]";
-  chart.y_label = "normal force F [" + unit.name + "]";
+  Chart chart{"approach δ of the bodies [nm]", "normal force F [" + unit.name + "]"};
   chart.series = smoothed(branch_series(history, divided(history.normal_displacement, nm),
                                         divided(history.normal_force, unit.si)));
   chart.series.push_back(hertz_curve(solved.hertz(), largest_or_zero(history.normal_displacement), unit));
@@ -147,9 +142,7 @@ Chart load_approach_chart(const SolvedCase& solved) {
 Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers) {
   const ForceUnit unit = force_unit(numbers.largest_force);
   const Hertz hertz = solved.hertz();
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = "normal stiffness dF/dδ [kN/m]";
+  Chart chart{"normal force F [" + unit.name + "]", "normal stiffness dF/dδ [kN/m]"};
   chart.series = {
       tangent_series(numbers.loading, unit, "loading", loading_colour, Series::Style::line_with_points),
       tangent_series(numbers.unloading, unit, "unloading", unloading_colour,
@@ -175,9 +168,7 @@ Chart contact_area_chart(const SolvedCase& solved) {
   const History& history = solved.history;
   const ForceUnit unit = force_unit(largest_or_zero(history.normal_force));
   const Hertz hertz = solved.hertz();
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = "real contact area [µm²]";
+  Chart chart{"normal force F [" + unit.name + "]", "real contact area [µm²]"};
   chart.series =
       branch_series(history, divided(history.normal_force, unit.si), divided(history.contact_area, um2));
   chart.series.push_back(hertz_over_load(largest_or_zero(history.normal_force), unit,
@@ -204,9 +195,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
     approach = std::max(approach, largest_or_zero(curve.largest->first().history.normal_displacement));
   }
   const ForceUnit unit = force_unit(force);
-  Chart chart;
-  chart.x_label = "approach δ of the bodies [nm]";
-  chart.y_label = "normal force F [" + unit.name + "]";
+  Chart chart{"approach δ of the bodies [nm]", "normal force F [" + unit.name + "]"};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     bool named = false;
     for (const auto& solved : curves[i].largest->cases) {
@@ -219,7 +208,7 @@ Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
         last = branch.last;
         if (branch.kind == HistoryBranch::Kind::unloading) break;
       }
-      Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line, {}, {}, {}};
+      Series series{named ? "" : curves[i].label, line_colour(i), Series::Style::line};
       for (std::size_t row = 0; row < last; ++row)
         add_between(series, history.normal_displacement[row] / nm, history.normal_force[row] / unit.si,
                     history.normal_displacement[row + 1] / nm, history.normal_force[row + 1] / unit.si);
@@ -239,7 +228,7 @@ std::vector<Series> over_load(const std::vector<StudyCurve>& curves, Estimate Lo
                               double unit, const ForceUnit& force) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points, {}, {}, {}};
+    Series series{curves[i].label, line_colour(i), Series::Style::line_with_points};
     for (const auto& load : curves[i].last().loads) {
       series.x.push_back(load.force / force.si);
       series.y.push_back((load.*value).mean / unit);
@@ -261,9 +250,7 @@ double largest_drawn_force(const std::vector<StudyCurve>& curves) {
 Chart ratio_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison::*ratio,
                   const std::string& label) {
   const ForceUnit unit = force_unit(largest_drawn_force(curves));
-  Chart chart;
-  chart.x_label = "normal force F [" + unit.name + "]";
-  chart.y_label = label;
+  Chart chart{"normal force F [" + unit.name + "]", label};
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
   chart.band_label = printed("Hertz ± %.3g %%", 100 * tolerance);
@@ -277,9 +264,7 @@ Chart value_chart(const std::vector<StudyCurve>& curves, Estimate LoadComparison
                   const std::string& label, const std::function<double(const Hertz&, double force)>& hertz) {
   const double largest = largest_drawn_force(curves);
   const ForceUnit force = force_unit(largest);
-  Chart chart;
-  chart.x_label = "normal force F [" + force.name + "]";
-  chart.y_label = label;
+  Chart chart{"normal force F [" + force.name + "]", label};
   chart.width = 520;
   chart.series = over_load(curves, value, unit, force);
   if (!curves.empty())

@@ -80,9 +80,7 @@ double residual_limit(const ComparedTable& table) {
 std::string response_figure(const ComparedTable& table, bool improved) {
   const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x)),
                     y = display_unit(table.unit, largest_of(table.recorded));
-  Chart chart;
-  chart.x_label = axis_label(table.variable, x);
-  chart.y_label = axis_label(table.channel, y);
+  Chart chart{axis_label(table.variable, x), axis_label(table.channel, y)};
   chart.x_from_zero = chart.y_from_zero = false;
   Series recorded = series_of(table, table.recorded, x.factor, y.factor, is_trace(table));
   recorded.label = "recorded";
@@ -109,15 +107,12 @@ std::string residual_figure(const ComparedTable& table, const std::vector<double
                             const std::vector<MismatchRegion>& regions, const std::string& title,
                             double limit) {
   const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x));
-  Chart chart;
-  chart.x_label = axis_label(table.variable, x);
-  chart.y_label = "(recorded − simulated)/noise";
+  Chart chart{axis_label(table.variable, x), "(recorded − simulated)/noise"};
   chart.x_from_zero = false;
   chart.band_low = -2;
   chart.band_high = 2;
   chart.band_label = "noise (95 %)";
-  Series inside{"", "#b5261e", Series::Style::points, {}, {}, {}},
-      outside{"", "#5b6675", Series::Style::points, {}, {}, {}};
+  Series inside{"", "#b5261e", Series::Style::points}, outside{"", "#5b6675", Series::Style::points};
   const std::size_t stride = std::max<std::size_t>(1, table.x.size() / (most_points / 2));
   for (std::size_t i = 0; i < table.x.size(); i += stride) {
     bool located = false;

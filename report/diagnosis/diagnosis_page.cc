@@ -100,8 +100,7 @@ std::string tiles(const Diagnosis& d) {
 }
 
 std::string region_table(const std::vector<MismatchRegion>& regions) {
-  Table table{
-      {"segment", "where", "from", "to", "mean size [noise]", "p-value", "share of the mismatch"}, {}, true};
+  Table table{{"segment", "where", "from", "to", "mean size [noise]", "p-value", "share of the mismatch"}};
   for (const auto& r : regions)
     table.rows.push_back({escaped(r.segment.empty() ? "all" : r.segment), escaped(channel_words(r.variable)),
                           with_unit(r.from, r.unit), with_unit(r.to, r.unit), number(r.size_in_noise, 2),
@@ -130,7 +129,7 @@ std::string effect_section(const DiagnosedEffect& effect) {
                     "</code><br>Source: " + escaped(effect.source) + "<br>Kind: " + kind_words(effect.kind) +
                     "<br>Probability: " + percent(effect.probability));
   if (effect.parameters.empty()) return body + paragraph("It has no parameter of its own.");
-  Table table{{"parameter", "value", "95 % interval"}, {}, true};
+  Table table{{"parameter", "value", "95 % interval"}};
   for (const auto& p : effect.parameters)
     table.rows.push_back({escaped(channel_words(p.name)), with_unit(p.value, p.unit, 4),
                           with_unit(p.low, p.unit, 4) + " to " + with_unit(p.high, p.unit, 4)});
@@ -152,7 +151,7 @@ std::string left_out_section(const Diagnosis& d) {
 
 std::string better_section(const Diagnosis& d) {
   const bool improved = !d.left_out.empty();
-  Table table{{"", "simulation alone", improved ? "with what was left out" : ""}, {}, true};
+  Table table{{"", "simulation alone", improved ? "with what was left out" : ""}};
   if (!improved) table.head.pop_back();
   const auto row = [&](const std::string& name, const std::string& before, const std::string& after) {
     std::vector<std::string> cells{name, before};
@@ -185,8 +184,7 @@ std::string better_section(const Diagnosis& d) {
 
 std::string alternatives_section(const Diagnosis& d) {
   if (d.alternatives.empty()) return "";
-  Table table{
-      {"explanation", "probability", "chi-square, kept out", "what would tell it from the first"}, {}, true};
+  Table table{{"explanation", "probability", "chi-square, kept out", "what would tell it from the first"}};
   for (const auto& a : d.alternatives) {
     std::string names;
     for (const auto& effect : a.effects) {

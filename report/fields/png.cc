@@ -5,7 +5,7 @@
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
+#include "core/base64.h"
 
 namespace asperity::report {
 
@@ -23,20 +23,6 @@ std::string png_bytes(const Image& image) {
   const vtkUnsignedCharArray* bytes = writer->GetResult();
   auto* begin = const_cast<vtkUnsignedCharArray*>(bytes)->GetPointer(0);
   return {reinterpret_cast<const char*>(begin), static_cast<std::size_t>(bytes->GetNumberOfValues())};
-}
-
-std::string base64(const std::string& bytes) {
-  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 std::string data_uri(const Image& image) { return "data:image/png;base64," + base64(png_bytes(image)); }

@@ -21,8 +21,6 @@ struct Image {
 
 /// The bytes of a PNG file.
 std::string png_bytes(const Image& image);
-/// RFC 4648.
-std::string base64(const std::string& bytes);
 /// "data:image/png;base64,..."
 std::string data_uri(const Image& image);
 

@@ -178,9 +178,7 @@ std::string pressure_profile_figure(const SolvedCase& solved, const Map& pressur
     hertz.x.push_back(share * a / nm);
     hertz.y.push_back(p0 * std::sqrt(1 - share * share) / GPa);
   }
-  Chart chart;
-  chart.x_label = "distance from the axis [nm]";
-  chart.y_label = "contact pressure [GPa]";
+  Chart chart{"distance from the axis [nm]", "contact pressure [GPa]"};
   chart.series = {computed, hertz};
   chart.width = 520;
   return figure_html("Pressure against distance from the axis", to_svg(chart),

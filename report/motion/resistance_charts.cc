@@ -38,8 +38,7 @@ ResistanceUnit own_unit(const MotionMode& mode) {
 
 /// The paper's values, in the unit of the figure.
 void add_measured(const RoughnessTrend& trend, const AgainstPublished& published, Chart& chart) {
-  Series measured{
-      "measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points, {}, {}, {}};
+  Series measured{"measured (Fuchs, Weinhart et al. 2014)", measured_colour, Series::Style::points};
   for (const auto& one : published.magnitudes) {
     if (one.mode != trend.mode ||
         std::find(trend.contacts.begin(), trend.contacts.end(), one.contact) == trend.contacts.end())
@@ -62,13 +61,10 @@ std::string unit_label(const MotionMode& mode, ResistanceUnit unit) {
 }
 
 Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, ResistanceUnit unit) {
-  Chart chart;
-  chart.x_label = "load [µN]";
-  chart.y_label = unit_label(mode, unit);
+  Chart chart{"load [µN]", unit_label(mode, unit)};
   chart.width = narrow;
   for (const auto& contact : study.contacts) {
-    Series series{
-        contact.label, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{contact.label, line_colour(chart.series.size()), Series::Style::line_with_points};
     for (const auto* state : contact.of(mode)) {
       const double by = divisor(contact, *state, unit);
       if (std::isfinite(by) && by > 0) add(series, state->load / uN, state->resistance * (1 / by));
@@ -79,17 +75,11 @@ Chart resistance_over_load(const MovingStudy& study, const MotionMode& mode, Res
 }
 
 Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& published) {
-  Chart chart;
-  chart.x_label = "RMS roughness of the plane [nm]";
-  chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
+  Chart chart{"RMS roughness of the plane [nm]", unit_label(*trend.mode, own_unit(*trend.mode))};
   chart.width = narrow;
   for (const auto& at : trend.loads) {
-    Series series{in_units(at.load, Dimension::force),
-                  line_colour(chart.series.size()),
-                  Series::Style::line_with_points,
-                  {},
-                  {},
-                  {}};
+    Series series{in_units(at.load, Dimension::force), line_colour(chart.series.size()),
+                  Series::Style::line_with_points};
     for (const auto* contact : trend.contacts)
       if (const MovingState* state = contact->find(*trend.mode, at.load))
         add(series, contact->bodies.rms / nm, state->resistance * (1 / state->scale()));
@@ -100,9 +90,7 @@ Chart resistance_over_rms(const RoughnessTrend& trend, const AgainstPublished& p
 }
 
 Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
-  Chart chart;
-  chart.x_label = "RMS roughness of the plane [nm]";
-  chart.y_label = unit_label(*trend.mode, own_unit(*trend.mode));
+  Chart chart{"RMS roughness of the plane [nm]", unit_label(*trend.mode, own_unit(*trend.mode))};
   chart.width = narrow;
   struct Part {
     const char* name;
@@ -111,7 +99,7 @@ Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
   for (const auto& part :
        {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
         Part{"bonds", &ResistanceParts::adhesion}}) {
-    Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points, {}, {}, {}};
+    Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points};
     bool any = false;
     for (const auto* contact : trend.contacts)
       if (const MovingState* state = contact->find(*trend.mode, at.load)) {

@@ -35,9 +35,7 @@ double shortest_path(const std::vector<MovingCase>& cases) {
 std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode(), spins = &mode == &torsion_mode();
   Table table{{"contact", "load", "realisations", slides ? "resistance [µN]" : "resistance [pN m]",
-               slides ? "over load" : "over P a"},
-              {},
-              true};
+               slides ? "over load" : "over P a"}};
   if (!slides) table.head.emplace_back("over P r");
   if (!mode.has_length || spins) table.head.emplace_back(slides ? "over µ P" : "over 3π/16 µ P a");
   for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
@@ -70,9 +68,7 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 std::string rail_table(const MovingStudy& study) {
   Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]", "yielding [%]", "bonds [%]",
                "M_ro cos + M_to sin [pN m]", "over it", "spin moment [pN m]", "over torsion alone",
-               "path [contact radii]"},
-              {},
-              true};
+               "path [contact radii]"}};
   for (const auto& contact : study.contacts)
     for (const auto& rail : contact.rails) {
       std::vector<std::string> row{readable(contact.label), rounded(rail.inclination * 180 / M_PI) + "°",
@@ -99,9 +95,7 @@ std::string rail_table(const MovingStudy& study) {
 
 std::string exponent_table(const ResistanceFindings& findings) {
   Table table{{"motion", "contact", "moment grows with", "exponent", "λ = r: 1, off by", "λ = a: off by",
-               "bonds along a smooth rim: off by"},
-              {},
-              true};
+               "bonds along a smooth rim: off by"}};
   const auto off = [](double distance) {
     return std::isfinite(distance) ? rounded(std::abs(distance), 2) + " σ" : std::string("–");
   };
@@ -128,9 +122,7 @@ std::string exponent_table(const ResistanceFindings& findings) {
 std::string trend_table(const ResistanceFindings& findings) {
   if (findings.trends.empty()) return "";
   Table table{{"motion", "load", "resistance [% per nm]", "of it slip", "yielding", "bonds",
-               "mean force or moment [% per nm]"},
-              {},
-              true};
+               "mean force or moment [% per nm]"}};
   for (const auto& trend : findings.trends)
     for (const auto& at : trend.loads) {
       std::vector<std::string> row{motion_name(*trend.mode), in_units(at.load, Dimension::force)};
@@ -147,9 +139,7 @@ std::string trend_table(const ResistanceFindings& findings) {
 std::string contribution_table(const ResistanceFindings& findings) {
   if (findings.contributions.empty()) return "";
   Table table{{"what is switched off", "contact", "beside", "motion", "load", "change of resistance [%]",
-               "of slip [%]", "of yielding [%]", "of bonds [%]"},
-              {},
-              true};
+               "of slip [%]", "of yielding [%]", "of bonds [%]"}};
   for (const auto& one : findings.contributions) {
     // What switching off changes: the negative of the contribution.
     std::vector<std::string> row{one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion",
@@ -170,8 +160,7 @@ std::string contribution_table(const ResistanceFindings& findings) {
 
 std::string input_table(const ResistanceFindings& findings) {
   if (findings.inputs.empty()) return "";
-  Table table{
-      {"input", "contact", "beside", "its factor", "motion", "load", "power of the resistance"}, {}, true};
+  Table table{{"input", "contact", "beside", "its factor", "motion", "load", "power of the resistance"}};
   for (const auto& one : findings.inputs)
     table.rows.push_back({one.input, readable(one.larger->label), readable(one.smaller->label),
                           rounded(one.factor, 3), motion_name(*one.mode),
@@ -184,8 +173,7 @@ std::string input_table(const ResistanceFindings& findings) {
 
 std::string measurement_table(const ResistanceFindings& findings) {
   if (findings.published.magnitudes.empty() && findings.published.trends.empty()) return "";
-  Table table{
-      {"quantity", "contact", "load", "simulated", "measured", "simulated / measured", "apart by"}, {}, true};
+  Table table{{"quantity", "contact", "load", "simulated", "measured", "simulated / measured", "apart by"}};
   const auto row = [&](const std::string& what, const std::string& contact, const std::string& load,
                        const Uncertain& simulated, const Uncertain& measured, double sigmas) {
     table.rows.push_back({what, contact, load, cell(simulated), cell(measured),

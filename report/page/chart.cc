@@ -175,7 +175,8 @@ std::string legend_svg(const Chart& chart, const Legend& legend, const Place& pl
   std::string svg;
   for (std::size_t i = 0; i < legend.size(); ++i) {
     const double left = place.left + padding + legend.entry_width * static_cast<double>(i % columns);
-    const double middle = place.top + padding / 2 + legend_line * (0.5 + static_cast<double>(i / columns));
+    const std::size_t row = i / columns;
+    const double middle = place.top + padding / 2 + legend_line * (0.5 + static_cast<double>(row));
     svg += i < legend.shown.size() ? legend_entry(*legend.shown[i], left, middle)
                                    : band_entry(chart.band_label, left, middle);
   }

@@ -16,18 +16,18 @@ struct Series {
   std::string label;  ///< empty: not in the legend
   std::string colour;
   Style style = Style::line;
-  std::vector<double> x, y;
-  std::vector<double> error;  ///< half length of error bars; empty, or NaN where there is none
+  std::vector<double> x{}, y{};
+  std::vector<double> error{};  ///< half length of error bars; empty, or NaN where there is none
 };
 
 struct Chart {
   std::string x_label, y_label;  ///< with units
-  std::vector<Series> series;
+  std::vector<Series> series{};
   bool y_from_zero = true;
   bool x_from_zero = true;
   /// In the unit of y.
   double band_low = 0, band_high = 0;  ///< a shaded band of y, where band_high > band_low
-  std::string band_label;
+  std::string band_label{};
   int width = 640, height = 420;
 };
 

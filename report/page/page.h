@@ -10,7 +10,7 @@ namespace asperity::report {
 /// A cell or caption may hold HTML; whoever puts foreign text in escapes it (report/page/axis.h).
 struct Table {
   std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows{};
   bool first_column_is_text = true;
 };
 

@@ -64,7 +64,7 @@ const char* meaning_of_balance(const std::string& name) {
 
 std::string effective_table(const SolvedCase& solved) {
   if (!solved.finished()) return "";
-  Table table{{"effective quantity", "value", "± sd", "unit"}, {}, true};
+  Table table{{"effective quantity", "value", "± sd", "unit"}};
   for (const auto& [name, number] : solved.result->effective)
     table.rows.push_back({escaped(spaced(name)), general(number.value, 5),
                           std::isfinite(number.sd) ? general(number.sd, 2) : "–", escaped(number.unit)});
@@ -74,7 +74,7 @@ std::string effective_table(const SolvedCase& solved) {
 std::string balance_table(const SolvedCase& solved) {
   if (!solved.finished() || solved.result->balance.empty())
     return note("The balances are known when the case is finished.");
-  Table table{{"balance", "relative error", "compares"}, {}, true};
+  Table table{{"balance", "relative error", "compares"}};
   for (const auto& [name, error] : solved.result->balance)
     table.rows.push_back({escaped(spaced(name)), general(error, 2), meaning_of_balance(name)});
   return table_html(table);
@@ -113,7 +113,7 @@ std::string resolved_roughness_sentence(const SolvedCase& solved, const std::str
 
 std::string remaining_tables(const SolvedCase& solved) {
   if (!solved.finished()) return "";
-  Table table{{"", ""}, {}, true};
+  Table table{{"", ""}};
   for (const auto& [name, value] : solved.result->document.items()) {
     if (name == "inputs" || name == "effective" || name == "balance" || name == "title" ||
         name == "experiment")
@@ -135,9 +135,9 @@ std::string remaining_tables(const SolvedCase& solved) {
 }
 
 std::string inputs_table(const SolvedCase& solved) {
-  Table table{{"entry of the case file", "value"}, {}, true};
+  Table table{{"entry of the case file", "value"}};
   for (const auto& [path, text] : solved.entries.all()) table.rows.push_back({escaped(path), escaped(text)});
-  const std::string entries = details_html("All entries of the case", table_html(table));
+  std::string entries = details_html("All entries of the case", table_html(table));
   if (!solved.finished() || !solved.result->document.contains("inputs")) return entries;
   Table taken;
   add_rows(taken, "", solved.result->document["inputs"]);
@@ -165,7 +165,7 @@ std::string fit_table(const NormalNumbers& numbers, double true_radius) {
   const auto with_error = [](const FittedNumber& number, double unit, const std::string& name) {
     return plus_minus({2, number.value, number.standard_error, number.standard_error}, unit, 3) + " " + name;
   };
-  Table table{{"what is fitted to the loading curve", "result", "zero of approach", "misfit"}, {}, true};
+  Table table{{"what is fitted to the loading curve", "result", "zero of approach", "misfit"}};
   const auto row = [&](const std::string& what, const std::string& result, const FittedNumber& offset,
                        bool has_offset, double rms) {
     table.rows.push_back(

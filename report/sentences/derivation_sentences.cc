@@ -41,7 +41,7 @@ const std::map<From, const char*>& origin_templates() {
 std::string origin_words(const Origin& origin) {
   if (origin.from == From::cases) return source_words(origin.numbers);
   if (origin.from == From::stiffness) return words_of(origin.source);
-  const std::string pattern = origin_templates().at(origin.from);
+  std::string pattern = origin_templates().at(origin.from);
   if (pattern.find("{}") == std::string::npos) return pattern;
   return say(pattern, {std::isfinite(origin.number) ? printed("%.3g", origin.number)
                        : origin.text.empty()        ? "a version that is not said"
@@ -168,7 +168,7 @@ std::string derivation_text(const Derivation& derivation) {
   std::string text = title_of(derivation);
   for (const auto& [entry, value] : derivation.inputs) {
     const bool says_nothing = value == "smooth" || value == "isotropic" || value == "dugdale" ||
-                              value == "inf" || value.rfind("0", 0) == 0;
+                              value == "inf" || value.rfind('0', 0) == 0;
     const bool is_said = entry.find("Radius") != std::string::npos ||
                          entry.find("Young") != std::string::npos ||
                          entry.find("Poisson") != std::string::npos;

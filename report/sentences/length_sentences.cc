@@ -67,7 +67,7 @@ std::string without_offset_sentence(const LengthAnswer& answer) {
 }  // namespace
 
 std::string length_verdict(const LengthAnswer& answer) {
-  const std::string text = verdict_text(answer.verdict);
+  std::string text = verdict_text(answer.verdict);
   if (answer.verdict != Verdict::neither || !answer.choice || !answer.choice->is_told()) return text;
   return text + ", of the two rather λ = " + (answer.choice->log_odds > 0 ? "a" : "r");
 }

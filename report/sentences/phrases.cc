@@ -56,7 +56,7 @@ std::string number_text(const Uncertain& number) {
   const bool is_plain = size == 0 || (size >= (has_sd ? small : 0.1 * small) && size < large);
   const int exponent = is_plain ? 0 : static_cast<int>(std::floor(std::log10(size)));
   const Uncertain scaled = number * std::pow(10.0, -exponent);
-  const std::string text =
+  std::string text =
       has_sd ? value_and_sd(scaled) : (scaled.value < 0 ? "−" : "") + printed("%.3g", std::abs(scaled.value));
   if (is_plain) return text;
   return (has_sd ? "(" + text + ") " : text + "·") + power_of_ten(exponent);
@@ -119,7 +119,7 @@ std::string share_text(double share) {
 
 std::string quantity_text(const Uncertain& quantity, Dimension dimension) {
   constexpr int digits = 4;
-  const std::string text = format_quantity(quantity.value, dimension, digits);
+  std::string text = format_quantity(quantity.value, dimension, digits);
   if (!(quantity.has_sd() && quantity.sd > 0)) return text;
   const auto blank = text.find(' ');
   if (blank == std::string::npos) return number_text(quantity);

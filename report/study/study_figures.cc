@@ -32,9 +32,7 @@ Chart stiffness_against(std::vector<const StudyCurve*> curves, const std::string
                         const std::function<double(const StudyCurve&)>& abscissa) {
   std::sort(curves.begin(), curves.end(),
             [&](const auto* a, const auto* b) { return abscissa(*a) < abscissa(*b); });
-  Chart chart;
-  chart.x_label = label;
-  chart.y_label = "stiffness / Hertz (same load)";
+  Chart chart{label, "stiffness / Hertz (same load)"};
   chart.y_from_zero = false;
   chart.band_low = 1 - tolerance;
   chart.band_high = 1 + tolerance;
@@ -42,12 +40,8 @@ Chart stiffness_against(std::vector<const StudyCurve*> curves, const std::string
   chart.width = 520;
   for (const std::size_t at : shown_loads(curves.front()->last())) {
     const double force = curves.front()->last().loads[at].force;
-    Series series{in_units(force, Dimension::force),
-                  line_colour(chart.series.size()),
-                  Series::Style::line_with_points,
-                  {},
-                  {},
-                  {}};
+    Series series{in_units(force, Dimension::force), line_colour(chart.series.size()),
+                  Series::Style::line_with_points};
     for (const auto* curve : curves) {
       const auto& loads = curve->last().loads;
       constexpr double same = 1e-3;

@@ -55,9 +55,7 @@ std::string spectrum_cells(const GeneratorParameters& generator, std::vector<std
 
 std::string surfaces_table(const std::vector<StudyCurve>& curves) {
   Table table{{"contact", "surface of", "RMS", "as seen in", "Hurst exponent", "roll-off", "short cut-off",
-               "correlation length", "RMS slope", "RMS in the contact region [nm]"},
-              {},
-              true};
+               "correlation length", "RMS slope", "RMS in the contact region [nm]"}};
   for (const auto& curve : curves)
     for (const std::string section : {"Particle", "Substrate"}) {
       const auto generator = generator_of(curve.largest->first(), section);
@@ -129,9 +127,7 @@ std::string contact_table(const std::vector<StudyCurve>& curves) {
 std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
   Table table{{"contact", "load", "imprint left [nm]", "its mesh error [nm]", "plastic volume [10⁻³ µm³]",
                "dissipated energy [fJ]", "radius a Hertz fit reports [µm]", "mesh error",
-               "with the zero of approach free [µm]", "exponent it would find", "with the zero free"},
-              {},
-              true};
+               "with the zero of approach free [µm]", "exponent it would find", "with the zero free"}};
   constexpr double thousandth = 1e-3;
   for (const auto& curve : curves)
     for (const auto* group : curve.groups) {
@@ -157,9 +153,7 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
 }
 
 std::string case_list(const CaseCollection& collection) {
-  Table table{{"folder", "cells", "unknowns", "force", "moment", "energy", "wall time", "peak memory [GiB]"},
-              {},
-              true};
+  Table table{{"folder", "cells", "unknowns", "force", "moment", "energy", "wall time", "peak memory [GiB]"}};
   for (const auto& group : collection.groups)
     for (const auto& solved : group.cases) {
       if (!solved.finished()) continue;

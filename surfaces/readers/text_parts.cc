@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "core/text_pieces.h"
+
 namespace asperity {
 
 std::string trimmed_text(const std::string& text) {
@@ -16,9 +18,7 @@ std::string trimmed_text(const std::string& text) {
     from = at + no_break_space.size();
   }
   const std::string blanks(" \t\r\n\0", 5);
-  const auto first = plain.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return plain.substr(first, plain.find_last_not_of(blanks) - first + 1);
+  return trimmed(plain, blanks);
 }
 
 std::string lower_case(std::string text) {
@@ -34,10 +34,10 @@ std::optional<double> whole_number_text(const std::string& text) {
 }
 
 std::optional<NumberWithUnit> number_with_unit(const std::string& text) {
-  const std::string trimmed = trimmed_text(text);
+  const std::string plain = trimmed_text(text);
   char* end = nullptr;
-  const double number = std::strtod(trimmed.c_str(), &end);
-  if (end == trimmed.c_str()) return std::nullopt;
+  const double number = std::strtod(plain.c_str(), &end);
+  if (end == plain.c_str()) return std::nullopt;
   return NumberWithUnit{number, trimmed_text(end)};
 }
 

@@ -13,14 +13,6 @@
 namespace asperity::report {
 namespace {
 
-TEST(Base64_other_code, agrees_with_the_examples_of_RFC_4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
 TEST(Png_behaviour, has_the_signature_and_size_of_its_image) {
   const std::string bytes = png_bytes(Image(7, 3));
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");

@@ -312,6 +312,22 @@ class Mutants(unittest.TestCase):
         for line in ("// a + b", '  say("a + b");', "  constexpr double x = 2.5;", "  const double x = a +", "      a + b *", '  text = name + " is";'):
             self.assertEqual(self.of(line), {}, line)
 
+    def test_every_room_is_mutated_or_left_out_for_a_reason(self):
+        self.assertEqual(list(places.unnamed(TESTS.parent)), [])
+
+    def test_a_folder_that_no_list_names_and_a_name_without_code_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "CMakeLists.txt").write_text("add_subdirectory(core)\nadd_subdirectory(fem)\nadd_subdirectory(wear)\nadd_subdirectory(tests)\n")
+            for file in ("core/a.cc", "fem/a.cc", "fem/lubrication/a.h", "wear/a.cc", "tests/core/a.cc"):
+                (root / file).parent.mkdir(parents=True, exist_ok=True)
+                (root / file).touch()
+            found = list(places.unnamed(root))
+        for name in ("wear", "fem/lubrication"):
+            self.assertIn(f"{name} has code, but neither FOLDERS nor LEFT_OUT names it", found)
+        self.assertIn("paper is named, but no room of the build has code there", found)
+        self.assertFalse([line for line in found if line.startswith(("core ", "fem ", "tests"))])
+
 
 if __name__ == "__main__":
     unittest.main()

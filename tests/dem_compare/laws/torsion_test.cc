@@ -161,10 +161,11 @@ TEST(Torsion_analytic, the_papers_stiffness_is_a_thousand_times_the_physical_one
 TEST(Torsion_analytic, moment_rises_with_K_and_stops_at_mu_lambda_times_load_and_offset) {
   for (const LengthScale scale : {LengthScale::particle_radius, LengthScale::contact_radius}) {
     const double lambda = scale == LengthScale::particle_radius ? lever : normal.contact_radius;
-    const TorsionResistance torsion{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
-    TorsionHistory history = torsion.advance({}, normal, lever, -1e-6);
+    const TorsionLaw torsion =
+        TorsionResistance{0.0056, 50e-6, scale, {RotationalStiffness::Kind::constant, 1e-9}};
+    TorsionHistory history = torsion->advance({}, normal, lever, -1e-6);
     EXPECT_NEAR(history.resistance / -1e-15, 1, 1e-14);
-    history = torsion.advance(history, normal, lever, -1);
+    history = torsion->advance(history, normal, lever, -1);
     EXPECT_TRUE(history.yields);
     EXPECT_NEAR(history.resistance / (-0.0056 * lambda * 150e-6), 1, 1e-14);
   }
@@ -215,11 +216,11 @@ TEST(Rolling_behaviour, a_contact_that_opened_forgets_its_moment) {
   const TorsionResistance torsion{0.1, 0, LengthScale::particle_radius, spring};
   const NormalState open{};
   const auto rolled = RollingLaw(rolling)->advance({}, normal, lever, 1e-3 * Eigen::Vector3d::UnitY());
-  const auto twisted = torsion.advance({}, normal, lever, 1e-3);
+  const auto twisted = TorsionLaw(torsion)->advance({}, normal, lever, 1e-3);
   EXPECT_GT(rolled.resistance.norm(), 0);
   EXPECT_EQ(RollingLaw(rolling)->advance(rolled, open, lever, Eigen::Vector3d::UnitY()).resistance.norm(), 0);
   EXPECT_GT(twisted.resistance, 0);
-  EXPECT_EQ(torsion.advance(twisted, open, lever, 1).resistance, 0);
+  EXPECT_EQ(TorsionLaw(torsion)->advance(twisted, open, lever, 1).resistance, 0);
 }
 
 TEST(SpringSlider_analytic, force_is_rescaled_where_the_spring_softens_and_kept_where_it_stiffens) {
