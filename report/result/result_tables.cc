@@ -1,7 +1,6 @@
 #include "report/result/result_tables.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/printed.h"
 #include "report/curves/curves.h"

@@ -7,7 +7,6 @@
 #include <netcdf_mem.h>
 
 #include <climits>
-#include <cmath>
 #include <limits>
 #include <vector>
 
