@@ -85,8 +85,7 @@ void add_compare_command(CLI::App& app) {
   command
       ->add_option("--parameters", arguments->parameters,
                    "Contact's numbers for an engine: adds rolling, torsion and rails (as "
-                   "runs/paper/parameters_silicon.json); once for "
-                   "each roughness")
+                   "runs/paper/parameters_silicon.json); once for each roughness")
       ->allow_extra_args(false);
   command->add_option("--indenter", arguments->indenter,
                       "The same for particle and moving plate (default: as with the substrate)");

@@ -165,8 +165,7 @@ void add_law_commands(CLI::App& app) {
   curve->add_option("--output", arguments->output, "File to write (default: print)");
   curve->footer(
       "Example: asperity law-curve runs/paper/parameters_silicon.json --law 'jkr, work_of_adhesion = 50 "
-      "mJ/m^2'"
-      " --reach 10e-9");
+      "mJ/m^2' --reach 10e-9");
   curve->callback([arguments] { write_curve(*arguments); });
 }
 
@@ -200,8 +199,8 @@ void add_experiment_commands(CLI::App& app) {
   command->add_flag("--partial-slip", arguments->partial_slip, "Mindlin and Deresiewicz in place of Mindlin");
   command
       ->add_option("--law", arguments->laws,
-                   "In place of the law of its mode, such as 'jkr, work_of_adhesion = 50 mJ/m^2'; "
-                   "once for each mode ('asperity laws' names them all)")
+                   "In place of the law of its mode, such as 'jkr, work_of_adhesion = 50 mJ/m^2'; once for "
+                   "each mode ('asperity laws' names them all)")
       ->allow_extra_args(false);
   command->add_flag("--normal-adhesion", arguments->normal_adhesion,
                     "The pull-off force presses with the load");
@@ -213,8 +212,8 @@ void add_experiment_commands(CLI::App& app) {
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(
       "Example: asperity experiment runs/paper/parameters_silicon.json --indenter "
-      "runs/paper/parameters_diamond.json"
-      " --type rail --rail-angle '25 deg' --load '500 uN' --output output/rail");
+      "runs/paper/parameters_diamond.json --type rail --rail-angle '25 deg' --load '500 uN' --output "
+      "output/rail");
   command->callback([arguments] { run_experiment(*arguments); });
   add_law_commands(app);
 }

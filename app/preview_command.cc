@@ -58,10 +58,9 @@ void add_preview_command(CLI::App& app) {
   command->add_option("CASE.prm", arguments->file, "Case file (asperity case-template prints one)")
       ->required();
   command->add_option("--output", arguments->output, "Folder for preview.json and pictures of the pressure");
-  command->add_option(
-      "--hardness", arguments->hardness,
-      "Largest pressure of bodies that yield, such as \"9 GPa\" (default: three times the lower yield "
-      "stress)");
+  command->add_option("--hardness", arguments->hardness,
+                      "Largest pressure of bodies that yield, such as \"9 GPa\" (default: three times the "
+                      "lower yield stress)");
   command
       ->add_option("--set", arguments->overrides,
                    "\"Section/Entry=value\": replaces an entry of the case file")

@@ -61,8 +61,7 @@ int with_printed_output(int status) {
 int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   CLI::App app(
       "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a "
-      "discrete "
-      "element simulation needs.");
+      "discrete element simulation needs.");
   app.name("asperity");
   app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + build_commit());
   app.require_subcommand(1);

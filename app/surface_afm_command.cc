@@ -177,9 +177,8 @@ void add_surface_afm_command(CLI::App& parent) {
   command->add_flag("--json", arguments->json, "A JSON array instead of text");
   command->footer(
       "The paper's silicon surfaces: asperity surface afm --rms \"0.3 nm\" \"1.5 nm\" \"2.7 nm\" --rms-error "
-      "\"0.1 nm\" "
-      "\"0.2 nm\" \"0.4 nm\"\n    --peak-to-valley \"1 nm\" \"10.5 nm\" \"14.8 nm\" --peak-to-valley-error "
-      "\"0.1 nm\" \"0.7 nm\" \"1 nm\"");
+      "\"0.1 nm\" \"0.2 nm\" \"0.4 nm\"\n    --peak-to-valley \"1 nm\" \"10.5 nm\" \"14.8 nm\" "
+      "--peak-to-valley-error \"0.1 nm\" \"0.7 nm\" \"1 nm\"");
   command->callback([arguments] { judge(*arguments); });
 }
 

@@ -1,7 +1,5 @@
 #include "core/motion_program.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <regex>

@@ -93,8 +93,7 @@ class Script {
   static std::string rows_every(long every, const std::string& leg, std::size_t first) {
     return "fix out all print " + std::to_string(every) + " \"" + leg +
            ",${time},${drive},${response},${particle},${rotation_rate},${normal_force},${approach}\" append "
-           "trace.csv"
-           " screen no title \"# leg " +
+           "trace.csv screen no title \"# leg " +
            std::to_string(first + 1) + "\"\n";
   }
 

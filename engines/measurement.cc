@@ -1,7 +1,6 @@
 #include "engines/measurement.h"
 
 #include <cmath>
-#include <functional>
 
 #include "core/error.h"
 

@@ -32,8 +32,7 @@ void require_solvable(const CaseInput& input) {
   if (i.work_of_separation > 0 && i.work_of_separation < i.work_of_adhesion)
     refuse(
         "Interface/Work of adhesion on separation is below Work of adhesion, which would create energy in "
-        "each cycle; raise it, "
-        "or 0 for the same");
+        "each cycle; raise it, or 0 for the same");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
   if (e.type == Motion::torsion && !rubs) {

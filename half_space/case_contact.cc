@@ -1,7 +1,6 @@
 #include "half_space/case_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

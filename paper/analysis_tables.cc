@@ -41,8 +41,8 @@ void add_surfaces(std::vector<PaperNumber>& rows, const Published& p) {
         fit_friction(line_as_series(s.rolling_r, s.rolling_r_offset, low, high), mean_a_over_r);
     rows.push_back({of + "rolling friction, lambda = a", display::none, s.rolling_a,
                     Uncertain{fit.coefficient.value},
-                    "computed: the published line of lambda = r at 30 loads from 100 uN to 3 mN, "
-                    "fitted with lambda = a"});
+                    "computed: the published line of lambda = r at 30 loads from 100 uN to 3 mN, fitted with "
+                    "lambda = a"});
     rows.push_back({of + "rolling offset, lambda = a", display::mN, s.rolling_a_offset,
                     Uncertain{fit.offset.value}, "the same"});
   }
@@ -56,8 +56,8 @@ void add_rails(std::vector<PaperNumber>& rows, const Published& p) {
     rows.push_back({of + "inclination", display::degree, Uncertain{rail.printed_angle, rail.angle.sd},
                     differs ? std::optional<Uncertain>(rail.angle) : std::nullopt,
                     differs ? "text and figures say " + whole_degrees(rail.angle.value) +
-                                  "; the torque balance agrees with that, and eq:muto2's "
-                                  "assumption is exact where 2 cos(theta) = 1"
+                                  "; the torque balance agrees with that, and eq:muto2's assumption is exact "
+                                  "where 2 cos(theta) = 1"
                             : ""});
     rows.push_back({of + "RMS roughness", display::nm, rail.rms});
     const RailFriction friction{laws.printed_rolling(rail.rms.value), p.quoted("torsion_r").value,
@@ -87,8 +87,7 @@ PaperSection table_1(const Published& p) {
                                  Uncertain{body.radius},
                                  {},
                                  "bought as 17.3 ± 1.0 um in diameter (8.65 um), called about 10 um in the "
-                                 "text; the authors' published "
-                                 "simulation takes 10 um"});
+                                 "text; the authors' published simulation takes 10 um"});
   }
   return section;
 }

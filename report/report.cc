@@ -26,8 +26,7 @@ void write_report(const std::filesystem::path& directory) {
   } else {
     throw InputError(directory.string() +
                      ": holds neither a solved case (history.csv) nor a study (study.json); name a folder "
-                     "that 'asperity solve' "
-                     "or 'asperity study' wrote");
+                     "that 'asperity solve' or 'asperity study' wrote");
   }
   write_file_atomically(directory / "report.html", page);
 }

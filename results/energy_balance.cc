@@ -19,10 +19,9 @@ std::string open_energy_words(const SolvedCase& solved) {
 
 void refuse_open_energy(const SolvedCase& solved) {
   if (is_energy_refused(solved))
-    throw InputError(
-        solved.folder.string() + ": " + open_energy_words(solved) +
-        "; solve it again in a new folder with more steps (Experiment/Load steps, Motion steps) or a finer "
-        "Mesh/Interface spacing, or leave it out");
+    throw InputError(solved.folder.string() + ": " + open_energy_words(solved) +
+                     "; solve it again in a new folder with more steps (Experiment/Load steps, Motion steps) "
+                     "or a finer Mesh/Interface spacing, or leave it out");
 }
 
 }  // namespace asperity

@@ -1,6 +1,5 @@
 #include "surfaces/sampler.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"

@@ -56,11 +56,9 @@ Topography prepared_scan(const ScanParameters& scan) {
   try {
     map = levelled(read_topography(scan.file, scan.options), scan.level);
   } catch (const InputError& error) {
-    throw ScanError(
-        scan.text(),
-        std::string(error.what()) +
-            " (in a case file: Topography = scan(FILE, size=2.5 um, channel=Height, unit=nm, level=plane, "
-            "cutoff=20 nm, outside=mirror))");
+    throw ScanError(scan.text(), std::string(error.what()) +
+                                     " (in a case file: Topography = scan(FILE, size=2.5 um, channel=Height, "
+                                     "unit=nm, level=plane, cutoff=20 nm, outside=mirror))");
   }
   map.source += ", levelled: " + level_name(scan.level);
   if (scan.cutoff > 0) {
@@ -74,14 +72,13 @@ void require_cover(const ScanParameters& scan, const Topography& map, double siz
   if ((map.lx >= size && map.ly >= size) || map.periodic || scan.outside == Outside::mirror) return;
   ScanParameters continued = scan;
   continued.outside = Outside::mirror;
-  throw ScanError(
-      scan.text(),
-      "the scan '" + scan.file + "' covers " + format_quantity(map.lx, Dimension::length) + " x " +
-          format_quantity(map.ly, Dimension::length) + " but the contact needs a square of " +
-          format_quantity(size, Dimension::length) +
-          "; take a larger scan, lower the load or Mesh/Contact region, or have it continued by its mirror "
-          "images: Topography = " +
-          continued.text());
+  throw ScanError(scan.text(),
+                  "the scan '" + scan.file + "' covers " + format_quantity(map.lx, Dimension::length) +
+                      " x " + format_quantity(map.ly, Dimension::length) +
+                      " but the contact needs a square of " + format_quantity(size, Dimension::length) +
+                      "; take a larger scan, lower the load or Mesh/Contact region, or have it continued by "
+                      "its mirror images: Topography = " +
+                      continued.text());
 }
 
 }  // namespace asperity

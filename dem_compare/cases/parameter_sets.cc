@@ -52,8 +52,7 @@ class Collector {
     if (unlisted_ > 0)
       remark(std::to_string(unlisted_) +
              " case(s) were solved by a version whose result.json does not list the entries that make a "
-             "contact; those of case.prm and of "
-             "its numbers are taken");
+             "contact; those of case.prm and of its numbers are taken");
     std::sort(remarks_.begin(), remarks_.end());
     remarks_.erase(std::unique(remarks_.begin(), remarks_.end()), remarks_.end());
     found_.remarks = remarks_;
@@ -108,10 +107,9 @@ class Collector {
       for (const auto& item : fs::directory_iterator(folder))
         if (is_study_folder(item.path()) || is_case_folder(item.path())) inside.push_back(item.path());
     if (inside.empty())
-      throw InputError(
-          folder.string() +
-          ": holds neither a solved case (history.csv), nor a study (study.json), nor folders of "
-          "such; name folders that 'asperity solve' or 'asperity study' wrote");
+      throw InputError(folder.string() +
+                       ": holds neither a solved case (history.csv), nor a study (study.json), nor folders "
+                       "of such; name folders that 'asperity solve' or 'asperity study' wrote");
     std::sort(inside.begin(), inside.end());
     for (const auto& path : inside) add(path, false);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dem_compare/cases/block_averages.h"
 #include "dem_compare/compare/mesh_family.h"

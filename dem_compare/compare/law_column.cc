@@ -1,6 +1,5 @@
 #include "dem_compare/compare/law_column.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "dem_compare/laws/hertzian_torsion.h"

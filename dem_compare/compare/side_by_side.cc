@@ -78,8 +78,7 @@ class Assembly {
     if (is_solved(Motion::sliding))
       remarks.push_back(
           "Friction at the interface is an input of finite elements: their sliding force judges a law only "
-          "as far as "
-          "both start from the same coefficient.");
+          "as far as both start from the same coefficient.");
     for (const auto& record : records_) {
       if (record.roughness_is_open)
         remarks.push_back(

@@ -52,8 +52,7 @@ struct PartialSlipTorsion {
 inline const LawEntry<PartialSlipTorsion, TorsionMode> lubkin_torsion_entry{
     {"lubkin_torsion",
      "theta = 3 mu P/(4 pi Gt a^2) I(x), M = (4 mu P a/pi)[x^3 I(x) + 3 int_x^1 y^2 I(y) dy], I = K(k') - "
-     "E(k'), "
-     "k'^2 = 1 - x^2, x = c/a",
+     "E(k'), k'^2 = 1 - x^2, x = c/a",
      "Lubkin 1951; Deresiewicz 1954; Johnson 1985, sec. 7.3",
      "constant normal load, no sliding beside the twist"},
     {{{"torsion_modulus", "Pa", "Gt"}, &PartialSlipTorsion::torsion_modulus},

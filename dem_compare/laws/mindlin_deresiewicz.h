@@ -38,8 +38,7 @@ struct MindlinDeresiewicz {
 inline const LawEntry<MindlinDeresiewicz, SlidingMode> mindlin_deresiewicz_entry{
     {"mindlin_deresiewicz",
      "u(s) <- u + d xi cut to |u| <= kappa (delta - s), kappa = 3 mu (f_n + h) R/(16 G* a^3), f_l = 8 G* "
-     "int_0^a u dx; at "
-     "constant load xi = 3 mu f_n/(16 G* a) [1 - (1 - f_l/(mu f_n))^(2/3)]",
+     "int_0^a u dx; at constant load xi = 3 mu f_n/(16 G* a) [1 - (1 - f_l/(mu f_n))^(2/3)]",
      "Cattaneo 1938; Mindlin & Deresiewicz 1953; Jaeger 1993; Ciavarella 1998",
      "elastically similar bodies, Hertzian area; shear that turns: small steps"},
     {{{"sliding_modulus", "Pa", "G*"}, &MindlinDeresiewicz::sliding_modulus},

@@ -195,9 +195,7 @@ class Sorter {
     if (most == 1)
       study_.remarks.emplace_back(
           "one realisation of each surface: how blocks of its path differ stands in for how realisations "
-          "would; "
-          "features "
-          "longer than the path are not in the uncertainty");
+          "would; features longer than the path are not in the uncertainty");
   }
 
   static void average(MovingState& state) {

@@ -1,7 +1,6 @@
 #include "dem_compare/resistance/switched_off.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "dem_compare/cases/block_averages.h"

@@ -73,7 +73,8 @@ LawErrors::LawErrors(const Samples& samples) {
         members[samples.runs[r].independent_rows ? std::pair<std::size_t, int>{samples.runs[r].table, -1}
                                                  : std::pair{r, samples.list[i].segment}]
             .push_back(i);
-  for (auto& [key, list] : members) {
+  for (auto& [key, of_key] : members) {
+    std::vector<std::size_t>& list = of_key;  // which lambdas may take, unlike a binding
     std::vector<std::vector<double>> coordinates;
     const auto add = [&](const std::function<double(const Sample&)>& value) {
       std::vector<double> values;

@@ -229,9 +229,8 @@ std::string experiment_that_tells_apart(const FitProblem& problem, const ModelFi
   }
   if (!best || largest < std::max(1.0, 1.5 * here))
     return printed(
-        "no change of load, path, speed, radius or roughness within reach separates the two by "
-        "more than %.1f times the noise; repeat the "
-        "measurement without the sample, or with another instrument",
+        "no change of load, path, speed, radius or roughness within reach separates the two by more than "
+        "%.1f times the noise; repeat the measurement without the sample, or with another instrument",
         std::max(largest, here));
   return best->words +
          printed(": there the two differ by up to %.0f times the noise of a sample, in these data by %.1f",

@@ -1,5 +1,4 @@
 // Friction loops of a sphere that is glued to its indenter.
-#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/conceal/sliding_run.h"

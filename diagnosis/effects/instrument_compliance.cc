@@ -12,9 +12,8 @@ class InstrumentCompliance : public Effect {
         "Compliance of the instrument",
         "d = d_contact + C f_n",
         "Oliver & Pharr 1992, eq. (7)",
-        "A compliance between the displacement sensor and the contact deforms in "
-        "proportion to the load, so that part of the "
-        "recorded displacement never reaches the contact.",
+        "A compliance between the displacement sensor and the contact deforms in proportion to the load, so "
+        "that part of the recorded displacement never reaches the contact.",
         EffectKind::instrument,
         {Motion::normal}};
     return d;

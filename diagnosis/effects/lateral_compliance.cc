@@ -13,9 +13,8 @@ class LateralCompliance : public Effect {
         "Lateral compliance in series",
         "x = x_contact + C f_l",
         "Carpick, Ogletree & Salmeron 1997, eq. (1)",
-        "Indenter, cantilever or particle mounting is laterally compliant: after a "
-        "reversal the force turns more slowly than the contact's "
-        "own stiffness would let it.",
+        "Indenter, cantilever or particle mounting is laterally compliant: after a reversal the force turns "
+        "more slowly than the contact's own stiffness would let it.",
         EffectKind::instrument,
         {Motion::sliding, Motion::rolling, Motion::rail}};
     return d;

@@ -88,9 +88,10 @@ SquaresByFreedom squares_about_means(const Samples& samples, const std::vector<R
 
 /// Without the highest fiftieth: outliers. What is left of Gaussian noise is less than all of it by a known
 /// factor: x times the density of chi-square with n degrees is n times that with n + 2.
-double trimmed_deviation(SquaresByFreedom squares) {
+double trimmed_deviation(const SquaresByFreedom& squares) {
   double sum = 0, freedom = 0;
-  for (auto& [degrees, list] : squares) {
+  for (const auto& [degrees, found] : squares) {
+    std::vector<double> list = found;
     std::sort(list.begin(), list.end());
     const std::size_t cut = list.size() / 50, left = list.size() - cut;
     const double share = static_cast<double>(left) / static_cast<double>(list.size());

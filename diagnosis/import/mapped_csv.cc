@@ -2,7 +2,6 @@
 // constant alone fills the column. "channel:forward" and "channel:backward" hold the two directions of a scan
 // side by side: each run becomes a loop, there and back.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "core/error.h"

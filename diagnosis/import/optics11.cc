@@ -2,7 +2,6 @@
 // cantilever and piezo. Displacement: piezo less cantilever, from where the file's own indentation begins, so
 // that the approach before contact is kept too.
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.h"
 #include "diagnosis/import/segments.h"

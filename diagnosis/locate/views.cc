@@ -1,7 +1,6 @@
 #include "diagnosis/locate/views.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <set>

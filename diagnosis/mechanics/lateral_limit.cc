@@ -1,6 +1,5 @@
 #include "diagnosis/mechanics/lateral_limit.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace asperity {

@@ -1,5 +1,4 @@
 // The channels a table may hold, and the modes of motion, by name.
-#include <algorithm>
 
 #include "core/error.h"
 #include "core/joined.h"

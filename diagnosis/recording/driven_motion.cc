@@ -1,6 +1,5 @@
 #include "diagnosis/recording/driven_motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/recording/median.h"

@@ -1,7 +1,6 @@
 #include "diagnosis/recording/monotonic_path.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity {
 

@@ -1,7 +1,5 @@
 #include "engines/lammps.h"
 
-#include <cmath>
-
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/lammps_script.h"

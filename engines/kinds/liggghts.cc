@@ -1,5 +1,4 @@
 // LIGGGHTS 3.8: properties by type, rolling by the model epsd3.
-#include <cmath>
 
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"

@@ -32,8 +32,7 @@ std::string mercurydpm_input(InputNotes& notes) {
                                "8 G a (2 R_e)^2 with that G");
     notes.cannot(
         "torsion that reverses: in copies of July 2024 the torsion spring of the Mindlin species doubles "
-        "every step and never "
-        "unloads; check yours");
+        "every step and never unloads; check yours");
   }
   notes.leaves_out_pull_off(
       "a ReversibleAdhesive species takes it by setAdhesionForceMax, and then adds it to the limits of all "

@@ -1,7 +1,6 @@
 #include "fem/output/vtk_writer.h"
 
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 
 #include "core/atomic_file.h"

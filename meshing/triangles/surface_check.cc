@@ -4,7 +4,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <unordered_map>
-#include <unordered_set>
 
 #include "core/error.h"
 #include "meshing/triangles/cgal_failure.h"

@@ -95,8 +95,7 @@ std::string quantity_cell(const ComparisonRow& row) {
 std::string contact_table(const std::vector<const ComparisonRow*>& rows, Notes& notes) {
   std::string text =
       "| mode | quantity | load | RMS | finite elements | reduced law | | law / FE | engine | engine / law | "
-      "published | law / "
-      "published |\n"
+      "published | law / published |\n"
       "| --- | --- | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const ComparisonRow* row : rows) {
     const QuantityDisplay& display = display_of(row->quantity);
@@ -164,10 +163,8 @@ std::string side_by_side_csv(const SideBySide& comparison) {
   };
   std::string text =
       "contact,mode,quantity,unit,load [N],rms [m],rail_angle "
-      "[rad],finite_elements,finite_elements_sd,realisations,mesh_error,law,"
-      "reduced_law,reduced_law_sd,engine,published,published_sd,published_source,law_over_finite_elements,"
-      "law_over_finite_"
-      "elements_sd,"
+      "[rad],finite_elements,finite_elements_sd,realisations,mesh_error,law,reduced_law,reduced_law_sd,"
+      "engine,published,published_sd,published_source,law_over_finite_elements,law_over_finite_elements_sd,"
       "law_over_published,law_over_published_sd,engine_over_law,verdict\n";
   for (const auto& row : comparison.rows) {
     const QuantityDisplay& display = display_of(row.quantity);

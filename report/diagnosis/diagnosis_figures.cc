@@ -97,10 +97,10 @@ std::string response_figure(const ComparedTable& table, bool improved) {
     chart.series.push_back(after);
   }
   return figure_html("Response", to_svg(chart),
-                     improved ? "Grey: what was recorded. Orange: the simulation alone, calibrated as it may "
-                                "be. Blue: with the effects named below. The "
-                                "nearer a curve is to grey, the better."
-                              : "Grey: what was recorded. Orange: the simulation, calibrated as it may be.");
+                     improved
+                         ? "Grey: what was recorded. Orange: the simulation alone, calibrated as it may be. "
+                           "Blue: with the effects named below. The nearer a curve is to grey, the better."
+                         : "Grey: what was recorded. Orange: the simulation, calibrated as it may be.");
 }
 
 std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,
@@ -132,8 +132,7 @@ std::string residual_figure(const ComparedTable& table, const std::vector<double
   if (!inside.x.empty()) chart.series.push_back(inside);
   return figure_html(title, to_svg(chart),
                      "Each dot is a sample: how far it lies from the simulation, in standard deviations of "
-                     "the noise. Noise alone keeps 95 % "
-                     "of them in the green band" +
+                     "the noise. Noise alone keeps 95 % of them in the green band" +
                          std::string(inside.x.empty() ? "." : "; red marks the located mismatch."));
 }
 

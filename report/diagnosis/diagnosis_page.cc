@@ -115,9 +115,8 @@ std::string where_section(const Diagnosis& d) {
         paragraph("Nowhere: no part of the recording departs from the simulation by more than noise does."));
   std::string body = paragraph(
       "Each row is a stretch of the data in which the simulation alone is off by more than noise. The "
-      "p-value is the probability that noise "
-      "alone departs as much anywhere; the share is how much of the whole excess lies there (stretches of "
-      "several segments add up).");
+      "p-value is the probability that noise alone departs as much anywhere; the share is how much of the "
+      "whole excess lies there (stretches of several segments add up).");
   body += region_table(d.mismatch);
   return section_html("Where they part", body);
 }
@@ -215,17 +214,15 @@ std::string how_section(const Diagnosis& d) {
   for (const auto& p : d.calibrated)
     body += paragraph("Calibrated before any physics was added: " + escaped(channel_words(p.name)) + " = " +
                       interval(p) + ".");
-  body += details_html("How this was found",
-                       "<p>The simulation is driven by the recorded control and calibrated where the "
-                       "recording allows it. Its residuals are tested against "
-                       "simulated noise of the same standard deviation and correlation. Every effect of the "
-                       "catalogue that such data can show, then pairs and, where "
-                       "structure remains, sets of three, are fitted within physical bounds with parameters "
-                       "shared by all segments and runs. They are compared "
-                       "by evidence (Schwarz' criterion) and by predicting blocks of data kept out of the "
-                       "fit; each member of a set must earn its place. A last test "
-                       "asks whether what remains is noise, up to 5 to 30 % of the effect's own "
-                       "contribution, which is what published laws of the same physics differ by.</p>");
+  body += details_html(
+      "How this was found",
+      "<p>The simulation is driven by the recorded control and calibrated where the recording allows it. Its "
+      "residuals are tested against simulated noise of the same standard deviation and correlation. Every "
+      "effect of the catalogue that such data can show, then pairs and, where structure remains, sets of "
+      "three, are fitted within physical bounds with parameters shared by all segments and runs. They are "
+      "compared by evidence (Schwarz' criterion) and by predicting blocks of data kept out of the fit; each "
+      "member of a set must earn its place. A last test asks whether what remains is noise, up to 5 to 30 % "
+      "of the effect's own contribution, which is what published laws of the same physics differ by.</p>");
   return section_html("How sure one can be", body);
 }
 

@@ -199,11 +199,9 @@ namespace report {
 std::string resistance_csv(const MovingStudy& study) {
   std::string text =
       "contact,experiment,load [N],radius [m],rms [m],realisations,spacing "
-      "[m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,"
-      "adhesion,adhesion_sd,mean_force,mean_force_sd,force_fluctuation,unbalanced,over_scale,over_scale_sd,"
-      "over_coulomb,over_coulomb_sd,"
-      "way_back_over_first,"
-      "way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
+      "[m],resistance,resistance_sd,friction,friction_sd,plastic,plastic_sd,adhesion,adhesion_sd,mean_force,"
+      "mean_force_sd,force_fluctuation,unbalanced,over_scale,over_scale_sd,over_coulomb,over_coulomb_sd,way_"
+      "back_over_first,way_back_over_first_sd,hertz_radius [m],contact_area [m^2]\n";
   const auto cells = [](const Uncertain& number) {
     return csv_cell(number.value) + "," + csv_cell(number.sd);
   };

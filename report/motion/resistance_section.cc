@@ -43,8 +43,7 @@ std::string figures_over_load(const MovingStudy& study, const MotionMode& mode) 
               bars),
       figure("Over the particle's radius", resistance_over_load(study, mode, ResistanceUnit::particle),
              "The same moments. Level lines mean that they follow the particle's radius, λ = r; spheres of "
-             "several "
-             "radii then lie on one." +
+             "several radii then lie on one." +
                  bars)};
   if (&mode == &torsion_mode()) {
     const Chart coulomb = resistance_over_load(study, mode, ResistanceUnit::coulomb);
@@ -77,20 +76,15 @@ std::string motion_section(const MovingStudy& study, const MotionMode& mode) {
   const bool slides = &mode == &sliding_mode();
   std::string explanation =
       say("Resistance is the energy dissipated per {} along the steady part of the first pass, over surfaces "
-          "not passed "
-          "before. The conservative topographic part gives back what it takes, so the mean {} of a short "
-          "path is mostly "
-          "its own; over a long one both agree. ± holds the scatter of blocks of the path (block averaging) "
-          "and of "
-          "realisations, and what the energy balance leaves open. Slip, yielding and bonds (opened with more "
-          "work than "
-          "they gave when closing) are their shares.",
+          "not passed before. The conservative topographic part gives back what it takes, so the mean {} of "
+          "a short path is mostly its own; over a long one both agree. ± holds the scatter of blocks of the "
+          "path (block averaging) and of realisations, and what the energy balance leaves open. Slip, "
+          "yielding and bonds (opened with more work than they gave when closing) are their shares.",
           {slides ? "path length" : "angle", slides ? "force" : "moment"});
   if (&mode == &rolling_mode())
     explanation +=
         " The discretisation itself shows moments of up to 5·10⁻⁴ P a on smooth elastic bodies "
-        "(rolling_noise_floor "
-        "in result.json); they come and go, and dissipate nothing.";
+        "(rolling_noise_floor in result.json); they come and go, and dissipate nothing.";
   return section_html(motion_name(mode, true) + ": dissipation by mechanism",
                       figures_over_load(study, mode) + resistance_table(study, mode) + note(explanation));
 }
@@ -107,18 +101,16 @@ std::string resistance_verdict(const ResistanceFindings& findings) {
 
 std::string resistance_sections(const ResistanceFindings& findings) {
   const ResistanceAnswers said = answers(findings);
-  std::string html =
-      section_html("Two questions, and how far these cases answer them",
-                   paragraph("Fuchs, Weinhart et al. (2014) could not decide whether rolling and "
-                             "torsion resistance, M = µ λ (f + h), follow the particle's radius "
-                             "(λ = r) or that of the contact (λ = a): at a given particle the first "
-                             "grows with the load as P, the second as P<sup>4/3</sup>; at a "
-                             "given load the first with the radius as R, the second as R<sup>1/3</sup>. "
-                             "Nor why their rolling friction fell and their sliding "
-                             "friction rose with roughness. Statements are made at two standard "
-                             "deviations (exponents against a law: three); where they do not "
-                             "suffice, it says that the answer is not identifiable.") +
-                       exponent_table(findings));
+  std::string html = section_html(
+      "Two questions, and how far these cases answer them",
+      paragraph(
+          "Fuchs, Weinhart et al. (2014) could not decide whether rolling and torsion resistance, M = µ λ (f "
+          "+ h), follow the particle's radius (λ = r) or that of the contact (λ = a): at a given particle "
+          "the first grows with the load as P, the second as P<sup>4/3</sup>; at a given load the first with "
+          "the radius as R, the second as R<sup>1/3</sup>. Nor why their rolling friction fell and their "
+          "sliding friction rose with roughness. Statements are made at two standard deviations (exponents "
+          "against a law: three); where they do not suffice, it says that the answer is not identifiable.") +
+          exponent_table(findings));
   for (const MotionMode* mode : all_motions()) html += motion_section(findings.study, *mode);
   if (!said.rails.empty())
     html += section_html("On a rail: rolling and spinning at once",

@@ -83,14 +83,13 @@ std::string rail_table(const MovingStudy& study) {
     }
   return table.rows.empty()
              ? ""
-             : table_html(table) + note(
-                                       "A sphere that rolls along a rail spins on its flanks by "
-                                       "tan(inclination) for each angle it rolls. Resistance is "
-                                       "dissipated per angle about the rail's transverse axis. The paper "
-                                       "takes it for the sum of rolling and torsion on "
-                                       "their own; a contact that rolls meets surface that has not slipped "
-                                       "yet, so that it resists its spin with less "
-                                       "than full slip the shallower the rail.");
+             : table_html(table) +
+                   note(
+                       "A sphere that rolls along a rail spins on its flanks by tan(inclination) for each "
+                       "angle it rolls. Resistance is dissipated per angle about the rail's transverse axis. "
+                       "The paper takes it for the sum of rolling and torsion on their own; a contact that "
+                       "rolls meets surface that has not slipped yet, so that it resists its spin with less "
+                       "than full slip the shallower the rail.");
 }
 
 std::string exponent_table(const ResistanceFindings& findings) {
@@ -112,11 +111,11 @@ std::string exponent_table(const ResistanceFindings& findings) {
     }
   return table.rows.empty()
              ? ""
-             : table_html(table) + note(
-                                       "Without an offset h, which makes the power of the load smaller. "
-                                       "Bonds that cost Δw more to open than they give dissipate "
-                                       "2 a r Δw per angle along the rim of a smooth contact: a law "
-                                       "that is neither. A dash: a moment is not known to be positive.");
+             : table_html(table) +
+                   note(
+                       "Without an offset h, which makes the power of the load smaller. Bonds that cost Δw "
+                       "more to open than they give dissipate 2 a r Δw per angle along the rim of a smooth "
+                       "contact: a law that is neither. A dash: a moment is not known to be positive.");
 }
 
 std::string trend_table(const ResistanceFindings& findings) {
@@ -152,10 +151,8 @@ std::string contribution_table(const ResistanceFindings& findings) {
   return table_html(table) +
          note(
              "The same surfaces, seed by seed, with a mechanism and without it. Switching yielding off also "
-             "changes "
-             "what slip "
-             "takes, because the topography stays higher and the real contact is another; the last columns "
-             "say so.");
+             "changes what slip takes, because the topography stays higher and the real contact is another; "
+             "the last columns say so.");
 }
 
 std::string input_table(const ResistanceFindings& findings) {
@@ -167,8 +164,8 @@ std::string input_table(const ResistanceFindings& findings) {
                           in_units(one.load, Dimension::force), cell(one.exponent)});
   return table_html(table) + note(
                                  "The same surfaces, seed by seed, with one input multiplied by a factor: 1 "
-                                 "where the resistance is proportional to it, 0 where it "
-                                 "does not matter. These inputs are choices of the cases, not results.");
+                                 "where the resistance is proportional to it, 0 where it does not matter. "
+                                 "These inputs are choices of the cases, not results.");
 }
 
 std::string measurement_table(const ResistanceFindings& findings) {
@@ -192,18 +189,15 @@ std::string measurement_table(const ResistanceFindings& findings) {
         in_units(one.load, Dimension::force), one.simulated, one.measured, one.sigmas());
   return table_html(table) +
          note(
-             "Fuchs, Weinhart et al. (2014), Table 2, where sphere, plane, RMS and load are the "
-             "paper's. Its rolling numbers are means over two "
-             "contacts of the sphere, silicon below and a diamond indenter above (so are the simulated "
-             "magnitudes where the study rolled the indenter's contact, too): what roughness "
-             "changes at the silicon is twice what the mean "
-             "shows, and that is what stands here as measured trend; the magnitudes are the "
-             "paper's means. At a load the measured rolling "
-             "resistance is µ(1 + h/P), and h grows with roughness: below about 0.6 mN the "
-             "resistance itself rises, and only the coefficient µ "
-             "falls. The local friction of the simulations is an input: the size of sliding and "
-             "torsion resistance follows from it, "
-             "how they change with roughness does not.");
+             "Fuchs, Weinhart et al. (2014), Table 2, where sphere, plane, RMS and load are the paper's. Its "
+             "rolling numbers are means over two contacts of the sphere, silicon below and a diamond "
+             "indenter above (so are the simulated magnitudes where the study rolled the indenter's contact, "
+             "too): what roughness changes at the silicon is twice what the mean shows, and that is what "
+             "stands here as measured trend; the magnitudes are the paper's means. At a load the measured "
+             "rolling resistance is µ(1 + h/P), and h grows with roughness: below about 0.6 mN the "
+             "resistance itself rises, and only the coefficient µ falls. The local friction of the "
+             "simulations is an input: the size of sliding and torsion resistance follows from it, how they "
+             "change with roughness does not.");
 }
 
 }  // namespace asperity::report

@@ -46,9 +46,8 @@ std::string curve_text(const PaperCurve& curve) {
 std::string paper_text(const PaperAnalysis& analysis) {
   std::string text =
       "Rolling, sliding and torsion of micron-sized silica particles (Fuchs, Weinhart et al. 2014): "
-      "published numbers "
-      "beside what its inputs give.\nsigma: (computed - published) over the published sd; both: over that of "
-      "both.\n";
+      "published numbers beside what its inputs give.\nsigma: (computed - published) over the published sd; "
+      "both: over that of both.\n";
   const auto line = [](const std::string& what, const std::string& published, const std::string& computed,
                        const char* unit, const std::string& own, const std::string& both) {
     return printed("  %-64s %-22s %-22s %-8s %7s %7s\n", what.c_str(), published.c_str(), computed.c_str(),

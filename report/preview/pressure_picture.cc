@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "report/fields/map_figure.h"
 #include "report/preview/preview_report.h"

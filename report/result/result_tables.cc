@@ -1,7 +1,6 @@
 #include "report/result/result_tables.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/printed.h"
 #include "report/curves/curves.h"
@@ -102,8 +101,7 @@ std::string resolved_roughness_sentence(const SolvedCase& solved, const std::str
     text += " " + general(cells, 2) + " cells over its shortest wave of " +
             in_units(said->shortest_wave, Dimension::length) + ";";
   text += " the mesh's facets miss " + percent_text(std::isfinite(missed) ? missed : 0) +
-          " of its slope variance, "
-          "so the largest pressures read too small (their ± sd says by how much)";
+          " of its slope variance, so the largest pressures read too small (their ± sd says by how much)";
   if (shorter > worth_saying)
     text += "; waves shorter still, with " + percent_text(shorter) +
             " of the scan's slope variance, are not in the simulation";
@@ -182,10 +180,8 @@ std::string fit_table(const NormalNumbers& numbers, double true_radius) {
   return table_html(table) +
          note("The sphere of the computation has " + in_units(true_radius, Dimension::length) +
               ", and Hertz's exponent is 1.5. An experimenter who fits Hertz's law to such a curve reads off "
-              "the radius given here, "
-              "not the true one. ± is the standard error of the fit, from its misfit; misfit is the root "
-              "mean square over the "
-              "largest force.");
+              "the radius given here, not the true one. ± is the standard error of the fit, from its misfit; "
+              "misfit is the root mean square over the largest force.");
 }
 
 }  // namespace asperity::report

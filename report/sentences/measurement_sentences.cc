@@ -107,10 +107,8 @@ std::vector<std::string> measurement_sentences(const ResistanceFindings& finding
   if (lacks_coefficients(published.trends))
     list.emplace_back(
         "What falls with roughness in the paper is the coefficient µ, the slope of rolling resistance over "
-        "loads "
-        "of 0.1 to 3 mN; at a load below about 0.6 mN its resistance rises, with the offset h. To set that "
-        "fall "
-        "beside the simulations, at least two surfaces need two loads each: without them it is not "
+        "loads of 0.1 to 3 mN; at a load below about 0.6 mN its resistance rises, with the offset h. To set "
+        "that fall beside the simulations, at least two surfaces need two loads each: without them it is not "
         "identifiable.");
   for (const auto& one : published.laws)
     if (!is_reduced(*one.contact)) list.push_back(law_sentence(one));

@@ -74,8 +74,7 @@ Sentences roughness_sentences(const ResistanceFindings& findings) {
   if (list.empty())
     list.emplace_back(
         "How resistance changes with roughness is not identifiable: no two contacts differ by the "
-        "substrate's RMS "
-        "alone.");
+        "substrate's RMS alone.");
   return list;
 }
 
@@ -115,8 +114,8 @@ Sentences mesh_sentences(const ResistanceFindings& findings) {
   Sentences list;
   for (const auto& one : findings.meshes)
     list.push_back(say(
-        "{}: on {} instead of {} the resistance is {} of it{}. A discretisation error of first order "
-        "in the spacing would be {} on the mesh that counts here ({}).",
+        "{}: on {} instead of {} the resistance is {} of it{}. A discretisation error of first order in the "
+        "spacing would be {} on the mesh that counts here ({}).",
         {subject(*one.state->mode, *one.contact, one.state->load), length_text(one.fine),
          length_text(one.coarse), number_text(one.ratio), significance({one.ratio.value - 1, one.ratio.sd}),
          change_percent(one.excess()), length_text(one.state->spacing)}));
@@ -180,8 +179,7 @@ ResistanceAnswers answers(const ResistanceFindings& findings) {
   if (result.length.empty())
     result.length.emplace_back(
         "Which length rolling and torsion follow is not identifiable: no contact was rolled or spun under "
-        "two loads, "
-        "or with two radii.");
+        "two loads, or with two radii.");
   result.roughness = roughness_sentences(findings);
   result.mechanisms = mechanism_sentences(findings);
   result.inputs = input_sentences(findings);

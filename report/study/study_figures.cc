@@ -81,8 +81,7 @@ std::string rms_figure(const std::vector<StudyCurve>& curves) {
       to_svg(stiffness_against(family, "RMS roughness of both surfaces together [nm]",
                                [](const StudyCurve& c) { return composite_rms(c.largest->first()) / nm; })),
       "Contacts with the same spectrum but for its height. Each line is one load of the path; bars are the "
-      "standard "
-      "deviation over realisations. RMS is √(RMS² of the sphere + RMS² of the plane).");
+      "standard deviation over realisations. RMS is √(RMS² of the sphere + RMS² of the plane).");
 }
 
 /// Contacts with the same RMS and different spectra.
@@ -119,10 +118,9 @@ std::string load_figures(const std::vector<StudyCurve>& curves) {
   const std::string bars = "Bars are the standard deviation over realisations.";
   return figure_html("Load against approach", to_svg(load_approach_chart(curves)),
                      "Loading and first unloading at the largest load; each thin line is one realisation of "
-                     "the surface, the dashed line is "
-                     "Hertz's law for the same bodies, smooth and elastic. A rough contact starts softer, "
-                     "because at first only the highest "
-                     "asperities carry; later it runs nearly parallel to Hertz's curve.") +
+                     "the surface, the dashed line is Hertz's law for the same bodies, smooth and elastic. A "
+                     "rough contact starts softer, because at first only the highest asperities carry; later "
+                     "it runs nearly parallel to Hertz's curve.") +
          side_by_side(
              {figure_html(
                   "Stiffness against load",
@@ -141,8 +139,7 @@ std::string load_figures(const std::vector<StudyCurve>& curves) {
                   "Force over Hertz's",
                   to_svg(ratio_chart(curves, &LoadComparison::force_ratio, "force / Hertz (same approach)")),
                   "At the same approach. This depends on where the approach is counted from: an experimenter "
-                  "who sets the zero at a "
-                  "small force sees less of it. " +
+                  "who sets the zero at a small force sees less of it. " +
                       bars),
               figure_html("Real contact area over Hertz's",
                           to_svg(ratio_chart(curves, &LoadComparison::area_ratio,

@@ -66,12 +66,12 @@ std::string surfaces_table(const std::vector<StudyCurve>& curves) {
       table.rows.push_back(std::move(row));
     }
   if (table.rows.empty()) return "";
-  return table_html(table) + note(
-                                 "RMS alone does not fix a surface: the spectrum says how the heights are "
-                                 "shared out among long and short waves, and with "
-                                 "them slopes and curvatures. The patch under the contact is smaller than a "
-                                 "scan and misses the longest waves, so its own RMS "
-                                 "is lower on average and scatters (±) from one realisation to the next.");
+  return table_html(table) +
+         note(
+             "RMS alone does not fix a surface: the spectrum says how the heights are shared out among long "
+             "and short waves, and with them slopes and curvatures. The patch under the contact is smaller "
+             "than a scan and misses the longest waves, so its own RMS is lower on average and scatters (±) "
+             "from one realisation to the next.");
 }
 
 std::string stiffness_table(const std::vector<StudyCurve>& curves) {
@@ -93,14 +93,12 @@ std::string stiffness_table(const std::vector<StudyCurve>& curves) {
   return table_html(table) +
          note(
              "The slope dF/dδ of the loading path at each of its loads, and of the unloading path where it "
-             "passes the same load. ± is the "
-             "standard deviation over realisations: how much one rough surface differs from the next with "
-             "the same statistics; the "
-             "standard error says how well their mean is known. The mesh error is the computation's own and "
-             "is not contained in ±: what the "
+             "passes the same load. ± is the standard deviation over realisations: how much one rough "
+             "surface differs from the next with the same statistics; the standard error says how well their "
+             "mean is known. The mesh error is the computation's own and is not contained in ±: what the "
              "value would lose on an infinitely fine mesh, extrapolated from the spacings solved, with a "
-             "standard error of its own where "
-             "realisations give one. The load-step error bounds what the finite steps do to the slope.");
+             "standard error of its own where realisations give one. The load-step error bounds what the "
+             "finite steps do to the slope.");
 }
 
 std::string contact_table(const std::vector<StudyCurve>& curves) {
@@ -117,11 +115,11 @@ std::string contact_table(const std::vector<StudyCurve>& curves) {
                 mesh_error_text(load.mean_pressure),    plus_minus(load.largest_pressure, GPa),
                 mesh_error_text(load.largest_pressure), plus_minus(load.plastic_volume, thousandth * um3)};
       });
-  return table_html(table) + note(
-                                 "The real area is that of all nodes that carry, so a contact spot counts "
-                                 "too large by about a third of a cell all around: small "
-                                 "spots at low loads are where the mesh error is largest. Mean pressure is "
-                                 "the load over this area.");
+  return table_html(table) +
+         note(
+             "The real area is that of all nodes that carry, so a contact spot counts too large by about a "
+             "third of a cell all around: small spots at low loads are where the mesh error is largest. Mean "
+             "pressure is the load over this area.");
 }
 
 std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
@@ -140,16 +138,14 @@ std::string imprint_and_fit_table(const std::vector<StudyCurve>& curves) {
                             plus_minus(n.exponent), plus_minus(n.exponent_with_offset)});
     }
   const double radius = curves.empty() ? NAN : curves.front().last().numbers.hertz.radius;
-  return table_html(table) +
-         note(
-             "The fit is what an experimenter would make of the loading curve with Hertz's law, the sphere's "
-             "radius left free (the "
-             "true one is " +
-             in_units(radius, Dimension::length) +
-             ", Hertz's exponent 1.5). Leaving the zero of approach free as well "
-             "takes out the soft beginning, where only the highest asperities carry. The imprint is the "
-             "approach that has not come back; "
-             "one that is smaller than its scatter or mesh error, or negative, is not significant.");
+  return table_html(table) + note(
+                                 "The fit is what an experimenter would make of the loading curve with "
+                                 "Hertz's law, the sphere's radius left free (the true one is " +
+                                 in_units(radius, Dimension::length) +
+                                 ", Hertz's exponent 1.5). Leaving the zero of approach free as well takes "
+                                 "out the soft beginning, where only the highest asperities carry. The "
+                                 "imprint is the approach that has not come back; one that is smaller than "
+                                 "its scatter or mesh error, or negative, is not significant.");
 }
 
 std::string case_list(const CaseCollection& collection) {
@@ -168,10 +164,10 @@ std::string case_list(const CaseCollection& collection) {
                             percent_text(result.balance_of("energy")), duration_text(result.wall_time),
                             plus_minus({1, result.peak_memory, NAN, NAN}, GiB)});
     }
-  return table_html(table) + note(
-                                 "force, moment and energy are the relative errors of the balances. "
-                                 "<code>asperity report</code> on "
-                                 "one of the folders writes the full page of that case.");
+  return table_html(table) +
+         note(
+             "force, moment and energy are the relative errors of the balances. <code>asperity report</code> "
+             "on one of the folders writes the full page of that case.");
 }
 
 }  // namespace asperity::report

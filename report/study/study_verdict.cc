@@ -98,8 +98,7 @@ std::string mesh_sentence(const std::vector<StudyCurve>& curves) {
                      percent_text(stiffness) + " of the stiffness, up to " + percent_text(area) +
                      " of the real contact area (columns of their own below)."
                : "Mesh error: each contact was solved on one spacing only, so it is not known from this "
-                 "study itself; vary "
-                 "Mesh/Interface spacing to have it.";
+                 "study itself; vary Mesh/Interface spacing to have it.";
 }
 
 }  // namespace

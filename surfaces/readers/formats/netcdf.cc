@@ -7,7 +7,6 @@
 #include <netcdf_mem.h>
 
 #include <climits>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -172,10 +171,9 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const NetcdfFile netcdf(file);
   const int heights = netcdf.variable("heights");
   if (heights < 0)
-    throw InputError(
-        file.name() +
-        " is a NetCDF file without a variable 'heights'; pass a topography that contact.engineering or "
-        "SurfaceTopography wrote");
+    throw InputError(file.name() +
+                     " is a NetCDF file without a variable 'heights'; pass a topography that "
+                     "contact.engineering or SurfaceTopography wrote");
   if (options.channel && lower_case(*options.channel) != "heights" && *options.channel != "0")
     throw InputError(file.name() + " has no channel '" + *options.channel + "'; its only one is 'heights'");
   const auto axes = axes_of(file, netcdf, heights);

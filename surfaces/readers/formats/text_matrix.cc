@@ -2,7 +2,6 @@
 // ASCII export ("# Channel: Height", "# Width: 2.5 µm", "# Height: 2.5 µm", "# Value units: nm", also in
 // German), or lines such as "size: 2.5 um x 2.5 um", "pixel size: 4.9 nm", "unit: nm". Without a unit heights
 // are metres, as Gwyddion writes them, if that is plausible.
-#include <cmath>
 
 #include "core/error.h"
 #include "surfaces/readers/channels.h"
