@@ -11,6 +11,7 @@
 #include "app/engine_command.h"
 #include "app/experiment_command.h"
 #include "app/import_command.h"
+#include "app/materials_command.h"
 #include "app/paper_command.h"
 #include "app/program.h"
 #include "app/solver_commands.h"
@@ -20,6 +21,8 @@ int main(int argc, char** argv) {
   using namespace asperity;
   return run_program(argc, argv, [argv](CLI::App& app) {
     add_surface_command(app);
+    add_solver_command(app, solver_commands::characterise, argv);
+    add_materials_command(app);
     add_solver_command(app, solver_commands::preview, argv);
     add_solver_command(app, solver_commands::mesh, argv);
     add_solver_command(app, solver_commands::solve, argv);

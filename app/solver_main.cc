@@ -1,6 +1,7 @@
 // The program `asperity-solver`: the commands that need deal.II, CGAL or VTK. `asperity` starts it for them.
 #include <CLI/CLI.hpp>
 
+#include "app/characterise_command.h"
 #include "app/mesh_command.h"
 #include "app/preview_command.h"
 #include "app/program.h"
@@ -11,6 +12,7 @@
 int main(int argc, char** argv) {
   using namespace asperity;
   return run_program(argc, argv, [](CLI::App& app) {
+    add_characterise_command(app);
     add_preview_command(app);
     add_mesh_command(app);
     add_solve_command(app);
