@@ -15,12 +15,14 @@
 namespace asperity {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr const char* planned = "the plan of characterise";
 
 /// Below four cells a contact of Hertz is not a circle any more; a quick answer takes three and says so.
 const std::vector<Rung>& ladder() {
-  static const std::vector<Rung> rungs{{3, 1, 1}, {4, 2, 1}, {4, 2, 2}, {5, 2, 2}, {5, 2, 3},
-                                       {6, 2, 3}, {6, 3, 3}, {8, 3, 4}, {10, 3, 4}};
+  static const std::vector<Rung> rungs{{3, 1.8, 1, 1}, {4, 2, 2, 1},   {4, 2, 2, 2},
+                                       {5, 2.5, 2, 2}, {5, 2.5, 2, 3}, {6, 3, 2, 3},
+                                       {6, 3, 3, 3},   {8, 3.5, 3, 4}, {10, 4, 3, 4}};
   return rungs;
 }
 
@@ -81,30 +83,38 @@ Settings base_of(const CharacteriseRequest& request, const CharacterisePlan& pla
 }
 
 PlannedMotion motion_of(const std::string& type, double friction, bool named,
-                        std::vector<std::pair<std::string, std::string>> entries) {
+                        const std::vector<std::pair<std::string, std::string>>& entries) {
   PlannedMotion motion;
   motion.label = type + (named ? printed(" at local friction %g", friction) : "");
   motion.settings.push_back({"Experiment", "Type", type, planned});
   motion.settings.push_back({"Interface", "Friction coefficient", printed("%g", friction), planned});
-  for (auto& [entry, value] : entries) motion.settings.push_back({"Experiment", entry, value, planned});
+  for (const auto& [entry, value] : entries) motion.settings.push_back({"Experiment", entry, value, planned});
   return motion;
 }
 
 /// Normal load without friction, which hardly changes it and so counts for each coefficient; then each motion
 /// at each coefficient.
 std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double contact_radius) {
+  using Entries = std::vector<std::pair<std::string, std::string>>;
   std::vector<PlannedMotion> motions{
       motion_of("normal", 0, false, {{"Load steps", "6"}, {"Unload steps", "5"}, {"Unload", "true"}})};
   const bool named = request.friction.size() > 1;
   const std::string back = text_of(contact_radius, Dimension::length);
+  constexpr double quick_path = 3.5;  // contact radii
+  const Entries path = request.quick
+                           ? Entries{{"Distance", text_of(quick_path * contact_radius, Dimension::length)},
+                                     {"Motion steps", "24"}}
+                           : Entries{};
   for (const double friction : request.friction) {
-    motions.push_back(motion_of("sliding", friction, named,
-                                {{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}}));
-    motions.push_back(motion_of(
-        "rolling", friction, named,
-        {{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "true"}, {"Return distance", back}}));
-    motions.push_back(motion_of("torsion", friction, named,
-                                {{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}}));
+    Entries there{{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}};
+    const Entries torsion = there;
+    there.insert(there.end(), path.begin(), path.end());
+    Entries there_and_back{
+        {"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "true"}, {"Return distance", back}};
+    there_and_back.insert(there_and_back.end(), path.begin(), path.end());
+    motions.push_back(motion_of("sliding", friction, named, there));
+    motions.push_back(motion_of("rolling", friction, named, there_and_back));
+    motions.push_back(motion_of("torsion", friction, named, torsion));
   }
   return motions;
 }
@@ -128,9 +138,11 @@ CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, c
   plan.rung = rung;
   plan.loads = loads_of(request.loads, rung.loads);
   const Hertz smooth = smooth_contact(request);
-  plan.spacing = smooth.contact_radius(plan.loads.front()) / rung.cells_per_radius;
-  plan.cutoff = std::max(cells_per_wave * plan.spacing, substrate.shortest_wave);
-  if (particle) plan.cutoff = std::max(plan.cutoff, particle->shortest_wave);
+  const double rolloff = std::min(rolloff_of(substrate), particle ? rolloff_of(*particle) : infinite),
+               measured = std::max(substrate.shortest_wave, particle ? particle->shortest_wave : 0);
+  const double needed = std::max(rolloff / rung.waves, measured) / cells_per_wave;
+  plan.spacing = std::min(smooth.contact_radius(plan.loads.front()) / rung.cells_per_radius, needed);
+  plan.cutoff = std::max(cells_per_wave * plan.spacing, measured);
   const bool drawn =
       from_spectrum(substrate, request.surface) || (particle && from_spectrum(*particle, request.surface));
   if (!drawn) plan.rung.realisations = 1;
@@ -151,7 +163,7 @@ std::string variant_line(const PlannedMotion& motion) {
 std::string rung_text(const Rung& rung) {
   return std::to_string(rung.loads) + (rung.loads == 1 ? " load, " : " loads, ") +
          std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
-         printed(", %g cells over the contact radius at the lowest load", rung.cells_per_radius);
+         printed(", at least %g cells over the contact radius", rung.cells_per_radius);
 }
 
 }  // namespace
@@ -199,7 +211,12 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
   if (plan.next)
     sentences.push_back("the next finer plan (" + rung_text(*plan.next) + ") takes about " +
                         wait_text(plan.next_seconds));
-  if (!request.friction_is_known)
+  if (!request.friction_is_known && request.friction.size() == 1)
+    sentences.push_back(
+        printed("local friction is not known, only an experiment tells it (--friction): quickly solved at "
+                "%.2g alone, resistances may be twice as large or half",
+                request.friction.front()));
+  else if (!request.friction_is_known)
     sentences.push_back(printed(
         "local friction is not known, only an experiment tells it (--friction): solved at %g and at %g, "
         "and the answer lies between",
@@ -211,6 +228,8 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
   if (plan.rung.realisations == 1)
     sentences.push_back(
         "one realisation: the scatter over the surface will not be known, and no interval holds it");
+  if (request.quick)
+    sentences.push_back("short paths in long steps: resistances are of the right order, not more");
   if (plan.loads.size() == 1)
     sentences.push_back("one load: offsets of the resistances and growth with the load will not be known");
   return sentences;

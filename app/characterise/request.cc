@@ -111,6 +111,8 @@ CharacteriseRequest request_of(const CharacteriseArguments& arguments) {
   if (!arguments.adhesion.empty()) request.adhesion = adhesion_of(arguments.adhesion);
   request.accuracy = accuracy_of(arguments.accuracy);
   request.quick = arguments.quick;
+  if (request.quick && request.friction.size() == 2)
+    request.friction = {std::sqrt(request.friction[0] * request.friction[1])};
   request.time = arguments.quick ? quick_time : time_of(arguments.time);
   return request;
 }

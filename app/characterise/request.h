@@ -39,8 +39,9 @@ struct CharacteriseRequest {
   SurfaceFrom surface = SurfaceFrom::automatic;
   ParticleText particle;
   Material substrate;
-  std::vector<double> loads;     ///< [N] ends of the range, rising; one or two
-  std::vector<double> friction;  ///< local coefficients; two where they bracket what is not known
+  std::vector<double> loads;  ///< [N] ends of the range, rising; one or two
+  std::vector<double>
+      friction;  ///< local coefficients; two where they bracket what is not known (quick: their middle)
   bool friction_is_known = true;
   std::optional<AdhesionRequest> adhesion;
   double accuracy = 0.15;  ///< asked for, half a 95 % interval over the value [-]

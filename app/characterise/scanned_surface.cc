@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "core/printed.h"
@@ -24,14 +25,21 @@ double rms_above(const MeasuredScan& scan, double cutoff) {
   return height_moments(prepared_scan(smoothed)).Sq;
 }
 
+/// Exponent that is drawn with: what is fitted to a smooth or noisy scan can lie beyond a self-affine
+/// surface's.
+double hurst_drawn(const SpectrumFit& fit) {
+  constexpr double least = 0.1, largest = 1;
+  return std::clamp(fit.hurst.value, least, largest);
+}
+
 /// The model drawn from: roll-off as seen, else the scan's side, for longer waves are not in it.
 SelfAffineSpectrum spectrum_of(const MeasuredScan& scan, double cutoff) {
-  constexpr double least_hurst = 0.1, largest_hurst = 1, least_decade = 1.5;
+  constexpr double least_decade = 1.5;
   const SpectrumFit& fit = *scan.measurement.fit;
   SelfAffineSpectrum spectrum;
-  spectrum.hurst = std::clamp(fit.hurst.value, least_hurst, largest_hurst);
+  spectrum.hurst = hurst_drawn(fit);
   spectrum.cutoff = cutoff;
-  spectrum.rolloff = fit.has_rolloff ? fit.rolloff.value : side_of(scan.measurement.map);
+  spectrum.rolloff = rolloff_of(scan);
   if (spectrum.rolloff < least_decade * cutoff)
     throw InputError(scan.scan.file + ": its spectrum falls from waves of " + length_text(spectrum.rolloff) +
                      " on, but the mesh carries waves from " + length_text(cutoff) +
@@ -48,6 +56,12 @@ MeasuredScan measured_scan(const ScanParameters& scan) {
   const auto& fit = measured.measurement.fit;
   if (fit && fit->has_noise) measured.shortest_wave = std::max(measured.shortest_wave, fit->noise.value);
   return measured;
+}
+
+double rolloff_of(const MeasuredScan& scan) {
+  const auto& fit = scan.measurement.fit;
+  if (!fit) return std::numeric_limits<double>::infinity();
+  return fit->has_rolloff ? fit->rolloff.value : side_of(scan.measurement.map);
 }
 
 bool from_spectrum(const MeasuredScan& scan, SurfaceFrom asked) {
@@ -93,6 +107,8 @@ std::vector<std::string> scan_sentences(const std::string& body, const MeasuredS
     const SpectrumFit& fit = *m.fit;
     std::string drawn =
         "its surface is drawn from the scan's spectrum, Hurst exponent " + printed("%.2f", fit.hurst.value);
+    if (hurst_drawn(fit) != fit.hurst.value)
+      drawn += printed(" (taken as %g, the nearest that a self-affine surface has)", hurst_drawn(fit));
     drawn += fit.has_rolloff
                  ? ", roll-off " + length_text(fit.rolloff.value)
                  : "; the scan shows no roll-off: waves longer than it are not known and left out";

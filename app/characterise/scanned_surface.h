@@ -20,6 +20,10 @@ struct MeasuredScan {
 /// Throws InputError where it cannot be read or measured.
 MeasuredScan measured_scan(const ScanParameters& scan);
 
+/// Wavelength from which on the fitted spectrum falls [m]: the longest that matter; the scan's side where it
+/// shows none, infinite without a fit.
+double rolloff_of(const MeasuredScan& scan);
+
 /// Whether its surface is drawn from its spectrum, so that there are realisations of it.
 bool from_spectrum(const MeasuredScan& scan, SurfaceFrom asked);
 
