@@ -1,6 +1,7 @@
 #include "app/case_declaration.h"
 
 #include "app/case_entry_kinds.h"
+#include "core/experiment_declaration.h"
 #include "core/motion_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
@@ -118,6 +119,23 @@ void add_interface(std::vector<CaseEntry>& entries) {
     entries.push_back(law_entry("Interface", parameter, values));
 }
 
+/// Motions that asperity knows, and experiments that are programs of them.
+CaseEntry experiment_type(const std::string& section) {
+  std::vector<std::pair<std::string, Motion>> types;
+  for (const Motion motion :
+       {Motion::normal, Motion::sliding, Motion::rolling, Motion::torsion, Motion::program})
+    types.emplace_back(name_of(motion), motion);
+  for (const auto& declared : declared_experiments()) types.emplace_back(declared.name, Motion::program);
+  CaseEntry entry = choice<Motion>(
+      section, "Type", [](CaseInput& input) -> Motion& { return input.experiment.type; }, types, "normal",
+      "How the particle is moved after the normal load is applied; program: as Program says.");
+  entry.store = [store = entry.store](CaseInput& input, const std::string& text) {
+    store(input, text);
+    input.experiment.declared = is_declared_experiment(text) ? text : "";
+  };
+  return entry;
+}
+
 /// What presses: the normal load or approach, its steps and cycles.
 void add_loading(std::vector<CaseEntry>& entries) {
   const auto at = [](auto ExperimentInput::*member) {
@@ -125,14 +143,7 @@ void add_loading(std::vector<CaseEntry>& entries) {
   };
   using Control = ExperimentInput::Control;
   const std::string section = "Experiment";
-  entries.push_back(choice<Motion>(
-      section, "Type", at(&ExperimentInput::type),
-      {{"normal", Motion::normal},
-       {"sliding", Motion::sliding},
-       {"rolling", Motion::rolling},
-       {"torsion", Motion::torsion},
-       {"program", Motion::program}},
-      "normal", "How the particle is moved after the normal load is applied; program: as Program says."));
+  entries.push_back(experiment_type(section));
   entries.push_back(choice<Control>(section, "Control", at(&ExperimentInput::control),
                                     {{"force", Control::force}, {"displacement", Control::displacement}},
                                     "force", "Whether Normal load or Normal approach is prescribed."));
@@ -183,6 +194,8 @@ void add_motion(std::vector<CaseEntry>& entries) {
                "began. A contact radius is enough for the rolling stiffness: where the surface was rolled "
                "over before, the conservative topographic part of the moment cancels."));
   entries.push_back(motion_program(section));
+  for (const auto& parameter : parameters_of(declared_experiments()))
+    entries.push_back(law_entry(section, parameter, at(&ExperimentInput::parameters)));
   entries.push_back(not_physical(whole_number(
       section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
       "Equal steps of the motion in one direction; 0: fine steps where slip begins and after the reversal, "

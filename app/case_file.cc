@@ -7,6 +7,7 @@
 
 #include "app/case_declaration.h"
 #include "core/error.h"
+#include "core/experiment_declaration.h"
 #include "core/motion_program.h"
 #include "core/nearest_name.h"
 #include "core/quantity.h"
@@ -176,6 +177,8 @@ void remember_physical_entries(const Settings& settings, const fs::path& file, C
        {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
     if (const auto* scan = body->topography.scan())
       input.physical_entries[std::string(section) + "Topography"] = with_absolute_file(*scan, {}).text();
+  if (!input.experiment.declared.empty())
+    input.physical_entries["Experiment/Program"] = input.experiment.program;
 }
 
 }  // namespace
@@ -248,6 +251,11 @@ CaseInput case_from_settings(const Settings& settings, const fs::path& file) {
       throw InputError(file.string() + ": " + entry.section + "/" + entry.name + " is missing; add 'set " +
                        entry.name + " = " + entry.example + "' (with your value) to subsection " +
                        entry.section);
+  }
+  try {
+    write_declared_program(input.experiment);
+  } catch (const InputError& error) {
+    throw InputError(where_set(settings, "Experiment/Type", file) + ": " + error.what());
   }
   find_scan(input.particle.topography, "Particle", settings, file);
   find_scan(input.substrate.topography, "Substrate", settings, file);

@@ -3,6 +3,7 @@
 
 #include "app/case_declaration.h"
 #include "app/study.h"
+#include "core/experiment_declaration.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
@@ -68,6 +69,16 @@ std::string laws_of_interface() {
          table_of_laws("Laws of adhesion: stress s at a gap g, w: `Work of adhesion`.", fem::adhesion_laws());
 }
 
+/// Empty where there are none.
+std::string further_experiments() {
+  const auto& declared = declared_experiments();
+  return declared.empty() ? ""
+                          : table_of_laws(
+                                "Experiments that are programs of motions made from entries of "
+                                "their own; the equation is the program.",
+                                declared);
+}
+
 }  // namespace
 
 std::string case_template() {
@@ -114,6 +125,7 @@ std::string case_reference() {
                 in_table(entry.admissible) + " | " + in_table(entry.documentation) + " |\n";
     if (section.name == "Substrate") text += laws_of_bodies();
     if (section.name == "Interface") text += laws_of_interface();
+    if (section.name == "Experiment") text += further_experiments();
   }
   text +=
       "\n## Study files\n\nA study file is a case file with one more subsection, for `asperity "

@@ -12,6 +12,7 @@ find_library(FFTW3_THREADS_LIBRARY fftw3_threads REQUIRED)
 find_library(NETCDF_LIBRARY netcdf REQUIRED)
 find_library(LIBZIP_LIBRARY zip REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(ZLIB REQUIRED)
 
 if(ASPERITY_COMPONENTS STREQUAL "all")
   find_package(CLI11 REQUIRED)

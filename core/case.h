@@ -31,6 +31,8 @@ struct InterfaceInput {
 /// How the particle is moved.
 struct ExperimentInput {
   Motion type = Motion::normal;  ///< not rail, which is a program
+  std::string declared;          ///< name of the experiment that wrote `program`; empty: people did
+  LawValues parameters;          ///< of declared experiments (core/experiment_declaration.h)
   enum class Control { force, displacement } control = Control::force;
   double normal_load = 0;          ///< largest normal force F [N] (force control)
   double normal_approach = 0;      ///< largest approach [m] (displacement control)

@@ -52,8 +52,19 @@ void check_kinds(const Json& result, const std::string& file) {
                          "; solve the case again, or remove the file");
   };
   check({"format", "title", "experiment", "commit", "inputs_sha256"}, &Json::is_string, "text");
-  check({"inputs", "hertz", "mesh", "effective", "balance", "cost", "versions"}, &Json::is_object, "object");
+  check({"inputs", "hertz", "mesh", "effective", "balance", "cost", "versions", "added"}, &Json::is_object,
+        "object");
   check({"complete"}, &Json::is_boolean, "true or false");
+}
+
+/// What files of their own have added of a kind; an entry without a name is passed over.
+std::vector<Addition> additions_in(const Json& document, const char* kind) {
+  std::vector<Addition> additions;
+  for (const Json& said : part_of(document, {"added", kind}))
+    if (!text_in(said, {"name"}).empty())
+      additions.push_back({text_in(said, {"name"}), text_in(said, {"meaning"}), text_in(said, {"unit"}),
+                           text_in(said, {"place"}), number_in(said, {"components"})});
+  return additions;
 }
 
 std::optional<ResolvedRoughness> roughness_in(const Json& document, const char* body) {
@@ -90,6 +101,8 @@ CaseResult case_result_of(const Json& document, const std::string& file) {
     result.balance.push_back({name, number_of(said)});
   for (const auto& [path, said] : object_in(document, {"inputs", "entries"}).items())
     result.physical_entries[present_path(path)] = said.is_string() ? said.get<std::string>() : said.dump();
+  result.added_columns = additions_in(document, "columns");
+  result.added_fields = additions_in(document, "fields");
   result.rms_in_region = {number_in(document, {"inputs", "rms_in_region", "particle"}),
                           number_in(document, {"inputs", "rms_in_region", "substrate"})};
   result.roughness = {roughness_in(document, "particle"), roughness_in(document, "substrate")};

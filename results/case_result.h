@@ -28,6 +28,16 @@ struct ResolvedRoughness {
   double repeats_every;                            ///< [m]
 };
 
+/// What a column or field that a file of its own has added is.
+struct Addition {
+  std::string name, meaning;
+  std::string unit, place;  ///< of a field; place: contact or bodies
+  double components;        ///< of a field [-]; NaN for a column
+
+  /// "slip [m]", of a field.
+  std::string label() const { return unit.empty() ? name : name + " [" + unit + "]"; }
+};
+
 struct CaseResult {
   static constexpr const char* format = "asperity-result/1";
 
@@ -38,6 +48,7 @@ struct CaseResult {
   std::vector<std::pair<std::string, double>> balance;  ///< relative errors of force, moment, energy
   /// Entries that decide the answer, "Section/Entry" and text; empty for a result of an earlier version.
   std::map<std::string, std::string> physical_entries;
+  std::vector<Addition> added_columns, added_fields;          ///< of history.csv; of fields/, interface/
   std::array<double, 2> rms_in_region;                        ///< particle, substrate [m]
   std::array<std::optional<ResolvedRoughness>, 2> roughness;  ///< particle, substrate
   double cells, unknowns, interface_spacing;                  ///< of the mesh; spacing [m]

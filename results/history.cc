@@ -66,19 +66,24 @@ const std::vector<HistoryColumn>& history_columns() {
   return columns;
 }
 
-History history_of(const std::vector<HistoryRow>& rows) {
+History history_of(const std::vector<HistoryRow>& rows, const std::vector<std::string>& added) {
   History history;
   for (const auto& column : history_columns())
     for (const auto& row : rows) (history.*column.values).push_back(row.*column.of_row);
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    history.added.push_back({added[k], {}});
+    for (const auto& row : rows) history.added.back().values.push_back(row.added.at(k));
+  }
   return history;
 }
 
-History read_history(const std::filesystem::path& file) {
+History read_history(const std::filesystem::path& file, const std::vector<std::string>& added) {
   const CsvTable table = read_csv(file);
   History history;
   try {
     for (const auto& column : history_columns())
       if (column.always || table.has(column.name)) history.*column.values = table.numbers(column.name);
+    for (const auto& name : added) history.added.push_back({name, table.numbers(name)});
   } catch (const InputError& error) {
     throw InputError(file.string() + ": " + error.what());
   }
@@ -94,6 +99,10 @@ std::string format_history(const History& history) {
     names.push_back(column.name);
     columns.push_back(values);
     if (values.empty()) columns.back().assign(history.size(), 0.0);
+  }
+  for (const auto& column : history.added) {
+    names.push_back(column.name);
+    columns.push_back(column.values);
   }
   return format_csv(names, columns);
 }

@@ -1,5 +1,6 @@
 // What a contact did, one row for each accepted step: what the solver writes as history.csv, and what derive,
-// compare, diagnosis and report read. SI units. A new column is one line here and one in history.cc.
+// compare, diagnosis and report read. SI units. A column that other parts compute with is one line here, one
+// in history.cc and one where it is filled; any other is a file of its own (fem/output/added_column.h).
 #pragma once
 
 #include <filesystem>
@@ -59,10 +60,21 @@ struct HistoryColumns {
                             ///< large [m]
 };
 
-using HistoryRow = HistoryColumns<double>;
+/// An accepted step.
+struct HistoryRow : HistoryColumns<double> {
+  std::vector<double> added;  ///< of the columns that files of their own add, in their units
+};
+
+/// A column that a file of its own adds.
+struct AddedValues {
+  std::string name;            ///< with its unit
+  std::vector<double> values;  ///< in that unit
+};
 
 /// Columns of equal length; those that a file does not have are empty.
 struct History : HistoryColumns<std::vector<double>> {
+  std::vector<AddedValues> added;
+
   /// Radius [m] of the contact as a whole, which spots of a rough one spread over: that of the pressure.
   /// Where a history lacks it, the contact radius: earlier versions had one column for both.
   const std::vector<double>& radius_of_whole() const {
@@ -80,12 +92,12 @@ struct HistoryColumn {
 };
 const std::vector<HistoryColumn>& history_columns();
 
-/// The columns of these rows.
-History history_of(const std::vector<HistoryRow>& rows);
+/// The columns of these rows; `added`: names of what each row has added.
+History history_of(const std::vector<HistoryRow>& rows, const std::vector<std::string>& added = {});
 
-/// Throws InputError naming file and column; cells that are not known are NaN. Columns that are not known
-/// here are passed over.
-History read_history(const std::filesystem::path& file);
+/// Throws InputError naming file and column; cells that are not known are NaN. Columns that are neither known
+/// here nor named in `added`, which the file must have, are passed over.
+History read_history(const std::filesystem::path& file, const std::vector<std::string>& added = {});
 /// history.csv. Of the columns that every history has, those that are empty are written as zeros; of the
 /// others only those that are not.
 std::string format_history(const History& history);

@@ -36,6 +36,13 @@ const std::vector<KnownEntry>& known_words() {
   return words;
 }
 
+bool is_known_entry(const std::string& path) {
+  for (const auto* entries : {&known_quantities(), &known_words()})
+    for (const auto& entry : *entries)
+      if (path == entry.path) return true;
+  return false;
+}
+
 std::string result_name(std::string entry) {
   for (char& c : entry) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return entry;

@@ -19,6 +19,9 @@ struct KnownEntry {
 const std::vector<KnownEntry>& known_quantities();
 const std::vector<KnownEntry>& known_words();
 
+/// Whether it is one of them.
+bool is_known_entry(const std::string& path);
+
 /// Name of an entry of a law in `inputs` of result.json: "Shear strength" -> "shear_strength".
 std::string result_name(std::string entry);
 

@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/experiment_declaration.h"
 #include "core/json_text.h"
 #include "core/parameter_file.h"
 #include "core/renamed_entries.h"
@@ -55,6 +56,12 @@ void add_result_inputs(const CaseResult& result, Entries& entries) {
       }
     }
   if (!result.title.empty()) entries["Title"] = result.title;
+}
+
+std::vector<std::string> names_of(const std::vector<Addition>& additions) {
+  std::vector<std::string> names;
+  for (const auto& addition : additions) names.push_back(addition.name);
+  return names;
 }
 
 }  // namespace
@@ -129,7 +136,7 @@ Motion SolvedCase::motion() const {
   const std::string name = finished() && !result->experiment.empty()
                                ? result->experiment
                                : entries.text("Experiment/Type", "normal");
-  const auto motion = motion_named(name);
+  const auto motion = is_declared_experiment(name) ? Motion::program : motion_named(name);
   if (!motion)
     throw InputError(folder.string() + ": there is no experiment '" + name +
                      "'; its result.json or case.prm was changed");
@@ -146,6 +153,8 @@ SolvedCase read_solved_case(const fs::path& folder) {
   solved.folder = folder;
   solved.history = read_history(folder / "history.csv");
   solved.result = read_case_result(folder / "result.json");
+  if (solved.finished() && !solved.result->added_columns.empty())
+    solved.history = read_history(folder / "history.csv", names_of(solved.result->added_columns));
   Entries entries;
   if (solved.finished()) add_result_inputs(*solved.result, entries);
   // What people wrote reads better than SI numbers, and says more.

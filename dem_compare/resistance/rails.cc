@@ -59,7 +59,9 @@ Uncertain RailState::over_sum() const { return ratio(resistance, sum); }
 
 std::optional<double> rail_inclination(const SolvedCase& solved) {
   if (solved.motion() != Motion::program) return std::nullopt;
-  const auto parts = parse_motion_program(solved.entries.text("Experiment/Program"));
+  const std::string program = solved.entries.text("Experiment/Program");
+  if (program == "none") return std::nullopt;  // of an experiment whose result will say it
+  const auto parts = parse_motion_program(program);
   if (parts.size() != 1 || !parts[0].rolls_freely() || parts[0].spin == 0 || parts[0].load ||
       parts[0].approach)
     return std::nullopt;

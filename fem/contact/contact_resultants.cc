@@ -30,10 +30,19 @@ PressureMoments moments_of(const ContactSystem& system, const std::vector<double
 }  // namespace
 
 ContactResultants ContactSolver::resultants(const ContactState& state) const {
-  const auto& level = system_.level();
   ContactResultants result;
-  double moment_x = 0, moment_y = 0;
   const std::vector<double> gap = gaps(state);
+  const std::array<double, 2> moment = add_rows(state, gap, result);
+  add_shape(state, gap, result);
+  if (result.force > 0)
+    result.moment_error = std::hypot(moment[0], moment[1]) / (result.force * std::sqrt(result.area / M_PI));
+  add_reactions(state, result);
+  return result;
+}
+
+std::array<double, 2> ContactSolver::add_rows(const ContactState& state, const std::vector<double>& gap,
+                                              ContactResultants& result) const {
+  double moment_x = 0, moment_y = 0;
   const double radius = system_.options().mesh.sizes.radius;
   const Rotation turn = rotation(state.motion);
   const RigidMotion shift = system_.coupling().surface();
@@ -74,6 +83,11 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
       moment_y += force * weight * (at[0] + (particle ? shift.x : 0.0));
     });
   }
+  return {moment_x, moment_y};
+}
+
+void ContactSolver::add_shape(const ContactState& state, const std::vector<double>& gap,
+                              ContactResultants& result) const {
   std::vector<std::array<double, 2>> points;
   for (const auto& p : system_.row_points()) points.push_back({p[0], p[1]});
   const ContactShape shape =
@@ -81,8 +95,10 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
   result.area = shape.area, result.perimeter = shape.perimeter, result.spots = shape.spots;
   const PressureMoments moments = moments_of(system_, state.multiplier);
   result.centre = moments.centre, result.pressure_radius = moments.hertzian_radius;
-  if (result.force > 0)
-    result.moment_error = std::hypot(moment_x, moment_y) / (result.force * std::sqrt(result.area / M_PI));
+}
+
+void ContactSolver::add_reactions(const ContactState& state, ContactResultants& result) const {
+  const auto& level = system_.level();
   Vector<double> force;
   level.initialise(force);
   system_.bodies().internal_force(state.displacement, force, nullptr);
@@ -98,7 +114,6 @@ ContactResultants ContactSolver::resultants(const ContactState& state) const {
     result.lateral_reaction[c] = -dealii::Utilities::MPI::sum(lateral[c], level.communicator());
   result.reaction_driven = dealii::Utilities::MPI::sum(driven, level.communicator()) * upright();
   result.reaction_fixed = dealii::Utilities::MPI::sum(fixed, level.communicator());
-  return result;
 }
 
 }  // namespace asperity::fem

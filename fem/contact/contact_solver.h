@@ -77,9 +77,34 @@ class ContactSolver {
   double evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent);
   /// Sum of nodal forces that displacements rounded to double precision leave unbalanced [N].
   double force_of_rounding(const Vector<double>& displacement) const;
+  /// What the parts of one solve hand on.
+  struct Iteration;
+  /// Parts of solve(). Couples the interfaces at `motion`; the first guess.
+  void begin_step(Iteration& at, const RigidMotion& motion, double time_step);
+  /// Newton steps for fixed multipliers.
+  void balance(Iteration& at);
+  /// goal: of the unbalanced force, relative.
+  void newton_step(Iteration& at, double goal);
+  /// Cut steps show that nodes change from slip to stick. The consistent tangent has no stiffness along the
+  /// slip direction, so its steps overshoot that change; the secant stiffness, an upper bound of the convex
+  /// energy, does not. The two alternate whenever one of them makes little progress. step: of the line
+  /// search; errors: relative.
+  void choose_slip_stiffness(double step, double error_before, double error);
+  /// How far another update of the multipliers would go.
+  void measure_change(Iteration& at);
+  void update_multipliers(Iteration& at);
+  /// Makes the last tractions those of the state; works of the interface.
+  void finish(Iteration& at);
   /// A first guess: one step of elastic bodies in which the rows that tractions_ holds stick.
-  void step_with_held_rows(ContactState& state, double target, TangentField* tangent,
-                           Vector<double>& residual, Vector<double>& direction, SolveReport& report);
+  void step_with_held_rows(Iteration& at);
+  /// Parts of resultants(). Of the rows: forces, moments, largest pressure, what sticks; returns the moments
+  /// about x and y of the forces on both bodies, which cancel but for error [N m].
+  std::array<double, 2> add_rows(const ContactState& state, const std::vector<double>& gap,
+                                 ContactResultants& result) const;
+  /// Area, edge, spots and centre.
+  void add_shape(const ContactState& state, const std::vector<double>& gap, ContactResultants& result) const;
+  /// Reactions of the driven and the fixed plane. Collective.
+  void add_reactions(const ContactState& state, ContactResultants& result) const;
   /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by
   /// component.
   std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state,

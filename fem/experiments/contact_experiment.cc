@@ -11,6 +11,7 @@
 #include "core/wait_text.h"
 #include "fem/case/mesh_quality.h"
 #include "fem/experiments/energy_balance.h"
+#include "fem/output/added_column.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
 #include "fem/output/progress_line.h"
@@ -254,6 +255,8 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   }
   records_.push_back(record(energies, sums));
   balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
+  HistoryRow& row = records_.back();
+  row.added = added_values({*system_, *solver_, state_, row, records_.size() > 1 ? &row - 1 : nullptr});
 }
 
 void ContactExperiment::measure_stiffness() {

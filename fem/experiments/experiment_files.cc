@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "fem/experiments/contact_experiment.h"
+#include "fem/output/added_column.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/half_space_check.h"
 #include "fem/output/result_file.h"
@@ -90,7 +91,9 @@ void ContactExperiment::write_step() {
                         state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.history = system_->bodies().save_history();
   write_checkpoint(options_.output / "checkpoint", c, MPI_COMM_WORLD);
-  if (speaks()) write_file_atomically(options_.output / "history.csv", format_history(history_of(records_)));
+  if (speaks())
+    write_file_atomically(options_.output / "history.csv",
+                          format_history(history_of(records_, added_column_names())));
 }
 
 void ContactExperiment::say_load_steps() const {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/error.h"
 
@@ -25,107 +24,6 @@ MeshLevel::MeshLevel(const dealii::Triangulation<3>& triangulation, Control cont
   make_batches();
   make_thread_runs();
   collect_interfaces();
-}
-
-void MeshLevel::make_constraints(Control control) {
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
-  const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
-  first_owned_ = owned.n_elements() ? owned.nth_index_in_set(0) : 0;
-
-  const auto boundary_dofs = [&](unsigned id, int component) {
-    dealii::ComponentMask mask(3, false);
-    mask.set(component, true);
-    return dealii::DoFTools::extract_boundary_dofs(*dofs_, mask,
-                                                   {static_cast<dealii::types::boundary_id>(id)});
-  };
-  const dealii::IndexSet driven = boundary_dofs(meshing::driven_boundary, 2);
-  global_dof_index lowest = dealii::numbers::invalid_dof_index;
-  for (const auto dof : driven)
-    if (owned.is_element(dof)) lowest = std::min(lowest, dof);
-  driven_dof_ = dealii::Utilities::MPI::min(lowest, communicator_);
-  relevant.add_range(driven_dof_ - 2, driven_dof_ + 1);
-  relevant.compress();
-
-  // Nodes of the driven plane follow one of them, hanging nodes their masters, whatever the control.
-  dealii::AffineConstraints<double> tied(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(*dofs_, tied);
-  for (int component = 0; component < 3; ++component)
-    for (const auto dof : boundary_dofs(meshing::fixed_boundary, component))
-      if (!tied.is_constrained(dof)) {
-        if (component == 2 && owned.is_element(dof)) fixed_z_.push_back(static_cast<int>(dof - first_owned_));
-        tied.add_line(dof);
-      }
-  for (int component = 0; component < 3; ++component)
-    for (const auto dof : boundary_dofs(meshing::driven_boundary, component)) {
-      if (component == 2 && owned.is_element(dof))
-        driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
-      if (tied.is_constrained(dof) || dof == driven_dof_) continue;
-      tied.add_line(dof);
-      if (component != 1) tied.add_entry(dof, driven_dof_, 1.0);  // along x: scaled by set_drive_tilt
-    }
-  // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the
-  // edge of its sight may be constrained by what lies beyond.
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
-    tied.make_consistent_in_parallel(owned, tied.get_local_lines(), communicator_);
-  tied.close();
-
-  // Displacement control takes the plane's common displacement out of the unknowns; how much of it each node
-  // gets is kept.
-  std::vector<std::pair<global_dof_index, double>> along_z{{driven_dof_, 1.0}};
-  std::map<global_dof_index, double> along_x;
-  constraints_.reinit(relevant);
-  for (const auto& line : tied.get_lines()) {
-    constraints_.add_line(line.index);
-    for (const auto& [master, weight] : line.entries) {
-      if (master != driven_dof_)
-        constraints_.add_entry(line.index, master, weight);
-      else if (line.index % 3 == 0)
-        along_x[line.index] = weight;
-      else {
-        along_z.emplace_back(line.index, weight);
-        if (control == Control::force) constraints_.add_entry(line.index, master, weight);
-      }
-    }
-  }
-  if (control == Control::displacement) constraints_.add_line(driven_dof_);
-  constraints_.close();
-  // The masters of constraints must be at hand wherever the constrained node is.
-  dealii::IndexSet needed = relevant;
-  for (const auto& line : tied.get_lines()) {
-    needed.add_range(line.index - line.index % 3, line.index - line.index % 3 + 3);
-    for (const auto& entry : line.entries)
-      needed.add_range(entry.first - entry.first % 3, entry.first - entry.first % 3 + 3);
-  }
-  needed.compress();
-  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, needed, communicator_);
-
-  for (const auto& [dof, weight] : along_z)
-    share_along_z_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
-  for (const auto& [dof, weight] : along_x)
-    share_along_x_.emplace_back(static_cast<int>(partitioner_->global_to_local(dof)), weight);
-  driven_share_ = share_along_z_;
-  entry_start_.push_back(0);
-  for (const auto& line : constraints_.get_lines()) {
-    constrained_.push_back(static_cast<int>(partitioner_->global_to_local(line.index)));
-    for (const auto& [master, weight] : line.entries) {
-      entry_dof_.push_back(static_cast<int>(partitioner_->global_to_local(master)));
-      entry_weight_.push_back(weight);
-    }
-    const auto tilted = along_x.find(line.index);
-    if (tilted != along_x.end() && control == Control::force) {
-      tilted_entry_.emplace_back(static_cast<int>(entry_dof_.size()), tilted->second);
-      entry_dof_.push_back(static_cast<int>(partitioner_->global_to_local(driven_dof_)));
-      entry_weight_.push_back(0);
-    }
-    entry_start_.push_back(static_cast<int>(entry_dof_.size()));
-  }
-}
-
-void MeshLevel::set_drive_tilt(double tilt) {
-  for (const auto& [entry, share] : tilted_entry_) entry_weight_[entry] = tilt * share;
-  driven_share_ = share_along_z_;
-  for (const auto& [dof, share] : share_along_x_) driven_share_.emplace_back(dof, tilt * share);
 }
 
 void MeshLevel::make_batches() {
@@ -258,15 +156,6 @@ Vector<double> MeshLevel::node_positions(const meshing::RoughGeometry& geometry)
   }
   fixed.update_ghost_values();
   return fixed;
-}
-
-void MeshLevel::condense_diagonal(double* y) const {
-  for (std::size_t c = 0; c < constrained_.size(); ++c) {
-    const double value = y[constrained_[c]];
-    y[constrained_[c]] = 0;
-    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-      y[entry_dof_[e]] += entry_weight_[e] * entry_weight_[e] * value;
-  }
 }
 
 }  // namespace asperity::fem

@@ -117,7 +117,20 @@ class MeshLevel {
   }
 
  private:
+  /// How much of the driven plane's common displacement each unknown gets along z, and along x when tilted.
+  struct DriveShares;
+
+  /// Collective, in this order: driven unknown, constraints whatever the control, those of the control,
+  /// layout of vectors, arrays for the kernels.
   void make_constraints(Control control);
+  void choose_driven_dof();
+  /// Nodes of the driven plane follow one of them, hanging nodes their masters, whatever the control.
+  dealii::AffineConstraints<double> tie_nodes(const dealii::IndexSet& relevant);
+  /// Displacement control takes the plane's common displacement out of the unknowns; how much of it each node
+  /// gets is kept.
+  DriveShares constrain(const dealii::AffineConstraints<double>& tied, Control control);
+  void make_partitioner(const dealii::IndexSet& relevant, const dealii::AffineConstraints<double>& tied);
+  void fill_arrays(const DriveShares& shares, Control control);
   void make_batches();
   void make_thread_runs();
   void collect_interfaces();

@@ -8,6 +8,7 @@
 #include "core/json_text.h"
 #include "core/output_folder.h"
 #include "core/sha256.h"
+#include "fem/output/added_column.h"
 
 namespace asperity::fem {
 namespace {
@@ -59,12 +60,17 @@ void each_list(AnyCheckpoint& c, Do&& on) {
   on(i.multiplier), on(i.shear[0]), on(i.shear[1]), on(i.friction_history), on(i.bonded);
 }
 
+/// Of a row.
+std::size_t column_count() { return history_columns().size() + added_columns().size(); }
+
 std::string part_of(const Checkpoint& c) {
   std::string bytes;
   std::vector<double> numbers, rows;
   each_number(c, [&](double number) { numbers.push_back(number); });
-  for (const auto& record : c.records)
+  for (const auto& record : c.records) {
     for (const auto& column : history_columns()) rows.push_back(record.*column.of_row);
+    rows.insert(rows.end(), record.added.begin(), record.added.end());
+  }
   put(bytes, numbers);
   put(bytes, rows);
   each_list(c, [&](const auto& list) { put(bytes, list); });
@@ -81,9 +87,10 @@ Checkpoint checkpoint_of(const std::string& bytes) {
   each_number(c, [&](double& number) { number = numbers[next++]; });
   take(bytes, at, rows);
   const auto& columns = history_columns();
-  for (std::size_t k = 0; k + columns.size() <= rows.size(); k += columns.size()) {
-    c.records.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i) c.records.back().*columns[i].of_row = rows[k + i];
+  for (auto row = rows.begin(); rows.end() - row >= static_cast<std::ptrdiff_t>(column_count());) {
+    HistoryRow& record = c.records.emplace_back();
+    for (const auto& column : columns) record.*column.of_row = *row++;
+    for (std::size_t i = 0; i < added_columns().size(); ++i) record.added.push_back(*row++);
   }
   each_list(c, [&](auto& list) { take(bytes, at, list); });
   return c;
@@ -114,7 +121,7 @@ nlohmann::json read_manifest(const fs::path& folder) {
   if (!manifest.is_object() || !manifest.contains("sha256")) return nlohmann::json::object();
   manifest.erase("sha256");
   const bool whole = signed_text(manifest) == text && manifest.value("format", "") == format &&
-                     manifest.value("columns", std::size_t{0}) == history_columns().size();
+                     manifest.value("columns", std::size_t{0}) == column_count();
   return whole ? manifest : nlohmann::json::object();
 }
 
@@ -164,7 +171,7 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& c, MPI_Comm comm
   nlohmann::json manifest{{"format", format},
                           {"steps", c.steps()},
                           {"ranks", ranks},
-                          {"columns", history_columns().size()},
+                          {"columns", column_count()},
                           {"inputs_sha256", c.provenance.inputs_sha256},
                           {"commit", c.provenance.commit}};
   for (const auto& part : parts) manifest["parts"].push_back(nlohmann::json::parse(part));

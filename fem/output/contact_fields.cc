@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fem/cells/vtk_order.h"
+#include "fem/output/field.h"
 #include "fem/output/vtk_writer.h"
 
 namespace asperity::fem {
@@ -12,67 +13,54 @@ namespace {
 
 namespace fs = std::filesystem;
 
-VtkMesh bodies(const ContactSystem& system, const ContactState& state) {
-  const MeshLevel& level = system.level();
+/// Those of `fields` that belong there.
+void add_fields(const std::vector<Field>& fields, FieldPlace place, const ShownState& shown,
+                std::vector<VtkArray>& arrays) {
+  for (const auto& field : fields) {
+    if (field.place != place) continue;
+    const auto values = field.values(shown);
+    arrays.push_back({field.name, field.components, {values.begin(), values.end()}});
+  }
+}
+
+VtkMesh bodies(const ShownState& shown) {
+  const MeshLevel& level = shown.system.level();
+  const auto& positions = shown.system.positions();
   VtkMesh mesh;
   const std::size_t nodes =
       (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
-  Vector<double> shown = state.displacement;  // with the driven plane's common displacement on all its nodes
-  shown.update_ghost_values();
-  mesh.points.assign(system.positions().begin(), system.positions().begin() + 3 * nodes);
-  VtkArray displacement{"displacement", 3, {}};
-  displacement.values.assign(shown.begin(), shown.begin() + 3 * nodes);
-  const auto states = system.bodies().cell_states(state.displacement);
-  VtkArray stress{"stress", 6, {}}, mises{"von_mises", 1, {}}, plastic{"equivalent_plastic_strain", 1, {}},
-      body{"body", 1, {}};
-  std::size_t cell = 0;
+  Vector<double> moved = shown.state.displacement;  // the driven plane's common displacement on all its nodes
+  moved.update_ghost_values();
+  mesh.points.assign(positions.begin(), positions.begin() + 3 * nodes);
+  mesh.point_data.push_back({"displacement", 3, {moved.begin(), moved.begin() + 3 * nodes}});
   for (const auto& batch : level.batches())
-    for (int l = 0; l < batch.count; ++l, ++cell) {
+    for (int l = 0; l < batch.count; ++l)
       for (const int v : vtk_order) mesh.connectivity.push_back(batch.node[v][l]);
-      for (const double s : states[cell].stress) stress.values.push_back(static_cast<float>(s));
-      mises.values.push_back(static_cast<float>(states[cell].von_mises));
-      plastic.values.push_back(static_cast<float>(states[cell].plastic_strain));
-      body.values.push_back(batch.body[l]);
-    }
-  mesh.point_data = {displacement};
-  mesh.cell_data = {stress, mises, plastic, body};
+  for (const auto* fields : {&shipped_fields(), &added_fields()})
+    add_fields(*fields, FieldPlace::bodies, shown, mesh.cell_data);
   return mesh;
 }
 
-VtkMesh contact_surface(const ContactSystem& system, const ContactSolver& solver, const ContactState& state) {
+VtkMesh contact_surface(const ShownState& shown) {
+  const ContactSystem& system = shown.system;
   VtkMesh mesh;
   mesh.points_per_cell = 4;
-  const auto& rows = system.rows();
   for (const auto& quad : system.row_quads())
     mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
-  const auto gaps = solver.gaps(state);
-  const auto& options = system.options().mesh;
-  VtkArray gap{"gap", 1, {}}, pressure{"pressure", 1, {}}, status{"status", 1, {}},
-      upper{"height_particle", 1, {}}, lower{"height_substrate", 1, {}}, shear{"shear_traction", 3, {}};
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto& p = system.interface_points()[rows[r].node];
-    const auto& under = system.row_points()[r];
-    mesh.points.insert(mesh.points.end(), p.begin(), p.end());
-    const bool closed = state.multiplier[r] > 0;
-    gap.values.push_back(closed ? 0.0f : static_cast<float>(gaps[r]));
-    pressure.values.push_back(static_cast<float>(state.multiplier[r]));
-    status.values.push_back(closed ? 1.0f : 0.0f);
-    upper.values.push_back(options.particle_height ? static_cast<float>(options.particle_height(p[0], p[1]))
-                                                   : 0.0f);
-    lower.values.push_back(options.substrate_height ? static_cast<float>(options.substrate_height(
-                                                          under[0] + system.coupling().surface().x,
-                                                          under[1] + system.coupling().surface().y))
-                                                    : 0.0f);
-    for (const auto& component : state.shear) shear.values.push_back(static_cast<float>(component[r]));
-    shear.values.push_back(0.0f);
+  for (const auto& row : system.rows()) {
+    const auto& place = system.interface_points()[row.node];
+    mesh.points.insert(mesh.points.end(), place.begin(), place.end());
   }
-  mesh.point_data = {gap, pressure, status, upper, lower, shear};
-  const auto remembered = solver.friction() ? solver.friction()->history() : std::vector<std::string>{};
+  add_fields(shipped_fields(), FieldPlace::contact, shown, mesh.point_data);
+  const FrictionLaw* friction = shown.solver.friction();
+  const auto remembered = friction ? friction->history() : std::vector<std::string>{};
   for (std::size_t k = 0; k < remembered.size(); ++k) {
     mesh.point_data.push_back({remembered[k], 1, {}});
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      mesh.point_data.back().values.push_back(static_cast<float>(solver.tractions().remembered(state, r, k)));
+    for (std::size_t r = 0; r < system.rows().size(); ++r)
+      mesh.point_data.back().values.push_back(
+          static_cast<float>(shown.solver.tractions().remembered(shown.state, r, k)));
   }
+  add_fields(added_fields(), FieldPlace::contact, shown, mesh.point_data);
   return mesh;
 }
 
@@ -108,8 +96,10 @@ void write_contact_fields(const fs::path& folder, int step, const ContactSystem&
     fs::create_directories(folder / "interface");
   }
   MPI_Barrier(communicator);
-  write_vtk(folder / "fields" / (name + part + ".vtu"), bodies(system, state));
-  const VtkMesh surface = contact_surface(system, solver, state);  // collective
+  const ShownState shown{system, solver, state, solver.gaps(state),
+                         system.bodies().cell_states(state.displacement)};
+  write_vtk(folder / "fields" / (name + part + ".vtu"), bodies(shown));
+  const VtkMesh surface = contact_surface(shown);  // collective
   if (rank == 0) write_vtk(folder / "interface" / (std::string(name) + ".vtp"), surface);
   MPI_Barrier(communicator);
   if (rank != 0) return;

@@ -9,8 +9,10 @@
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
+#include "fem/output/added_column.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/effective_values.h"
+#include "fem/output/field.h"
 #include "results/known_entries.h"
 
 namespace asperity::fem {
@@ -135,6 +137,20 @@ json mesh_of(const CaseSetup& setup, const std::vector<HistoryRow>& records, con
            std::any_of(records.begin(), records.end(), [](const auto& r) { return r.reaches_rim > 0; })}};
 }
 
+/// What files of their own add to history.csv and to the fields; null: nothing.
+json additions() {
+  json added;
+  for (const auto& column : added_columns())
+    added["columns"].push_back({{"name", column.name}, {"meaning", column.meaning}});
+  for (const auto& field : added_fields())
+    added["fields"].push_back({{"name", field.name},
+                               {"unit", field.unit},
+                               {"meaning", field.meaning},
+                               {"place", field.place == FieldPlace::contact ? "contact" : "bodies"},
+                               {"components", field.components}});
+  return added;
+}
+
 }  // namespace
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup,
@@ -171,6 +187,7 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
         {"steps", records.size()}}},
       {"versions",
        {{"asperity", ASPERITY_VERSION}, {"deal.II", DEAL_II_PACKAGE_VERSION}, {"compiler", __VERSION__}}}};
+  if (const json added = additions(); !added.is_null()) result["added"] = added;
   if (s.half_space) result["half_space"] = half_space_numbers(*s.half_space);
   return result.dump(1) + "\n";
 }

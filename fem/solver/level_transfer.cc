@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/tria_accessor.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <unordered_map>
@@ -102,21 +103,46 @@ class CoarseCells {
   std::unordered_map<std::uint64_t, CellNodes> found_;
 };
 
+/// Owned nodes without a row of their own: hanging nodes follow from the others.
+std::vector<char> nodes_without_row(const MeshLevel& fine) {
+  std::vector<char> without(fine.partitioner()->locally_owned_size() / 3, 0);
+  for (const int dof : fine.constrained())
+    if (dof % 3 == 0 && dof / 3 < static_cast<int>(without.size())) without[dof / 3] = 1;
+  // Nodes of the driven plane have their lateral components constrained but may move along z.
+  for (const int node : fine.driven_nodes()) without[node] = 0;
+  return without;
+}
+
+/// Trilinear functions of the parent's nodes at node v of one of its children.
+std::array<double, 8> weights_in_parent(const CellKey& key, const CellKey& parent, int v) {
+  const int edge = 1 << key.edge_bits;
+  const int offset[3] = {(key.x - parent.x) / edge + (v & 1), (key.y - parent.y) / edge + ((v >> 1) & 1),
+                         (key.z - parent.z) / edge + (v >> 2)};  // 0, 1 or 2 half edges of the parent
+  std::array<double, 8> weights;
+  for (int w = 0; w < 8; ++w) {
+    weights[w] = 1;
+    for (int d = 0; d < 3; ++d) weights[w] *= (w >> d) & 1 ? 0.5 * offset[d] : 1 - 0.5 * offset[d];
+  }
+  return weights;
+}
+
 }  // namespace
 
 LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
     : coarse_(coarse), parallel_(dealii::Utilities::MPI::n_mpi_processes(fine.communicator()) > 1) {
-  const CoarseCells cells(fine, coarse);
-  const auto& layout = *fine.partitioner();
-  std::vector<char> done(layout.locally_owned_size() / 3, 0);
-  for (const int dof : fine.constrained())  // hanging nodes follow from the others
-    if (dof % 3 == 0 && dof / 3 < static_cast<int>(done.size())) {
-      done[dof / 3] = 1;
-    }
-  // Nodes of the driven plane have their lateral components constrained but may move along z.
-  for (const int node : fine.driven_nodes()) done[node] = 0;
+  number_columns(make_rows(fine));
+  transpose_rows();
+}
 
+std::vector<long> LevelTransfer::make_rows(const MeshLevel& fine) {
+  const CoarseCells cells(fine, coarse_);
+  const auto& layout = *fine.partitioner();
+  std::vector<char> done = nodes_without_row(fine);
   std::vector<long> columns;
+  const auto add_entry = [&](long node, double weight) {
+    columns.push_back(node);
+    rows_.weight.push_back(static_cast<float>(weight));
+  };
   for_owned_cells(fine, [&](const CellKey& key, const CellNodes& nodes) {
     const CellKey parent = key.parent();
     const CellNodes* same = cells.find(key.packed());
@@ -131,35 +157,31 @@ LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
       done[local] = 1;
       fine_node_.push_back(local);
       if (same) {
-        columns.push_back((*same)[v]);
-        rows_.weight.push_back(1.0f);
+        add_entry((*same)[v], 1);
       } else {
-        const int edge = 1 << key.edge_bits;
-        const int offset[3] = {(key.x - parent.x) / edge + (v & 1),
-                               (key.y - parent.y) / edge + ((v >> 1) & 1),
-                               (key.z - parent.z) / edge + (v >> 2)};  // 0, 1 or 2 half edges of the parent
-        for (int w = 0; w < 8; ++w) {
-          double weight = 1;
-          for (int d = 0; d < 3; ++d) weight *= (w >> d) & 1 ? 0.5 * offset[d] : 1 - 0.5 * offset[d];
-          if (weight == 0) continue;
-          columns.push_back((*above)[w]);
-          rows_.weight.push_back(static_cast<float>(weight));
-        }
+        const auto weights = weights_in_parent(key, parent, v);
+        for (int w = 0; w < 8; ++w)
+          if (weights[w] != 0) add_entry((*above)[w], weights[w]);
       }
       rows_.start.push_back(static_cast<int>(columns.size()));
     }
   });
+  return columns;
+}
 
-  dealii::IndexSet needed(coarse.size());
+void LevelTransfer::number_columns(const std::vector<long>& columns) {
+  dealii::IndexSet needed(coarse_.size());
   for (const long node : columns) needed.add_range(3 * node, 3 * node + 3);
   needed.compress();
   columns_ = parallel_ ? std::make_shared<dealii::Utilities::MPI::Partitioner>(
-                             coarse.partitioner()->locally_owned_range(), needed, coarse.communicator())
-                       : coarse.partitioner();
+                             coarse_.partitioner()->locally_owned_range(), needed, coarse_.communicator())
+                       : coarse_.partitioner();
   buffer_.reinit(columns_);
   for (const long node : columns)
     rows_.column.push_back(static_cast<int>(columns_->global_to_local(3 * node) / 3));
+}
 
+void LevelTransfer::transpose_rows() {
   const int coarse_nodes =
       static_cast<int>((columns_->locally_owned_size() + columns_->n_ghost_indices()) / 3);
   std::vector<int> fill(coarse_nodes + 1, 0);

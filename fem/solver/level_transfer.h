@@ -23,6 +23,13 @@ class LevelTransfer {
   void restrict_to(Vector<float>& coarse, const Vector<float>& fine) const;
 
  private:
+  /// A row for each owned node of the fine mesh that does not hang. Returns the coarse nodes, global, of all
+  /// entries. Collective.
+  std::vector<long> make_rows(const MeshLevel& fine);
+  /// Gives the coarse nodes of all entries their local numbers. Collective.
+  void number_columns(const std::vector<long>& columns);
+  void transpose_rows();
+
   const MeshLevel& coarse_;
   bool parallel_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner>

@@ -4,27 +4,12 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "fem/solver/load_step_error.h"
+#include "fem/solver/batch_materials.h"
 
 namespace asperity::fem {
 namespace {
 
 using V = Simd<double>;
-
-struct BatchMaterials {
-  const J2Material* lane[lanes];
-  V shear, bulk;
-  bool can_yield = false;
-
-  BatchMaterials(const CellBatch& batch, const std::array<J2Material, 2>& materials) {
-    for (int l = 0; l < lanes; ++l) {
-      lane[l] = &materials[batch.body[l]];
-      shear[l] = lane[l]->shear_modulus;
-      bulk[l] = lane[l]->bulk_modulus;
-      can_yield = can_yield || lane[l]->can_yield();
-    }
-  }
-};
 
 double von_mises(const SymmetricTensor<double>& s) {
   const double mean = (s[0] + s[1] + s[2]) / 3;
@@ -96,114 +81,6 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
     add_nodes(batch, forces, y);
   });
   if (can_yield()) failures.throw_on_all(level_.communicator());
-}
-
-BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u,
-                                     double force_change) {
-  BodyEnergies sum;
-  const int count = static_cast<int>(level_.batches().size());
-  double elastic = 0, plastic_work = 0, hardening = 0, plastic_volume = 0, largest_ratio = 0, turned = 0,
-         left_over = 0;
-  double largest_strain[2] = {}, largest_stress[2] = {};  // of particle and substrate
-  StepFailures failures;
-#pragma omp parallel for schedule(static) \
-    reduction(+ : elastic, plastic_work, hardening, plastic_volume, turned, left_over) \
-    reduction(max : largest_strain[ : 2], largest_stress[ : 2], largest_ratio)
-  for (int index = 0; index < count; ++index) {
-    const CellBatch& batch = level_.batches()[index];
-    const BatchMaterials material(batch, materials_);
-    HexStrain<V> strain, before;
-    evaluate(index, u.begin(), strain);
-    evaluate(index, u_before.begin(), before);
-    bool yields = false;
-    History updated = history_[index] ? *history_[index] : History{};
-    for (int q = 0; q < points_per_hex; ++q) {
-      SymmetricTensor<V> stress, stress_before;
-      J2Tangent<V> tangent;
-      const PointHistory old = updated[q];
-      for (int c = 0; c < 6; ++c)
-        stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
-      failures.guard([&] {
-        yields = return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent,
-                            time_) ||
-                 yields;
-      });
-      SymmetricTensor<V> increment, mean_stress, elastic_strain, change_of_stress, relative_before, trial;
-      for (int c = 0; c < 6; ++c) {
-        increment[c] = updated[q].strain[c] - old.strain[c];
-        mean_stress[c] = 0.5 * (stress[c] + stress_before[c]);
-        elastic_strain[c] = strain.deviator[q][c] - updated[q].strain[c];
-        change_of_stress[c] = stress[c] - stress_before[c];
-        for (int l = 0; l < lanes; ++l)
-          relative_before[c][l] =
-              stress_before[c][l] - material.lane[l]->kinematic_modulus * (2.0 / 3.0) * old.strain[c][l];
-        trial[c] =
-            relative_before[c] + 2.0 * material.shear * (strain.deviator[q][c] - before.deviator[q][c]);
-      }
-      const V work = double_contraction(mean_stress, increment) * strain.volume[q];
-      const V stored = 0.5 *
-                       (double_contraction(stress, elastic_strain) +
-                        material.bulk * strain.dilatation * strain.dilatation) *
-                       strain.volume[q];
-      const V mises = square_root(V(1.5 * double_contraction(stress, stress)));
-      for (int l = 0; l < batch.count; ++l) {
-        const J2Material& m = *material.lane[l];
-        const double alpha = updated[q].alpha[l];
-        elastic += stored[l];
-        plastic_work += work[l];
-        FlowTurn turn;
-        if (alpha > old.alpha[l]) {
-          const double limit = std::sqrt(2.0 / 3.0) * m.flow_stress(old.alpha[l]);
-          turn = flow_turn(relative_before, trial, limit, increment, change_of_stress, l);
-          turned += turn.energy * strain.volume[q][l];
-        }
-        for (int c = 0; c < 6; ++c) {
-          updated[q].flow_error[c][l] += turn.strain[c];
-          left_over +=
-              (c < 3 ? 1 : 2) * updated[q].flow_error[c][l] * change_of_stress[c][l] * strain.volume[q][l];
-        }
-        if (alpha > 0) {
-          double square = 0;
-          for (int c = 0; c < 6; ++c)
-            square += (c < 3 ? 1 : 2) * updated[q].strain[c][l] * updated[q].strain[c][l];
-          hardening += (m.isotropic_energy(alpha) + m.kinematic_modulus * square / 3) * strain.volume[q][l];
-          plastic_volume += strain.volume[q][l];
-        }
-        double &strain_of_body = largest_strain[batch.body[l]],
-               &stress_of_body = largest_stress[batch.body[l]];
-        strain_of_body = std::max(strain_of_body, alpha);
-        stress_of_body = std::max(stress_of_body, mises[l]);
-        largest_ratio = std::max(largest_ratio, mises[l] / m.yield_stress);
-      }
-    }
-    if (yields)
-      tried_[index] = std::make_unique<History>(updated);
-    else
-      tried_[index].reset();
-  }
-  const MPI_Comm comm = level_.communicator();
-  failures.throw_on_all(comm);
-  sum.elastic = dealii::Utilities::MPI::sum(elastic, comm);
-  sum.plastic_work = dealii::Utilities::MPI::sum(plastic_work, comm);
-  sum.hardening = dealii::Utilities::MPI::sum(hardening, comm);
-  sum.flow_turn = dealii::Utilities::MPI::sum(turned, comm);
-  // At constant load the tangent compliance, and so the error of the approach, stays as it was.
-  const double all_left_over = dealii::Utilities::MPI::sum(left_over, comm);
-  sum.approach_error = tried_approach_error_ =
-      force_change != 0 ? all_left_over / force_change : approach_error_;
-  sum.plastic_volume = dealii::Utilities::MPI::sum(plastic_volume, comm);
-  for (int body = 0; body < 2; ++body) {
-    sum.plastic_strain[body] = dealii::Utilities::MPI::max(largest_strain[body], comm);
-    sum.von_mises[body] = dealii::Utilities::MPI::max(largest_stress[body], comm);
-  }
-  sum.largest_yield_ratio = dealii::Utilities::MPI::max(largest_ratio, comm);
-  return sum;
-}
-
-void PlasticBodies::accept_step() {
-  approach_error_ = tried_approach_error_;
-  for (std::size_t index = 0; index < history_.size(); ++index)
-    if (tried_[index]) history_[index] = std::move(tried_[index]);
 }
 
 std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const {

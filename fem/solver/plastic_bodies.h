@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "fem/cells/step_failure.h"
 #include "fem/solver/hex_operator.h"
 
 namespace asperity::fem {
@@ -85,6 +86,15 @@ class PlasticBodies {
 
  private:
   void evaluate(int batch, const double* u, HexStrain<Simd<double>>& strain) const;
+  /// Parts of try_step(): what a thread or a rank sums up, a point of the step, and their functions.
+  struct StepSums;
+  struct PointStep;
+  void try_batch(int index, const double* u_before, const double* u, StepFailures& failures, StepSums& sums);
+  /// Of lane l of a point with `volume` [m^3].
+  static void add_lane(const PointStep& step, const J2Material& material, int body, double volume, int l,
+                       const PointHistory& old, PointHistory& updated, StepSums& sums);
+  /// Collective.
+  BodyEnergies of_all_ranks(const StepSums& own, double force_change);
 
   const MeshLevel& level_;
   std::vector<double> positions_;

@@ -138,6 +138,17 @@ std::string curves_section(const SolvedCase& solved, const NormalNumbers& number
                            "stays larger where asperities were flattened.")}));
 }
 
+/// Columns that files of their own have added.
+std::string added_columns_section(const SolvedCase& solved) {
+  std::vector<std::string> figures;
+  for (std::size_t k = 0; k < solved.history.added.size(); ++k) {
+    const AddedValues& column = solved.history.added[k];
+    figures.push_back(figure_html(column.name, to_svg(added_column_chart(solved, column)),
+                                  escaped(solved.result->added_columns[k].meaning)));
+  }
+  return figures.empty() ? "" : section_html("Further columns of the history", side_by_side(figures));
+}
+
 std::vector<std::string> joined(std::vector<std::string> sentences, const std::vector<std::string>& more) {
   sentences.insert(sentences.end(), more.begin(), more.end());
   return sentences;
@@ -199,7 +210,9 @@ std::string case_report_html(const fs::path& folder, SectionPainter& painter) {
   if (solved.is_rough()) body += section_html("The surfaces", roughness_figures(solved));
   body += curves_section(solved, numbers);
   if (!motion) body += motion_figure(solved);
-  body += section_html("Pressure and gap in the contact", contact_figures(solved));
+  body += added_columns_section(solved);
+  body += section_html("Pressure and gap in the contact",
+                       contact_figures(solved) + added_contact_figures(solved));
   body += section_html("Inside the bodies", section_figures(solved, painter));
   body += tables_of(solved, group, numbers);
   return page_html(solved.title(), subtitle_of(folder, solved.version()), body);

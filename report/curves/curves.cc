@@ -186,6 +186,17 @@ Chart contact_area_chart(const SolvedCase& solved) {
   return chart;
 }
 
+Chart added_column_chart(const SolvedCase& solved, const AddedValues& column) {
+  Chart chart;
+  chart.x_label = "step";
+  chart.y_label = column.name;
+  chart.series = {
+      {"", loading_colour, Series::Style::line_with_points, solved.history.step, column.values, {}}};
+  chart.y_from_zero = false;
+  chart.width = 520;
+  return chart;
+}
+
 Chart load_approach_chart(const std::vector<StudyCurve>& curves) {
   double force = 0, approach = 0;
   for (const auto& curve : curves) {

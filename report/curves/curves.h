@@ -23,6 +23,8 @@ ForceUnit force_unit(double largest_force);
 Chart load_approach_chart(const SolvedCase& solved);
 Chart stiffness_chart(const SolvedCase& solved, const NormalNumbers& numbers);
 Chart contact_area_chart(const SolvedCase& solved);
+/// A column that a file of its own adds, over the steps, in its own unit.
+Chart added_column_chart(const SolvedCase& solved, const AddedValues& column);
 
 /// The same of all contacts of a study.
 Chart load_approach_chart(const std::vector<StudyCurve>& curves);

@@ -31,6 +31,14 @@ StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd
   return *best;
 }
 
+std::vector<Addition> added_scalars(const SolvedCase& solved, const std::string& place) {
+  std::vector<Addition> scalars;
+  if (!solved.finished()) return scalars;
+  for (const auto& field : solved.result->added_fields)
+    if (field.place == place && field.components == 1) scalars.push_back(field);
+  return scalars;
+}
+
 std::string no_fields(const SolvedCase& solved) {
   return note("There are no fields of " + escaped(solved.title()) +
               " to draw (Output/Fields is off, or the case has not come to its largest load yet).");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "report/fields/field_files.h"
 #include "report/fields/map_figure.h"
@@ -20,6 +21,9 @@ double hertz_radius(const SolvedCase& solved);
 
 /// The field files at the largest load of the history (else the last); empty if none were written.
 StepFiles files_at_largest_load(const SolvedCase& solved, const std::string& pvd);
+
+/// Fields with one component that files of their own have added at a place, "contact" or "bodies".
+std::vector<Addition> added_scalars(const SolvedCase& solved, const std::string& place);
 
 /// A note in place of a picture.
 std::string no_fields(const SolvedCase& solved);

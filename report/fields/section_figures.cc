@@ -33,11 +33,12 @@ ColourRange range_in_window(vtkPolyData& section, const SectionView& view) {
   const auto at =
       values.begin() + static_cast<std::ptrdiff_t>((1 - outliers) * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
-  return {0, *at > 0 ? *at : *std::max_element(values.begin(), values.end())};
+  const double high = *at > 0 ? *at : *std::max_element(values.begin(), values.end());
+  return {std::min(0.0, *std::min_element(values.begin(), values.end())), high};
 }
 
-/// A window of the given half width and height [m] around (x, 0), its colours from zero to the largest value
-/// in it.
+/// A window of the given half width and height [m] around (x, 0), its colours from zero, or below it, to the
+/// largest value in it.
 SectionView section_view(vtkPolyData& section, const std::string& array, const ColourScale& scale, double x,
                          double half_width, double half_height, double spacing) {
   SectionView view{array, x - half_width, x + half_width, -half_height, half_height, &scale, {}};
@@ -96,10 +97,10 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
   const auto section = vertical_section(files, y);
 
   // The whole contact, and a close-up of the interface; half widths and heights in contact radii.
-  const auto whole = [&](const char* array, const ColourScale& scale) {
+  const auto whole = [&](const std::string& array, const ColourScale& scale) {
     return section_view(*section, array, scale, 0, 1.7 * a, 1.15 * a, spacing);
   };
-  const auto close = [&](const char* array, const ColourScale& scale) {
+  const auto close = [&](const std::string& array, const ColourScale& scale) {
     return section_view(*section, array, scale, contact.peak_x, 0.4 * a, 0.27 * a, spacing);
   };
   const std::string stress = "von Mises stress [GPa]", strain = "equivalent plastic strain [%]";
@@ -126,6 +127,9 @@ std::string section_figures(const SolvedCase& solved, SectionPainter& painter) {
                        "Plastic strain, close to the interface",
                        "The same cut around the largest pressure, magnified, with the mesh."});
   }
+  for (const auto& field : added_scalars(solved, "bodies"))
+    figures.push_back(
+        {whole(field.name, ColourScale::viridis()), field.label(), 1, field.name, escaped(field.meaning)});
   std::vector<SectionView> views;
   for (const auto& figure : figures) views.push_back(figure.view);
   try {

@@ -209,4 +209,19 @@ std::string contact_figures(const SolvedCase& solved) {
                        pressure_profile_figure(solved, pressure)});
 }
 
+std::string added_contact_figures(const SolvedCase& solved) {
+  const auto files = files_at_largest_load(solved, "interface.pvd");
+  if (files.empty()) return "";
+  std::vector<std::string> figures;
+  for (const auto& field : added_scalars(solved, "contact")) {
+    const Map map = interface_map(files[0], field.name, map_half_width(solved, files[0]), map_pixels);
+    MapFigure figure = map_figure_of(map);
+    figure.colour_label = field.label();
+    figure.range = colour_range(map, outliers);
+    figures.push_back(figure_html(field.name, to_svg(figure, paint(map, *figure.scale, figure.range)),
+                                  escaped(field.meaning)));
+  }
+  return figures.empty() ? "" : side_by_side(figures);
+}
+
 }  // namespace asperity::report

@@ -56,7 +56,9 @@ Chart chart_of(const std::vector<double>& x, const std::vector<double>& y, doubl
 }
 
 std::string paragraph_of_program(const SolvedCase& solved) {
-  return "<p>The program: " + escaped(solved.entries.text("Experiment/Program")) + "</p>\n";
+  const std::string type = solved.entries.text("Experiment/Type", "program");
+  return "<p>The program" + (type == "program" ? "" : " of " + escaped(type)) + ": " +
+         escaped(solved.entries.text("Experiment/Program")) + "</p>\n";
 }
 
 void add_over_steps(const std::string& label, const std::string& colour, const std::vector<double>& y,
@@ -134,7 +136,7 @@ Chart program_moments_chart(const SolvedCase& solved) {
 }
 
 std::string motion_figure(const SolvedCase& solved) {
-  if (solved.entries.text("Experiment/Type") == "program")
+  if (solved.motion() == Motion::program)
     return section_html("Program of motions",
                         paragraph_of_program(solved) +
                             figure_html("Forces", to_svg(program_forces_chart(solved)),

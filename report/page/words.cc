@@ -3,17 +3,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/printed.h"
 #include "report/page/axis.h"
 #include "report/sentences/phrases.h"
+#include "results/known_entries.h"
 
 namespace asperity::report {
 namespace {
 
 /// Balances of a converged solve lie below it; nobody reads further digits.
 constexpr double smallest_share = 1e-5;
+
+/// "0", "0 nm", "0.0 GPa".
+bool is_zero(const std::string& text) {
+  char* end = nullptr;
+  return std::strtod(text.c_str(), &end) == 0 && end != text.c_str();
+}
 
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;
@@ -30,6 +38,11 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
              in_units(hardening, Dimension::pressure);
   const double voce = entries.quantity(section + "/Voce saturation", Dimension::pressure, 0);
   if (voce > 0) words += ", Voce hardening up to " + in_units(voce, Dimension::pressure) + " more";
+  // Entries of laws from files of their own, by their names; 0: not given.
+  for (const auto& [path, text] : entries.all()) {
+    if (path.rfind(section + "/", 0) != 0 || is_known_entry(path) || is_zero(text)) continue;
+    words += ", " + escaped(path.substr(section.size() + 1)) + " = " + escaped(text);
+  }
   return words;
 }
 
@@ -74,8 +87,9 @@ std::string what_was_asked(const SolvedCase& solved) {
   if (type == "sliding") words += ", slid" + way("Experiment/Distance", Dimension::length);
   if (type == "rolling") words += ", rolled" + way("Experiment/Distance", Dimension::length);
   if (type == "torsion") words += ", spun" + way("Experiment/Angle", Dimension::angle);
-  if (type == "program")
-    words += ", then moved as written (" + escaped(entries.text("Experiment/Program")) + ")";
+  if (solved.motion() == Motion::program)
+    words += ", then moved as " + (type == "program" ? "written" : escaped(type) + " moves it") + " (" +
+             escaped(entries.text("Experiment/Program")) + ")";
   if (entries.text("Experiment/Unload", "true") == "true") {
     const std::string cycles = entries.text("Experiment/Cycles", "1");
     words += cycles == "1" ? ", and released" : ", and released, " + escaped(cycles) + " times";

@@ -9,7 +9,9 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/utf8.h"
+#include "surfaces/readers/foreign_kinds.h"
 #include "surfaces/readers/format.h"
+#include "surfaces/readers/gzip.h"
 #include "surfaces/readers/text_parts.h"
 
 namespace asperity {
@@ -37,6 +39,7 @@ const TopographyFormat& format_of(const SourceFile& file) {
     throw InputError(file.name() + " is empty; copy or export it again");
   for (const auto& format : topography_formats())
     if (format.recognises(file)) return format;
+  refuse_foreign_kind(file);
   refuse_unknown_kind(file);
 }
 
@@ -127,8 +130,13 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
 }  // namespace
 
 Topography topography_from(const SourceFile& file, const ReadOptions& options) {
-  const TopographyFormat& format = format_of(file);
-  return settled(file, format, options, format.read(file, options));
+  const bool packed = is_gzip(file);
+  const SourceFile unpacked = packed ? unpacked_gzip(file) : SourceFile{};
+  const SourceFile& source = packed ? unpacked : file;
+  const TopographyFormat& format = format_of(source);
+  StoredMap map = format.read(source, options);
+  if (packed) map.note += std::string(map.note.empty() ? "" : "; ") + "unpacked from gzip";
+  return settled(source, format, options, std::move(map));
 }
 
 Topography read_topography(const std::filesystem::path& path, const ReadOptions& options) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "surfaces/readers/length_unit.h"
+#include "surfaces/readers/height_unit.h"
 #include "surfaces/readers/text_names.h"
 #include "surfaces/readers/text_parts.h"
 
@@ -162,22 +162,7 @@ double text_height_unit(const SourceFile& file, const TextTable& table, const Re
                         StoredMap& map) {
   std::string unit = table.find(text_names::value_unit);
   if (unit.empty()) unit = table.find(text_names::any_unit);
-  if (unit.empty() && options.height_unit) {
-    unit = *options.height_unit;
-    map.note = "unit of height as passed";
-  }
-  if (unit.empty()) {
-    map.height_unit_assumed = true;
-    map.note = "no unit of height given, metres taken";
-    map.scale = "heights in m";
-    return 1.0;
-  }
-  const auto factor = length_unit_factor(unit);
-  if (!factor)
-    throw InputError(file.name() + " has values in '" + unit +
-                     "', which is no length; export the channel of the topography");
-  map.scale = "heights in " + plain_unit(unit);
-  return *factor;
+  return height_unit(file, unit, options, map);
 }
 
 }  // namespace asperity

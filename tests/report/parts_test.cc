@@ -100,6 +100,23 @@ TEST(Words_behaviour, numbers_read_as_people_write_them) {
   EXPECT_EQ(area_text(4.84e-13), "0.484 µm²");
 }
 
+TEST(Words_behaviour, a_material_is_told_with_the_entries_of_a_law_from_outside) {
+  SolvedCase solved;
+  std::map<std::string, std::string> entries{{"Particle/Radius", "8.5 um"}};
+  for (const char* body : {"Particle/", "Substrate/"}) {
+    entries[body + std::string("Young modulus")] = "71 GPa";
+    entries[body + std::string("Poisson ratio")] = "0.17";
+    entries[body + std::string("Swift strain")] = "0";
+  }
+  entries["Particle/Yield stress"] = "0.4 GPa";
+  entries["Particle/Swift strain"] = "0.01", entries["Particle/Swift exponent"] = "0.3";
+  solved.entries = CaseEntries(entries);
+  const std::string asked = what_was_asked(solved);
+  EXPECT_NE(asked.find("yields at 400 MPa, Swift exponent = 0.3, Swift strain = 0.01;"), std::string::npos)
+      << asked;
+  EXPECT_NE(asked.find("elastic; surface"), std::string::npos) << asked;
+}
+
 TEST(Words_behaviour, a_topography_is_told_by_what_made_it) {
   EXPECT_EQ(topography_in_words("smooth"), "smooth");
   EXPECT_EQ(topography_in_words("/data/scan<1>.gsf"), "measured: scan&lt;1&gt;.gsf");

@@ -71,6 +71,25 @@ TEST(CaseResult_behaviour, has_each_part_of_the_file_under_its_name) {
   EXPECT_EQ(result.peak_memory, 1e9);
 }
 
+TEST(CaseResult_behaviour, says_what_files_of_a_users_own_have_added) {
+  EXPECT_TRUE(case_result_of(whole(), "made").added_columns.empty());
+  Json document = whole();
+  document["added"] = Json::parse(R"({
+    "columns": [{"name": "own path [m]", "meaning": "how far"}, {"meaning": "without a name"}],
+    "fields": [{"name": "own", "unit": "Pa", "meaning": "what", "place": "bodies", "components": 6}]})");
+  const CaseResult result = case_result_of(document, "made");
+  ASSERT_EQ(result.added_columns.size(), 1u);
+  EXPECT_EQ(result.added_columns[0].name, "own path [m]");
+  EXPECT_EQ(result.added_columns[0].meaning, "how far");
+  ASSERT_EQ(result.added_fields.size(), 1u);
+  EXPECT_EQ(result.added_fields[0].label(), "own [Pa]");
+  EXPECT_EQ(result.added_fields[0].place, "bodies");
+  EXPECT_EQ(result.added_fields[0].components, 6);
+  document["added"] = 5;
+  const std::string message = test::message_of<InputError>([&] { case_result_of(document, "made"); });
+  EXPECT_NE(message.find("made: 'added' is no object"), std::string::npos) << message;
+}
+
 TEST(CaseResult_behaviour, of_an_earlier_version_lacks_what_it_did_not_tell) {
   const CaseResult result = case_result_of({{"format", CaseResult::format}}, "made");
   EXPECT_TRUE(result.complete);

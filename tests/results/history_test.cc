@@ -55,6 +55,26 @@ TEST(History_behaviour, columns_that_not_every_history_has_may_be_missing_and_ot
   EXPECT_EQ(&read.radius_of_whole(), &read.contact_radius);
 }
 
+TEST(History_analytic, an_added_column_stands_behind_the_others_and_is_read_where_it_is_named) {
+  const test::TemporaryFolder folder;
+  std::vector<HistoryRow> rows = three_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].added = {0.5 * static_cast<double>(i), 7};
+  const std::vector<std::string> names{"own path [m]", "own count"};
+  const std::string text = format_history(history_of(rows, names));
+  EXPECT_NE(text.find(",own path [m],own count\n"), std::string::npos);
+  write_file_atomically(folder.path / "history.csv", text);
+  EXPECT_TRUE(read_history(folder.path / "history.csv").added.empty());
+  const History read = read_history(folder.path / "history.csv", names);
+  ASSERT_EQ(read.added.size(), 2u);
+  EXPECT_EQ(read.added[0].name, "own path [m]");
+  EXPECT_EQ(read.added[0].values, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(read.added[1].values, (std::vector<double>{7, 7, 7}));
+  const std::string message =
+      test::message_of<InputError>([&] { read_history(folder.path / "history.csv", {"another"}); });
+  EXPECT_NE(message.find("history.csv"), std::string::npos);
+  EXPECT_NE(message.find("another"), std::string::npos);
+}
+
 TEST(History_behaviour, without_a_column_that_every_history_has_is_refused_by_file_and_column) {
   const test::TemporaryFolder folder;
   write_file_atomically(folder.path / "history.csv", "step,time [s]\n1,2\n");

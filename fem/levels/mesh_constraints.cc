@@ -1,0 +1,154 @@
+// Constraints of a mesh level: hanging nodes, the fixed and the driven plane, and the layout of vectors that
+// they need.
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <map>
+
+#include "fem/levels/mesh_level.h"
+
+namespace asperity::fem {
+
+using dealii::types::global_dof_index;
+
+namespace {
+
+dealii::IndexSet boundary_dofs(const dealii::DoFHandler<3>& dofs, unsigned id, int component) {
+  dealii::ComponentMask mask(3, false);
+  mask.set(component, true);
+  return dealii::DoFTools::extract_boundary_dofs(dofs, mask, {static_cast<dealii::types::boundary_id>(id)});
+}
+
+void add_node(dealii::IndexSet& set, global_dof_index dof) {
+  set.add_range(dof - dof % 3, dof - dof % 3 + 3);
+}
+
+}  // namespace
+
+struct MeshLevel::DriveShares {
+  std::vector<std::pair<global_dof_index, double>> along_z;
+  std::map<global_dof_index, double> along_x;
+};
+
+void MeshLevel::make_constraints(Control control) {
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
+  const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
+  first_owned_ = owned.n_elements() ? owned.nth_index_in_set(0) : 0;
+  choose_driven_dof();
+  relevant.add_range(driven_dof_ - 2, driven_dof_ + 1);
+  relevant.compress();
+  const dealii::AffineConstraints<double> tied = tie_nodes(relevant);
+  constraints_.reinit(relevant);
+  const DriveShares shares = constrain(tied, control);
+  make_partitioner(relevant, tied);
+  fill_arrays(shares, control);
+}
+
+void MeshLevel::choose_driven_dof() {
+  global_dof_index lowest = dealii::numbers::invalid_dof_index;
+  for (const auto dof : boundary_dofs(*dofs_, meshing::driven_boundary, 2))
+    if (dofs_->locally_owned_dofs().is_element(dof)) lowest = std::min(lowest, dof);
+  driven_dof_ = dealii::Utilities::MPI::min(lowest, communicator_);
+}
+
+dealii::AffineConstraints<double> MeshLevel::tie_nodes(const dealii::IndexSet& relevant) {
+  const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
+  dealii::AffineConstraints<double> tied(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(*dofs_, tied);
+  for (int component = 0; component < 3; ++component)
+    for (const auto dof : boundary_dofs(*dofs_, meshing::fixed_boundary, component))
+      if (!tied.is_constrained(dof)) {
+        if (component == 2 && owned.is_element(dof)) fixed_z_.push_back(static_cast<int>(dof - first_owned_));
+        tied.add_line(dof);
+      }
+  for (int component = 0; component < 3; ++component)
+    for (const auto dof : boundary_dofs(*dofs_, meshing::driven_boundary, component)) {
+      if (component == 2 && owned.is_element(dof))
+        driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
+      if (tied.is_constrained(dof) || dof == driven_dof_) continue;
+      tied.add_line(dof);
+      if (component != 1) tied.add_entry(dof, driven_dof_, 1.0);  // along x: scaled by set_drive_tilt
+    }
+  // A rank sees the boundary and the coarser neighbours of its own and its ghost cells only; a node at the
+  // edge of its sight may be constrained by what lies beyond.
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
+    tied.make_consistent_in_parallel(owned, tied.get_local_lines(), communicator_);
+  tied.close();
+  return tied;
+}
+
+MeshLevel::DriveShares MeshLevel::constrain(const dealii::AffineConstraints<double>& tied, Control control) {
+  DriveShares shares{{{driven_dof_, 1.0}}, {}};
+  for (const auto& line : tied.get_lines()) {
+    constraints_.add_line(line.index);
+    for (const auto& [master, weight] : line.entries) {
+      if (master != driven_dof_)
+        constraints_.add_entry(line.index, master, weight);
+      else if (line.index % 3 == 0)
+        shares.along_x[line.index] = weight;
+      else {
+        shares.along_z.emplace_back(line.index, weight);
+        if (control == Control::force) constraints_.add_entry(line.index, master, weight);
+      }
+    }
+  }
+  if (control == Control::displacement) constraints_.add_line(driven_dof_);
+  constraints_.close();
+  return shares;
+}
+
+void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
+                                 const dealii::AffineConstraints<double>& tied) {
+  // The masters of constraints must be at hand wherever the constrained node is.
+  dealii::IndexSet needed = relevant;
+  for (const auto& line : tied.get_lines()) {
+    add_node(needed, line.index);
+    for (const auto& entry : line.entries) add_node(needed, entry.first);
+  }
+  needed.compress();
+  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(dofs_->locally_owned_dofs(), needed,
+                                                                       communicator_);
+}
+
+void MeshLevel::fill_arrays(const DriveShares& shares, Control control) {
+  const auto local = [&](global_dof_index dof) {
+    return static_cast<int>(partitioner_->global_to_local(dof));
+  };
+  for (const auto& [dof, weight] : shares.along_z) share_along_z_.emplace_back(local(dof), weight);
+  for (const auto& [dof, weight] : shares.along_x) share_along_x_.emplace_back(local(dof), weight);
+  driven_share_ = share_along_z_;
+  entry_start_.push_back(0);
+  for (const auto& line : constraints_.get_lines()) {
+    constrained_.push_back(local(line.index));
+    for (const auto& [master, weight] : line.entries) {
+      entry_dof_.push_back(local(master));
+      entry_weight_.push_back(weight);
+    }
+    const auto tilted = shares.along_x.find(line.index);
+    if (tilted != shares.along_x.end() && control == Control::force) {
+      tilted_entry_.emplace_back(static_cast<int>(entry_dof_.size()), tilted->second);
+      entry_dof_.push_back(local(driven_dof_));
+      entry_weight_.push_back(0);
+    }
+    entry_start_.push_back(static_cast<int>(entry_dof_.size()));
+  }
+}
+
+void MeshLevel::set_drive_tilt(double tilt) {
+  for (const auto& [entry, share] : tilted_entry_) entry_weight_[entry] = tilt * share;
+  driven_share_ = share_along_z_;
+  for (const auto& [dof, share] : share_along_x_) driven_share_.emplace_back(dof, tilt * share);
+}
+
+void MeshLevel::condense_diagonal(double* y) const {
+  for (std::size_t c = 0; c < constrained_.size(); ++c) {
+    const double value = y[constrained_[c]];
+    y[constrained_[c]] = 0;
+    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+      y[entry_dof_[e]] += entry_weight_[e] * entry_weight_[e] * value;
+  }
+}
+
+}  // namespace asperity::fem
