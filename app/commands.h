@@ -14,6 +14,10 @@ void add_surface_command(CLI::App& app);
 /// asperity surface afm: which Gaussian surfaces have a published RMS and peak to valley, as a microscope
 /// would see them. Adds `afm` to the subcommand `surface`.
 void add_surface_afm_command(CLI::App& surface);
+/// asperity characterise SCAN: from a scan to the numbers and the input of a discrete element model.
+void add_characterise_command(CLI::App& app);
+/// asperity materials: those that characterise knows by name, the page of docs/materials.md.
+void add_materials_command(CLI::App& app);
 /// asperity preview CASE.prm: stiffness, area, pressure and the mesh that a case needs, in seconds.
 void add_preview_command(CLI::App& app);
 /// asperity mesh CASE.prm --output DIR: the meshes of a case, their quality, and the surfaces for other

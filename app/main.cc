@@ -10,6 +10,8 @@ int main(int argc, char** argv) {
   using namespace asperity;
   return run_program(argc, argv, [argv](CLI::App& app) {
     add_surface_command(app);
+    add_solver_command(app, solver_commands::characterise, argv);
+    add_materials_command(app);
     add_solver_command(app, solver_commands::preview, argv);
     add_solver_command(app, solver_commands::mesh, argv);
     add_solver_command(app, solver_commands::solve, argv);

@@ -23,6 +23,9 @@ inline constexpr SolverCommand mesh{
     "mesh", "Write the meshes of a case; print quality, counts and memory to solve it"};
 inline constexpr SolverCommand solve{"solve", "Solve one case: result.json, history.csv and fields"};
 inline constexpr SolverCommand study{"study", "Solve a matrix of cases, several at a time"};
+inline constexpr SolverCommand characterise{
+    "characterise",
+    "From a surface scan to the numbers and input of a discrete element model, in one command"};
 inline constexpr SolverCommand report{"report", "Write report.html for a solved case or a study"};
 }  // namespace solver_commands
 

@@ -7,6 +7,7 @@
 int main(int argc, char** argv) {
   using namespace asperity;
   return run_program(argc, argv, [](CLI::App& app) {
+    add_characterise_command(app);
     add_preview_command(app);
     add_mesh_command(app);
     add_solve_command(app);

@@ -43,6 +43,19 @@ LeftOutOfPreview what_is_left_out(const CaseInput& input) {
 
 }  // namespace
 
+MeshPreview preview_mesh(const CaseInput& input) {
+  check_case(input);
+  const CaseInput derived = fem::with_derived_path_length(input);
+  const fem::CaseSetup setup = fem::set_up_sizes(derived);
+  const fem::SolveCost cost = fem::estimated_cost(derived, setup);
+  return {setup.system.mesh.sizes.spacing_particle,
+          setup.system.mesh.sizes.region_particle,
+          cost.unknowns,
+          cost.memory,
+          cost.seconds,
+          cost.steps};
+}
+
 PreviewedCase preview_case(const CaseInput& input, double hardness) {
   PreviewedCase preview;
   preview.hardness = hardness > 0 ? hardness : tabor_factor * lower_yield_stress(input);
@@ -56,17 +69,8 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
   preview.yielding = yielding_bodies(input);
   preview.left_out = what_is_left_out(input);
   try {
-    check_case(input);
+    preview.mesh = preview_mesh(input);
     preview.left_out.friction = fem::make_friction_law(input.interface) != nullptr;
-    const CaseInput derived = fem::with_derived_path_length(input);
-    const fem::CaseSetup setup = fem::set_up_sizes(derived);
-    const fem::SolveCost cost = fem::estimated_cost(derived, setup);
-    preview.mesh = MeshPreview{setup.system.mesh.sizes.spacing_particle,
-                               setup.system.mesh.sizes.region_particle,
-                               cost.unknowns,
-                               cost.memory,
-                               cost.seconds,
-                               cost.steps};
   } catch (const InputError& error) {
     preview.refusal = error.what();
   }

@@ -11,4 +11,8 @@ namespace asperity {
 /// says what is not. Throws InputError as half_space::contact_of_case does, and where a case cannot be meant.
 PreviewedCase preview_case(const CaseInput& input, double hardness);
 
+/// The mesh that `asperity solve` would make of the case, and what that costs, without meshing. Throws
+/// InputError where solve would refuse.
+MeshPreview preview_mesh(const CaseInput& input);
+
 }  // namespace asperity

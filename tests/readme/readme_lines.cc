@@ -26,6 +26,11 @@ ReadmeGroup one_case() {
             "--output rough.gsf",
             "", "", "512 x 512", "rough.gsf"},
            {"build/asperity surface afm --help", "", "", "--rms", ""},
+           {"build/asperity characterise scan.spm --particle \"borosilicate, 8.5 um\" --substrate silicon "
+            "--loads "
+            "\"30 uN to 300 uN\" --engine lammps --output characterised",
+            " --plan", "what it would do, nothing solved", "cases by finite elements", ""},
+           {"build/asperity materials", "", "", "silicon", ""},
            {"build/asperity case-template > case.prm", "", "", "", "case.prm"},
            {"build/asperity preview case.prm", small_contact, "a smaller load", "real contact area", ""},
            {"build/asperity mesh case.prm --output meshes", small_contact, "a smaller load, a coarser mesh",

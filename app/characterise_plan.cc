@@ -1,0 +1,238 @@
+#include "app/characterise_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/case_file.h"
+#include "core/error.h"
+#include "core/hertz.h"
+#include "core/printed.h"
+#include "core/quantity.h"
+#include "core/wait_text.h"
+#include "fem/preview_case.h"
+
+namespace asperity {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr const char* planned = "the plan of characterise";
+
+/// Below four cells a contact of Hertz is not a circle any more; a quick answer takes three and says so.
+const std::vector<Rung>& ladder() {
+  static const std::vector<Rung> rungs{{3, 1.8, 1, 1}, {4, 2, 2, 1},   {4, 2, 2, 2},
+                                       {5, 2.5, 2, 2}, {5, 2.5, 2, 3}, {6, 3, 2, 3},
+                                       {6, 3, 3, 3},   {8, 3.5, 3, 4}, {10, 4, 3, 4}};
+  return rungs;
+}
+
+std::string text_of(double value, Dimension dimension) { return format_quantity(value, dimension, 4); }
+
+Hertz smooth_contact(const CharacteriseRequest& request) {
+  const auto body = [](const Material& material) {
+    return ElasticBody{material.youngs_modulus.value, material.poisson_ratio};
+  };
+  return {reduced_modulus(body(request.particle.material), body(request.substrate)), request.particle.radius};
+}
+
+/// One in the geometric middle, or the ends and what lies evenly between in the logarithm.
+std::vector<double> loads_of(const std::vector<double>& ends, int count) {
+  if (ends.size() == 1) return ends;
+  if (count == 1) return {std::sqrt(ends[0] * ends[1])};
+  std::vector<double> loads;
+  for (int i = 0; i < count; ++i) loads.push_back(ends[0] * std::pow(ends[1] / ends[0], i / (count - 1.0)));
+  return loads;
+}
+
+void add_body(Settings& settings, const std::string& section, const Material& material) {
+  settings.push_back(
+      {section, "Young modulus", text_of(material.youngs_modulus.value, Dimension::pressure), planned});
+  settings.push_back({section, "Poisson ratio", text_of(material.poisson_ratio, Dimension::none), planned});
+  if (material.yields())
+    settings.push_back(
+        {section, "Yield stress", text_of(material.yield_stress(), Dimension::pressure), planned});
+}
+
+Settings base_of(const CharacteriseRequest& request, const CharacterisePlan& plan,
+                 const MeasuredScan& substrate, const std::optional<MeasuredScan>& particle) {
+  Settings settings;
+  settings.push_back({"Particle", "Radius", text_of(request.particle.radius, Dimension::length), planned});
+  add_body(settings, "Particle", request.particle.material);
+  GeneratorParameters generator;
+  const auto surface = [&](const MeasuredScan& scan, std::uint64_t seed) {
+    TopographySpec spec = topography_of(scan, request.surface, plan.cutoff);
+    if (!spec.generator()) return spec.text();
+    generator = *spec.generator();
+    generator.seed = seed;
+    return generator.text();
+  };
+  settings.push_back({"Particle", "Topography", particle ? surface(*particle, 1) : "smooth", planned});
+  add_body(settings, "Substrate", request.substrate);
+  settings.push_back({"Substrate", "Topography", surface(substrate, 2), planned});
+  if (request.adhesion) {
+    settings.push_back({"Interface", "Work of adhesion",
+                        text_of(request.adhesion->work, Dimension::surface_energy), planned});
+    settings.push_back({"Interface", "Adhesion law", "exponential", planned});
+    settings.push_back(
+        {"Interface", "Adhesion range", text_of(request.adhesion->range, Dimension::length), planned});
+  }
+  settings.push_back({"Mesh", "Interface spacing", text_of(plan.spacing, Dimension::length), planned});
+  settings.push_back({"Mesh", "Layers", "2", planned});
+  settings.push_back({"Output", "Fields", "false", planned});
+  return settings;
+}
+
+PlannedMotion motion_of(const std::string& type, double friction, bool named,
+                        const std::vector<std::pair<std::string, std::string>>& entries) {
+  PlannedMotion motion;
+  motion.label = type + (named ? printed(" at local friction %g", friction) : "");
+  motion.settings.push_back({"Experiment", "Type", type, planned});
+  motion.settings.push_back({"Interface", "Friction coefficient", printed("%g", friction), planned});
+  for (const auto& [entry, value] : entries) motion.settings.push_back({"Experiment", entry, value, planned});
+  return motion;
+}
+
+/// Normal load without friction, which hardly changes it and so counts for each coefficient; then each motion
+/// at each coefficient.
+std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double contact_radius) {
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+  std::vector<PlannedMotion> motions{
+      motion_of("normal", 0, false, {{"Load steps", "6"}, {"Unload steps", "5"}, {"Unload", "true"}})};
+  const bool named = request.friction.size() > 1;
+  const std::string back = text_of(contact_radius, Dimension::length);
+  constexpr double quick_path = 3.5;  // contact radii
+  const Entries path = request.quick
+                           ? Entries{{"Distance", text_of(quick_path * contact_radius, Dimension::length)},
+                                     {"Motion steps", "24"}}
+                           : Entries{};
+  for (const double friction : request.friction) {
+    Entries there{{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}};
+    const Entries torsion = there;
+    there.insert(there.end(), path.begin(), path.end());
+    Entries there_and_back{
+        {"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "true"}, {"Return distance", back}};
+    there_and_back.insert(there_and_back.end(), path.begin(), path.end());
+    motions.push_back(motion_of("sliding", friction, named, there));
+    motions.push_back(motion_of("rolling", friction, named, there_and_back));
+    motions.push_back(motion_of("torsion", friction, named, torsion));
+  }
+  return motions;
+}
+
+double seconds_of(const CharacterisePlan& plan) {
+  double seconds = 0;
+  for (const double load : plan.loads)
+    for (const auto& motion : plan.motions) {
+      Settings settings = plan.base;
+      for (const auto& setting : motion.settings) override_setting(settings, setting);
+      override_setting(settings, {"Experiment", "Normal load", text_of(load, Dimension::force), planned});
+      seconds += preview_mesh(case_from_settings(settings, planned)).seconds * plan.rung.realisations;
+    }
+  return seconds;
+}
+
+CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, const MeasuredScan& substrate,
+                         const std::optional<MeasuredScan>& particle) {
+  constexpr double cells_per_wave = 4;
+  CharacterisePlan plan;
+  plan.rung = rung;
+  plan.loads = loads_of(request.loads, rung.loads);
+  const Hertz smooth = smooth_contact(request);
+  const double rolloff = std::min(rolloff_of(substrate), particle ? rolloff_of(*particle) : infinite),
+               measured = std::max(substrate.shortest_wave, particle ? particle->shortest_wave : 0);
+  const double needed = std::max(rolloff / rung.waves, measured) / cells_per_wave;
+  plan.spacing = std::min(smooth.contact_radius(plan.loads.front()) / rung.cells_per_radius, needed);
+  plan.cutoff = std::max(cells_per_wave * plan.spacing, measured);
+  const bool drawn =
+      from_spectrum(substrate, request.surface) || (particle && from_spectrum(*particle, request.surface));
+  if (!drawn) plan.rung.realisations = 1;
+  plan.base = base_of(request, plan, substrate, particle);
+  plan.motions = motions_of(request, smooth.contact_radius(plan.loads.back()));
+  plan.cases = static_cast<int>(plan.loads.size() * plan.motions.size()) * plan.rung.realisations;
+  plan.seconds = seconds_of(plan);
+  return plan;
+}
+
+std::string variant_line(const PlannedMotion& motion) {
+  std::string line = "    set " + motion.label + " = ";
+  for (std::size_t i = 0; i < motion.settings.size(); ++i)
+    line += (i == 0 ? "" : "; ") + motion.settings[i].path() + " = " + motion.settings[i].value;
+  return line + "\n";
+}
+
+std::string rung_text(const Rung& rung) {
+  return std::to_string(rung.loads) + (rung.loads == 1 ? " load, " : " loads, ") +
+         std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
+         printed(", at least %g cells over the contact radius", rung.cells_per_radius);
+}
+
+}  // namespace
+
+CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan& substrate,
+                         const std::optional<MeasuredScan>& particle) {
+  CharacterisePlan plan = plan_at(ladder().front(), request, substrate, particle);
+  for (std::size_t i = 1; i < ladder().size(); ++i) {
+    const CharacterisePlan dearer = plan_at(ladder()[i], request, substrate, particle);
+    if (request.quick || dearer.seconds > request.time) {
+      plan.next = dearer.rung, plan.next_seconds = dearer.seconds;
+      break;
+    }
+    plan = dearer;
+  }
+  return plan;
+}
+
+std::string study_text(const CharacterisePlan& plan) {
+  std::string loads;
+  for (const double load : plan.loads) loads += (loads.empty() ? "" : ", ") + text_of(load, Dimension::force);
+  std::string text =
+      "# Written by asperity characterise; asperity study solves it.\nset Title = Characterisation\n"
+      "subsection Study\n  set Realisations = " +
+      std::to_string(plan.rung.realisations) +
+      "\n  subsection Vary\n    set Experiment/Normal load = " + loads +
+      "\n  end\n  set Name of variants = Motion\n  subsection Variants\n";
+  for (const auto& motion : plan.motions) text += variant_line(motion);
+  return text + "  end\nend\n" + format_settings(plan.base);
+}
+
+std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan) {
+  std::vector<std::string> sentences;
+  std::string loads;
+  for (const double load : plan.loads)
+    loads += (loads.empty() ? "" : ", ") + format_quantity(load, Dimension::force);
+  sentences.push_back(std::to_string(plan.cases) +
+                      " cases by finite elements: normal load, sliding, rolling and torsion at " + loads +
+                      "; " + rung_text(plan.rung) + ", nodes every " +
+                      format_quantity(plan.spacing, Dimension::length));
+  sentences.push_back("about " + wait_text(plan.seconds) + " on two cores, to a factor of two");
+  if (plan.seconds > request.time)
+    sentences.push_back("that is more than the " + wait_text(request.time) +
+                        " that were asked for; it is the least that gives these numbers");
+  if (plan.next)
+    sentences.push_back("the next finer plan (" + rung_text(*plan.next) + ") takes about " +
+                        wait_text(plan.next_seconds));
+  if (!request.friction_is_known && request.friction.size() == 1)
+    sentences.push_back(
+        printed("local friction is not known, only an experiment tells it (--friction): quickly solved at "
+                "%.2g alone, resistances may be twice as large or half",
+                request.friction.front()));
+  else if (!request.friction_is_known)
+    sentences.push_back(printed(
+        "local friction is not known, only an experiment tells it (--friction): solved at %g and at %g, "
+        "and the answer lies between",
+        request.friction.front(), request.friction.back()));
+  if (!request.adhesion)
+    sentences.push_back(
+        "no work of adhesion is given (--adhesion \"77 mJ/m^2, 1 nm\"): pull-off force and adhesive rolling "
+        "resistance will not be known");
+  if (plan.rung.realisations == 1)
+    sentences.push_back(
+        "one realisation: the scatter over the surface will not be known, and no interval holds it");
+  if (request.quick)
+    sentences.push_back("short paths in long steps: resistances are of the right order, not more");
+  if (plan.loads.size() == 1)
+    sentences.push_back("one load: offsets of the resistances and growth with the load will not be known");
+  return sentences;
+}
+
+}  // namespace asperity

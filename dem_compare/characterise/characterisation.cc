@@ -1,0 +1,169 @@
+#include "dem_compare/characterise/characterisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "dem_compare/cases/case_numbers.h"
+#include "results/contact_key.h"
+
+namespace asperity {
+namespace {
+
+constexpr double sds_of_95_percent = 1.96;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// The number of result.json whose relative discretisation error is that of a quantity of parameters.json.
+struct MeshErrorOf {
+  const char* quantity;
+  const char* effective;
+};
+constexpr MeshErrorOf mesh_errors[] = {{"reduced_modulus", "approach"},
+                                       {"reduced_shear_modulus", "lateral_stiffness"},
+                                       {"normal_stiffness", "normal_stiffness"},
+                                       {"lateral_stiffness", "lateral_stiffness"},
+                                       {"torsion_stiffness", "torsion_stiffness"},
+                                       {"sliding_friction", "sliding_friction"},
+                                       {"torsion_friction", "torsion_moment"},
+                                       {"rolling_friction", "rolling_dissipation"},
+                                       {"pull_off_force", "pull_off_force"}};
+
+/// Mean over the cases that state it; NaN where none does.
+double relative_mesh_error(const ParameterSet& set, const std::string& quantity, Motion told_by) {
+  for (const auto& [name, effective] : mesh_errors) {
+    if (quantity != name) continue;
+    double sum = 0;
+    int count = 0;
+    for (const auto& solved : set.cases) {
+      const EffectiveNumber number = solved.effective(effective);
+      if (solved.motion() != told_by || !std::isfinite(number.sd) || number.value == 0) continue;
+      sum += number.sd / std::abs(number.value), ++count;
+    }
+    if (count > 0) return sum / count;
+  }
+  return not_a_number;
+}
+
+bool is_stiffness(const std::string& key) {
+  return key.find("stiffness") != std::string::npos || key.find("modulus") != std::string::npos;
+}
+
+/// Number of realisations among the cases that tell a quantity.
+std::size_t realisations_of(const ParameterSet& set, Motion told_by) {
+  std::vector<std::string> seen;
+  for (const auto& solved : set.cases) {
+    if (solved.motion() != told_by) continue;
+    const std::string realisation = realisation_of(solved);
+    if (std::find(seen.begin(), seen.end(), realisation) == seen.end()) seen.push_back(realisation);
+  }
+  return seen.size();
+}
+
+bool is_rough(const ParameterSet& set) {
+  return std::any_of(set.cases.begin(), set.cases.end(),
+                     [](const auto& solved) { return solved.is_rough(); });
+}
+
+/// Numbers of the normal cases at the same load, as mean and standard deviation of the mean.
+struct Pooled {
+  double load = 0, mean = 0, variance_of_mean = not_a_number, mesh_sd = 0;
+  std::size_t count = 0;
+};
+
+Pooled pooled(double load, const std::vector<EffectiveNumber>& numbers) {
+  Pooled result;
+  result.load = load, result.count = numbers.size();
+  const auto n = static_cast<double>(numbers.size());
+  for (const auto& number : numbers) result.mean += number.value / n, result.mesh_sd += number.sd / n;
+  if (numbers.size() < 2) return result;
+  double squares = 0;
+  for (const auto& number : numbers) squares += (number.value - result.mean) * (number.value - result.mean);
+  result.variance_of_mean = squares / ((n - 1) * n);
+  return result;
+}
+
+/// What unloading leaves and costs, load by load.
+void add_unloading(const ParameterSet& set, const char* key, const char* meaning, const char* unit,
+                   Characterisation& table) {
+  std::map<double, std::vector<EffectiveNumber>> by_load;
+  for (const auto& solved : set.cases) {
+    const EffectiveNumber number = solved.effective(key);
+    if (solved.motion() != Motion::normal || !std::isfinite(number.value) || solved.history.size() == 0)
+      continue;
+    const auto& forces = solved.history.normal_force;
+    by_load[*std::max_element(forces.begin(), forces.end())].push_back(number);
+  }
+  for (const auto& [load, numbers] : by_load) {
+    const Pooled mean = pooled(load, numbers);
+    CharacterisedNumber number{key,         meaning, unit, mean.mean, load, std::sqrt(mean.variance_of_mean),
+                               mean.mesh_sd};
+    number.holds_scatter = mean.count > 1;
+    number.from = "unloading from the largest load, mean of " + std::to_string(mean.count) +
+                  (mean.count == 1 ? " case" : " cases");
+    table.numbers.push_back(number);
+  }
+}
+
+}  // namespace
+
+double CharacterisedNumber::half_width() const {
+  double variance = material_sd * material_sd;
+  for (const double sd : {fit_sd, mesh_sd})
+    if (std::isfinite(sd)) variance += sd * sd;
+  const bool nothing_known = !std::isfinite(fit_sd) && !std::isfinite(mesh_sd) && material_sd == 0;
+  return nothing_known ? not_a_number : sds_of_95_percent * std::sqrt(variance);
+}
+
+double CharacterisedNumber::relative_half_width() const {
+  return value == 0 ? not_a_number : half_width() / std::abs(value);
+}
+
+Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread) {
+  Characterisation table;
+  const ContactParameters& parameters = derivation.parameters;
+  for (const QuantityEntry& entry : quantity_entries()) {
+    const auto& quantity = parameters.*entry.member;
+    if (!quantity) {
+      table.not_known.emplace_back(entry.meaning);
+      continue;
+    }
+    const Motion told_by = motion_named(entry.told_by).value();
+    CharacterisedNumber number{entry.key,       entry.meaning,     entry.unit,
+                               quantity->value, quantity->at_load, quantity->sd};
+    number.mesh_sd = relative_mesh_error(set, entry.key, told_by) * std::abs(quantity->value);
+    if (is_stiffness(entry.key)) number.material_sd = modulus_spread * std::abs(quantity->value);
+    number.holds_scatter = !is_rough(set) || realisations_of(set, told_by) > 1;
+    number.from = quantity->provenance;
+    table.numbers.push_back(number);
+  }
+  add_unloading(set, "residual_imprint", "imprint that unloading leaves", "m", table);
+  add_unloading(set, "dissipated_energy", "energy that loading and unloading dissipate", "J", table);
+  return table;
+}
+
+nlohmann::ordered_json to_json(const Characterisation& characterisation) {
+  const auto known = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json;
+  if (!characterisation.label.empty()) json["label"] = characterisation.label;
+  json["numbers"] = nlohmann::ordered_json::array();
+  for (const auto& number : characterisation.numbers) {
+    const double half = number.half_width();
+    json["numbers"].push_back({{"key", number.key},
+                               {"meaning", number.meaning},
+                               {"value", number.value},
+                               {"unit", number.unit},
+                               {"at_load", known(number.at_load)},
+                               {"interval_95", {known(number.value - half), known(number.value + half)}},
+                               {"sd_of_fit_and_realisations", known(number.fit_sd)},
+                               {"sd_of_mesh", known(number.mesh_sd)},
+                               {"sd_of_materials", known(number.material_sd)},
+                               {"holds_scatter_of_surfaces", number.holds_scatter},
+                               {"from", number.from}});
+  }
+  json["not_known"] = characterisation.not_known;
+  return json;
+}
+
+}  // namespace asperity

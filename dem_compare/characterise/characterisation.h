@@ -1,0 +1,45 @@
+// The numbers that a discrete element model needs of one contact, each with an interval: what `asperity
+// characterise` ends with. SI units.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/derive/derivation.h"
+
+namespace asperity {
+
+/// One number of the table. Its uncertainties are standard deviations.
+struct CharacterisedNumber {
+  std::string key, meaning, unit;  ///< as in parameters.json, or of result.json
+  double value = 0;
+  double at_load = std::numeric_limits<double>::quiet_NaN();  ///< NaN: of the whole range [N]
+  double fit_sd = std::numeric_limits<double>::quiet_NaN();   ///< of fit and realisations; NaN: not known
+  double mesh_sd = std::numeric_limits<double>::quiet_NaN();  ///< discretisation error; NaN: not known
+  double material_sd = 0;                                     ///< spread of Young's moduli
+  bool holds_scatter = false;                                 ///< several realisations went in
+  std::string from;                                           ///< provenance, in words
+
+  /// Half of a 95 % interval of what is known of the uncertainty; NaN if nothing is.
+  double half_width() const;
+  /// The same relative to the value [-]; NaN where the value is 0.
+  double relative_half_width() const;
+};
+
+struct Characterisation {
+  std::string label;  ///< what tells it from the others, such as "local friction 0.1"; empty for a single one
+  std::vector<CharacterisedNumber> numbers;
+  std::vector<std::string> not_known;  ///< meanings of quantities that the cases do not tell
+};
+
+/// Of one parameter set and what was derived from it (sentences in place). modulus_spread: relative standard
+/// deviation of the reduced modulus from the materials [-].
+Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread);
+
+/// One object a number: key, value, unit, interval_95 and the standard deviations.
+nlohmann::ordered_json to_json(const Characterisation& characterisation);
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+// The table of `asperity characterise` from folders whose contact is known in closed form.
+#include "dem_compare/characterise/characterisation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/dem_compare/compare/solved_folders.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::SolvedFolder;
+using test::TemporaryFolder;
+
+Characterisation table_of(const std::vector<std::filesystem::path>& folders, double modulus_spread) {
+  const ParameterSets found = collect_parameter_sets(folders);
+  EXPECT_EQ(found.sets.size(), 1U);
+  return characterised(found.sets[0], derive_parameters(found.sets[0]), modulus_spread);
+}
+
+const CharacterisedNumber& number_of_key(const Characterisation& table, const std::string& key) {
+  const auto found = std::find_if(table.numbers.begin(), table.numbers.end(),
+                                  [&](const auto& number) { return number.key == key; });
+  EXPECT_NE(found, table.numbers.end()) << key;
+  return *found;
+}
+
+TEST(Characterisation_analytic, holds_the_contacts_numbers_with_the_spread_of_materials_in_the_intervals) {
+  const TemporaryFolder folder;
+  SolvedFolder normal, sliding;
+  normal.experiment = "normal";
+  const std::vector<std::filesystem::path> folders{test::write_solved(folder.path / "normal", normal),
+                                                   test::write_solved(folder.path / "sliding", sliding)};
+  const Characterisation sure = table_of(folders, 0), spread = table_of(folders, 0.1);
+  const CharacterisedNumber& stiffness = number_of_key(sure, "normal_stiffness");
+  EXPECT_NEAR(stiffness.value / normal.hertz().normal_stiffness(normal.load), 1, 1e-6);
+  EXPECT_NEAR(number_of_key(sure, "sliding_friction").value, sliding.friction, 0.02 * sliding.friction);
+  // 1.96 sqrt(sd^2 + (0.1 k)^2), and friction does not know of Young's modulus.
+  const double half = number_of_key(spread, "normal_stiffness").half_width();
+  EXPECT_NEAR(half, std::hypot(stiffness.half_width(), 1.96 * 0.1 * stiffness.value), 1e-9 * half);
+  EXPECT_EQ(number_of_key(spread, "sliding_friction").material_sd, 0);
+  // One realisation of a rough surface: no interval holds the scatter, and that is said.
+  EXPECT_FALSE(stiffness.holds_scatter);
+  EXPECT_FALSE(sure.not_known.empty());  // no rolling, no torsion
+}
+
+}  // namespace
+}  // namespace asperity
