@@ -115,11 +115,11 @@ TetrahedralMesh plain_mesh(const Complex& complex) {
   std::map<Domain::Surface_patch_index, int> number_of_patch;
   for (auto facet = complex.facets_in_complex_begin(); facet != complex.facets_in_complex_end(); ++facet) {
     number_of_patch.emplace(complex.surface_patch_index(*facet), 0);
-    auto [cell, opposite] = *facet;
-    if (!complex.is_in_complex(cell)) std::tie(cell, opposite) = complex.triangulation().mirror_facet(*facet);
+    Triangulation::Facet side = *facet;  // a cell and the vertex opposite
+    if (!complex.is_in_complex(side.first)) side = complex.triangulation().mirror_facet(*facet);
     // The triple turns counter-clockwise seen from the opposite vertex, which is inside.
     const auto corner = [&](int i) {
-      return index(cell->vertex(Triangulation::vertex_triple_index(opposite, i)));
+      return index(side.first->vertex(Triangulation::vertex_triple_index(side.second, i)));
     };
     mesh.boundary.push_back({corner(0), corner(2), corner(1)});
   }
