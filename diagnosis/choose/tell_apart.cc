@@ -180,7 +180,7 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
   if (e.mode == Motion::rail)
     for (const double degrees : {0.0, 70.0}) {
       Sample s = row;
-      s.rail_angle = degrees * boost::math::double_constants::degree;
+      s.rail_angle = degrees * (M_PI / 180);
       char words[80];
       std::snprintf(words, sizeof words,
                     degrees == 0 ? "measure on a plane substrate" : "measure in a rail of %.0f degrees",

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 #include "dem_compare/experiments/from_parameters.h"
 #include "dem_compare/experiments/particle_experiment.h"
@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-using boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 
 ContactParameters silicon() { return read_contact_parameters(test::paper_run("parameters_silicon.json")); }
 
