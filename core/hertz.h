@@ -5,8 +5,6 @@
 // First yield under the surface, on the axis (von Mises or Tresca, equal there): p0 = C(nu) Y. SI units.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
@@ -47,14 +45,7 @@ struct SubsurfaceMaximum {
 };
 
 /// For Poisson's ratio nu [-].
-inline SubsurfaceMaximum hertz_subsurface_maximum(double poisson_ratio) {
-  // The maximum lies between 0.38 (nu = 0) and 0.55 (nu = 1/2); a parabola near it is flat to half the
-  // digits.
-  const auto minimum = boost::math::tools::brent_find_minima(
-      [&](double z) { return -hertz_axis_stress(z, poisson_ratio).von_mises(); }, 0.2, 1.0,
-      std::numeric_limits<double>::digits / 2);
-  return {minimum.first, -minimum.second};
-}
+SubsurfaceMaximum hertz_subsurface_maximum(double poisson_ratio);
 
 /// C(nu) = p0/Y at first yield.
 inline double hertz_yield_factor(double poisson_ratio) {
@@ -76,17 +67,15 @@ struct Hertz {
   }
   /// a [m], pi a^2 [m^2], p0 [Pa] and k_n [N/m] at a normal force F [N].
   double contact_radius(double force) const { return std::sqrt(radius * approach(force)); }
-  double contact_area(double force) const {
-    return boost::math::double_constants::pi * radius * approach(force);
-  }
+  double contact_area(double force) const { return M_PI * radius * approach(force); }
   double peak_pressure(double force) const { return 1.5 * force / contact_area(force); }
   double normal_stiffness(double force) const { return 2 * reduced_modulus * contact_radius(force); }
   /// int F d(delta) = (2/5) F delta [J]
   double elastic_energy(double force) const { return 0.4 * force * approach(force); }
   /// Force at which p0 is reached (Johnson 1985, eq. 4.25).
   double force_at_peak_pressure(double pressure) const {
-    const double a = boost::math::double_constants::pi * pressure * radius / (2 * reduced_modulus);
-    return 2.0 / 3.0 * boost::math::double_constants::pi * a * a * pressure;
+    const double a = M_PI * pressure * radius / (2 * reduced_modulus);
+    return 2.0 / 3.0 * M_PI * a * a * pressure;
   }
   /// Load of first yield of a body with Poisson's ratio nu and yield stress Y; infinite for an elastic body.
   double first_yield_force(double poisson_ratio, double yield_stress) const {

@@ -1,6 +1,5 @@
 // How fast and how far an engine moves the particle.
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -9,8 +8,6 @@
 
 namespace asperity {
 namespace {
-
-using boost::math::double_constants::pi;
 
 bool is_free(const EngineExperiment& e) { return e.type == Motion::rolling || e.type == Motion::rail; }
 
@@ -58,7 +55,7 @@ Speeds speeds(const EngineExperiment& e, const ClosedForm& form, const Vibration
   constexpr double share_of_friction = 0.01;
   const double friction =
       std::min(e.substrate.sliding_limit(e.load), e.indenter.sliding_limit(e.indenter_load()));
-  const double slow = form.first_yield * vibration.slowest / (2 * pi * periods_to_yield);
+  const double slow = form.first_yield * vibration.slowest / (2 * M_PI * periods_to_yield);
   return {e.haste * slow,
           e.haste * std::max(slow, share_of_friction * friction / std::sqrt(vibration.lateral * e.mass()))};
 }
@@ -88,7 +85,7 @@ MotionPlan plan_motion(const EngineExperiment& e) {
   const ClosedForm form = closed_form(e);
   const Vibrations vibration = vibrations(e, form);
   MotionPlan plan;
-  plan.time_step = 2 * pi / vibration.fastest / steps_per_period;
+  plan.time_step = 2 * M_PI / vibration.fastest / steps_per_period;
   plan.damping = 2 * half_critical * std::sqrt(e.substrate.normal_stiffness_at(e.load) / mass);
   const Speeds speed = speeds(e, form, vibration, plan.time_step);
   const auto add = [&](Leg::Purpose purpose, double distance, double at) {
@@ -103,7 +100,7 @@ MotionPlan plan_motion(const EngineExperiment& e) {
     return plan;
   }
   const double way = checked_path(e, form, start);
-  const long settling = std::lround(settling_periods * 2 * pi / vibration.slowest / plan.time_step);
+  const long settling = std::lround(settling_periods * 2 * M_PI / vibration.slowest / plan.time_step);
   plan.legs.push_back({Leg::Purpose::settle, 0, settling, std::max(1L, settling / rows_to_see_rest)});
   add(Leg::Purpose::start, start, speed.slow);
   add(Leg::Purpose::travel, way - 2 * start, speed.fast);

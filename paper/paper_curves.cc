@@ -1,6 +1,5 @@
 // The curves of the paper's figures, from its published numbers.
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/shear_moduli.h"
@@ -106,8 +105,7 @@ PaperCurve normal_force_curve(const Published& p) {
 
 /// Friction of a rail of the untreated wafer's roughness against its inclination.
 PaperCurve inclination_curve(const Published& p) {
-  const double quarter = boost::math::double_constants::half_pi,
-               rolling_here = p.surfaces.front().rolling_r.value;
+  const double quarter = M_PI_2, rolling_here = p.surfaces.front().rolling_r.value;
   const auto angles = spaced(0, quarter);
   return {"fig_rail_3",
           "rail friction against inclination at a constant RMS of 0.3 nm",

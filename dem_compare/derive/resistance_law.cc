@@ -1,7 +1,5 @@
 #include "dem_compare/derive/resistance_law.h"
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -212,9 +210,8 @@ double log_evidence(const Points& points, LengthScale scale) {
     for (const double own : own_scatters) {
       const Eigen::LLT<Eigen::MatrixXd> factor(covariance_of(scaled, level, own, shared) + prior);
       const Eigen::VectorXd white = factor.matrixL().solve(y);
-      logs.push_back(-0.5 *
-                     (white.squaredNorm() + log_determinant(factor) +
-                      static_cast<double>(y.size()) * std::log(boost::math::double_constants::two_pi)));
+      logs.push_back(-0.5 * (white.squaredNorm() + log_determinant(factor) +
+                             static_cast<double>(y.size()) * std::log(2 * M_PI)));
     }
   const double largest = *std::max_element(logs.begin(), logs.end());
   double sum = 0;

@@ -1,7 +1,6 @@
 #include "dem_compare/experiments/dynamic.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 
@@ -17,7 +16,7 @@ class MovingParticle {
  public:
   MovingParticle(const SingleParticle& particle, double normal_load, const DynamicOptions& options)
       : particle_(particle), load_(normal_load), state_(at_rest(particle, normal_load)) {
-    mass_ = 4.0 / 3 * boost::math::double_constants::pi * std::pow(particle.radius, 3) * options.density;
+    mass_ = 4.0 / 3 * M_PI * std::pow(particle.radius, 3) * options.density;
     inertia_ = 0.4 * mass_ * particle.radius * particle.radius;
     indenter_mass_ = options.indenter_mass > 0 ? options.indenter_mass : mass_;
     if (particle.glued && options.indenter_mass > 0) mass_ += options.indenter_mass;  // they move as one

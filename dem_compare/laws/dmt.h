@@ -5,6 +5,8 @@
 // units.
 #pragma once
 
+#include <cmath>
+
 #include "core/hertz.h"
 #include "dem_compare/laws/law_registry.h"
 #include "dem_compare/laws/normal_state.h"
@@ -24,7 +26,7 @@ struct Dmt {
   double work_of_adhesion = 0;  ///< w [J/m^2], both surfaces together
 
   /// Largest tension [N].
-  double pull_off_force() const { return 2 * boost::math::double_constants::pi * work_of_adhesion * radius; }
+  double pull_off_force() const { return 2 * M_PI * work_of_adhesion * radius; }
   NormalState advance(const NormalState&, double approach) const {
     if (approach < 0) return {approach, 0, 0, 0, false};
     const double a = std::sqrt(radius * approach);

@@ -4,7 +4,7 @@
 // Elastic half-spaces; torsion does not couple with pressure, whatever the mismatch of the bodies. SI units.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 namespace asperity {
 
@@ -14,7 +14,7 @@ inline double no_slip_torsion_stiffness(double torsion_modulus, double contact_r
 }
 /// (3 pi/16) mu: coefficient of torsion for lambda = a
 inline double full_slip_torsion_coefficient(double sliding_coefficient) {
-  return 3 * boost::math::double_constants::pi / 16 * sliding_coefficient;
+  return 3 * M_PI / 16 * sliding_coefficient;
 }
 /// [N m]
 inline double full_slip_torsion_moment(double sliding_coefficient, double normal_force,

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/law_registry.h"
@@ -70,7 +69,7 @@ struct Jkr {
   }
 
  private:
-  double pi_w() const { return boost::math::double_constants::pi * work_of_adhesion; }
+  double pi_w() const { return M_PI * work_of_adhesion; }
 };
 
 inline const LawEntry<Jkr, NormalMode> jkr_entry{

@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-using boost::math::double_constants::pi;
-
 /// K(k') - E(k') with k'^2 = 1 - x^2, by the arithmetic-geometric mean (Abramowitz & Stegun 1964, 17.6):
 /// K = pi/(2 agm), K - E = K sum 2^(n-1) c_n^2, which loses no digits at either end.
 double stick_integral(double x) {
@@ -24,7 +22,7 @@ double stick_integral(double x) {
     weight *= 2;
     sum += weight * c * c;
   }
-  return pi / (2 * a) * sum;
+  return M_PI / (2 * a) * sum;
 }
 
 /// (4/pi) [x^3 I(x) + 3 int_x^1 y^2 I(y) dy]
@@ -33,7 +31,7 @@ double moment_shape(double x) {
       integrator;  // its tables are costly; safe to share between threads
   const auto integrand = [](double y) { return y * y * stick_integral(y); };
   const double rest = x < 1 ? integrator.integrate(integrand, x, 1.0) : 0.0;
-  return 4 / pi * (x * x * x * stick_integral(x) + 3 * rest);
+  return 4 / M_PI * (x * x * x * stick_integral(x) + 3 * rest);
 }
 
 /// c/a where `shape`, falling from a positive value at the lower end to zero at 1, reaches `value`.
@@ -48,7 +46,7 @@ double stick_ratio_where(const Shape& shape, double value) {
 }  // namespace
 
 double LubkinTorsion::angle_at(double stick_ratio) const {
-  return 3 * coefficient * normal_force / (4 * pi * torsion_modulus * contact_radius * contact_radius) *
+  return 3 * coefficient * normal_force / (4 * M_PI * torsion_modulus * contact_radius * contact_radius) *
          stick_integral(stick_ratio);
 }
 
@@ -68,7 +66,7 @@ double LubkinTorsion::angle(double moment) const {
 
 double LubkinTorsion::moment(double angle) const {
   if (angle == 0) return 0;
-  const double shape = std::abs(angle) * 4 * pi * torsion_modulus * contact_radius * contact_radius /
+  const double shape = std::abs(angle) * 4 * M_PI * torsion_modulus * contact_radius * contact_radius /
                        (3 * coefficient * normal_force);
   if (shape >= stick_integral(std::numeric_limits<double>::min()))
     return std::copysign(full_slip_moment(), angle);

@@ -1,7 +1,6 @@
 #include "dem_compare/laws/maugis_dugdale.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -14,8 +13,6 @@
 
 namespace asperity {
 namespace {
-
-using boost::math::double_constants::pi;
 
 /// A contact of radius a in Maugis' units, with the derivatives by a.
 struct Dugdale {
@@ -33,7 +30,7 @@ Dugdale dugdale(double a, double lambda) {
         lambda * a * a / 2 * (u + (m * m - 2) * t) + 4.0 / 3 * lambda * lambda * a * (u * t - m + 1) - 1;
     return std::make_tuple(value, slope_by_m(u, m, t) * m * u);
   };
-  constexpr double quarter = pi / 2;
+  constexpr double quarter = M_PI / 2;
   std::uintmax_t iterations = 200;
   const double t = boost::math::tools::newton_raphson_iterate(
       balance, quarter / 2, 0.0, quarter, std::numeric_limits<double>::digits - 2, iterations);
@@ -67,14 +64,14 @@ double descend(double a, double lambda, double target, const Value& value, const
 }  // namespace
 
 double MaugisDugdale::unit_radius() const {
-  return std::cbrt(pi * work_of_adhesion * radius * radius / (4.0 / 3 * reduced_modulus));
+  return std::cbrt(M_PI * work_of_adhesion * radius * radius / (4.0 / 3 * reduced_modulus));
 }
-double MaugisDugdale::unit_force() const { return pi * work_of_adhesion * radius; }
+double MaugisDugdale::unit_force() const { return M_PI * work_of_adhesion * radius; }
 double MaugisDugdale::unit_approach() const { return unit_radius() * unit_radius() / radius; }
 
 double MaugisDugdale::lambda() const {
   const double k = 4.0 / 3 * reduced_modulus;
-  return 2 * cohesive_stress * std::cbrt(radius / (pi * work_of_adhesion * k * k));
+  return 2 * cohesive_stress * std::cbrt(radius / (M_PI * work_of_adhesion * k * k));
 }
 
 double MaugisDugdale::pull_off_force() const {

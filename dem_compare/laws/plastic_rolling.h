@@ -4,7 +4,6 @@
 // paper's loads). SI units.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/rotation_fields.h"
@@ -18,9 +17,7 @@ struct PlasticRolling {
   static constexpr LengthScale length = LengthScale::particle_radius;
 
   /// a [m] of the front half at a force [N].
-  double contact_radius(double normal_force) const {
-    return std::sqrt(2 * normal_force / (boost::math::double_constants::pi * hardness));
-  }
+  double contact_radius(double normal_force) const { return std::sqrt(2 * normal_force / (M_PI * hardness)); }
   /// At the sphere's centre [N].
   double rolling_force(double normal_force) const {
     return 2.0 / 3 * hardness * std::pow(contact_radius(normal_force), 3) / radius;

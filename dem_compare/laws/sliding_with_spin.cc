@@ -1,6 +1,5 @@
 #include "dem_compare/laws/sliding_with_spin.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -37,9 +36,7 @@ SlipResistance SlidingWithSpin::resistance(double normal_force, double contact_r
   static boost::math::quadrature::tanh_sinh<double>
       integrator;  // its tables are costly; safe to share between threads
   // Hertz' pressure over P/a^2.
-  const auto pressure = [](double r) {
-    return 1.5 * boost::math::double_constants::one_div_pi * std::sqrt(std::max(0.0, 1 - r * r));
-  };
+  const auto pressure = [](double r) { return 1.5 * M_1_PI * std::sqrt(std::max(0.0, 1 - r * r)); };
   const auto integrate = [&](auto part) {
     const auto integrand = [&](double r) { return r > 0 ? pressure(r) * r * part(ring(r, eps)) : 0.0; };
     if (eps >= 1) return integrator.integrate(integrand, 0.0, 1.0);

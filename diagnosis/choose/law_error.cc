@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -40,7 +39,7 @@ MatrixXd shapes_along(const std::vector<std::vector<double>>& coordinates, std::
       weights += weight;
       for (std::size_t i = 0; i < count; ++i)
         shapes(static_cast<Eigen::Index>(i), most_cosines * static_cast<Eigen::Index>(c) + k) =
-            std::sqrt(2 * weight) * std::cos(boost::math::double_constants::pi * k * coordinates[c][i]);
+            std::sqrt(2 * weight) * std::cos(M_PI * k * coordinates[c][i]);
     }
   return shapes / std::sqrt(weights);
 }

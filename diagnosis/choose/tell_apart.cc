@@ -181,7 +181,7 @@ std::vector<Proposal> for_series(const Experiment& e, const Samples& recorded) {
   if (e.mode == Motion::rail)
     for (const double degrees : {0.0, 70.0}) {
       Sample s = row;
-      s.rail_angle = degrees * boost::math::double_constants::degree;
+      s.rail_angle = degrees * (M_PI / 180);
       list.push_back({degrees == 0 ? "measure on a plane substrate"
                                    : printed("measure in a rail of %.0f degrees", degrees),
                       one_row(s)});

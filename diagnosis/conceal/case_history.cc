@@ -1,7 +1,6 @@
 // Histories of solved cases as a recording: the finite-element solver as truth. Each case is a run, or in
 // torsion a row.
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -156,8 +155,7 @@ std::map<std::string, TrueParameter> known_parameters(const std::string& effect,
     return {{"pull_off_force", {law.pull_off_force(), true}}};
   }
   if (effect == "contact_radius_scaling") {
-    constexpr double full_slip =
-        3 * boost::math::double_constants::pi / 16;  // M = 3 pi/16 mu P a (Lubkin 1951)
+    constexpr double full_slip = 3 * M_PI / 16;  // M = 3 pi/16 mu P a (Lubkin 1951)
     return {{"rolling_friction",
              {full_slip * entry("Interface/Friction coefficient", Dimension::none).value, true}}};
   }

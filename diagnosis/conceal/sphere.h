@@ -4,14 +4,13 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/root.h"
 
 namespace asperity::hidden {
 
-inline constexpr double pi = boost::math::double_constants::pi;
+inline constexpr double pi = M_PI;
 
 struct Sphere {
   double reduced_modulus = 0;  ///< E* [Pa]

@@ -3,6 +3,7 @@
 // allows and retreats where the work of adhesion on separation w_o does; between it stays pinned:  a <- a cut
 // to [a_JKR(d; w_c), a_JKR(d; w_o)].
 #include <algorithm>
+#include <cmath>
 
 #include "dem_compare/laws/jkr.h"
 #include "diagnosis/catalogue/effect.h"
@@ -60,7 +61,7 @@ class AdhesionHysteresis : public Effect {
     return p[1] > least_ratio * p[0];
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double work = e.largest_force / (1.5 * boost::math::double_constants::pi * e.radius);
+    const double work = e.largest_force / (1.5 * M_PI * e.radius);
     return {{"work_closing",
              "J/m^2",
              "w gained on closing",

@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 
 class YieldingContact : public NormalContact {
  public:

@@ -56,7 +56,7 @@ double amplitude_at(double frequency, const std::vector<SlidingPoint>& points) {
   double power = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double angle = 2 * boost::math::double_constants::pi * frequency * points[i].s;
+    const double angle = 2 * M_PI * frequency * points[i].s;
     sum += points[i].r * std::complex<double>(std::cos(angle), std::sin(angle));
     ++count;
     if (i + 1 == points.size() || points[i + 1].part != points[i].part) {
@@ -132,8 +132,7 @@ class StickSlip : public Effect {
     std::vector<EffectStart> list;
     for (const auto& [period, amplitude] : strongest_periods(samples, residual))
       for (const double phase : {0.0, 0.17, 0.33, 0.5, 0.67, 0.83})
-        list.push_back({boost::math::double_constants::pi * amplitude, period,
-                        phase});  // a saw-tooth's first harmonic is A/pi
+        list.push_back({M_PI * amplitude, period, phase});  // a saw-tooth's first harmonic is A/pi
     return list;
   }
   void assemble(Mechanics& m, const double* p) const override {

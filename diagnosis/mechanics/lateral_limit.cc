@@ -61,7 +61,7 @@ double lateral_limit(const Mechanics& mechanics, const Sample& sample, double co
   if (lateral.follows_area) {
     const double a = contact_radius(mechanics.geometry.reduced_modulus, sample.radius,
                                     sample.normal_force + lateral.offset);
-    return coefficient * boost::math::double_constants::pi * a * a;
+    return coefficient * M_PI * a * a;
   }
   return coefficient * (sample.normal_force + lateral.offset);
 }

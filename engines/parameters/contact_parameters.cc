@@ -1,7 +1,6 @@
 #include "engines/parameters/contact_parameters.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -67,7 +66,7 @@ double ContactParameters::particle_mass() const {
   const double R = particle.radius;
   if (!std::isfinite(particle.density))
     throw InputError(file + ": 'particle/density' [kg/m^3] is missing, which a dynamic engine needs");
-  return 4.0 / 3 * boost::math::double_constants::pi * R * R * R * particle.density;
+  return 4.0 / 3 * M_PI * R * R * R * particle.density;
 }
 
 Hertz ContactParameters::hertz() const {

@@ -1,7 +1,6 @@
 // The laws that make concealed data, against closed forms: data whose truth is wrong would prove nothing.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/hertz.h"
@@ -14,7 +13,7 @@
 namespace asperity::hidden {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi, E = 52.8684e9, R = 8.5e-6;
+constexpr double pi = M_PI, E = 52.8684e9, R = 8.5e-6;
 const Sphere sphere{E, R};
 
 TEST(ConcealedTruth_analytic, a_small_contact_of_a_true_sphere_is_hertz) {

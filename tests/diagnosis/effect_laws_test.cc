@@ -16,7 +16,7 @@ namespace {
 using test::nm;
 using test::uN;
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 
 Mechanics assembled(const Experiment& e, const std::string& id, const std::vector<double>& values,
                     double friction = 0.2) {

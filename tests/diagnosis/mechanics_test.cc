@@ -149,7 +149,7 @@ TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transi
 TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_cent) {
   const Experiment e = experiment(Motion::normal);
   const double h = 40 * uN;
-  const Jkr law{e.reduced_modulus(), e.radius, h / (1.5 * boost::math::double_constants::pi * e.radius)};
+  const Jkr law{e.reduced_modulus(), e.radius, h / (1.5 * M_PI * e.radius)};
   const Samples path = approach_and_back(-5 * nm, 40 * nm, 451);
   const auto f = simulate(with(e, {{"adhesion", {h, 1}}}), path);
   NormalState state;
@@ -166,8 +166,7 @@ TEST(Mechanics_other_code, adhesion_with_transition_one_is_JKR_within_one_per_ce
 /// Maugis (1992), solved, against the fit of Carpick et al. (1999) to it: lambda = -0.924 ln(1 - 1.02 alpha).
 TEST(Mechanics_other_code, adhesion_in_transition_is_that_of_maugis_within_two_per_cent) {
   const Experiment e = experiment(Motion::normal);
-  const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(),
-               pi = boost::math::double_constants::pi;
+  const double h = 40 * uN, R = e.radius, K = 4.0 / 3 * e.reduced_modulus(), pi = M_PI;
   for (const double alpha : {0.3, 0.6, 0.9}) {
     const double lambda = -0.924 * std::log(1 - 1.02 * alpha);
     // The work that has this pull-off force.
@@ -212,8 +211,7 @@ TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
 TEST(Mechanics_analytic, plasticity_is_hertz_before_onset_and_leaves_the_imprint_of_Etsion) {
   const Experiment e = experiment(Motion::normal);
   const double Y = 0.5e9, C = 1.295 * std::exp(0.736 * e.particle.poisson_ratio);
-  const double critical =
-      std::pow(boost::math::double_constants::pi * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
+  const double critical = std::pow(M_PI * C * Y / (2 * e.reduced_modulus()), 2) * e.radius;
   const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
   const auto elastic = simulate(m, approach_and_back(0, 1.5 * critical, 11));
   EXPECT_NEAR(elastic[10], e.hertz().force(1.5 * critical), 1e-3 * elastic[10]);
@@ -252,8 +250,7 @@ TEST(Mechanics_analytic, friction_limits_change_as_their_equations_say) {
     return simulate(with(e, effects), path).back();
   };
   EXPECT_NEAR(end({{"adhesion_offset", {0.2e-3}}}), 0.2 * 1.2e-3, 1e-12);
-  EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * boost::math::double_constants::pi * a * a,
-              1e-12);
+  EXPECT_NEAR(end({{"area_proportional_friction", {3e8}}}), 3e8 * M_PI * a * a, 1e-12);
   EXPECT_NEAR(end({{"surface_tilt", {0.02}}}), 0.2e-3 + std::tan(0.02) * load, 1e-12);
   EXPECT_NEAR(end({{"lateral_zero_offset", {5 * uN}}}), 0.2e-3 + 5 * uN, 1e-12);
   EXPECT_NEAR(end({{"velocity_dependence", {0.01}}}),
@@ -366,7 +363,7 @@ TEST(Mechanics_analytic, rolling_friction_falls_with_roughness) {
 TEST(Mechanics_other_code, a_rail_resists_as_the_papers_balance_says) {
   const Experiment e = experiment(Motion::rail);
   for (const double degrees : {25.0, 45.0, 60.0}) {
-    const double angle = degrees * boost::math::double_constants::degree, slope_force = 1e-3;
+    const double angle = degrees * (M_PI / 180), slope_force = 1e-3;
     Samples one = row(e, slope_force);
     one.list[0].rail_angle = angle;
     one.runs[0].at = ForcePlace::substrate;

@@ -52,18 +52,6 @@ double largest_difference(const CsvTable& history, const CsvTable& other_history
   return difference;
 }
 
-/// As if stopped once so many steps are accepted.
-void solve_and_stop(const CaseInput& input, const std::filesystem::path& folder, int after) {
-  struct Stop {};
-  SolveOptions options;
-  options.output = folder;
-  int steps = 0;
-  options.progress = [&](const std::string& line) {
-    if (line.rfind("step ", 0) == 0 && ++steps == after) throw Stop();
-  };
-  EXPECT_THROW(solve_case(input, options), Stop);
-}
-
 /// Dissipated energy of each mechanism, but for what the solver's tolerance leaves: nodes that stick creep by
 /// it, either way.
 void expect_never_to_fall(const CsvTable& history, const std::vector<std::string>& columns) {
@@ -107,10 +95,10 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
   CaseInput input = sliding("smooth", 24e-9);
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   input.mesh.contact_region = 320e-9;
-  input.experiment.distance = 200e-9;
+  input.experiment.distance = 120e-9;
   input.experiment.reverse = false;
   const auto s = solve_experiment(input, folder.path);
-  const std::string what = "smooth sphere slid by 200 nm, a/h 11";
+  const std::string what = "smooth sphere slid by 120 nm, a/h 11";
   const auto verified = [&](const char* quantity, const char* source) {
     return test::Verified{"Sliding", what + ": " + quantity, source};
   };
@@ -126,10 +114,11 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
 
 TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
   const test::TemporaryFolder folder;
-  CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 34e-9);
+  CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 40e-9);
   input.particle.parameters["Yield stress"] = 1.5e9;  // its asperities reach 1.8 GPa
   input.experiment.distance = 10e-9;
-  const auto whole = solve_experiment(input, folder.path / "whole");
+  // Stopped after a few steps of sliding.
+  const auto whole = test::solve_and_copy_after(input, folder.path / "whole", folder.path / "cut", 6);
   const std::string what = "rough yielding sliding, half a loop";
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_TRUE(balances_energy("Sliding", what, whole, 1));
@@ -151,8 +140,6 @@ TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_afte
   write_file_atomically(manifest, written.dump());
   EXPECT_NE(fem::objection_to_resume(manifest.parent_path(), ours), "");
   EXPECT_THROW(solve_experiment(input, folder.path / "whole", true), WorkError);
-  // Stopped after a few steps of sliding.
-  solve_and_stop(input, folder.path / "cut", 6);
   const auto resumed = solve_experiment(input, folder.path / "cut", true);
   const double difference =
       largest_difference(whole.history, resumed.history, "lateral_force [N]", 0.3 * 100e-6);
@@ -218,7 +205,7 @@ TEST(Program_analytic,
 
 TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances_its_energy_and_resumes) {
   const test::TemporaryFolder folder;
-  CaseInput input = sliding(generated(1.0, 160, 3), 34e-9);
+  CaseInput input = sliding(generated(1.0, 160, 3), 40e-9);
   input.experiment.type = Motion::rolling;
   input.experiment.distance = 200e-9;
   input.experiment.motion_steps = 5;
@@ -227,7 +214,7 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
   input.interface.work_of_adhesion = 0.05, input.interface.work_of_separation = 0.3;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
   input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
-  const auto whole = solve_experiment(input, folder.path / "whole");
+  const auto whole = test::solve_and_copy_after(input, folder.path / "whole", folder.path / "cut", 10);
   EXPECT_LT(whole.result["balance"]["force"], 1e-5);
   EXPECT_TRUE(balances_energy("Adhesion", "rough yielding rolling with hysteresis, 8 load steps", whole, 1));
   expect_never_to_fall(whole.history, {"friction_work [J]", "plastic_work [J]"});
@@ -238,7 +225,6 @@ TEST(RollingExperiment_analytic, with_hysteresis_of_adhesion_dissipates_balances
                    .contains("rolling_dissipation"));  // less than a contact radius: not steady
   // Free of lateral force but for a small part of the friction that could hold it.
   EXPECT_LT(std::abs(whole.history.numbers("lateral_force [N]").back()), 0.05 * 0.3 * 100e-6);
-  solve_and_stop(input, folder.path / "cut", 10);
   const auto resumed = solve_experiment(input, folder.path / "cut", true);
   const double difference =
       largest_difference(whole.history, resumed.history, "rolling_moment [N m]", 100e-6 * 0.23e-6);
@@ -259,10 +245,10 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
   input.interface.work_of_adhesion = 0.05, input.interface.work_of_separation = 0.1;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 2e-9;
-  const auto whole = solve_experiment(input, folder.path / "whole");
-  const auto needed = whole.history.numbers("newton_iterations");
   // Pressed as before; contacts that jump may take ten times as many iterations as the input says.
-  solve_and_stop(input, folder.path / "halved", input.experiment.load_steps);
+  const auto whole = test::solve_and_copy_after(input, folder.path / "whole", folder.path / "halved",
+                                                input.experiment.load_steps);
+  const auto needed = whole.history.numbers("newton_iterations");
   CaseInput hurried = input;
   hurried.solver.newton_steps =
       (static_cast<int>(*std::max_element(needed.begin() + input.experiment.load_steps, needed.end())) - 1) /

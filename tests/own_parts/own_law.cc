@@ -1,6 +1,6 @@
 // A reduced law of somebody's own, all of it: a sphere on an elastic foundation (Johnson 1985, sec. 4.3),
 //   f_n = pi k R delta^2,   a = (2 R delta)^(1/2),   k: pressure over sinking [Pa/m].
-#include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 #include "dem_compare/laws/law_registry.h"
 
@@ -19,7 +19,7 @@ struct ElasticFoundation {
   double approach(double force) const { return std::sqrt(force / factor()); }
 
  private:
-  double factor() const { return boost::math::double_constants::pi * foundation_modulus * radius; }
+  double factor() const { return M_PI * foundation_modulus * radius; }
 };
 
 const LawEntry<ElasticFoundation, NormalMode> entry{

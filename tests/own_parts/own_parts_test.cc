@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <random>
 
@@ -21,7 +20,7 @@
 namespace asperity {
 namespace {
 
-using boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 
 ContactParameters silicon() { return read_contact_parameters(test::paper_run("parameters_silicon.json")); }
 

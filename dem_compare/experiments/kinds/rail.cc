@@ -1,6 +1,5 @@
 // Free in a V-rail under the indenter: two flanks and the indenter, rolling and torsion together (Fuchs,
 // Weinhart et al. 2014, fig. forces0 c).
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "core/error.h"
@@ -13,7 +12,7 @@ using Eigen::Vector3d;
 
 SingleParticle sphere_in_rail(const ExperimentSetup& setup) {
   const double inclination = setup.rail_angle;
-  if (!(inclination > 0 && inclination < boost::math::double_constants::half_pi))
+  if (!(inclination > 0 && inclination < M_PI_2))
     throw InputError("a rail's inclination lies between 0 and 90 degrees; give one such as 45 deg");
   const double s = std::sin(inclination), c = std::cos(inclination), share = 1 / (2 * c);
   return {setup.substrate.normal->radius(),

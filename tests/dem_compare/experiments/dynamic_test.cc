@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 #include "core/error.h"
 #include "dem_compare/experiments/particle_experiment.h"
@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 constexpr double radius = 8.5e-6;
 const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25}, diamond{1140e9, 0.07};
 constexpr double agreement = 0.01;  // dynamic against quasi-static

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 #include "core/error.h"
 #include "dem_compare/experiments/particle_experiment.h"
@@ -69,7 +69,7 @@ TEST(FromParameters_analytic, glued_and_rolling_spheres_agree_with_the_closed_fo
 
 TEST(FromParameters_analytic, a_sphere_in_a_rail_agrees_with_the_closed_form_at_every_angle) {
   for (const double degrees : {25.0, 45.0, 60.0}) {
-    const double angle = degrees * boost::math::double_constants::degree;
+    const double angle = degrees * (M_PI / 180);
     expect_closed_form(Motion::rail,
                        make_particle("rail", {contact_model(silicon()), contact_model(diamond()), angle}),
                        angle);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/csv.h"
 #include "core/error.h"
 #include "dem_compare/laws/dmt.h"
@@ -13,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 constexpr double table_digits = 5e-7;  // seven significant digits: half a unit of the seventh, of 1
 const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25};
 constexpr double radius = 8.5e-6;

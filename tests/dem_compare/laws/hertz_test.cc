@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "core/csv.h"
@@ -120,7 +121,7 @@ TEST(Hertz_analytic, a_body_that_cannot_yield_has_no_first_yield_load) {
 
 TEST(Hertz_analytic, unit_contact_has_the_values_of_the_formulas) {
   const Hertz hertz{1, 1};  // E* = R = 1, approach 1: a = 1
-  const double force = 4.0 / 3, pi = boost::math::double_constants::pi;
+  const double force = 4.0 / 3, pi = M_PI;
   EXPECT_NEAR(hertz.force(1), force, 1e-15);
   EXPECT_NEAR(hertz.approach(force), 1, 1e-15);
   EXPECT_NEAR(hertz.contact_radius(force), 1, 1e-15);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -299,7 +300,7 @@ TEST(PartialSlip_behaviour, shear_that_turns_converges_with_the_step_and_keeps_i
     SlidingHistory history = contact.history;
     Vector3d at = Vector3d::Zero();
     for (int i = 1; i <= steps; ++i) {
-      const double angle = 4 * boost::math::double_constants::pi * i / steps;
+      const double angle = 4 * M_PI * i / steps;
       const Vector3d next = 0.8 * unit_shift() * Vector3d(std::sin(angle), 1 - std::cos(angle), 0);
       history = law.advance(history, contact.normal, next - at);
       at = next;

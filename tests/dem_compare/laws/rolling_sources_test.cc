@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/csv.h"
@@ -15,7 +16,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 constexpr double radius = 8.5e-6;
 const double modulus = reduced_modulus({71e9, 0.17}, {179e9, 0.25});
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/csv.h"
 #include "core/error.h"
 #include "core/hertz.h"
@@ -13,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr double pi = boost::math::double_constants::pi;
+constexpr double pi = M_PI;
 constexpr double table_digits = 1e-7;  // eight significant digits, the leading one may be 1
 const LubkinTorsion unit{1, 1, 1, 1};  // Gt = mu = P = a = 1: the tables' normalisation
 
