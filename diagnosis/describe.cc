@@ -180,7 +180,8 @@ std::string in_words(const Diagnosis& d) {
       });
       if (others == 0)
         return "Something was left out. " + titles(d.left_out) + " fits: " + numbers +
-               "; but a case that might fit as well could not be solved (see the remarks).";
+               "; but other causes look like it in these data. What would tell: " +
+               d.alternatives.front().told_apart_by + ".";
       return "Something was left out, and these data cannot say which of " + std::to_string(1 + others) +
              " explanations it is. With the likeliest, " + titles(d.left_out) + ", " + numbers + ".";
     }

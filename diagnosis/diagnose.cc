@@ -20,6 +20,9 @@ namespace {
 constexpr double part_that_counts[] = {0, 0.7, 0.95, 0.98};
 /// How much worse held-out data may be predicted, relative, by an explanation that counts as equal.
 constexpr double held_out_equal = 1.05;
+/// Largest chi^2 per sample that may be called noise, whatever laws may be off by: a deviation is seldom
+/// known better than to a fifth.
+constexpr double largest_of_noise = 1.5;
 
 class Diagnoser {
  public:
@@ -120,7 +123,9 @@ class Diagnoser {
   void judge(const Scanner& scanner) {
     const JudgedSet& chosen = judged_.list.front();
     const ScanResult left = remaining(problem_, baseline_, scanner, chosen.fit);
-    const bool clean = !problem_.noise.is_absolute || left.p_value > significance;
+    const double chi2 = chosen.fit.cost / static_cast<double>(std::max<std::size_t>(1, chosen.fit.count));
+    const bool clean =
+        !problem_.noise.is_absolute || (left.p_value > significance && chi2 < largest_of_noise);
     const double gained = (baseline_held_out_.cost - chosen.held_out.cost) /
                           std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
     if (!clean &&
@@ -137,7 +142,8 @@ class Diagnoser {
     for (const JudgedSet* rival : rivals)
       weight += std::exp(rival->candidate->score - chosen.candidate->score);
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
-    bool ambiguous = mapping_ && mapping_->is_incomplete();
+    const std::string advice = what_would_show(chosen);
+    bool ambiguous = !advice.empty();
     for (const JudgedSet* rival : rivals) {
       const double difference = chosen.candidate->score - rival->candidate->score;
       const bool predicts_as_well =
@@ -156,13 +162,21 @@ class Diagnoser {
     }
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
-      const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
-                                         mapping_ && mapping_->is_incomplete()
-                                             ? "a case that can be solved with what the remarks name"
-                                             : result_.alternatives.front().told_apart_by};
+      const AlternativeExplanation first{
+          result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
+          advice.empty() ? result_.alternatives.front().told_apart_by : advice};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
     result_.compared = compared_tables(recording_, problem_, baseline_, chosen.fit);
+  }
+
+  /// What leaves an explanation a candidate though no other does as well; empty: nothing.
+  std::string what_would_show(const JudgedSet& chosen) const {
+    if (mapping_ && mapping_->is_incomplete()) return "a case that can be solved with what the remarks name";
+    for (const Effect* effect : chosen.fit.explanation->effects())
+      if (const std::string advice = effect->not_recorded(problem_.experiment); !advice.empty())
+        return advice;
+    return "";
   }
 
   /// Other sets, none of which is the chosen one with something added or left out.
@@ -186,6 +200,9 @@ class Diagnoser {
       result_.remarks.push_back(
           judged_.inconsistent[i] +
           " would fit only with other parameters in different parts of the data and was rejected");
+    for (std::size_t i = 0; i < std::min(most_said, judged_.stopped.size()); ++i)
+      result_.remarks.push_back(judged_.stopped[i] +
+                                " would fit best with that parameter beyond its bounds and was rejected");
   }
 
   const Recording& recording_;

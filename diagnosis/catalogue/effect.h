@@ -19,6 +19,8 @@ struct EffectParameter {
   double low = 0, high = 0;    ///< physical bounds, in `unit`
   bool logarithmic = false;    ///< positive over decades: searched for in its logarithm
   std::vector<double> starts;  ///< values from which a search begins
+  /// A value at either bound means something; otherwise it says that the law is not the right one.
+  bool bounds_are_meant = false;
 };
 
 /// What an effect says of itself.
@@ -73,6 +75,9 @@ class Effect {
   virtual bool can_show(const Experiment&) const { return true; }
   /// What a recording must vary for it, and how often.
   virtual NeededValues needs() const { return {}; }
+  /// What would show the effect beyond doubt and was not recorded, as advice to the experimenter; empty where
+  /// it was. Without it, other causes look alike: the effect is a candidate and no answer.
+  virtual std::string not_recorded(const Experiment&) const { return ""; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }
   /// Further starting points read off the residuals before physics is added.

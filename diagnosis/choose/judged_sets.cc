@@ -77,6 +77,10 @@ JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, co
     if (!judged.list.empty() && candidate.score < judged.list.front().candidate->score - 4 * as_good) break;
     if (!candidate.fit.is_itself() || !every_member_counts(problem, search, scanner, candidate)) continue;
     JudgedSet set{&candidate, finished(problem, candidate.fit), {}};
+    if (const std::string parameter = set.fit.stopped_at(); !parameter.empty()) {
+      judged.stopped.push_back(candidate.fit.explanation->name() + " (" + parameter + ")");
+      continue;
+    }
     set.held_out = predict_held_out(problem, set.fit, blocks);
     if (!set.held_out.consistent)
       judged.inconsistent.push_back(candidate.fit.explanation->name());

@@ -34,6 +34,8 @@ struct JudgedSets {
   std::vector<JudgedSet> list;  ///< the best first
   std::vector<std::string>
       inconsistent;  ///< would fit only with other parameters in different parts of the data
+  std::vector<std::string>
+      stopped;  ///< would fit best with a parameter beyond its bounds: "NAME (PARAMETER)"
 };
 
 JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,

@@ -13,21 +13,28 @@ using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 5, widest_beam_of_pairs = 3, largest_set = 3;
 
-void score(Candidate& candidate, std::size_t admissible, double overdispersion) {
+/// Log odds against each effect that other causes look like in these data.
+constexpr double not_shown = 3;
+
+void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
+           double overdispersion) {
   const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
   const auto effects = static_cast<double>(candidate.fit.explanation->effects().size());
   const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
   candidate.score = -0.5 * candidate.cost / overdispersion - 0.5 * parameters * std::log(count) -
                     effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
+  for (const Effect* effect : candidate.fit.explanation->effects())
+    if (!effect->not_recorded(experiment).empty()) candidate.score -= not_shown;
 }
 
-void score_all(SearchResult& result) {
+void score_all(SearchResult& result, const Experiment& experiment) {
   double least = result.alone.cost;
   for (const auto& candidate : result.candidates) least = std::min(least, candidate.cost);
   result.overdispersion =
       std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
-  score(result.alone, result.admissible, result.overdispersion);
-  for (auto& candidate : result.candidates) score(candidate, result.admissible, result.overdispersion);
+  score(result.alone, experiment, result.admissible, result.overdispersion);
+  for (auto& candidate : result.candidates)
+    score(candidate, experiment, result.admissible, result.overdispersion);
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [](const auto& a, const auto& b) { return a.score > b.score; });
 }
@@ -98,7 +105,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
       fitted[i].cost = cost_of_explanation(problem, laws, fitted[i].fit, baseline);
     }
     result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
-    score_all(result);
+    score_all(result, problem.experiment);
     if (result.candidates.empty()) break;
     // Noise of which no effect takes anything away holds no pairs either.
     constexpr double something = 2;
@@ -122,7 +129,7 @@ void rescore(SearchResult& result, const FitProblem& problem) {
     candidate.fit = refitted(problem, candidate.fit, problem.samples, false, 0);
     candidate.cost = cost_of_explanation(problem, laws, candidate.fit, result.alone.fit);
   }
-  score_all(result);
+  score_all(result, problem.experiment);
 }
 
 }  // namespace asperity

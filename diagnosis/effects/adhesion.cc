@@ -134,7 +134,8 @@ class Adhesion : public Effect {
              0,
              1,
              false,
-             {0, 0.05, 0.3, 0.6, 0.95}}};  // 0 itself: S rises as alpha^0.019
+             {0, 0.05, 0.3, 0.6, 0.95},
+             true}};  // 0 itself: S rises as alpha^0.019
   }
   void assemble(Mechanics& m, const double* p) const override {
     if (const Hertz* law = m.normal.contact->hertz())

@@ -22,6 +22,9 @@ class BaselineTilt : public Effect {
     const double slope = e.largest_force / e.largest_displacement;
     return {{"slope", "N/m", "b", -slope, slope, false, {-0.02 * slope, 0.02 * slope}}};
   }
+  std::string not_recorded(const Experiment& e) const override {
+    return e.has_off_contact ? "" : "record approach and retraction out of contact too";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double slope = p[0];
     m.normal.additions.push_back(

@@ -1,14 +1,16 @@
-// A sphere that yields under the contact. Loading (Jackson & Green 2005), w = d/d_c:
-//   d_c = (pi C Y/(2 E*))^2 R,  f_c = 4/3 (R/E*)^2 (pi C Y/2)^3,  C = 1.295 exp(0.736 nu);  Hertz up to w
-//   = 1.9, then f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, H/Y = h - 0.92 [1 -
-//   cos(pi a/R)], h = 2.84 (free: published laws of this regime differ by a tenth of the force, and hardening
-//   raises it),  a^2 = R d (w/1.9)^B,  B = 0.14 exp(23 Y/E*).
-// Unloading from w_m (Etsion, Kligerman & Kadin 2005):  f = f_m [(d - d_r)/(d_m - d_r)]^n,  n = 1.5
-// w_m^(-0.0331),
-//   d_r/d_m = (1 - w_m^(-0.28)) (1 - w_m^(-0.69)).  Reloading follows it back to f_m. For w < 110, a/R < 0.4;
-//   no hardening.
-// Against Kogut & Etsion (2002) with the same Y its force is 4 % higher at w = 3, 2 % at 6, 10 % at 30: 3 %
-// of it about a common H/Y.
+// A sphere that yields under the contact. With w = d/d_c, C = 1.295 exp(0.736 nu) (Jackson & Green 2005):
+//   d_c = (pi C Y/(2 E*))^2 R,  f_c = 4/3 (R/E*)^2 (pi C Y/2)^3.
+// Loading: Hertz up to w = 1, then between Hertz and the fully plastic sphere, with u = w - 1:
+//   f/f_c = w^(3/2) [1 + (2.84 Y/H)^2 P]^(-1/2),  P = 0.0514 u^1.757/(1 + u/2.677)^1.037,
+//   H/Y = h - 0.92 [1 - cos(pi a/R)],  a^2 = R d (w/1.9)^B,  B = 0.14 exp(23 Y/E*)  (Jackson & Green 2005);
+// h = 2.84 without hardening, free: published laws differ, and hardening raises it.
+// Unloading from w_m as Etsion, Kligerman & Kadin (2005) describe it:
+//   f = f_m [(d - d_r)/(d_m - d_r)]^n,  d_r/d_m = (1 - w_m^(-0.378))^1.768,  n = 1.345 + 0.155 w_m^(-0.545);
+// reloading follows it back to f_m.
+// The numbers are fitted to axisymmetric finite elements without hardening
+// (tests/data/references/02_elastoplastic_*) of nu = 0.17 to 0.3 and w up to 110: force within 1 %, imprint
+// within 0.6 % of d_m. Jackson & Green's own curve is 2 % above these where yielding begins, and Etsion's
+// imprint a sixth below.
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
@@ -17,13 +19,14 @@ namespace asperity {
 namespace {
 
 constexpr double pi = M_PI;
+constexpr double without_hardening = 2.84;  // H/Y
 
 class YieldingContact : public NormalContact {
  public:
   YieldingContact(const Hertz& law, double yield, double hardness, double poisson)
-      : law_(law), yield_(yield), hardness_(hardness) {
-    C_ = 1.295 * std::exp(0.736 * poisson);
-    const double pressure = pi * C_ * yield / 2;
+      : law_(law), hardness_(hardness) {
+    const double C = 1.295 * std::exp(0.736 * poisson);
+    const double pressure = pi * C * yield / 2;
     critical_depth_ = std::pow(pressure / law.reduced_modulus, 2) * law.radius;
     critical_force_ = 4.0 / 3 * std::pow(law.radius / law.reduced_modulus, 2) * std::pow(pressure, 3);
     exponent_ = 0.14 * std::exp(23 * yield / law.reduced_modulus);
@@ -46,27 +49,25 @@ class YieldingContact : public NormalContact {
     const double w = d / critical_depth_;
     residual_ = 0;
     unloading_ = 1.5;
-    if (w <= onset) return;
-    residual_ = d * (1 - std::pow(w, -0.28)) * (1 - std::pow(w, -0.69));
-    unloading_ = 1.5 * std::pow(w, -0.0331);
+    if (w <= 1) return;
+    residual_ = d * std::pow(1 - std::pow(w, -0.378), 1.768);
+    unloading_ = 1.345 + 0.155 * std::pow(w, -0.545);
   }
 
  private:
-  static constexpr double onset = 1.9;  // below, the plastic core is too small to show (Jackson & Green 2005)
   double virgin(double d) const {
-    const double w = d / critical_depth_;
-    if (w <= onset) return critical_force_ * w * std::sqrt(w);
-    const double a = std::sqrt(law_.radius * d * std::pow(w / onset, exponent_));
+    const double w = d / critical_depth_, elastic = critical_force_ * w * std::sqrt(w);
+    if (w <= 1) return elastic;
+    constexpr double onset = 1.9;  // below, the radius is that of Hertz (Jackson & Green 2005)
+    const double a = std::sqrt(law_.radius * d * std::pow(std::max(1.0, w / onset), exponent_));
     const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
-    return critical_force_ * (std::exp(-std::pow(w, 5.0 / 12) / 4) * w * std::sqrt(w) +
-                              4 * hardness / C_ * (1 - std::exp(-std::pow(w, 5.0 / 9) / 25)) * w);
+    const double plastic = 0.0514 * std::pow(w - 1, 1.757) / std::pow(1 + (w - 1) / 2.677, 1.037);
+    return elastic / std::sqrt(1 + std::pow(without_hardening / hardness, 2) * plastic);
   }
   Hertz law_;
-  double yield_, hardness_, C_ = 0, critical_depth_ = 0, critical_force_ = 0, exponent_ = 0;
+  double hardness_, critical_depth_ = 0, critical_force_ = 0, exponent_ = 0;
   double deepest_ = 0, largest_ = 0, residual_ = 0, unloading_ = 1.5;
 };
-
-constexpr double without_hardening = 2.84;  // H/Y
 
 /// The body that yields first where both are of the same strength.
 bool particle_is_softer(const Experiment& e) {
@@ -79,9 +80,9 @@ class BulkPlasticity : public Effect {
     static const EffectDescription d{
         "bulk_plasticity",
         "Plasticity under the contact",
-        "f/f_c = exp(-w^(5/12)/4) w^(3/2) + 4 H/(C Y) [1 - exp(-w^(5/9)/25)] w, w = d/d_c; unloading f_m [(d "
-        "- d_r)/(d_m - d_r)]^n",
-        "Jackson & Green 2005, eqs. (14), (25); Etsion, Kligerman & Kadin 2005, eqs. (12)-(15)",
+        "f/f_c = w^(3/2) [1 + (2.84 Y/H)^2 P(w)]^(-1/2), w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
+        "Jackson & Green 2005 (d_c, f_c, H); Etsion, Kligerman & Kadin 2005 (unloading); numbers fitted to "
+        "axisymmetric finite elements",
         "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and "
         "an imprint stays.",
         EffectKind::contact,
@@ -91,7 +92,7 @@ class BulkPlasticity : public Effect {
         1,
         true,
         0.1,
-        0.03};
+        0.015};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -125,7 +125,8 @@ class StickSlip : public Effect {
              -0.5,
              1,
              false,
-             {0, 0.5}}};
+             {0, 0.5},
+             true}};
   }
   std::vector<EffectStart> starts(const Samples& samples,
                                   const std::vector<double>& residual) const override {

@@ -29,6 +29,9 @@ class ThermalDrift : public Effect {
              false,
              {-0.05 * rate, 0.05 * rate}}};
   }
+  std::string not_recorded(const Experiment& e) const override {
+    return e.hold_duration > 0 || e.has_unloading ? "" : "hold the largest load, and record the unloading";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double rate = p[0];
     m.normal.shifts.push_back([rate, begun = false, start = 0.0](const Sample& s) mutable {

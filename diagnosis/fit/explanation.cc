@@ -37,6 +37,14 @@ double FreeParameter::value(double coordinate) const {
   return logarithmic ? std::exp(coordinate) : coordinate * scale;
 }
 
+bool FreeParameter::is_stopped_at(double value) const {
+  if (bounds_are_meant) return false;
+  constexpr double at_bound = 1e-3;  // of the range
+  const double from = coordinate(low), to = coordinate(high), at = coordinate(value);
+  const bool low_is_none = !logarithmic && low >= 0;  // an effect that vanishes
+  return to - at < at_bound * (to - from) || (!low_is_none && at - from < at_bound * (to - from));
+}
+
 SimulationChoice completed(const SimulationChoice& given, const Experiment& experiment) {
   SimulationChoice choice = given;
   const double guess =
@@ -69,7 +77,8 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
   }
   for (std::size_t e = 0; e < effects_.size(); ++e)
     for (const auto& p : effects_[e]->parameters(experiment)) {
-      FreeParameter free{p.name, p.unit, static_cast<int>(e), p.low, p.high, p.logarithmic, 1, p.starts};
+      FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low, p.high, p.logarithmic,
+                         1,      p.starts, p.bounds_are_meant};
       if (!p.logarithmic) {
         free.scale = 0;
         for (const double start : p.starts) free.scale = std::max(free.scale, std::abs(start));

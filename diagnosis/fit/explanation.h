@@ -17,7 +17,10 @@ struct FreeParameter {
   bool logarithmic = false;
   double scale = 1;  ///< of a linear parameter
   std::vector<double> starts;
+  bool bounds_are_meant = true;  ///< see EffectParameter
 
+  /// Whether a fit ended at a bound that is only the search's own; value in `unit`.
+  bool is_stopped_at(double value) const;
   /// Between the value and the coordinate of the search, of order one.
   /// value in `unit`.
   double coordinate(double value) const;

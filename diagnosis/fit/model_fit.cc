@@ -153,6 +153,13 @@ bool ModelFit::is_itself() const {
   return true;
 }
 
+std::string ModelFit::stopped_at() const {
+  const auto& parameters = explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    if (parameters[k].is_stopped_at(values[k])) return parameters[k].name;
+  return "";
+}
+
 DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) const {
   constexpr double two_sided_95 = 1.959964;
   const FreeParameter& p = explanation->parameters()[index];
@@ -175,9 +182,9 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
                          const ModelFit* near) {
   const auto explanation =
       std::make_shared<Explanation>(problem.experiment, problem.choice, effects, problem.correction);
-  // From a smaller explanation, most of the values are known.
-  const std::size_t searched =
-      near && !near->explanation->effects().empty() && explanation->is_smooth() ? 2 : 3;
+  // From a smaller explanation, most of the values are known. Where responses jump there are many valleys.
+  const bool grown = near && !near->explanation->effects().empty();
+  const std::size_t searched = !explanation->is_smooth() ? 6 : grown ? 2 : 3;
   const Coordinates bounds = bounds_of(*explanation);
   const auto thin_residuals = residuals_of(problem, *explanation, problem.thin);
   std::vector<std::pair<double, VectorXd>> starts;
@@ -195,10 +202,9 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
     const BoundedFit fit = fit_within_bounds(thin_residuals, starts[i].second, bounds.low, bounds.high);
     if (fit.cost < best.cost) best = fit;
   }
-  const bool new_jumps = !explanation->is_smooth() && (!near || near->explanation->is_smooth());
-  if (new_jumps) {
+  constexpr std::size_t few = 2;  // a third effect mends what the pair leaves, from where the pair stands
+  if (!explanation->is_smooth() && (!near || near->explanation->is_smooth() || effects.size() <= few))
     best = search_at_random(thin_residuals, best, bounds.low, bounds.high);
-  }
   ModelFit fit;
   fit.explanation = explanation;
   for (Eigen::Index k = 0; k < best.x.size(); ++k)

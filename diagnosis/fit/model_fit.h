@@ -51,6 +51,8 @@ struct ModelFit {
   const double* value_of(const std::string& name, const Effect* owner) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
   bool is_itself() const;
+  /// Name of the first parameter that ended at a bound of the search; empty: none did.
+  std::string stopped_at() const;
   /// 95 % interval of a parameter; `inflation` multiplies the variance.
   /// inflation [-].
   DiagnosedParameter parameter(std::size_t index, double inflation) const;

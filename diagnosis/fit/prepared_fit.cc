@@ -1,5 +1,9 @@
 #include "diagnosis/fit/prepared_fit.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "core/error.h"
 
 namespace asperity {
@@ -7,6 +11,44 @@ namespace {
 
 /// Samples on which a search is made before its last steps are taken on all.
 constexpr std::size_t samples_of_search = 800;
+
+/// What an experimenter set in a run, in steps of a tenth: runs of the same are repeats.
+std::vector<double> setting_of(const Samples& samples, const SampleRun& run) {
+  double load = 0, shallow = 0, deep = 0, speed = 0, left = 0, right = 0, time = 0;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const Sample& s = samples.list[i];
+    load = std::max(load, std::abs(s.normal_force));
+    shallow = std::min(shallow, s.normal_displacement), deep = std::max(deep, s.normal_displacement);
+    left = std::min(left, s.lateral_displacement), right = std::max(right, s.lateral_displacement);
+    speed = std::max(speed, s.speed), time = std::max(time, s.time - samples.list[run.begin].time);
+  }
+  std::vector<double> setting{static_cast<double>(run.table)};
+  constexpr double step = 0.1;
+  for (const double value : {load, deep - shallow, right - left, speed, time})
+    setting.push_back(value > 0 ? std::round(std::log(value) / step) : -1e9);
+  return setting;
+}
+
+/// Samples for the search. Repeats tell the noise apart and little else: where there are too many samples,
+/// two runs of each setting are kept densely rather than all of them coarsely, so that more data lose no
+/// detail. Runs keep their numbers; those that are left out are empty.
+Samples samples_for_search(const Samples& all) {
+  if (all.list.size() <= samples_of_search) return all;
+  constexpr int kept_repeats = 2;
+  Samples few = all;
+  few.list.clear();
+  std::map<std::vector<double>, int> seen;
+  for (auto& run : few.runs) {
+    const std::size_t from = run.begin, to = run.end;
+    const bool kept = run.independent_rows || seen[setting_of(all, run)]++ < kept_repeats;
+    run.begin = few.list.size();
+    if (kept)
+      few.list.insert(few.list.end(), all.list.begin() + static_cast<long>(from),
+                      all.list.begin() + static_cast<long>(to));
+    run.end = few.list.size();
+  }
+  return thinned(few, samples_of_search);
+}
 
 FitProblem problem_of(const Recording& recording) {
   FitProblem problem;
@@ -51,7 +93,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
   for (int round = 0; round < rounds; ++round) {
     if (round == 0 && problem.experiment.mode != Motion::normal)
       mark_beginnings(problem.samples, problem.noise);
-    problem.thin = thinned(problem.samples, samples_of_search);
+    problem.thin = samples_for_search(problem.samples);
     problem.baseline_residual.clear();
     prepared.baseline = fit_explanation(problem, {});
     problem.baseline_residual = prepared.baseline.residual(problem.samples);
@@ -65,7 +107,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
     if (round == 0)
       prepared.outliers = mark_outliers(problem.samples, problem.baseline_residual, problem.noise);
   }
-  problem.thin = thinned(problem.samples, samples_of_search);
+  problem.thin = samples_for_search(problem.samples);
   prepared.short_scale_noise = problem.noise;
   prepared.learn_noise(problem.baseline_residual);
   prepared.baseline = fit_explanation(problem, {});

@@ -31,6 +31,7 @@ double increasing_root(const Function& f, double guess, double step, double tole
   }
   if (f_low > 0) return low;  // nothing holds it: free
   if (f_high < 0) return high;
+  if (!(low < high)) return high;  // so far out that a step is lost in rounding: the function has no root
   std::uintmax_t iterations = most_iterations;
   const auto bracket = boost::math::tools::toms748_solve(
       f, low, high, f_low, f_high, [tolerance](double from, double to) { return to - from <= tolerance; },

@@ -233,6 +233,58 @@ Recording rolling_on(const std::vector<double>& roughnesses) {
   return r;
 }
 
+/// From `start` [nm] up to 50 nm and back, in steps of 0.4 nm.
+Recording one_curve(double start, bool unloads, const std::function<double(double d, double t)>& force) {
+  Recording r = indentation(force, 0, 1);
+  RecordingTable& table = r.tables[0];
+  for (auto& [channel, values] : table.columns) values.clear();
+  table.segment.clear();
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  double t = 0;
+  const auto add = [&](double d, const char* segment) {
+    table.columns["run"].push_back(1);
+    table.columns["time"].push_back(t += 0.1);
+    table.columns["normal_displacement"].push_back(d * nm);
+    table.columns["normal_force"].push_back(force(d * nm, t) + 10 * uN * normal(random));
+    table.segment.push_back(segment);
+  };
+  for (double d = start; d < 50; d += 0.4) add(d, "load");
+  for (double d = 50; unloads && d > start; d -= 0.4) add(d, "unload");
+  return r;
+}
+
+TEST(Diagnose_analytic, a_tilted_baseline_is_an_answer_only_with_samples_off_contact) {
+  const auto tilted = [](double d, double) { return hertz(d) + 3e3 * d; };
+  const Diagnosis off_contact = diagnose(one_curve(-20, true, tilted)),
+                  touching = diagnose(one_curve(0, true, tilted));
+  ASSERT_EQ(off_contact.verdict, Verdict::explained) << diagnosis_json(off_contact);
+  EXPECT_EQ(off_contact.left_out.at(0).id, "baseline_tilt");
+  ASSERT_EQ(touching.verdict, Verdict::ambiguous) << diagnosis_json(touching);
+  EXPECT_NE(diagnosis_json(touching).find("record approach and retraction out of contact too"),
+            std::string::npos);
+}
+
+TEST(Diagnose_analytic, a_drift_is_an_answer_only_with_a_hold_or_the_way_back) {
+  const auto drifting = [](double d, double t) { return hertz(d - 0.4 * nm * t); };
+  const Diagnosis back = diagnose(one_curve(0, true, drifting)),
+                  ramp = diagnose(one_curve(0, false, drifting));
+  ASSERT_EQ(back.verdict, Verdict::explained) << diagnosis_json(back);
+  EXPECT_EQ(back.left_out.at(0).id, "thermal_drift");
+  ASSERT_EQ(ramp.verdict, Verdict::ambiguous) << diagnosis_json(ramp);
+  EXPECT_NE(ramp.in_words.find("What would tell: "), std::string::npos) << ramp.in_words;
+}
+
+TEST(Diagnose_analytic, a_soft_film_that_the_catalogue_lacks_is_not_called_explained) {
+  // A half-space whose modulus goes from a third at the film to its own over a film of 0.2 um (King 1987).
+  const Diagnosis d = diagnose(one_curve(-20, true, [](double depth, double) {
+    const double weight = depth > 0 ? std::exp(-200 * nm / std::sqrt(8.5e-6 * depth)) : 0;
+    return hertz(depth) / (3 - 2 * weight);
+  }));
+  EXPECT_NE(d.verdict, Verdict::explained) << diagnosis_json(d);
+  EXPECT_NE(d.verdict, Verdict::no_mismatch);
+}
+
 TEST(Diagnose_analytic, a_law_of_three_constants_is_not_named_from_three_roughnesses_but_from_four) {
   const auto names = [](const Diagnosis& d) {
     std::vector<std::string> ids;

@@ -498,6 +498,8 @@ TEST(ScalarRoot_analytic, finds_roots_on_either_side_of_its_guess) {
   // Held by nothing: as far down as it looked.
   EXPECT_LT(increasing_root([](double) { return 1.0; }, 5, 0.1, 1e-12), -1e6);
   EXPECT_GT(increasing_root([](double) { return -1.0; }, 5, 0.1, 1e-12), 1e6);
+  // A root beyond which a step is lost in rounding is no reason to stop.
+  EXPECT_GE(increasing_root([](double x) { return x < 2e30 ? -1.0 : 1.0; }, 1e30, 1e10, 1e-12), 1e30);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "diagnosis/fit/model_fit.h"
+#include "diagnosis/fit/prepared_fit.h"
 #include "diagnosis/locate/scan.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -268,6 +269,54 @@ INSTANTIATE_TEST_SUITE_P(
         OwnLaw{"viscous_rolling", Motion::rolling, {30}}, OwnLaw{"torsion_resistance", Motion::rail, {5e-3}},
         OwnLaw{"contact_radius_scaling", Motion::torsion, {0.064}}),
     [](const auto& info) { return info.param.id + "_" + name_of(info.param.mode); });
+
+TEST(FreeParameter_analytic, is_stopped_at_bounds_that_are_only_the_searchs_own) {
+  FreeParameter ratio{"ratio", "", 0, 0.1, 10, true, 1, {}, false};
+  EXPECT_TRUE(ratio.is_stopped_at(10));
+  EXPECT_TRUE(ratio.is_stopped_at(0.1));
+  EXPECT_FALSE(ratio.is_stopped_at(9.8));
+  FreeParameter compliance{"compliance", "m/N", 0, 0, 1e-3, false, 1e-5, {}, false};
+  EXPECT_FALSE(compliance.is_stopped_at(0)) << "none of it";
+  EXPECT_TRUE(compliance.is_stopped_at(1e-3));
+  FreeParameter transition{"transition", "", 0, 0, 1, false, 1, {}, true};
+  EXPECT_FALSE(transition.is_stopped_at(1)) << "JKR";
+}
+
+/// Hertz with noise, `runs` times up to 40 nm and back in 100 samples.
+Recording repeated_indentation(int runs) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "indentation.csv";
+  table.control = {"normal_displacement"};
+  table.response = "normal_force";
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  for (int run = 1; run <= runs; ++run)
+    for (int i = 0; i < 100; ++i) {
+      const double d = 0.8 * test::nm * (i < 50 ? i + 1 : 100 - i);
+      table.columns["run"].push_back(run);
+      table.columns["time"].push_back(i);
+      table.columns["normal_displacement"].push_back(d);
+      table.columns["normal_force"].push_back(hertz.force(d) + 10 * test::uN * normal(random));
+    }
+  r.tables = {table};
+  return r;
+}
+
+TEST(PreparedFit_behaviour, repeats_beyond_the_second_leave_the_search_before_any_detail_does) {
+  const auto few = prepared_fit(repeated_indentation(4), {}),
+             many = prepared_fit(repeated_indentation(40), {});
+  EXPECT_EQ(few.problem.thin.list.size(), 400u);
+  ASSERT_EQ(many.problem.thin.runs.size(), 40u) << "runs keep their numbers";
+  for (std::size_t r = 0; r < 40; ++r)
+    EXPECT_EQ(many.problem.thin.runs[r].end - many.problem.thin.runs[r].begin, r < 2 ? 100u : 0u) << r;
+  EXPECT_EQ(many.problem.samples.list.size(), 4000u);
+  EXPECT_EQ(many.baseline.count, 4000u) << "costs are those of all samples";
+}
 
 }  // namespace
 }  // namespace asperity

@@ -79,9 +79,9 @@ class Yielding:
         if approach >= self.deepest:
             self.deepest = max(0.0, approach)
             return self.virgin(approach) if approach > 0 else 0.0
-        place = math.log(self.deepest / self.approach)
-        if place <= 0:
+        if self.deepest <= self.approach:
             return self.virgin(approach) if approach > 0 else 0.0
+        place = math.log(self.deepest / self.approach)
         left = self.residual(place) * self.deepest
         if approach <= left:
             return 0.0

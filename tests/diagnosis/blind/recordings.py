@@ -61,7 +61,7 @@ class Normal:
     def rows(self):
         for run, depth in enumerate(self.depths, 1):
             contact, jumped = self.make(), 0.0
-            crept, last_force, last_time, lowest = 0.0, 0.0, 0.0, math.inf
+            crept, last_force, last_time, furthest, last_segment = 0.0, 0.0, 0.0, 0.0, ""
             for approach, time, segment in self.path(depth):
                 force = contact.force(approach)
                 if self.creep:  # q goes to share x elastic approach with the time constant: a Kelvin element that feels the force^(2/3)
@@ -74,11 +74,18 @@ class Normal:
                     jumped = self.jumps[1]
                 last_force, last_time = force, time
                 displacement, read = self.instrument.read(approach + scale * crept + jumped, force, time)
-                # A spring in series lets a contact snap open where force falls faster than the spring gives way.
-                if segment == "unload" and force < 0 and displacement > lowest:
+                # What drives moves on: a spring in series lets a contact snap open where force falls faster than the spring
+                # gives way, and what lies between before and after a snap is not recorded.
+                if segment == "unload" and force < 0 and displacement > furthest:
                     contact, force = self.make(), 0.0
                     displacement, read = self.instrument.read(approach, force, time)
-                lowest = min(lowest, displacement) if segment == "unload" else math.inf
+                forward = 1 if segment == "load" else -1
+                if segment != last_segment:
+                    furthest, last_segment = displacement, segment
+                elif segment == "hold" or forward * displacement > forward * furthest or self.by_force:
+                    furthest = displacement
+                else:
+                    continue
                 yield run, time, displacement, read, segment
 
     def write(self, folder, random, noise, memory=0.0, materials=(GLASS, SILICON), radius=RADIUS):
