@@ -25,7 +25,7 @@ CaseEntry topography(std::string section, const Member<TopographySpec>& member) 
       "the centre of "
       "contact. Arguments of scan, each optional: size, where the file lacks it; channel, by name or number; "
       "unit of heights, "
-      "where a text file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; "
+      "where the file names none; level, what is taken off (mean, plane, quadratic, rows0, rows1, rows2; "
       "default plane); "
       "cutoff, below which waves are taken out (default: none are; a mesh needs four cells over the shortest "
       "wave, which without cutoff "

@@ -56,15 +56,16 @@ void add_measure(CLI::App& parent) {
       parent.add_subcommand("measure", "Roughness of a scan: heights, slopes, correlation, spectrum");
   command
       ->add_option("FILE", arguments->file,
-                   "The topography: .gwy, .gsf, .spm/.di/.001, Park .tiff, .x3p, .nc, .xyz or text")
+                   "The topography in any format of docs/surfaces.md, such as .gwy, .gsf, .spm, .ibw, .nid, "
+                   ".jpk, .sur, .opd, "
+                   ".x3p, .npy or text, also packed by gzip")
       ->required();
   command->add_option("--size", arguments->size,
                       "Physical size, such as \"2.5 um\" or \"2.5 um x 1 um\" (default: the file's)");
   command->add_option("--level", arguments->level, "mean, plane, quadratic, rows0, rows1 or rows2")
       ->capture_default_str();
   command->add_option("--channel", arguments->channel, "Name or number of the channel (default: heights)");
-  command->add_option("--height-unit", arguments->height_unit,
-                      "Unit of heights in a text file that names none");
+  command->add_option("--height-unit", arguments->height_unit, "Unit of heights in a file that names none");
   command->add_option("--psd", arguments->psd, "Also write the radial power spectral density to this .csv");
   command->add_flag("--json", arguments->json, "One JSON object instead of text");
   command->callback([arguments] { measure_file(*arguments); });

@@ -20,8 +20,6 @@ const std::vector<ForeignKind>& foreign_kinds() {
       {"OLYMPUSRAWFORMAT", "an Olympus file (.oir)",
        "export the heights from the microscope's software as text, or " + by_gwyddion},
       {"KPK0", "a Keyence file (.zon)", "export the heights from the microscope's software as text (.csv)"},
-      {"FRTM_GLIDERV", "a MicroProf file of FRT (.frt)",
-       "export it from Mark III as text, or " + by_gwyddion},
       {":NANONIS_VERSION:", "a Nanonis file (.sxm)", by_gwyddion},
       {"#R3.", "an RHK file (.sm3)", by_gwyddion},
       {"STiMage", "an RHK file (.sm2)", by_gwyddion},

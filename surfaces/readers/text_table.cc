@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/quantity.h"
 #include "surfaces/readers/height_unit.h"
 #include "surfaces/readers/text_names.h"
 #include "surfaces/readers/text_parts.h"
@@ -118,6 +119,18 @@ TextTable read_beginning(Lines& lines, bool& decimal_comma) {
   return table;
 }
 
+/// "height conversion factor (-> m)=2.9e-8": what numbers are to be multiplied by, and the unit they have
+/// then.
+std::optional<NumberWithUnit> height_factor(const TextTable& table) {
+  const std::string name = "height conversion factor (->";
+  const auto found = table.header.lower_bound(name);
+  if (found == table.header.end() || found->first.rfind(name, 0) != 0) return std::nullopt;
+  const auto number = whole_number_text(found->second);
+  if (!number) return std::nullopt;
+  const auto close = found->first.find(')');
+  return NumberWithUnit{*number, trimmed_text(found->first.substr(name.size(), close - name.size()))};
+}
+
 }  // namespace
 
 std::string TextTable::find(const std::vector<std::string>& names) const {
@@ -162,6 +175,11 @@ double text_height_unit(const SourceFile& file, const TextTable& table, const Re
                         StoredMap& map) {
   std::string unit = table.find(text_names::value_unit);
   if (unit.empty()) unit = table.find(text_names::any_unit);
+  if (const auto factor = height_factor(table)) {
+    const double metres = factor->number * height_unit(file, factor->unit, options, map);
+    map.scale = "heights in " + format_quantity(metres, Dimension::length, 6) + " by the header's conversion";
+    return metres;
+  }
   return height_unit(file, unit, options, map);
 }
 

@@ -15,18 +15,11 @@
 #include "surfaces/readers/channels.h"
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/length_unit.h"
+#include "surfaces/readers/nanoscope_header.h"
 #include "surfaces/readers/text_parts.h"
 
 namespace asperity {
 namespace {
-
-using Section = std::map<std::string, std::string>;  ///< lower-case key to value
-
-struct Header {
-  Section file_list;
-  Section instrument;           ///< sensitivities: scanner, scan and other lists together
-  std::vector<Section> images;  ///< one for each channel
-};
 
 /// One channel with its scale resolved.
 struct Image {
@@ -34,36 +27,7 @@ struct Image {
   double metres_per_step = 0;  ///< 0 if its values are no lengths
 };
 
-Header parse_header(const SourceFile& file) {
-  Header header;
-  Section* section = &header.instrument;
-  for (std::size_t begin = 0; begin < file.bytes.size();) {
-    const std::size_t end = file.bytes.find('\n', begin);
-    const std::string line =
-        trimmed_text(file.bytes.substr(begin, end == std::string::npos ? end : end - begin));
-    const std::string lower = lower_case(line);
-    if (lower == "\\*file list end") return header;
-    if (lower.rfind("\\*", 0) == 0) {
-      if (lower == "\\*file list") {
-        section = &header.file_list;
-      } else if (lower.find("image list") != std::string::npos) {
-        header.images.emplace_back();
-        section = &header.images.back();
-      } else {
-        section = &header.instrument;
-      }
-    } else if (line.rfind('\\', 0) == 0) {
-      const auto colon = line.find(": ");
-      const std::string key = colon == std::string::npos ? line.substr(1) : line.substr(1, colon - 1);
-      (*section)[lower_case(key)] = colon == std::string::npos ? "" : trimmed_text(line.substr(colon + 2));
-    }
-    if (end == std::string::npos) break;
-    begin = end + 1;
-  }
-  throw InputError(file.name() + " ends inside its NanoScope header: it is cut off; copy or export it again");
-}
-
-std::string entry(const SourceFile& file, const Section& section, const std::string& key) {
+std::string entry(const SourceFile& file, const NanoscopeSection& section, const std::string& key) {
   const auto found = section.find(key);
   if (found == section.end())
     throw InputError(file.name() + " lacks '" + key +
@@ -74,7 +38,8 @@ std::string entry(const SourceFile& file, const Section& section, const std::str
 constexpr double most_pixels_along = 1 << 20;
 constexpr double most_bytes = 1e12;
 
-std::size_t whole_entry(const SourceFile& file, const Section& section, const std::string& key, double most) {
+std::size_t whole_entry(const SourceFile& file, const NanoscopeSection& section, const std::string& key,
+                        double most) {
   const auto number = whole_number_text(entry(file, section, key));
   if (!number || !(*number >= 0) || *number > most || *number != std::floor(*number))
     throw InputError(file.name() + " has '" + entry(file, section, key) + "' for '" + key +
@@ -91,7 +56,8 @@ std::optional<double> volt_factor(const std::string& unit) {
 
 /// Scale of an entry such as "V [Sens. Zsens] (0.005035400 V/LSB) 329.9950 V" with "V 22.25786 nm/V" for
 /// Sens. Zsens.
-void resolve_scale(const Header& header, const Section& section, std::size_t scaling_bytes, Image& image) {
+void resolve_scale(const NanoscopeHeader& header, const NanoscopeSection& section, std::size_t scaling_bytes,
+                   Image& image) {
   auto found = section.find("@2:z scale");
   if (found == section.end()) found = section.find("@4:z scale");
   if (found == section.end()) return;
@@ -126,31 +92,7 @@ void resolve_scale(const Header& header, const Section& section, std::size_t sca
                      hard_unit + over_steps;
 }
 
-/// "Height Sensor" out of S [ZSensor] "Height Sensor".
-std::string image_name(const Section& section) {
-  for (const char* key : {"@2:image data", "@3:image data", "@4:image data", "image data"}) {
-    const auto found = section.find(key);
-    if (found == section.end()) continue;
-    const auto open = found->second.find('"'), close = found->second.rfind('"');
-    return close == open ? found->second : found->second.substr(open + 1, close - open - 1);
-  }
-  return "unnamed";
-}
-
-/// "1 1 ~m" or "1000 nm".
-void read_scan_size(const Section& section, StoredMap& map) {
-  const auto found = section.find("scan size");
-  if (found == section.end()) return;
-  const auto first = number_with_unit(found->second);
-  if (!first) return;
-  const auto second = number_with_unit(first->unit);
-  const auto factor = length_unit_factor(second ? second->unit : first->unit);
-  if (!factor || !(first->number > 0)) return;
-  map.lx = first->number * *factor;
-  map.ly = (second ? second->number : first->number) * *factor;
-}
-
-std::size_t stored_bytes_per_pixel(const SourceFile& file, const Header& header, std::size_t points,
+std::size_t stored_bytes_per_pixel(const SourceFile& file, const NanoscopeHeader& header, std::size_t points,
                                    std::size_t length) {
   for (const std::size_t bytes : {2, 4})
     if (length == bytes * points) return bytes;
@@ -167,7 +109,7 @@ std::size_t stored_bytes_per_pixel(const SourceFile& file, const Header& header,
 }
 
 StoredMap read(const SourceFile& file, const ReadOptions& options) {
-  const Header header = parse_header(file);
+  const NanoscopeHeader header = nanoscope_header(file);
   if (header.images.empty())
     throw InputError(file.name() + " is a NanoScope file without images; pass a file of an image scan");
   std::vector<Image> images;
@@ -177,7 +119,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
       throw InputError(file.name() +
                        " was written by NanoScope software before 4.3; open it in Gwyddion and pass a .gsf");
     Image image;
-    image.name = image_name(section);
+    image.name = nanoscope_image_name(section);
     if (const auto found = section.find("line direction"); found != section.end())
       image.direction = found->second;
     const std::size_t bytes = section.count("bytes/pixel") ? whole_entry(file, section, "bytes/pixel", 4) : 2;
@@ -186,7 +128,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
     images.push_back(image);
   }
   const std::size_t chosen = choose_channel(file, channels, options);
-  const Section& section = header.images[chosen];
+  const NanoscopeSection& section = header.images[chosen];
   const std::size_t columns = whole_entry(file, section, "samps/line", most_pixels_along);
   const std::size_t rows = whole_entry(file, section, "number of lines", most_pixels_along);
   const std::size_t offset = whole_entry(file, section, "data offset", most_bytes);
@@ -206,8 +148,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
                                      : little_endian<std::int32_t>(file.bytes, at);
     map.heights[i] = stored * images[chosen].metres_per_step;
   }
-  read_scan_size(section, map);
-  if (!map.lx) read_scan_size(header.instrument, map);
+  read_nanoscope_size(header, section, map);
   map.channel = images[chosen].name;
   map.scale = "heights " + images[chosen].scale_text;
   map.first_row = FirstRow::bottom;
@@ -218,7 +159,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
 
 bool recognises(const SourceFile& file) {
   const std::string beginning = lower_case(file.bytes.substr(0, 32));
-  return beginning.rfind("\\*file list", 0) == 0;
+  return beginning.rfind("\\*file list", 0) == 0 && nanoscope_exports(file).empty();
 }
 
 }  // namespace

@@ -3,13 +3,12 @@
 // offset) in the unit of the header; bottom row first. Layout as described in SurfaceTopography's and
 // Gwyddion's manuals and readers. No real file was at hand: checked only against files that the tests write
 // from this description.
-#include <map>
-
 #include "core/error.h"
 #include "surfaces/readers/channels.h"
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/length_unit.h"
 #include "surfaces/readers/text_parts.h"
+#include "surfaces/readers/tiff_tags.h"
 
 namespace asperity {
 namespace {
@@ -18,46 +17,12 @@ constexpr std::uint32_t park_magic = 0x0E031301;
 constexpr std::uint32_t version_1 = 0x01000001, version_2 = 0x01000002;
 constexpr int magic_tag = 50432, version_tag = 50433, data_tag = 50434, header_tag = 50435;
 
-struct TagValue {
-  std::size_t offset = 0;  ///< where its bytes begin
-  std::size_t length = 0;  ///< their number
-};
-
-[[noreturn]] void cut_off(const SourceFile& file) {
-  throw InputError(file.name() +
-                   " points beyond its end: it is a TIFF file that is cut off; copy or export it again");
-}
-
-/// The tags of the first picture of a little-endian TIFF file (Adobe, TIFF 6.0, 1992).
-std::map<int, TagValue> read_tags(const SourceFile& file) {
-  constexpr std::size_t entry_size = 12, bytes_kept_inline = 4;
-  static const std::map<int, std::size_t> type_size{{1, 1}, {2, 1}, {3, 2}, {4, 4},  {5, 8},  {6, 1},
-                                                    {7, 1}, {8, 2}, {9, 4}, {10, 8}, {11, 4}, {12, 8}};
-  const std::string& bytes = file.bytes;
-  if (bytes.size() < 8) cut_off(file);
-  const std::size_t directory = little_endian<std::uint32_t>(bytes, 4);
-  if (directory + 2 > bytes.size()) cut_off(file);
-  const std::size_t count = little_endian<std::uint16_t>(bytes, directory);
-  if (directory + 2 + count * entry_size > bytes.size()) cut_off(file);
-  std::map<int, TagValue> tags;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = directory + 2 + i * entry_size;
-    const auto size = type_size.find(little_endian<std::uint16_t>(bytes, at + 2));
-    if (size == type_size.end()) continue;
-    TagValue value;
-    value.length = size->second * little_endian<std::uint32_t>(bytes, at + 4);
-    value.offset = value.length <= bytes_kept_inline ? at + 8 : little_endian<std::uint32_t>(bytes, at + 8);
-    tags[little_endian<std::uint16_t>(bytes, at)] = value;
-  }
-  return tags;
-}
-
 /// Values of the header tag one after the other, without padding.
 class HeaderCursor {
  public:
-  HeaderCursor(const SourceFile& file, TagValue tag)
+  HeaderCursor(const SourceFile& file, TiffTag tag)
       : file_(file), at_(tag.offset), end_(tag.offset + tag.length) {
-    if (end_ > file.bytes.size()) cut_off(file);
+    if (end_ > file.bytes.size()) refuse_cut_off_tiff(file);
   }
   template <class T>
   T next() {
@@ -114,7 +79,7 @@ struct ParkHeader {
   DataType data_type = DataType::int16;
 };
 
-ParkHeader read_header(const SourceFile& file, TagValue tag, std::uint32_t version) {
+ParkHeader read_header(const SourceFile& file, TiffTag tag, std::uint32_t version) {
   HeaderCursor cursor(file, tag);
   ParkHeader header;
   header.image_type = cursor.next<ImageType>();
@@ -147,10 +112,10 @@ ParkHeader read_header(const SourceFile& file, TagValue tag, std::uint32_t versi
   return header;
 }
 
-std::uint32_t number_of(const SourceFile& file, const std::map<int, TagValue>& tags, int tag) {
+std::uint32_t number_of(const SourceFile& file, const TiffDirectory& tags, int tag) {
   const auto found = tags.find(tag);
   if (found == tags.end() || found->second.length < 4) return 0;
-  if (found->second.offset + 4 > file.bytes.size()) cut_off(file);
+  if (found->second.offset + 4 > file.bytes.size()) refuse_cut_off_tiff(file);
   return little_endian<std::uint32_t>(file.bytes, found->second.offset);
 }
 
@@ -171,7 +136,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   if (file.bytes[0] == 'M')
     throw InputError(file.name() +
                      " is a big-endian TIFF picture and not a Park file; export the heights as .gsf");
-  const auto tags = read_tags(file);
+  const TiffDirectory tags = tiff_directories(file).front();
   if (number_of(file, tags, magic_tag) != park_magic || !tags.count(data_tag) || !tags.count(header_tag))
     throw InputError(
         file.name() +
@@ -185,7 +150,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
     throw InputError(file.name() + " holds a line profile and not a map; pass the image");
   const auto unit = length_unit_factor(header.unit);
   choose_channel(file, {{header.source, plain_unit(header.unit), unit.has_value()}}, options);
-  const TagValue data = tags.at(data_tag);
+  const TiffTag data = tags.at(data_tag);
   const std::size_t points = static_cast<std::size_t>(header.columns) * header.rows;
   const std::size_t bytes = header.data_type == DataType::int16 ? 2 : 4;
   constexpr std::uint32_t most_pixels = 1u << 20;
@@ -193,7 +158,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
     throw InputError(file.name() + " keeps " + std::to_string(data.length) + " bytes for " +
                      std::to_string(header.columns) + " x " + std::to_string(header.rows) +
                      " pixels, which is too few; export it again");
-  if (data.offset + points * bytes > file.bytes.size()) cut_off(file);
+  if (data.offset + points * bytes > file.bytes.size()) refuse_cut_off_tiff(file);
   StoredMap map;
   map.nx = static_cast<int>(header.columns);
   map.ny = static_cast<int>(header.rows);
@@ -212,10 +177,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   return map;
 }
 
-bool recognises(const SourceFile& file) {
-  return file.bytes.compare(0, 4, std::string("II*\0", 4)) == 0 ||
-         file.bytes.compare(0, 4, std::string("MM\0*", 4)) == 0;
-}
+bool recognises(const SourceFile& file) { return is_tiff(file); }
 
 }  // namespace
 

@@ -3,8 +3,8 @@
 // to 7: unsigned integers of 8, 16, 32 bit, float, signed integers of 8, 16, 32 bit, double. What is not
 // measured is BAD in text, else the largest unsigned or the smallest signed number of its type, or NaN.
 // Profiles are taken from the top of the image down, as Gwyddion and SurfaceTopography show them. No real
-// file was at hand: checked against files that the tests write from this description, which Gwyddion reads
-// likewise.
+// file was at hand: checked against files that the tests write from this description, of which Gwyddion reads
+// the binary one likewise.
 #include <cmath>
 #include <limits>
 #include <map>

@@ -1,8 +1,8 @@
 // Images of WSxM (.stp, .top), Nanotec: lines of text in sections "[Name]" up to the length that the third
 // line states, then the numbers. Stored numbers span the Z Amplitude of [General Info]; X and Y Amplitude of
-// [Control] are the sides. The first row stored is taken as the top of the image, as Gwyddion and
-// SurfaceTopography show it. No real file was at hand: checked against files that the tests write from this
-// description, which Gwyddion reads likewise.
+// [Control] are the sides. The first number stored is the lower right corner of the image, as Gwyddion shows
+// it (SurfaceTopography turns it by half a turn). No real file was at hand: checked against files that the
+// tests write from this description, which Gwyddion reads likewise.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -95,12 +95,15 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const double range = *highest - *lowest;
   const double step = range > 0 ? *amplitude / range : 0.0;  // 0: a flat map
   for (double& height : map.heights) height *= step;
+  for (auto row = map.heights.begin(); row != map.heights.end(); row += map.nx)
+    std::reverse(row, row + map.nx);
   map.lx = length_entry(entries, "Control/X Amplitude");
   map.ly = length_entry(entries, "Control/Y Amplitude");
   if (map.lx && !map.ly) map.ly = *map.lx * map.ny / map.nx;
   map.channel = "heights";
   map.scale = "heights over an amplitude of " + format_quantity(*amplitude, Dimension::length, 6);
-  map.first_row = FirstRow::top;
+  map.first_row = FirstRow::bottom;
+  map.note = "rows stored from right to left";
   return map;
 }
 

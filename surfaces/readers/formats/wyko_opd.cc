@@ -108,7 +108,7 @@ double known_number(const SourceFile& file, const std::vector<Block>& blocks, co
 }
 
 bool is_measured(double stored, NumberType type) {
-  constexpr double bad_float = 1e38, bad_integer = 32766;
+  constexpr double bad_float = 1e38f, bad_integer = 32766;
   return type == NumberType::float32 ? std::abs(stored) < bad_float : stored < bad_integer;
 }
 
