@@ -50,7 +50,5 @@ struct Truth {
 
 /// Writes truth.json into the folder.
 void write_truth(const Truth& truth, const std::filesystem::path& folder);
-/// Throws InputError naming the file.
-Truth read_truth(const std::filesystem::path& folder);
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "diagnosis/conceal/concealed_recording.h"
 #include "tests/dem_compare/compare/solved_folders.h"
 #include "tests/support/temporary_folder.h"
@@ -60,12 +61,13 @@ TEST(ConcealedRecording_behaviour, says_nothing_of_its_truth_but_in_the_sealed_f
       read_file(folder.path / "recording.json") + read_file(folder.path / "loading.csv").substr(0, 200);
   for (const char* word : {"compliance", "drift", "truth", "effect"})
     EXPECT_EQ(visible.find(word), std::string::npos) << word;
-  const Truth truth = read_truth(folder.path);
-  EXPECT_EQ(truth.family, "pair");
-  ASSERT_EQ(truth.effects.size(), 2u);
-  EXPECT_EQ(truth.effects[0].id, "instrument_compliance");
-  EXPECT_GT(truth.effects[0].parameters.at("compliance").value, 0);
-  EXPECT_EQ(truth.contributions[0].in_noise.size(), concealed.recording.tables[0].rows());
+  const auto truth = parse_json(read_file(folder.path / "truth.json"), "truth.json");
+  EXPECT_EQ(truth["format"], "asperity-truth/1");
+  EXPECT_EQ(truth["family"], "pair");
+  ASSERT_EQ(truth["effects"].size(), 2u);
+  EXPECT_EQ(truth["effects"][0]["id"], "instrument_compliance");
+  EXPECT_GT(truth["effects"][0]["parameters"]["compliance"]["value"], 0);
+  EXPECT_EQ(truth["contributions"][0]["in_noise"].size(), concealed.recording.tables[0].rows());
   const Recording read = read_recording(folder.path);
   EXPECT_EQ(read.tables[0].rows(), concealed.recording.tables[0].rows());
 }
