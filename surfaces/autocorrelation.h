@@ -2,6 +2,7 @@
 // the two edges of a scan are not taken for neighbours; periodic maps wrap around).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "surfaces/topography.h"
@@ -13,8 +14,17 @@ namespace asperity {
 struct Autocorrelation {
   int reach_x = 0, reach_y = 0;  ///< largest lags kept, half the map [pixels]
   double dx = 0, dy = 0;         ///< pixel [m]
-  /// rho and share of pairs, at [jy * (2 reach_x + 1) + jx] for lag (jx - reach_x, jy - reach_y)
-  std::vector<double> rho, pair_share;
+  /// at [jy * (2 reach_x + 1) + jx] for lag (jx - reach_x, jy - reach_y) [-]
+  std::vector<double> rho;
+  int nx = 0, ny = 0;  ///< of the map [pixels]
+  bool periodic = false;
+  std::size_t known = 0;  ///< points of the map with a height
+  /// Number of pairs at each lag [-]; empty where no point is missing, for it is then known without counting.
+  std::vector<double> pairs;
+
+  /// Number of pairs of known points at one lag [-], and its share of all pairs of them [-].
+  double pair_count(std::size_t index) const;
+  double pair_share(std::size_t index) const;
 
   /// Mean of rho over all directions at multiples of the larger pixel: entry k belongs to the distance k
   /// step().

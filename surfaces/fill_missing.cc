@@ -1,6 +1,7 @@
 #include "surfaces/fill_missing.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -75,10 +76,10 @@ Topography fill_missing(const Topography& map) {
   if (missing == 0) return map;
   if (missing == map.heights.size())
     throw InputError("the topography '" + map.source + "' has missing points only");
-  Level level{map.nx, map.ny, map.heights, std::vector<std::uint8_t>(map.missing.size())};
+  Topography filled = map;
+  Level level{map.nx, map.ny, std::move(filled.heights), std::vector<std::uint8_t>(map.missing.size())};
   for (std::size_t i = 0; i < level.known.size(); ++i) level.known[i] = !map.missing[i];
   fill(level);
-  Topography filled = map;
   filled.heights = std::move(level.heights);
   filled.missing.clear();
   filled.source += ", " + std::to_string(missing) + " missing points filled smoothly";

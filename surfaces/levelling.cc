@@ -87,30 +87,29 @@ void level_rows(Topography& map) {
 
 }  // namespace
 
-Topography levelled(const Topography& map, Level level) {
-  Topography result = map;
+Topography levelled(Topography map, Level level) {
   switch (level) {
     case Level::mean:
-      level_map<1>(result);
+      level_map<1>(map);
       break;
     case Level::plane:
-      level_map<3>(result);
+      level_map<3>(map);
       break;
     case Level::quadratic:
-      level_map<6>(result);
+      level_map<6>(map);
       break;
     case Level::rows0:
-      level_rows<1>(result);
+      level_rows<1>(map);
       break;
     case Level::rows1:
-      level_rows<2>(result);
+      level_rows<2>(map);
       break;
     case Level::rows2:
-      level_rows<3>(result);
+      level_rows<3>(map);
       break;
   }
-  if (level != Level::mean) result.periodic = false;
-  return result;
+  if (level != Level::mean) map.periodic = false;
+  return map;
 }
 
 }  // namespace asperity

@@ -8,6 +8,6 @@ namespace asperity {
 
 /// The map with its least-squares fit subtracted. A row with fewer known points than its polynomial needs is
 /// fitted with a lower degree. A levelled map is not periodic unless only its mean was removed.
-Topography levelled(const Topography& map, Level level);
+Topography levelled(Topography map, Level level);
 
 }  // namespace asperity

@@ -91,18 +91,23 @@ HeightMoments height_moments(const Topography& map) {
 }
 
 HeightStatistics height_statistics(const Topography& map) {
+  return height_statistics(map, autocorrelation(map));
+}
+
+HeightStatistics height_statistics(const Topography& map, const Autocorrelation& correlation) {
   HeightStatistics statistics;
   static_cast<HeightMoments&>(statistics) = height_moments(map);
   add_slope_and_curvature(map, statistics);
-  statistics.correlation_length = autocorrelation(map).length();
+  statistics.correlation_length = correlation.length();
   return statistics;
 }
 
-GaussianTest gaussian_test(const Topography& map) {
+GaussianTest gaussian_test(const Topography& map) { return gaussian_test(map, autocorrelation(map)); }
+
+GaussianTest gaussian_test(const Topography& map, const Autocorrelation& correlation) {
   constexpr double significance = 0.01;  // of the test
   constexpr double fewest_samples = 20;  // below, moments have not even roughly their limiting distribution
   const HeightMoments moments = height_moments(map);
-  const Autocorrelation correlation = autocorrelation(map);
   GaussianTest test;
   const double points = static_cast<double>(map.heights.size() - map.missing_count());
   test.skewness_error = std::sqrt(6 * std::max(correlation.mean_power(3), 1 / points));

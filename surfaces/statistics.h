@@ -30,8 +30,11 @@ struct HeightStatistics : HeightMoments {
   double correlation_length = 0;
 };
 
-/// Of all known points.
+struct Autocorrelation;
+
+/// Of all known points; with the map's autocorrelation where it is at hand.
 HeightStatistics height_statistics(const Topography& map);
+HeightStatistics height_statistics(const Topography& map, const Autocorrelation& correlation);
 
 /// Jarque and Bera's test (1987) with the variances that skewness and kurtosis have for a *correlated*
 /// Gaussian field: var(Ssk) = 6 <rho^3>, var(Sku) = 24 <rho^4>, means of powers of the autocorrelation over
@@ -48,7 +51,8 @@ struct GaussianTest {
   std::string sentence;  ///< the verdict in words
 };
 
-/// The test of a map's heights.
+/// The test of a map's heights; with its autocorrelation where it is at hand.
 GaussianTest gaussian_test(const Topography& map);
+GaussianTest gaussian_test(const Topography& map, const Autocorrelation& correlation);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include "core/csv.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "surfaces/autocorrelation.h"
 
 namespace asperity {
 namespace {
@@ -41,12 +42,15 @@ const char* verdict_name(GaussianTest::Verdict verdict) {
 
 }  // namespace
 
-SurfaceMeasurement measure_surface(const Topography& map, Level level) {
+SurfaceMeasurement measure_surface(Topography map, Level level) {
   SurfaceMeasurement result;
-  result.map = levelled(map, level);
+  result.map = levelled(std::move(map), level);
   result.level = level;
-  result.statistics = height_statistics(result.map);
-  result.gaussian = gaussian_test(result.map);
+  {
+    const Autocorrelation correlation = autocorrelation(result.map);  // as large as the map: not kept
+    result.statistics = height_statistics(result.map, correlation);
+    result.gaussian = gaussian_test(result.map, correlation);
+  }
   result.spectrum = radial_spectrum(result.map);
   try {
     result.fit = fit_spectrum(result.spectrum);

@@ -23,8 +23,8 @@ struct SurfaceMeasurement {
   std::optional<SpectrumFit> fit;  ///< absent where the map is too small or flat for one
 };
 
-/// Levels the map and measures it.
-SurfaceMeasurement measure_surface(const Topography& map, Level level);
+/// Levels the map and measures it, in the memory of four further copies at most.
+SurfaceMeasurement measure_surface(Topography map, Level level);
 
 /// One object: pixels, size_m, Sq_m, Sa_m, Sz_m, Ssk, Sku, rms_slope, rms_curvature_per_m,
 /// correlation_length_m, missing, channel, source, level, gaussian {...}, spectrum {...}. What could not be

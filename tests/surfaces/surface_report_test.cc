@@ -11,6 +11,7 @@
 #include "surfaces/read_topography.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/shared_files.h"
 
 namespace asperity {
@@ -93,6 +94,27 @@ TEST(Levelling_other_code, leaves_the_known_Sq_of_a_bruker_scan) {
   EXPECT_NEAR(Sq(path, Level::mean), 5.831926e-9, 1e-15);
   EXPECT_NEAR(Sq(path, Level::plane), 1.536e-9, 0.0005e-9);
   EXPECT_NEAR(Sq(path, Level::quadratic), 1.310e-9, 0.0005e-9);
+}
+
+// It took fifteen once: padded copies, a mask of ones, and the autocorrelation twice.
+TEST(Measure_surface_analytic, takes_the_memory_of_five_maps_at_most_from_file_to_answer) {
+  GenerateOptions options;
+  options.nx = options.ny = 1024;
+  options.lx = options.ly = 2e-6;
+  options.rms = 2e-9;
+  Topography map = generate_periodic(SelfAffineSpectrum{2e-9, 0.8, 150e-9, 30e-9}, options);
+  const std::uint64_t copy = sizeof(double) * map.heights.size();
+  for (const bool with_missing : {false, true}) {
+    if (with_missing) map.missing.assign(map.heights.size(), 0), map.missing[1000] = 1;
+    map.periodic = false;
+    const auto path = scratch("large.gsf");
+    write_gsf(path, map);
+    const auto outcome =
+        test::measured_in_child([&] { measure_surface(read_topography(path), Level::plane); });
+    EXPECT_EQ(outcome.end, test::ChildOutcome::End::done);
+    EXPECT_LT(outcome.peak_bytes, 5 * copy);
+    std::filesystem::remove(path);
+  }
 }
 
 TEST(Levelling_other_code, leaves_the_known_Sq_of_a_diamond_film) {
