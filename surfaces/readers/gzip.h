@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// Whether the file begins as gzip files do (RFC 1952).
+/// Whether the file begins like one that gzip packed.
 bool is_gzip(const SourceFile& file);
 
 /// The file inside, under the same path. Throws InputError for what is damaged or cut off, and as soon as

@@ -44,12 +44,18 @@ std::vector<TiffDirectory> tiff_directories(const SourceFile& file) {
   const ByteOrder order = tiff_order(file);
   if (bytes.size() < 8) refuse_cut_off_tiff(file);
   std::vector<TiffDirectory> directories;
+  std::size_t entries = 0;
   std::size_t at = stored_number<std::uint32_t>(bytes, 4, order);
   while (directories.empty() || (at != 0 && directories.size() < most_directories)) {
     if (at + 2 > bytes.size()) refuse_cut_off_tiff(file);
     const std::size_t count = stored_number<std::uint16_t>(bytes, at, order);
     const std::size_t end = at + 2 + count * entry_size;
     if (end > bytes.size()) refuse_cut_off_tiff(file);
+    entries += count;
+    if (entries > bytes.size() / entry_size)
+      throw InputError(file.name() +
+                       " is a TIFF file whose pictures share their tags without end: it is "
+                       "damaged; export it again");
     TiffDirectory& tags = directories.emplace_back();
     for (std::size_t entry = at + 2; entry < end; entry += entry_size) {
       TiffTag tag;

@@ -20,9 +20,9 @@ struct TiffTag {
 /// The tags of one picture of the file, by their numbers.
 using TiffDirectory = std::map<int, TiffTag>;
 
-/// Whether the file begins as TIFF does, in either order of bytes.
+/// Whether the file begins like a TIFF file.
 bool is_tiff(const SourceFile& file);
-/// Order of the bytes of its numbers.
+/// The byte order that it states in its first byte.
 ByteOrder tiff_order(const SourceFile& file);
 
 /// Throws the InputError of a TIFF file that is cut off.

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <map>
 
-#include "tests/surfaces/readers/stored_files.h"
+#include "tests/surfaces/readers/instrument_list.h"
 
 namespace {
 
@@ -82,6 +82,17 @@ void add_maps(Corpus& corpus) {
              "# Channel: Height\n# Width: 2.5 \xC2\xB5m\n# Height: 2.5 \xC2\xB5m\n# Value units: "
              "nm\n1\t2\t3\n4\t5\tbad\n");
   corpus.add("map_txt", "size: 2.5 um x 2 um\nunit: nm\n1,5;2,5;3\n4;5;6\n");
+}
+
+void add_instruments(Corpus& corpus) {
+  const std::map<std::string, std::string> of_another{
+      {"sdf_text", "sdf"}, {"bcrf", "bcr"}, {"nanoscope_text", "001"}, {"dat", "zygo"}};
+  for (const auto& file : instrument_files()) {
+    const auto other = of_another.find(file.name);
+    corpus.add("map_" + (other == of_another.end() ? file.name : other->second), file.bytes);
+  }
+  corpus.add("map_gz", deflated(sdf_map(), gzip_bits));
+  corpus.add("map_gz", deflated("size: 3 um x 2 um\nunit: nm\n1 2 3\n4 5 6\n", gzip_bits));
 }
 
 void add_recordings(Corpus& corpus) {
@@ -172,6 +183,7 @@ int main(int argc, char** argv) {
   }
   Corpus corpus(argv[1]);
   add_maps(corpus);
+  add_instruments(corpus);
   add_recordings(corpus);
   add_parameters(corpus);
   return 0;

@@ -146,6 +146,10 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   grid.order = wave.order;
   grid.type = number_type(file, wave.type);
   const std::int64_t layers = wave.points[2] > 0 ? wave.points[2] : 1;
+  constexpr std::int64_t most_layers = 1000;
+  if (layers > most_layers)
+    throw InputError(file.name() + " is an Igor wave of " + std::to_string(layers) +
+                     " layers, too many for channels of a scan; pass the image");
   const std::uint64_t layer_bytes = checked_grid_bytes(file, grid);
   const std::uint64_t there = file.bytes.size() - grid.begin;
   if (static_cast<std::uint64_t>(layers) > there / layer_bytes)

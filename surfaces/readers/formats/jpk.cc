@@ -70,6 +70,13 @@ std::vector<JpkChannel> channels_of(const SourceFile& file) {
   return channels;
 }
 
+/// None where the tag is no number of pixels, which no map has.
+std::int64_t pixels_along(const SourceFile& file, const TiffDirectory& picture, int tag) {
+  constexpr double most = 1 << 20;
+  const double number = tiff_number(file, picture, tag).value_or(0);
+  return number >= 0 && number <= most ? static_cast<std::int64_t>(number) : 0;
+}
+
 NumberType number_type(const SourceFile& file, const TiffDirectory& picture) {
   constexpr int of_unsigned = 1, of_signed = 2, of_floats = 3;
   const double bits = tiff_number(file, picture, bits_tag).value_or(0);
@@ -111,8 +118,8 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const std::size_t chosen = choose_channel(file, entries, options);
   const auto& [picture, slot] = channels[chosen];
   StoredGrid grid;
-  grid.columns = static_cast<std::int64_t>(tiff_number(file, picture, columns_tag).value_or(0));
-  grid.rows = static_cast<std::int64_t>(tiff_number(file, picture, rows_tag).value_or(0));
+  grid.columns = pixels_along(file, picture, columns_tag);
+  grid.rows = pixels_along(file, picture, rows_tag);
   grid.type = number_type(file, picture);
   grid.order = tiff_order(file);
   StoredMap map;

@@ -43,7 +43,9 @@ void read(const std::string& ending, const std::string& bytes) {
 std::vector<Target> topography_targets() {
   std::vector<Target> all;
   // HDF5 is left to libnetcdf and libhdf5, whose faults are not asperity's: only classic NetCDF is fuzzed.
-  for (const char* ending : {".gsf", ".gwy", ".001", ".tiff", ".nc", ".x3p", ".xyz", ".txt"})
+  for (const char* ending : {".gsf", ".gwy",  ".001", ".tiff", ".nc",  ".x3p",  ".xyz", ".txt", ".npy",
+                             ".mat", ".ibw",  ".nid", ".sur",  ".opd", ".al3d", ".mi",  ".sdf", ".os3d",
+                             ".stp", ".zygo", ".vk4", ".bcr",  ".frt", ".jpk",  ".gz"})
     all.push_back({std::string("map_") + (ending + 1), [ending](const std::string& bytes) {
                      if (bytes.compare(0, 4, "\x89HDF") != 0) read(ending, bytes);
                    }});

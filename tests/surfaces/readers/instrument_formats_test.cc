@@ -129,6 +129,28 @@ TEST(Instrument_marks_analytic, of_points_that_were_not_measured_make_them_missi
   EXPECT_TRUE(lower_left_missing(frt));
 }
 
+TEST(Limits_of_instruments_analytic, tags_that_pictures_share_without_end_are_not_kept) {
+  std::string bytes = std::string("II*\0", 4) + raw<std::uint32_t>(8) + raw<std::uint16_t>(60000);
+  for (std::uint32_t tag = 0; tag < 60000; ++tag)
+    bytes += raw<std::uint16_t>(tag) + raw<std::uint16_t>(1) + raw<std::uint32_t>(1) + raw<std::uint32_t>(0);
+  const auto path = write_bytes("a.jpk", bytes + raw<std::uint32_t>(8));  // the next is the same again
+  EXPECT_SAYS(refusal(path), "share their tags without end");
+  expect_refused_within(measured_in_child([&] { read_topography(path); }), 32u << 20);
+}
+
+TEST(Limits_of_instruments_analytic, layers_of_one_point_are_no_channels) {
+  std::string wave = igor_map();
+  put(wave, 64 + 68, raw<std::int32_t>(1) + raw<std::int32_t>(1) + raw<std::int32_t>(1 << 30));
+  std::uint16_t sum = 0, word = 0;
+  put(wave, 2, std::string(2, '\0'));
+  for (std::size_t at = 0; at < 384; at += 2) {
+    std::memcpy(&word, wave.data() + at, 2);
+    sum = static_cast<std::uint16_t>(sum + word);
+  }
+  put(wave, 2, raw<std::uint16_t>(-sum));
+  EXPECT_SAYS(refusal(write_bytes("a.ibw", wave)), "of 1073741824 layers");
+}
+
 TEST(Instrument_kinds_behaviour, that_are_not_read_are_refused_by_name_and_remedy) {
   EXPECT_SAYS(refusal(write_bytes("a.mdt", std::string("\x01\xb0\x93\xff", 4))),
               "is an NT-MDT file (.mdt), which is not read; open it in Gwyddion and export .gsf");
