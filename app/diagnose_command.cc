@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 struct DiagnoseArguments {
   std::string recording, output = "diagnosis", case_file, study;
   std::vector<std::string> overrides;
+  double minutes = 30;
   bool json = false, catalogue = false;
 };
 
@@ -74,6 +75,7 @@ void run_diagnose(const DiagnoseArguments& arguments) {
     how.solver = solver_program();
     how.folder = arguments.study.empty() ? output / "solves" : fs::path(arguments.study);
     how.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    how.seconds = 60 * arguments.minutes;
     how.say = options.progress;
     model = std::make_unique<FiniteElementModel>(arguments.case_file, arguments.overrides, how);
     options.simulation = model.get();
@@ -110,6 +112,13 @@ void add_diagnose_command(CLI::App& app) {
       ->take_all();
   command->add_option("--study", arguments->study,
                       "Folder of solved cases, which are reused (default: solves in the output's)");
+  command
+      ->add_option(
+          "--minutes", arguments->minutes,
+          "Wall time for solutions of the case with what was left out; what is not solved by then is "
+          "judged by what was")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
   command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");

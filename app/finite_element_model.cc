@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "app/case_file.h"
 #include "app/inputs_hash.h"
 #include "app/study_runner.h"
+#include "app/study_summary.h"
 #include "core/error.h"
 #include "core/printed.h"
+#include "core/quantity.h"
+#include "core/wait_text.h"
 #include "results/solved_case.h"
 
 namespace asperity {
@@ -16,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool yields(const BodyInput& body) {
+double yield_stress(const BodyInput& body) {
   const auto yield = body.parameters.find("Yield stress");
-  return yield != body.parameters.end() && std::isfinite(yield->second);
+  return yield != body.parameters.end() ? yield->second : std::numeric_limits<double>::infinity();
 }
 
 void set_entry(Settings& settings, const std::string& path, const std::string& value) {
@@ -28,16 +33,19 @@ void set_entry(Settings& settings, const std::string& path, const std::string& v
 
 /// The case under another load.
 void drive(Settings& settings, const LoadingProtocol& protocol) {
-  set_entry(settings, "Experiment/Control", "force");
-  set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.largest_force));
-  set_entry(settings, "Experiment/Normal approach", "0 m");
+  const bool by_force = !(protocol.approach > 0);
+  set_entry(settings, "Experiment/Control", by_force ? "force" : "displacement");
+  set_entry(settings, "Experiment/Normal load", printed("%.6g N", by_force ? protocol.largest_force : 0.0));
+  set_entry(settings, "Experiment/Normal approach", printed("%.6g m", protocol.approach));
   set_entry(settings, "Experiment/Unload", protocol.unloads ? "true" : "false");
-  set_entry(settings, "Experiment/Retract", "0 m");
+  set_entry(settings, "Experiment/Retract", printed("%.6g m", protocol.retract));
   set_entry(settings, "Experiment/Cycles", "1");
   set_entry(settings, "Experiment/Hold steps", "0");
+  constexpr const char* steps_to_resolve_pull_off = "30";
+  if (protocol.retract > 0) set_entry(settings, "Experiment/Unload steps", steps_to_resolve_pull_off);
 }
 
-SolvedResponse response_of(const fs::path& folder) {
+SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {
   const SolvedCase solved = read_solved_case(folder);
   SolvedResponse response;
   response.displacement = solved.history.normal_displacement;
@@ -45,20 +53,32 @@ SolvedResponse response_of(const fs::path& folder) {
   const auto peak = std::max_element(response.force.begin(), response.force.end());
   response.peak = static_cast<std::size_t>(peak - response.force.begin());
   response.displacement_error = solved.effective("approach_from_first_touch").sd;
-  if (!std::isfinite(response.displacement_error))
+  if (ended_early.empty() && !std::isfinite(response.displacement_error))
     throw WorkError(
         "'" + folder.string() +
         "' does not state the error of its approach, without which a mismatch cannot be told from "
         "the mesh's; solve it with this version");
   response.source = folder.string();
+  response.ended_early = ended_early;
   return response;
+}
+
+/// Accepted steps of a case that is being solved or was broken off.
+std::size_t steps_in(const fs::path& folder) {
+  return fs::exists(folder / "history.csv") ? read_history(folder / "history.csv").size() : 0;
+}
+/// Fewer steps say nothing of a curve.
+constexpr std::size_t least_steps = 3;
+
+std::string asked(const EnoughOfIt& enough, const fs::path& folder) {
+  return enough && steps_in(folder) >= least_steps ? enough(response_of(folder, "it goes on")) : "";
 }
 
 }  // namespace
 
 FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<std::string>& overrides,
                                        FiniteElementModelOptions options)
-    : file_(file), options_(std::move(options)) {
+    : file_(file), options_(std::move(options)), begun_(std::chrono::steady_clock::now()) {
   const Settings given = read_settings(file, overrides);
   warn_of_former_names(given);
   input_ = case_from_settings(given, file);
@@ -76,12 +96,12 @@ SimulatedBodies FiniteElementModel::bodies() const {
   return {{input_.particle.youngs_modulus, input_.particle.poisson_ratio},
           {input_.substrate.youngs_modulus, input_.substrate.poisson_ratio},
           input_.radius,
-          yields(input_.particle),
-          yields(input_.substrate)};
+          yield_stress(input_.particle),
+          yield_stress(input_.substrate)};
 }
 
-std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
-                                                      const std::vector<LoadingProtocol>& protocols) {
+Study FiniteElementModel::study_of(const std::vector<CaseChange>& changes,
+                                   const std::vector<LoadingProtocol>& protocols) const {
   Study study;
   study.title = "diagnosis";
   study.file = file_;
@@ -91,30 +111,78 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     drive(item.settings, protocol);
     for (const CaseChange& change : changes)
       set_entry(item.settings, change.entry, printed("%.6g %s", change.value, change.unit.c_str()));
-    case_from_settings(item.settings, file_);  // refuses what the case cannot take
+    const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
+    if (changed.interface.work_of_adhesion > 0 && changed.interface.adhesion_law != "dugdale")
+      throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
+                       ", and attraction is tried as Dugdale's so far; set it to dugdale");
     constexpr std::size_t enough = 12;
     item.name = "solve-" + inputs_sha256(item.settings, file_).substr(0, enough);
     study.cases.push_back(std::move(item));
   }
+  return study;
+}
+
+std::string FiniteElementModel::out_of_time(double seconds) const {
+  // No single solution takes the time of the others.
+  constexpr double share = 0.25;
+  if (seconds > share * options_.seconds)
+    return "it took " + wait_text(seconds) + ", a quarter of the time for all";
+  if (seconds_spent() > options_.seconds)
+    return "the time for solutions, " + wait_text(options_.seconds) + ", was over";
+  return "";
+}
+
+std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const EnoughOfIt& enough,
+                                                  const std::vector<std::string>& ended_early) const {
   StudyRunOptions options;
   options.output = options_.folder;
   options.resume = true;
   options.cores = options_.cores;
   options.program = options_.solver;
   options.say = options_.say;
+  options.chosen = [&](const std::string& name) {
+    for (std::size_t i = 0; i < study.cases.size(); ++i)
+      if (study.cases[i].name == name) return ended_early[i].empty();
+    return true;
+  };
   // A normal case is solved in minutes: one that was broken off is begun again, whatever build began it.
   options.objection_to_resume = [](const auto&, const auto&) { return std::string("is not complete"); };
-  const std::vector<CaseProgress> progress = run_study(study, options);
+  std::map<fs::path, std::size_t> looked_at;
+  // Without the case as it is there is nothing to compare with, whatever it takes.
+  if (enough)
+    options.reason_to_stop = [&](const fs::path& folder, double seconds) {
+      const std::string late = out_of_time(seconds);
+      if (!late.empty()) return late;
+      const std::size_t steps = steps_in(folder);
+      if (looked_at[folder] == steps) return std::string();
+      looked_at[folder] = steps;
+      return asked(enough, folder);
+    };
+  return run_study(study, options);
+}
+
+std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
+                                                      const std::vector<LoadingProtocol>& protocols,
+                                                      const EnoughOfIt& enough) {
+  const Study study = study_of(changes, protocols);
+  const auto folder_of = [&](std::size_t i) { return options_.folder / study.cases[i].name; };
+  std::vector<std::string> ended_early(study.cases.size());
+  for (std::size_t i = 0; i < study.cases.size(); ++i)
+    if (!has_result(folder_of(i))) ended_early[i] = asked(enough, folder_of(i));
+  const std::vector<CaseProgress> progress = run(study, enough, ended_early);
   std::vector<SolvedResponse> responses;
   for (std::size_t i = 0; i < progress.size(); ++i) {
-    const fs::path folder = options_.folder / study.cases[i].name;
-    if (progress[i].state == CaseProgress::State::stopped ||
-        progress[i].state == CaseProgress::State::waiting)
+    const std::string folder = folder_of(i).string();
+    if (progress[i].state == CaseProgress::State::stopped) ended_early[i] = progress[i].message;
+    if (progress[i].state == CaseProgress::State::failed)
+      throw WorkError("'" + folder + "' could not be solved: " + progress[i].message);
+    if (progress[i].state != CaseProgress::State::done && ended_early[i].empty())
       // No WorkError: a stop ends the diagnosis, where a case that fails is left out of it.
       throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
-    if (progress[i].state == CaseProgress::State::failed)
-      throw WorkError("'" + folder.string() + "' could not be solved: " + progress[i].message);
-    responses.push_back(response_of(folder));
+    if (!ended_early[i].empty() && steps_in(folder) < least_steps)
+      throw WorkError("'" + folder + "' was stopped before it said anything: " + ended_early[i]);
+    responses.push_back(response_of(folder, ended_early[i]));
+    responses.back().is_out_of_time = !ended_early[i].empty() && !out_of_time(progress[i].seconds).empty();
   }
   return responses;
 }

@@ -2,11 +2,14 @@
 // by its inputs, so that what was solved once is not solved again.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "app/study.h"
+#include "app/study_summary.h"
 #include "core/case.h"
 #include "core/parameter_file.h"
 #include "diagnosis/forward/forward_model.h"
@@ -18,6 +21,7 @@ struct FiniteElementModelOptions {
   std::filesystem::path solver;  ///< program called as: solver solve CASE.prm ...
   std::filesystem::path folder;  ///< for the solved cases
   int cores = 1;
+  double seconds = 30 * 60;  ///< wall time for all solutions but the case's as it is, from the start on [s]
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
 };
 
@@ -30,16 +34,27 @@ class FiniteElementModel : public ForwardModel {
   SimulatedBodies bodies() const override;
   /// Throws InputError for a change that the case refuses, WorkError where it cannot be solved.
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
-                                    const std::vector<LoadingProtocol>& protocols) override;
+                                    const std::vector<LoadingProtocol>& protocols,
+                                    const EnoughOfIt& enough) override;
 
   /// Every entry of the case as given, for a corrected case to be written from.
   const Settings& settings() const { return settings_; }
 
  private:
+  Study study_of(const std::vector<CaseChange>& changes, const std::vector<LoadingProtocol>& protocols) const;
+  /// Why a solution that took so many seconds ends; empty: it goes on.
+  std::string out_of_time(double seconds) const;
+  std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,
+                                const std::vector<std::string>& ended_early) const;
+  double seconds_spent() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  }
+
   std::filesystem::path file_;
   Settings settings_;
   CaseInput input_;
   FiniteElementModelOptions options_;
+  std::chrono::steady_clock::time_point begun_;
 };
 
 }  // namespace asperity

@@ -1,19 +1,15 @@
 #include "app/study_runner.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <thread>
 
+#include "app/folder_lock.h"
 #include "app/study_folders.h"
 #include "core/atomic_file.h"
 #include "core/child_process.h"
@@ -29,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 using State = CaseProgress::State;
 
 constexpr auto poll_interval = std::chrono::milliseconds(50);
+constexpr auto look_interval = std::chrono::seconds(1);
 constexpr auto report_interval = std::chrono::seconds(30);
 constexpr auto stop_grace = std::chrono::seconds(10);
 
@@ -60,28 +57,6 @@ class StopOnSignal {
   }, terminate_before_{};
 };
 
-/// Keeps a second study out of the same folder; the kernel gives it free when this process ends, however it
-/// ends.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder) {
-    const fs::path path = folder / ".study.lock";
-    file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (file_ < 0) throw WorkError("cannot write '" + path.string() + "': " + std::strerror(errno));
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      ::close(file_);
-      throw InputError("another study is running in '" + folder.string() +
-                       "'; wait for it or choose another folder");
-    }
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_ = -1;
-};
-
 std::string last_line(const fs::path& file) {
   std::ifstream stream(file);
   std::string line, last;
@@ -106,6 +81,7 @@ class StudyRun {
       if (running_.empty()) break;
       std::this_thread::sleep_for(poll_interval);
       collect_ended_cases();
+      stop_cases_with_a_reason();
       report_running_cases();
     }
     if (stop_requested) stop_running_cases();
@@ -118,6 +94,7 @@ class StudyRun {
     std::size_t index;
     ChildProcess process;
     Clock::time_point start;
+    std::string stopped_for;  ///< why it was asked to end
   };
 
   /// Summaries that an earlier run was killed in writing.
@@ -186,8 +163,8 @@ class StudyRun {
     const bool begun = folders_.has_begun(index);
     const std::string objection = begun ? options_.objection_to_resume(folder, folders_.inputs(index)) : "";
     if (begun) arguments.push_back(objection.empty() ? "--resume" : "--overwrite");
-    running_.push_back(
-        {index, ChildProcess(arguments, folders_.log(index), {"OMP_NUM_THREADS=" + threads}), Clock::now()});
+    running_.push_back({index, ChildProcess(arguments, folders_.log(index), {"OMP_NUM_THREADS=" + threads}),
+                        Clock::now(), ""});
     progress_[index].state = State::running;
     options_.say(study_.cases[index].name + (!begun ? ": started"
                                              : objection.empty()
@@ -219,6 +196,9 @@ class StudyRun {
       progress.state = State::done;
       ++solved_;
       seconds_of_solved_ += progress.seconds;
+    } else if (!running.stopped_for.empty()) {
+      progress.state = State::stopped;
+      progress.message = running.stopped_for;
     } else {
       progress.state = State::failed;
       progress.message = last_line(folders_.log(running.index));
@@ -228,11 +208,12 @@ class StudyRun {
     }
     long ended = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i)
-      if (chosen(i) && (progress_[i].state == State::done || progress_[i].state == State::failed)) ++ended;
+      if (chosen(i) && progress_[i].state != State::waiting && progress_[i].state != State::running) ++ended;
     const std::string counter = "[" + std::to_string(ended) + "/" + std::to_string(chosen_) + "] ";
     options_.say(counter + name + ": " +
-                 (progress.state == State::done ? "done in " + wait_text(progress.seconds)
-                                                : "failed: " + progress.message) +
+                 (progress.state == State::done      ? "done in " + wait_text(progress.seconds)
+                  : progress.state == State::stopped ? "stopped: " + progress.message
+                                                     : "failed: " + progress.message) +
                  time_left());
   }
 
@@ -247,6 +228,17 @@ class StudyRun {
       if (progress_[running.index].state == State::running)
         seconds += std::max(0.0, mean - seconds_since(running.start));
     return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
+  }
+
+  void stop_cases_with_a_reason() {
+    if (!options_.reason_to_stop || Clock::now() - last_look_ < look_interval) return;
+    last_look_ = Clock::now();
+    for (auto& running : running_) {
+      if (!running.stopped_for.empty()) continue;
+      running.stopped_for =
+          options_.reason_to_stop(folders_.folder(running.index), seconds_since(running.start));
+      if (!running.stopped_for.empty()) running.process.ask_to_stop();
+    }
   }
 
   void report_running_cases() {
@@ -282,7 +274,7 @@ class StudyRun {
   long chosen_ = 0;
   int solved_ = 0;
   double seconds_of_solved_ = 0;
-  Clock::time_point last_report_ = Clock::now();
+  Clock::time_point last_report_ = Clock::now(), last_look_ = Clock::now();
 };
 
 }  // namespace

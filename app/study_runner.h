@@ -27,6 +27,9 @@ struct StudyRunOptions {
   /// of a sentence; such a case is solved anew. Empty: it can.
   std::function<std::string(const std::filesystem::path&, const std::string&)> objection_to_resume =
       [](const auto&, const auto&) { return std::string(); };
+  /// Why a case that is being solved in a folder, for so many seconds, should not go on, as a sentence's end;
+  /// it is stopped and has it as its message. Empty: it should.
+  std::function<std::string(const std::filesystem::path&, double)> reason_to_stop;
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
 };
 

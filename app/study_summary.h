@@ -14,7 +14,7 @@ namespace asperity {
 struct CaseProgress {
   enum class State { waiting, running, done, failed, stopped } state = State::waiting;
   double seconds = 0;   ///< wall time spent in this run of the study [s]
-  std::string message;  ///< of a failed case: the last line of its log
+  std::string message;  ///< of a failed case: the last line of its log; of one stopped for a reason: that
 };
 
 /// True if `folder` holds a complete result.json.

@@ -86,6 +86,14 @@ class Effect {
   virtual EntersBy enters_by(const Experiment&) const {
     return description().kind == EffectKind::instrument ? EntersBy::measurement : EntersBy::reduced_law_only;
   }
+  /// Its parameters where the case has it already, as the case is; empty where it has not.
+  virtual std::vector<double> values_in_case(const Experiment&) const { return {}; }
+  /// Whether a contact with it comes back on another curve than it went, so that its unloading and each
+  /// turning point are solutions of their own.
+  virtual bool returns_on_another_curve() const { return false; }
+  /// How far beyond first touch a contact with these parameters has to be pulled until it is open [m]; 0: it
+  /// does not attract. One that does is driven by displacement.
+  virtual double opening_distance(const Experiment&, const double*) const { return 0; }
   /// Entries of the case that stand for these parameters; empty for EntersBy other than finite elements.
   virtual std::vector<CaseChange> case_changes(const Experiment&, const double*) const { return {}; }
   /// Why it has no form of finite elements, as the end of a sentence; empty where it has one.

@@ -15,13 +15,16 @@
 namespace asperity {
 namespace {
 
+/// F: pull-off force over pi w R.
+double pull_off_factor(double alpha) { return 0.267 * alpha * alpha - 0.767 * alpha + 2.000; }
+
 class TransitionContact : public NormalContact {
  public:
   TransitionContact(const Hertz& law, double pull_off, double alpha) : pull_off_(pull_off), alpha_(alpha) {
     const double al = alpha;
     const double A =
         -0.451 * std::pow(al, 4) + 1.417 * std::pow(al, 3) - 1.365 * al * al + 0.950 * al + 1.264;
-    const double F = 0.267 * al * al - 0.767 * al + 2.000;
+    const double F = pull_off_factor(al);
     S_ = al > 0 ? std::max(0.0, -2.160 * std::pow(al, 0.019) + 2.7531 * std::pow(al, 0.064) +
                                     0.073 * std::pow(al, 1.919))
                 : 0;
@@ -121,6 +124,18 @@ class Adhesion : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_force;
+    // In the limits of DMT and JKR the range of attraction is infinite and zero: no mesh has these.
+    constexpr double least = 0.05, most = 0.95;
+    if (e.by_finite_elements)
+      return {
+          {"pull_off_force",
+           "N",
+           "h",
+           1e-5 * f,
+           10 * f,
+           true,
+           {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
+          {"transition", "", "alpha, from DMT (0) to JKR (1)", least, most, false, {least, 0.3, 0.6, most}}};
     return {{"pull_off_force",
              "N",
              "h",
@@ -136,6 +151,22 @@ class Adhesion : public Effect {
              false,
              {0, 0.05, 0.3, 0.6, 0.95},
              true}};  // 0 itself: S rises as alpha^0.019
+  }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  /// Dugdale's attraction over h0 (Maugis 1992): w = h/(F pi R), sigma0 = w/h0, lambda = 2 sigma0 (R/(pi w
+  /// K^2))^(1/3), and lambda = -0.924 ln(1 - 1.02 alpha) (Carpick, Ogletree & Salmeron 1999, eq. (9)).
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    constexpr double pi = boost::math::double_constants::pi;
+    const double stiffness = 4.0 / 3 * e.reduced_modulus();
+    const double work = p[0] / (pull_off_factor(p[1]) * pi * e.radius);
+    const double lambda = -0.924 * std::log(1 - 1.02 * p[1]);
+    const double range = 2 * work / lambda * std::cbrt(e.radius / (pi * work * stiffness * stiffness));
+    return {{"Interface/Work of adhesion", work, "J/m^2"}, {"Interface/Adhesion range", range, "m"}};
+  }
+  double opening_distance(const Experiment& e, const double* p) const override {
+    const TransitionContact contact(e.hertz(), p[0], p[1]);
+    return std::abs(contact.release()) + case_changes(e, p)[1].value;
   }
   void assemble(Mechanics& m, const double* p) const override {
     if (const Hertz* law = m.normal.contact->hertz())

@@ -69,8 +69,10 @@ class YieldingContact : public NormalContact {
   double deepest_ = 0, largest_ = 0, residual_ = 0, unloading_ = 1.5;
 };
 
-/// The body that yields first where both are of the same strength.
+/// The body that yields first: of the lower yield stress where the case has one, else of the lower modulus,
+/// as if both were of the same strength.
 bool particle_is_softer(const Experiment& e) {
+  if (e.particle_yield != e.substrate_yield) return e.particle_yield < e.substrate_yield;
   return e.particle.youngs_modulus <= e.substrate.youngs_modulus;
 }
 
@@ -107,6 +109,8 @@ class BulkPlasticity : public Effect {
                           true,
                           {0.08 * onset, 0.25 * onset, 0.6 * onset}};
     if (e.yield_hint > yield.low && e.yield_hint < yield.high) yield.starts.push_back(e.yield_hint);
+    for (const double of_case : values_in_case(e))
+      if (of_case > yield.low && of_case < yield.high) yield.starts.push_back(of_case);
     // Of finite elements the hardness is an answer, and no parameter.
     if (e.by_finite_elements) return {yield};
     return {yield,
@@ -118,15 +122,16 @@ class BulkPlasticity : public Effect {
              false,
              {without_hardening}}};
   }
-  EntersBy enters_by(const Experiment& e) const override {
-    return e.particle_yields || e.substrate_yields ? EntersBy::reduced_law_only : EntersBy::finite_elements;
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::vector<double> values_in_case(const Experiment& e) const override {
+    const double yield = std::min(e.particle_yield, e.substrate_yield);
+    return std::isfinite(yield) ? std::vector<double>{yield} : std::vector<double>{};
   }
+  bool returns_on_another_curve() const override { return true; }
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
     return {{particle_is_softer(e) ? "Particle/Yield stress" : "Substrate/Yield stress", p[0], "Pa"}};
   }
-  std::string why_not_by_finite_elements(const Experiment& e) const override {
-    return enters_by(e) == EntersBy::finite_elements ? "" : "the case has a yield stress already";
-  }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
     const Experiment& e = m.experiment;
     const double poisson = particle_is_softer(e) ? e.particle.poisson_ratio : e.substrate.poisson_ratio;

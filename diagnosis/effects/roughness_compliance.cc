@@ -41,6 +41,11 @@ class RoughnessCompliance : public Effect {
              true,
              {0.03, 1}}};
   }
+  std::string why_not_by_finite_elements(const Experiment&) const override {
+    return "a recording gives the length of its layer, and a case takes a scan or a spectrum with its seeds, "
+           "which "
+           "that length does not fix; give the case the surface's topography";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double length = p[0], first = p[1] * m.geometry.force(length);
     m.normal.series.push_back(

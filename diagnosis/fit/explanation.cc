@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -65,6 +66,13 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
     return a->description().order != b->description().order ? a->description().order < b->description().order
                                                             : a->id() < b->id();
   });
+  for (const auto& effect : effect_catalogue())
+    if (experiment.by_finite_elements && !effect->values_in_case(experiment).empty() &&
+        std::find(effects_.begin(), effects_.end(), effect.get()) == effects_.end())
+      as_in_case_.push_back({effect.get(), effect->values_in_case(experiment)});
+  std::stable_sort(as_in_case_.begin(), as_in_case_.end(), [](const AsInCase& a, const AsInCase& b) {
+    return a.effect->description().order < b.effect->description().order;
+  });
   std::vector<std::string> replaced;
   for (const Effect* effect : effects_)
     for (const auto& name : effect->description().replaces) replaced.push_back(name);
@@ -94,10 +102,18 @@ Mechanics Explanation::mechanics(const std::vector<double>& values) const {
   for (; next < parameters_.size() && parameters_[next].effect < 0; ++next)
     choice.parameters[parameters_[next].name].value = values[next];
   Mechanics m = baseline_mechanics(experiment_, choice);
+  std::size_t of_case = 0;
+  const auto assemble_case_up_to = [&](int order) {
+    for (; of_case < as_in_case_.size() && as_in_case_[of_case].effect->description().order <= order;
+         ++of_case)
+      as_in_case_[of_case].effect->assemble(m, as_in_case_[of_case].values.data());
+  };
   for (std::size_t e = 0; e < effects_.size(); ++e) {
+    assemble_case_up_to(effects_[e]->description().order - 1);
     effects_[e]->assemble(m, values.data() + next);
     while (next < parameters_.size() && parameters_[next].effect == static_cast<int>(e)) ++next;
   }
+  assemble_case_up_to(std::numeric_limits<int>::max());
   m.normal.correction = correction_;
   return m;
 }

@@ -49,7 +49,14 @@ class Explanation {
  private:
   Experiment experiment_;
   SimulationChoice choice_;
+  /// Of an effect that the case has already and the set does not change, with its values there.
+  struct AsInCase {
+    const Effect* effect;
+    std::vector<double> values;
+  };
+
   std::vector<const Effect*> effects_;  ///< in the order of assembly
+  std::vector<AsInCase> as_in_case_;    ///< in the order of assembly
   std::vector<FreeParameter> parameters_;
   std::shared_ptr<const BranchCorrection> correction_;
 };

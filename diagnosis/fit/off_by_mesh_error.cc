@@ -10,6 +10,9 @@ std::shared_ptr<const Explanation> off_by_mesh_error(const ModelFit& fit) {
     double displacement(const Sample& sample, double force) const override {
       return exact_->displacement(sample, force) + exact_->error();
     }
+    std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
+      return exact_->contact_for(reduced);
+    }
     double error() const override { return exact_->error(); }
 
    private:

@@ -2,6 +2,8 @@
 // changed and solved again. app/ hands one in; the diagnosis knows nothing of how it solves. SI units.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ struct CaseChange {
 struct LoadingProtocol {
   double largest_force = 0;  ///< [N]
   bool unloads = false;
+  /// Above 0: driven by displacement up to this approach [m], to follow attraction, and not by the force.
+  double approach = 0;
+  double retract = 0;  ///< how far beyond first touch it is pulled, under control by displacement [m]
 };
 
 /// What one solved case says: approach and force of each accepted step, loading first.
@@ -28,15 +33,22 @@ struct SolvedResponse {
   std::vector<double> force;         ///< [N]
   std::size_t peak = 0;              ///< last step of loading
   double displacement_error = 0;     ///< standard deviation of the approach at the largest load, as stated:
-                                     ///< of mesh and load steps [m]
+                                     ///< of mesh and load steps [m]; NaN of a solution without its end
   std::string source;                ///< where it can be looked up
+  std::string ended_early;           ///< why it ends before its protocol does; empty: it does not
+  bool is_out_of_time = false;       ///< it ended early because it took too long
 };
+
+/// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.
+using EnoughOfIt = std::function<std::string(const SolvedResponse& so_far)>;
 
 /// The bodies of the case.
 struct SimulatedBodies {
   ElasticBody particle, substrate;
   double radius = 0;  ///< [m]
-  bool particle_yields = false, substrate_yields = false;
+  /// Yield stresses [Pa]; infinite: the body stays elastic.
+  double particle_yield = std::numeric_limits<double>::infinity();
+  double substrate_yield = std::numeric_limits<double>::infinity();
 };
 
 /// A simulation that is solved anew for each set of changes.
@@ -45,10 +57,12 @@ class ForwardModel {
   virtual ~ForwardModel() = default;
   /// Of the case as it is.
   virtual SimulatedBodies bodies() const = 0;
-  /// Solves the case with these changes under each of the protocols; what was solved before is reused.
-  /// Throws WorkError where a case cannot be solved.
+  /// Solves the case with these changes under each of the protocols; what was solved before is reused. A
+  /// solution ends early where `enough` (asked after its steps; none: never) says so, or where it would take
+  /// too long. Throws WorkError where a case cannot be solved at all.
   virtual std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
-                                            const std::vector<LoadingProtocol>& protocols) = 0;
+                                            const std::vector<LoadingProtocol>& protocols,
+                                            const EnoughOfIt& enough) = 0;
 };
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
@@ -42,14 +43,13 @@ struct Branches {
 class SolvedDifference : public BranchCorrection {
  public:
   std::vector<Branches> of_protocol;
-  std::vector<std::size_t> protocol;  ///< by Sample::index
-  std::vector<char> is_unloading;     ///< by Sample::index
+  std::vector<BranchPlace> place;  ///< by Sample::index
   double displacement_error = 0;
 
   double displacement(const Sample& sample, double force) const override {
-    const bool known = sample.index < protocol.size();
-    const Branches& b = of_protocol[known ? protocol[sample.index] : 0];
-    return (known && is_unloading[sample.index] ? b.unloading : b.loading).at(force);
+    const BranchPlace at = sample.index < place.size() ? place[sample.index] : BranchPlace{};
+    const Branches& b = of_protocol[at.protocol];
+    return (at.unloading ? b.unloading : b.loading).at(force);
   }
   double error() const override { return displacement_error; }
 };
@@ -91,70 +91,124 @@ double load_of(const SampleRun& run, const Sample& s) {
   return run.response_is_displacement ? s.normal_force : s.normal_displacement;
 }
 
+/// A stretch of a run up to a load above all former ones and back from it.
+struct Excursion {
+  std::size_t begin = 0, peak = 0, end = 0;
+  bool returns = false;
+};
+
+std::vector<Excursion> excursions_of(const SampleRun& run, const Samples& samples) {
+  constexpr double noise = 0.02;  // of the run's range: less is no return
+  double least = load_of(run, samples.list[run.begin]), most = least;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    least = std::min(least, load_of(run, samples.list[i]));
+    most = std::max(most, load_of(run, samples.list[i]));
+  }
+  std::vector<Excursion> found{{run.begin, run.begin, run.end, false}};
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const double load = load_of(run, samples.list[i]);
+    Excursion& now = found.back();
+    const double top = load_of(run, samples.list[now.peak]);
+    if (load > top) {
+      if (now.returns) {
+        now.end = i;
+        found.push_back({i, i, run.end, false});
+      } else {
+        now.peak = i;
+      }
+    } else if (load < top - noise * (most - least)) {
+      now.returns = true;
+    }
+  }
+  return found;
+}
+
+/// Force at a turning point: single samples are noisy, the middle of those around it is less so.
+double force_around(const SampleRun& run, const Samples& samples, std::size_t peak) {
+  constexpr std::size_t around = 2;
+  std::vector<double> near;
+  for (std::size_t i = std::max(run.begin + around, peak) - around; i < std::min(run.end, peak + around + 1);
+       ++i) {
+    const Sample& s = samples.list[i];
+    if (run.response_is_displacement || s.counts)
+      near.push_back(run.response_is_displacement ? s.normal_force : s.response);
+  }
+  std::sort(near.begin(), near.end());
+  return near.empty() ? 0 : near[near.size() / 2];
+}
+
 }  // namespace
 
 RecordedProtocols protocols_of(const Samples& samples) {
   constexpr double same = 0.05;
   RecordedProtocols found;
+  std::vector<Excursion> excursions;
   std::vector<double> forces;
   for (const auto& run : samples.runs) {
     if (run.independent_rows)
       throw InputError(
           "a case is solved for traces only: this recording holds a series of single loads; record approach "
           "and force along loading, or leave out --case");
-    std::size_t peak = run.begin;
-    for (std::size_t i = run.begin; i < run.end; ++i)
-      if (load_of(run, samples.list[i]) > load_of(run, samples.list[peak])) peak = i;
-    found.peak.push_back(peak);
-    // Single samples are noisy: the middle of those around the largest load.
-    constexpr std::size_t around = 2;
-    std::vector<double> near;
-    for (std::size_t i = std::max(run.begin + around, peak) - around;
-         i < std::min(run.end, peak + around + 1); ++i) {
-      const Sample& s = samples.list[i];
-      if (run.response_is_displacement || s.counts)
-        near.push_back(run.response_is_displacement ? s.normal_force : s.response);
+    double of_run = 0;
+    for (const Excursion& excursion : excursions_of(run, samples)) {
+      excursions.push_back(excursion);
+      forces.push_back(force_around(run, samples, excursion.peak));
+      of_run = std::max(of_run, forces.back());
     }
-    std::sort(near.begin(), near.end());
-    forces.push_back(near.empty() ? 0 : near[near.size() / 2]);
+    if (!(of_run > 0))
+      throw InputError(
+          "a run of the recording is not pressed at all, so that no case can be solved for it; leave it out");
   }
   std::vector<std::size_t> order(forces.size());
-  for (std::size_t r = 0; r < order.size(); ++r) order[r] = r;
+  for (std::size_t e = 0; e < order.size(); ++e) order[e] = e;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return forces[a] > forces[b]; });
-  found.of_run.resize(forces.size());
-  for (const std::size_t r : order) {
-    if (found.list.empty() || forces[r] < (1 - same) * found.list.back().largest_force)
-      found.list.push_back({forces[r], false});
-    found.of_run[r] = found.list.size() - 1;
-    const SampleRun& run = samples.runs[r];
-    constexpr double back = 0.98;  // of the largest load: less is noise
-    for (std::size_t i = found.peak[r]; i < run.end; ++i)
-      if (load_of(run, samples.list[i]) < back * load_of(run, samples.list[found.peak[r]]))
-        found.list.back().unloads = true;
+  found.of_sample.resize(samples.list.size());
+  for (const std::size_t e : order) {
+    // Out of contact a swing is none of the contact's.
+    const bool presses = forces[e] > same * (found.list.empty() ? 0 : found.list.front().largest_force);
+    if (presses && (found.list.empty() || forces[e] < (1 - same) * found.list.back().largest_force))
+      found.list.push_back({forces[e], false});
+    const std::size_t protocol = found.list.size() - 1;
+    if (presses && excursions[e].returns) found.list.back().unloads = true;
+    for (std::size_t i = excursions[e].begin; i < excursions[e].end; ++i)
+      found.of_sample[i] = {protocol, presses && excursions[e].returns && i > excursions[e].peak};
   }
-  if (found.list.empty() || !(found.list.back().largest_force > 0))
-    throw InputError(
-        "a run of the recording is not pressed at all, so that no case can be solved for it; leave it out");
   return found;
+}
+
+SolvedReach reach_of(const SolvedResponse& solved) {
+  if (solved.ended_early.empty()) return {std::numeric_limits<double>::infinity(), true};
+  double largest = 0;
+  for (const double force : solved.force) largest = std::max(largest, force);
+  return {largest, false};
+}
+
+Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
+                    const std::vector<SolvedResponse>& solved) {
+  Samples part = samples;
+  for (const auto& run : samples.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      Sample& s = part.list[i];
+      const BranchPlace at = protocols.of_sample[s.index];
+      const SolvedReach reach = reach_of(solved[at.protocol]);
+      const double force = run.response_is_displacement ? s.normal_force : s.response;
+      if (force > reach.force || (at.unloading && !reach.unloaded)) s.counts = false;
+    }
+  return part;
 }
 
 std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
                                                       const RecordedProtocols& protocols,
-                                                      const Mechanics& reduced, const Samples& samples) {
+                                                      const Mechanics& reduced, double displacement_error) {
   auto difference = std::make_shared<SolvedDifference>();
+  difference->displacement_error = displacement_error;
   for (const SolvedResponse& response : solved) {
     difference->of_protocol.push_back(branches_of(response, reduced));
-    difference->displacement_error = std::max(difference->displacement_error, response.displacement_error);
+    if (std::isfinite(response.displacement_error))
+      difference->displacement_error = std::max(difference->displacement_error, response.displacement_error);
   }
-  difference->protocol.resize(samples.list.size());
-  difference->is_unloading.resize(samples.list.size());
-  for (std::size_t r = 0; r < samples.runs.size(); ++r)
-    for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i) {
-      difference->protocol[samples.list[i].index] = protocols.of_run[r];
-      difference->is_unloading[samples.list[i].index] =
-          i > protocols.peak[r] && protocols.list[protocols.of_run[r]].unloads;
-    }
+  difference->place = protocols.of_sample;
   return difference;
 }
 

@@ -13,21 +13,38 @@
 
 namespace asperity {
 
-/// What a case is to be driven through: a solution for each group of runs whose largest forces are within
-/// 5 %.
+/// Where a sample lies: which solution's branch.
+struct BranchPlace {
+  std::size_t protocol = 0;  ///< index into RecordedProtocols::list
+  bool unloading = false;    ///< below the largest load so far
+};
+
+/// What a case is to be driven through: a solution for each group of turning points whose forces are within
+/// 5 %. A load above all former ones of its run is on the loading branch; what is below, on the unloading
+/// branch of the largest so far, also where it is loaded again.
 struct RecordedProtocols {
-  std::vector<LoadingProtocol> list;  ///< the largest force first
-  std::vector<std::size_t> of_run;    ///< index into `list`
-  std::vector<std::size_t> peak;      ///< of each run: the sample with its largest load
+  std::vector<LoadingProtocol> list;   ///< the largest force first
+  std::vector<BranchPlace> of_sample;  ///< by place in Samples::list
 };
 
 /// Of a normal recording. Throws InputError where it is no trace.
 RecordedProtocols protocols_of(const Samples& samples);
 
+/// Largest force up to which a protocol was solved, and how far it was unloaded again.
+struct SolvedReach {
+  double force = 0;       ///< [N]
+  bool unloaded = false;  ///< to the end
+};
+SolvedReach reach_of(const SolvedResponse& solved);
+
+/// The samples of which the solutions, one for each protocol, say something count; the others no longer do.
+Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
+                    const std::vector<SolvedResponse>& solved);
+
 /// The difference to solutions, one for each protocol, for the reduced law `reduced`: a contact without
-/// instruments.
+/// instruments. `displacement_error`: of solutions that ended before they could state it [m].
 std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
                                                       const RecordedProtocols& protocols,
-                                                      const Mechanics& reduced, const Samples& samples);
+                                                      const Mechanics& reduced, double displacement_error);
 
 }  // namespace asperity

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "diagnosis/choose/search.h"
 #include "diagnosis/mapping/branch_curves.h"
+#include "diagnosis/mapping/solved_attraction.h"
 #include "diagnosis/outcome/diagnosis.h"
 #include "diagnosis/recording/recording.h"
 
@@ -39,8 +41,45 @@ class SolvedCaseMapping {
   std::vector<std::string> remarks_on_effects_without_form(const Experiment& experiment) const;
 
  private:
-  std::vector<SolvedResponse> solve(const FitProblem& problem, const std::vector<CaseChange>& changes);
-  bool confirm_set(Candidate& candidate, const FitProblem& problem);
+  /// How far a set could be solved.
+  struct Confirmation {
+    enum State { complete, partial, failed } state = failed;
+    Samples part;          ///< the samples that the solutions reached count
+    std::string in_words;  ///< of a partial one: how far and why
+    bool is_out_of_time = false, may_begin_again = false;
+  };
+
+  /// A case with what is to be tried.
+  struct Trial {
+    std::vector<CaseChange> changes;
+    std::vector<const Effect*> effects;
+    double approach = 0, opening = 0;  ///< of a contact that attracts: at the largest force, and pulled [m]
+  };
+
+  static Trial trial_of(const FitProblem& problem, const ModelFit& fit, double largest_force);
+  std::vector<LoadingProtocol> asked_for(const FitProblem& problem, const Trial& trial) const;
+  std::shared_ptr<const BranchCorrection> correction_by(const std::vector<SolvedResponse>& solved,
+                                                        const Trial& trial, const Mechanics& reduced) const {
+    return trial.opening > 0 ? attraction_of(solved.front(), reduced, displacement_error_)
+                             : difference_to(solved, protocols_, reduced, displacement_error_);
+  }
+  /// One solution for each of the recording's protocols.
+  std::vector<SolvedResponse> solve(const FitProblem& problem, const Trial& trial, const EnoughOfIt& enough);
+  /// What a solution in progress is watched for.
+  struct Watch {
+    const FitProblem& problem;
+    const Trial& trial;
+    const ModelFit& fit;
+    const std::vector<double>& expected;  ///< response of each sample, as the channel's unit
+    bool may_begin_again;                 ///< another solution with better values can follow
+  };
+  std::string enough_of(const SolvedResponse& so_far, const Watch& watch) const;
+  std::set<std::set<const Effect*>> worth_solutions(const SearchResult& search, const FitProblem& problem,
+                                                    const std::vector<const Candidate*>& survivors);
+  Confirmation reached(const FitProblem& problem, const std::vector<SolvedResponse>& solved) const;
+  Confirmation confirm_set(Candidate& candidate, const FitProblem& problem);
+  void judge_on_part(const SearchResult& search, const FitProblem& problem, const Candidate& candidate,
+                     const Confirmation& answer);
   void say(const std::string& line) const {
     if (progress_) progress_(line);
   }
@@ -55,6 +94,8 @@ class SolvedCaseMapping {
   std::vector<Solution> after_;
   double displacement_error_ = 0;
   int solves_ = 0;
+  ModelFit best_measurement_;  ///< the best set that needs no solution: what others have to be better than
+  double overdispersion_ = 1;  ///< chi^2 of the best fit per sample [-]
   bool is_incomplete_ = false;
   std::vector<std::string> remarks_;
 };

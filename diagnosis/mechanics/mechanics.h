@@ -61,6 +61,9 @@ class BranchCorrection {
   virtual ~BranchCorrection() = default;
   /// [m]
   virtual double displacement(const Sample& sample, double force) const = 0;
+  /// The contact itself, where what finite elements say is a force at its displacement, as of a contact that
+  /// attracts; null: it stays the reduced law.
+  virtual std::shared_ptr<const NormalContact> contact_for(const NormalContact&) const { return nullptr; }
   /// Standard deviation of the finite elements' own displacement, of mesh and load steps, at any force [m].
   virtual double error() const = 0;
 };

@@ -16,8 +16,12 @@ namespace {
 
 class NormalRun {
  public:
-  explicit NormalRun(const NormalMechanics& mechanics)
-      : mechanics_(mechanics), contact_(mechanics.contact->clone()) {}
+  explicit NormalRun(const NormalMechanics& mechanics) : mechanics_(mechanics) {
+    if (mechanics_.correction)
+      if (auto solved = mechanics_.correction->contact_for(*mechanics_.contact))
+        mechanics_.contact = std::move(solved);
+    forget();
+  }
 
   /// Restart without history: rows of a series.
   void forget() { contact_ = mechanics_.contact->clone(); }

@@ -2,6 +2,7 @@
 // units.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 
@@ -34,7 +35,9 @@ struct Experiment {
   bool has_time = false;
   /// The simulation is a case of finite elements: laws keep only what its entries can say.
   bool by_finite_elements = false;
-  bool particle_yields = false, substrate_yields = false;  ///< in that case, as it is
+  /// Yield stresses of that case, as it is [Pa]; infinite: the body stays elastic.
+  double particle_yield = std::numeric_limits<double>::infinity();
+  double substrate_yield = std::numeric_limits<double>::infinity();
 
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }

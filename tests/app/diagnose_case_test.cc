@@ -10,6 +10,7 @@
 #include "core/csv.h"
 #include "core/hertz.h"
 #include "core/printed.h"
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/shared_files.h"
@@ -23,10 +24,14 @@ using test::Outcome;
 using test::smooth_case;
 using test::TemporaryFolder;
 
-/// Loading of a sphere of borosilicate on silicon: `force` of the displacement, noise 0.5 % of the largest.
-std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
-                               const std::function<double(double)>& force, const char* modulus = "179 GPa",
-                               double poisson = 0.25) {
+struct RecordedStep {
+  double displacement, force;
+  const char* segment;
+};
+
+/// A sphere of borosilicate on silicon or another plane, noise 0.5 % of the largest force.
+std::filesystem::path recorded(const TemporaryFolder& folder, const std::vector<RecordedStep>& steps,
+                               const char* modulus = "179 GPa", double poisson = 0.25) {
   const auto recording = folder.path / "recording";
   std::filesystem::create_directory(recording);
   const nlohmann::json glass{{"material", "borosilicate"},
@@ -35,7 +40,7 @@ std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
                              {"radius", "8.5 um"}};
   const nlohmann::json wafer{
       {"material", "silicon"}, {"youngs_modulus", modulus}, {"poissons_ratio", poisson}};
-  nlohmann::json table{{"file", "loading.csv"}, {"kind", "trace"}, {"response", "normal_force"}};
+  nlohmann::json table{{"file", "pressed.csv"}, {"kind", "trace"}, {"response", "normal_force"}};
   table["control"] = std::vector<std::string>{"normal_displacement"};
   nlohmann::json about{{"format", "asperity-recording/1"},
                        {"title", "pressed"},
@@ -45,20 +50,113 @@ std::filesystem::path recorded(const TemporaryFolder& folder, double deepest,
   about["tables"] = std::vector<nlohmann::json>{table};
   write_file_atomically(recording / "recording.json", about.dump());
   std::string csv = "time [s],normal_displacement [m],normal_force [N],segment\n";
+  double largest = 0;
+  for (const RecordedStep& step : steps) largest = std::max(largest, step.force);
   std::mt19937 random(3);
-  std::normal_distribution<double> noise(0, 0.005 * force(deepest));
-  for (int i = 1; i <= 200; ++i) {
-    const double d = deepest * i / 200;
-    csv += printed("%g,%.9e,%.9e,load\n", 0.1 * i, d, force(d) + noise(random));
-  }
-  write_file_atomically(recording / "loading.csv", csv);
+  std::normal_distribution<double> noise(0, 0.005 * largest);
+  double time = 0;
+  for (const RecordedStep& step : steps)
+    csv += printed("%g,%.9e,%.9e,%s\n", time += 0.1, step.displacement, step.force + noise(random),
+                   step.segment);
+  write_file_atomically(recording / "pressed.csv", csv);
   return recording;
+}
+
+/// Loading in 200 samples: `force` of the displacement.
+std::vector<RecordedStep> loaded(double deepest, const std::function<double(double)>& force) {
+  std::vector<RecordedStep> steps;
+  for (int i = 1; i <= 200; ++i) steps.push_back({deepest * i / 200, force(deepest * i / 200), "load"});
+  return steps;
+}
+
+/// What the program answers.
+nlohmann::json diagnosed(const TemporaryFolder& folder, const std::filesystem::path& recording,
+                         const std::string& more = "") {
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "diagnosis";
+  const Outcome outcome = call("diagnose " + recording.string() + " --case " + file.string() + " --output " +
+                               output.string() + more);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
+  said["printed"] = outcome.output;
+  return said;
+}
+
+constexpr double radius = 8.5e-6;
+const char* const rigid_plane =
+    " --set 'Substrate/Young modulus=1000000 GPa' --set 'Substrate/Poisson ratio=0.3'";
+
+/// A sphere that yields on a rigid plane, by axisymmetric finite elements of another program.
+class TabulatedYielding {
+ public:
+  explicit TabulatedYielding(double yield) {
+    const double factor = 1.295 * std::exp(0.736 * poisson), pi = std::acos(-1);
+    const double modulus = reduced_modulus({71e9, poisson}, {1e15, 0.3});
+    approach_ = std::pow(pi * factor * yield / (2 * modulus), 2) * radius;
+    force_ = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(approach_, 1.5);
+    const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_ownFE.csv"));
+    w_ = table.numbers("w/wc");
+    f_ = table.numbers("F/Fc_nu0.17");
+  }
+  double approach_at_yield() const { return approach_; }
+  /// On first loading; straight in F^(2/3) between the table's rows.
+  double loading(double d) const {
+    const double depth = d / approach_;
+    if (depth <= w_.front()) return force_ * std::pow(depth, 1.5);
+    std::size_t k = 1;
+    while (w_[k] < depth) ++k;
+    const double part = (depth - w_[k - 1]) / (w_[k] - w_[k - 1]), low = std::pow(f_[k - 1], 2.0 / 3);
+    return force_ * std::pow(low + part * (std::pow(f_[k], 2.0 / 3) - low), 1.5);
+  }
+  /// To a depth and back, then to the next: rows `of_peak` of the table of unloadings.
+  std::vector<RecordedStep> cycles(const std::vector<std::size_t>& of_peak) const {
+    const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_unloading.csv"));
+    const std::vector<double> peak = table.numbers("w_max/wc"), left = table.numbers("w_res/w_max_ownFE"),
+                              exponent = table.numbers("unloading_exponent_fit_ownFE");
+    std::vector<RecordedStep> steps;
+    const auto unloading = [&](double d, std::size_t row) {
+      const double deepest = peak[row] * approach_, part = (d / deepest - left[row]) / (1 - left[row]);
+      return part > 0 ? loading(deepest) * std::pow(part, exponent[row]) : 0.0;
+    };
+    constexpr int count = 60;
+    double from = 0, before = 0;
+    for (std::size_t k = 0; k < of_peak.size(); ++k) {
+      const std::size_t row = of_peak[k];
+      const double deepest = peak[row] * approach_, back = left[row] * deepest;
+      for (int i = 1; i <= count; ++i) {
+        const double d = from + (deepest - from) * i / count;
+        steps.push_back({d, d < before ? unloading(d, of_peak[k - 1]) : loading(d), "load"});
+      }
+      for (int i = 1; i <= count; ++i) {
+        const double d = deepest + (back - deepest) * i / count;
+        steps.push_back({d, unloading(d, row), "unload"});
+      }
+      from = back;
+      before = deepest;
+    }
+    return steps;
+  }
+
+ private:
+  static constexpr double poisson = 0.17;
+  double approach_ = 0, force_ = 0;
+  std::vector<double> w_, f_;
+};
+
+void expect_yielding(const nlohmann::json& said, double yield) {
+  EXPECT_EQ(said["verdict"], "explained") << said["printed"].get<std::string>();
+  const auto& corrected = said["solutions"]["corrected"];
+  ASSERT_EQ(corrected.size(), 1u) << said["printed"].get<std::string>();
+  const auto& entry = corrected["Particle/Yield stress"];
+  EXPECT_NEAR(entry["value"].get<double>() / yield, 1, 0.05);
+  EXPECT_LT(entry["ci95"][0], yield);
+  EXPECT_GT(entry["ci95"][1], yield);
 }
 
 TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
   const TemporaryFolder folder;
   const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
-  const auto recording = recorded(folder, 40e-9, [&](double d) { return hertz.force(d); });
+  const auto recording = recorded(folder, loaded(40e-9, [&](double d) { return hertz.force(d); }));
   const auto file = folder.write("case.prm", smooth_case());
   const auto output = folder.path / "diagnosis";
   const std::string command =
@@ -80,49 +178,75 @@ TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
   EXPECT_EQ(std::filesystem::last_write_time(solved + "/result.json"), written);
 }
 
-/// Loading to ten times the approach of first yield of a sphere that yields at 1 GPa on a rigid plane, by
-/// axisymmetric finite elements of another program.
+/// Hertz' contact in series with a spring, against the elastic case: rivals that yield cost as little as the
+/// recording allows.
+TEST(DiagnoseCaseNightly_analytic, a_compliance_in_series_is_named_and_no_yielding) {
+  constexpr double compliance = 6.77e-6, deepest = 40e-9;
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), radius};
+  std::vector<RecordedStep> steps;
+  for (int i = 1; i <= 200; ++i) {
+    const double force = hertz.force(deepest * i / 200);
+    steps.push_back({deepest * i / 200 + compliance * force, force, "load"});
+  }
+  const TemporaryFolder folder;
+  const auto said = diagnosed(folder, recorded(folder, steps));
+  EXPECT_EQ(said["verdict"], "explained") << said["printed"].get<std::string>();
+  ASSERT_EQ(said["left_out"].size(), 1u) << said["printed"].get<std::string>();
+  EXPECT_EQ(said["left_out"][0]["effect"], "instrument_compliance");
+  const auto& found = said["left_out"][0]["parameters"]["compliance"];
+  EXPECT_LT(found["ci95"][0], compliance);
+  EXPECT_GT(found["ci95"][1], compliance);
+}
+
+/// Loading to ten times the approach of first yield.
 TEST(DiagnoseCaseNightly_other_code,
      yielding_is_named_with_its_yield_stress_and_the_corrected_case_predicts) {
-  constexpr double yield = 1e9, poisson = 0.17, radius = 8.5e-6, deepest = 10;
-  const double modulus = reduced_modulus({71e9, poisson}, {1e15, 0.3}), pi = std::acos(-1);
-  const double factor = 1.295 * std::exp(0.736 * poisson);
-  const double approach = std::pow(pi * factor * yield / (2 * modulus), 2) * radius;
-  const double at_yield = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(approach, 1.5);
-  const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_ownFE.csv"));
-  const std::vector<double> w = table.numbers("w/wc"), f = table.numbers("F/Fc_nu0.17");
-  const auto force = [&](double d) {  // straight in F^(2/3) between the table's rows
-    const double depth = d / approach;
-    if (depth <= w.front()) return at_yield * std::pow(depth, 1.5);
-    std::size_t k = 1;
-    while (w[k] < depth) ++k;
-    const double part = (depth - w[k - 1]) / (w[k] - w[k - 1]), low = std::pow(f[k - 1], 2.0 / 3);
-    return at_yield * std::pow(low + part * (std::pow(f[k], 2.0 / 3) - low), 1.5);
-  };
+  constexpr double yield = 1e9, deepest = 10;
+  const TabulatedYielding truth(yield);
   const TemporaryFolder folder;
-  const auto recording = recorded(folder, deepest * approach, force, "1000000 GPa", 0.3);
-  const auto file = folder.write("case.prm", smooth_case());
+  const auto recording = recorded(
+      folder, loaded(deepest * truth.approach_at_yield(), [&](double d) { return truth.loading(d); }),
+      "1000000 GPa", 0.3);
+  expect_yielding(diagnosed(folder, recording, rigid_plane), yield);
   const auto output = folder.path / "diagnosis";
-  const Outcome outcome =
-      call("diagnose " + recording.string() + " --case " + file.string() +
-           " --set 'Substrate/Young modulus=1000000 GPa' --set 'Substrate/Poisson ratio=0.3' --output " +
-           output.string());
-  EXPECT_EQ(outcome.status, 0) << outcome.output;
-  const auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
-  EXPECT_EQ(said["verdict"], "explained") << outcome.output;
-  const auto& corrected = said["solutions"]["corrected"];
-  ASSERT_EQ(corrected.size(), 1u) << outcome.output;
-  const auto& entry = corrected["Particle/Yield stress"];
-  EXPECT_NEAR(entry["value"].get<double>() / yield, 1, 0.05);
-  EXPECT_LT(entry["ci95"][0], yield);
-  EXPECT_GT(entry["ci95"][1], yield);
   EXPECT_NE(read_file(output / "corrected.prm").find("set Yield stress"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(output / "history_after.csv"));
 }
 
+/// To five and ten times the approach of first yield, each with unloading; Poisson's ratio 0.17.
+TEST(DiagnoseCaseNightly_other_code, yielding_is_named_from_cycles_of_loading_and_unloading) {
+  constexpr double yield = 1e9;
+  const TabulatedYielding truth(yield);
+  const TemporaryFolder folder;
+  const auto recording = recorded(folder, truth.cycles({1, 2}), "1000000 GPa", 0.3);
+  expect_yielding(diagnosed(folder, recording, rigid_plane), yield);
+}
+
+/// Of Maugis, pressed to 6 nm and pulled off again.
+TEST(DiagnoseCaseNightly_analytic, attraction_is_named_with_its_work_of_adhesion) {
+  constexpr double work = 0.5, range = 1.5e-9, deepest = 6e-9, back = 4e-9;
+  const MaugisDugdale truth{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), radius, work, work / range};
+  std::vector<RecordedStep> steps;
+  NormalState state;
+  for (int i = 0; i < 240; ++i) {
+    const double d = -back + (deepest + back) * (i < 120 ? i / 119.0 : (239 - i) / 119.0);
+    state = truth.advance(state, d);
+    steps.push_back({d, state.force, i < 120 ? "load" : "unload"});
+  }
+  const TemporaryFolder folder;
+  const auto said = diagnosed(folder, recorded(folder, steps));
+  EXPECT_NE(said["verdict"], "unexplained") << said["printed"].get<std::string>();
+  ASSERT_EQ(said["left_out"].size(), 1u) << said["printed"].get<std::string>();
+  EXPECT_EQ(said["left_out"][0]["effect"], "adhesion");
+  const auto& entry = said["solutions"]["corrected"]["Interface/Work of adhesion"];
+  EXPECT_NEAR(entry["value"].get<double>() / work, 1, 0.05);
+  EXPECT_LT(entry["ci95"][0], work);
+  EXPECT_GT(entry["ci95"][1], work);
+}
+
 TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
   const TemporaryFolder folder;
-  const auto recording = recorded(folder, 40e-9, [](double d) { return d * 1e4; });
+  const auto recording = recorded(folder, loaded(40e-9, [](double d) { return d * 1e4; }));
   const auto file = folder.write("case.prm", smooth_case());
   const std::string command = "diagnose " + recording.string() + " --output " + (folder.path / "d").string();
   const auto refused = [&](const std::string& more, const char* why) {

@@ -1,0 +1,274 @@
+// Which sets are solved by finite elements, and what the solutions say of them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/printed.h"
+#include "core/quantity.h"
+#include "diagnosis/choose/judged_sets.h"
+#include "diagnosis/choose/law_error.h"
+#include "diagnosis/mapping/judged_part.h"
+#include "diagnosis/mapping/solved_case_mapping.h"
+
+namespace asperity {
+namespace {
+
+using Effects = std::vector<const Effect*>;
+
+/// Most solutions for one set; and how near solution and expectation must be, in units of noise and mesh
+/// error, root mean square.
+constexpr int most_solves = 4, steps_of_refit = 6;
+constexpr double near_enough = 0.2;
+/// Log evidence over the simulation alone from which a single effect is worth solutions of its own.
+constexpr double worth_solving = 8;
+constexpr std::size_t most_survivors = 3;
+/// Log evidence by which another set must be better for one not to be solved: by reduced laws, and what they
+/// may be off by; and for one solved in part to be excluded.
+constexpr double excluded_by_law = 50, excluded_by_part = 4 * as_good;
+/// Root mean square difference of a solution in progress and what was expected of it, in units of noise and
+/// mesh error, from which it is begun again with values that its first loads ask for.
+constexpr double surprising = 3;
+const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
+
+Effects in_case(const Effects& effects, const Experiment& experiment) {
+  Effects found;
+  for (const Effect* effect : effects)
+    if (effect->enters_by(experiment) == EntersBy::finite_elements) found.push_back(effect);
+  return found;
+}
+
+/// The reduced law of the contact, without what measures it and without a correction.
+Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
+  const ModelFit contact = fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit);
+  Mechanics m = contact.explanation->mechanics(contact.values);
+  m.normal.correction = nullptr;
+  return m;
+}
+
+/// Root mean square of a difference in units of noise and mesh error, over the samples of `part` that count.
+double distance(const FitProblem& problem, const Samples& part, const ModelFit& fit,
+                const std::vector<double>& expected) {
+  const auto solved = fit.simulate(problem.samples);
+  const LawError mesh = mesh_error(fit, problem.samples, solved);
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < solved.size(); ++i)
+    if (part.list[i].counts) {
+      sum += std::pow((solved[i] - expected[i]) / std::hypot(problem.noise.sd[i], mesh[i]), 2);
+      ++count;
+    }
+  return std::sqrt(sum / std::max(1.0, count));
+}
+
+/// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
+double far_beyond_recorded(const FitProblem& problem) {
+  constexpr double far = 1.5, pressed = 0.02;  // of the largest force: in contact
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const auto& run : problem.samples.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Sample& s = problem.samples.list[i];
+      const double force = run.response_is_displacement ? s.normal_force : s.response;
+      if (!s.counts || force < pressed * problem.experiment.largest_force) continue;
+      const double displacement = run.response_is_displacement ? s.response : s.normal_displacement;
+      least = std::min(least, displacement);
+      most = std::max(most, displacement);
+    }
+  return far * std::max(problem.experiment.largest_displacement, most - least);
+}
+
+/// Displacement of the contact, without instruments, under a force on loading [m].
+double loaded_displacement(const FitProblem& problem, const ModelFit& fit, double force) {
+  Samples samples;
+  samples.list.resize(1);
+  samples.list.front().normal_force = force;
+  SampleRun run;
+  run.end = 1;
+  run.response_is_displacement = true;
+  samples.runs.push_back(run);
+  Mechanics m = reduced_law(problem, fit);
+  m.normal.correction = problem.correction;
+  return simulate(m, samples).front();
+}
+
+}  // namespace
+
+SolvedCaseMapping::Trial SolvedCaseMapping::trial_of(const FitProblem& problem, const ModelFit& fit,
+                                                     double largest_force) {
+  Trial trial;
+  trial.effects = fit.explanation->effects();
+  const auto& parameters = fit.explanation->parameters();
+  for (std::size_t e = 0; e < trial.effects.size(); ++e) {
+    std::size_t first = 0;
+    while (first < parameters.size() && parameters[first].effect != static_cast<int>(e)) ++first;
+    const double* values = fit.values.data() + first;
+    for (auto& change : trial.effects[e]->case_changes(problem.experiment, values))
+      trial.changes.push_back(std::move(change));
+    trial.opening = std::max(trial.opening, trial.effects[e]->opening_distance(problem.experiment, values));
+  }
+  constexpr double a_little_further = 1.03;
+  if (trial.opening > 0) trial.approach = a_little_further * loaded_displacement(problem, fit, largest_force);
+  return trial;
+}
+
+std::string SolvedCaseMapping::enough_of(const SolvedResponse& so_far, const Watch& watch) const {
+  const FitProblem& problem = watch.problem;
+  const double far = far_beyond_recorded(problem), largest = so_far.force[so_far.peak];
+  for (const double approach : so_far.displacement)
+    if (approach > far)
+      return "an approach of " + format_quantity(approach, Dimension::length) +
+             " is far beyond what was recorded";
+  // Attraction jumps, the way back is a part of the whole, and few loads show little.
+  constexpr std::size_t least_steps = 4;
+  constexpr double least_part = 0.2;
+  if (watch.trial.opening > 0 || so_far.peak + 1 < so_far.force.size() || so_far.force.size() < least_steps ||
+      largest < least_part * protocols_.list.front().largest_force)
+    return "";
+  const std::vector<SolvedResponse> solved(protocols_.list.size(), so_far);
+  const Samples part = solved_part(problem.samples, protocols_, solved);
+  ModelFit fit = watch.fit;
+  fit.explanation = fit.explanation->with(
+      difference_to(solved, protocols_, reduced_law(problem, fit), displacement_error_));
+  fit.is_confirmed = true;
+  if (watch.may_begin_again && distance(problem, part, fit, watch.expected) > surprising)
+    return not_as_expected;
+  fit = refitted(problem, fit, part, false, steps_of_refit);
+  const double worse = worse_on_part(problem, part, fit, best_measurement_, overdispersion_);
+  if (worse < 2 * excluded_by_part) return "";
+  return "its first loads are worse than " + best_measurement_.explanation->name() +
+         printed(" by %.0f in log evidence", worse);
+}
+
+SolvedCaseMapping::Confirmation SolvedCaseMapping::reached(const FitProblem& problem,
+                                                           const std::vector<SolvedResponse>& solved) const {
+  Confirmation answer{Confirmation::complete, problem.samples, {}};
+  for (const SolvedResponse& response : solved) {
+    if (response.ended_early.empty()) continue;
+    answer.state = Confirmation::partial;
+    answer.part = solved_part(problem.samples, protocols_, solved);
+    answer.is_out_of_time = answer.is_out_of_time || response.is_out_of_time;
+    answer.may_begin_again = response.ended_early == not_as_expected;
+    answer.in_words = "solved up to " + format_quantity(reach_of(response).force, Dimension::force) + " of " +
+                      format_quantity(protocols_.list.front().largest_force, Dimension::force) + " only (" +
+                      response.ended_early + ")";
+  }
+  return answer;
+}
+
+SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candidate,
+                                                               const FitProblem& problem) {
+  ModelFit& fit = candidate.fit;
+  const std::string name = fit.explanation->name();
+  std::string source;
+  double apart = 0;
+  Confirmation answer;
+  for (int i = 0; i < most_solves; ++i) {
+    std::vector<SolvedResponse> solved;
+    const Trial trial = trial_of(problem, fit, protocols_.list.front().largest_force);
+    const auto expected = fit.simulate(problem.samples);
+    const Watch watch{problem, trial, fit, expected, i + 2 < most_solves};
+    try {
+      solved = solve(problem, trial, [&](const SolvedResponse& so_far) { return enough_of(so_far, watch); });
+      fit.explanation = fit.explanation->with(correction_by(solved, trial, reduced_law(problem, fit)));
+    } catch (const InputError& error) {
+      remarks_.push_back(name + " was not tried: " + error.what());
+      return {Confirmation::failed, {}, {}};
+    } catch (const WorkError& error) {
+      remarks_.push_back(name + " could not be solved: " + error.what());
+      return {Confirmation::failed, {}, {}};
+    }
+    answer = reached(problem, solved);
+    source = solved.front().source;
+    fit.is_confirmed = true;
+    apart = distance(problem, answer.part, fit, expected);
+    fit = refitted(problem, fit, answer.part, false, steps_of_refit);
+    if (answer.is_out_of_time ||
+        (i > 0 && answer.state == Confirmation::partial && !answer.may_begin_again) ||
+        (i > 0 && answer.state == Confirmation::complete && apart < near_enough))
+      break;
+  }
+  if (answer.state == Confirmation::partial) return answer;
+  if (apart >= near_enough)
+    remarks_.push_back(name +
+                       printed(": after %d solutions the last still differs from what was expected of it "
+                               "by %.2g times noise and mesh error",
+                               most_solves, apart));
+  after_.push_back({name, source});
+  return answer;
+}
+
+std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
+    const SearchResult& search, const FitProblem& problem, const std::vector<const Candidate*>& survivors) {
+  std::set<std::set<const Effect*>> wanted;
+  const auto want = [&](const Effects& effects) {
+    if (!in_case(effects, problem.experiment).empty()) wanted.insert({effects.begin(), effects.end()});
+  };
+  // What survived, with one member less too: a member must earn its place.
+  for (std::size_t i = 0; i < std::min(most_survivors, survivors.size()); ++i) {
+    const Effects& effects = survivors[i]->fit.explanation->effects();
+    want(effects);
+    for (const Effect* left_out : effects) {
+      Effects fewer = effects;
+      fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
+      want(fewer);
+    }
+  }
+  for (const auto& candidate : search.candidates) {
+    const Effects& effects = candidate.fit.explanation->effects();
+    if (effects.size() != 1 || candidate.score <= search.alone.score + worth_solving ||
+        in_case(effects, problem.experiment).empty() || wanted.count({effects.front()}))
+      continue;
+    const Candidate& best = search.candidates.front();
+    if (candidate.score >= best.score - excluded_by_law)
+      want(effects);
+    else
+      remarks_.push_back(effects.front()->id() +
+                         " was not solved: by its reduced law and what that may be "
+                         "off by, " +
+                         best.fit.explanation->name() +
+                         printed(" is better by %.0f in log evidence", best.score - candidate.score));
+  }
+  return wanted;
+}
+
+void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
+                                const std::vector<const Candidate*>& survivors) {
+  const auto wanted = worth_solutions(search, problem, survivors);
+  best_measurement_ = search.alone.fit;
+  overdispersion_ = search.overdispersion;
+  for (auto candidate = search.candidates.rbegin(); candidate != search.candidates.rend(); ++candidate)
+    if (in_case(candidate->fit.explanation->effects(), problem.experiment).empty() &&
+        candidate->score > search.alone.score)
+      best_measurement_ = candidate->fit;
+  std::vector<Candidate> kept;
+  std::vector<std::pair<Candidate, Confirmation>> partial;
+  for (auto& candidate : search.candidates) {
+    const Effects& effects = candidate.fit.explanation->effects();
+    if (!in_case(effects, problem.experiment).empty()) {
+      if (!wanted.count({effects.begin(), effects.end()})) continue;
+      Confirmation answer = confirm_set(candidate, problem);
+      if (answer.state == Confirmation::failed) is_incomplete_ = true;
+      if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
+      if (answer.state != Confirmation::complete) continue;
+    }
+    kept.push_back(candidate);
+  }
+  search.candidates = std::move(kept);
+  rescore(search, problem);
+  for (const auto& [candidate, answer] : partial) judge_on_part(search, problem, candidate, answer);
+}
+
+void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProblem& problem,
+                                      const Candidate& candidate, const Confirmation& answer) {
+  const bool any = !search.candidates.empty() && search.candidates.front().score > search.alone.score;
+  const ModelFit& best = any ? search.candidates.front().fit : search.alone.fit;
+  const double worse = worse_on_part(problem, answer.part, candidate.fit, best, search.overdispersion);
+  const bool excluded = worse > excluded_by_part;
+  if (!excluded) is_incomplete_ = true;
+  remarks_.push_back(
+      candidate.fit.explanation->name() + " was " + answer.in_words + ": on that part " +
+      best.explanation->name() +
+      (excluded ? printed(" is better by %.3g in log evidence, which excludes it", worse)
+                : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)));
+}
+
+}  // namespace asperity

@@ -1,0 +1,13 @@
+// A set whose solution ended early, judged on the samples that it reached.
+#pragma once
+
+#include "diagnosis/choose/search.h"
+
+namespace asperity {
+
+/// By how much log evidence another explanation beats this one on the samples of `part` that count, none of
+/// its parameters fitted to them anew [-].
+double worse_on_part(const FitProblem& problem, const Samples& part, const ModelFit& fit,
+                     const ModelFit& other, double overdispersion);
+
+}  // namespace asperity

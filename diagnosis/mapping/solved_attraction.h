@@ -1,0 +1,20 @@
+// A contact that attracts, as finite elements say: the reduced law plus the difference of the forces at a
+// displacement,
+//   f(d; p) = f_reduced(d; p) + [f_FE(d; p_k) - f_reduced(d; p_k)],
+// because a displacement at a force is not unique where the contact is pulled. It opens where the solution
+// does. SI units.
+#pragma once
+
+#include <memory>
+
+#include "diagnosis/forward/forward_model.h"
+#include "diagnosis/mechanics/mechanics.h"
+
+namespace asperity {
+
+/// The difference of a solution driven by displacement to a reduced law without instruments. Throws WorkError
+/// where the solution never presses.
+std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solved, const Mechanics& reduced,
+                                                      double displacement_error);
+
+}  // namespace asperity

@@ -1,0 +1,142 @@
+// Diagnoses whose simulation is solved anew with attraction: a stand-in for finite elements after Maugis
+// (1992), where the catalogue's reduced law is a fit to that solution.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+#include "dem_compare/laws/maugis_dugdale.h"
+#include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+
+constexpr double radius = 8.5e-6;
+const ElasticBody glass{71e9, 0.17}, wafer{179e9, 0.25};
+
+double modulus() { return reduced_modulus(glass, wafer); }
+
+class AttractingStandIn : public ForwardModel {
+ public:
+  int attracting = 0;
+
+  SimulatedBodies bodies() const override { return {glass, wafer, radius}; }
+
+  std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
+                                    const std::vector<LoadingProtocol>& protocols,
+                                    const EnoughOfIt&) override {
+    double work = 0, range = 0, of_radius = radius;
+    for (const auto& change : changes) {
+      if (change.entry == "Interface/Work of adhesion") work = change.value;
+      if (change.entry == "Interface/Adhesion range") range = change.value;
+      if (change.entry == "Particle/Radius") of_radius = change.value;
+      if (change.entry == "Particle/Yield stress") throw WorkError("this stand-in does not yield");
+    }
+    std::vector<SolvedResponse> responses;
+    for (const auto& protocol : protocols)
+      responses.push_back(work > 0 ? attracted(protocol, {modulus(), of_radius, work, work / range})
+                                   : pressed(protocol, of_radius));
+    return responses;
+  }
+
+ private:
+  static SolvedResponse pressed(const LoadingProtocol& protocol, double of_radius) {
+    const Hertz hertz{modulus(), of_radius};
+    SolvedResponse r;
+    constexpr int steps = 40;
+    for (int i = 0; i <= steps; ++i) {
+      r.force.push_back(protocol.largest_force * i / steps);
+      r.displacement.push_back(hertz.approach(r.force.back()));
+    }
+    r.peak = steps;
+    r.displacement_error = 0.02 * nm;
+    return r;
+  }
+  SolvedResponse attracted(const LoadingProtocol& protocol, const MaugisDugdale& law) {
+    ++attracting;
+    EXPECT_GT(protocol.approach, 0);
+    SolvedResponse r;
+    constexpr int steps = 60;
+    NormalState state;
+    const auto go = [&](double approach) {
+      state = law.advance(state, approach);
+      r.displacement.push_back(approach);
+      r.force.push_back(state.force);
+    };
+    for (int i = 1; i <= steps; ++i) go(protocol.approach * i / steps);
+    r.peak = steps - 1;
+    for (int i = steps - 1; protocol.unloads && i >= 0; --i)
+      go(-protocol.retract + (protocol.approach + protocol.retract) * i / steps);
+    r.displacement_error = 0.02 * nm;
+    return r;
+  }
+};
+
+/// Pressed to a depth, back, and pulled off.
+Recording pulled(const MaugisDugdale& law, double depth, double noise) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "pulled.csv";
+  table.control = {"normal_displacement"};
+  table.response = "normal_force";
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  NormalState state;
+  const double back = 4 * nm;
+  for (int i = 0; i <= 300; ++i) {
+    const double d = -back + (depth + back) * (i <= 150 ? i / 150.0 : (300 - i) / 150.0);
+    if (law.work_of_adhesion > 0) state = law.advance(state, d);
+    const double force =
+        law.work_of_adhesion > 0 ? state.force : Hertz{law.reduced_modulus, law.radius}.force(d);
+    table.columns["time"].push_back(0.1 * i);
+    table.columns["normal_displacement"].push_back(d);
+    table.columns["normal_force"].push_back(force + noise * normal(random));
+    table.segment.push_back(i <= 150 ? "load" : "unload");
+  }
+  r.tables = {table};
+  return r;
+}
+
+Diagnosis diagnosed(const Recording& recording, ForwardModel& simulation) {
+  DiagnoseOptions options;
+  options.simulation = &simulation;
+  return diagnose(recording, options);
+}
+
+TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_solution) {
+  const double work = 0.3, stress = 2.5e8;
+  const MaugisDugdale truth{modulus(), radius, work, stress};
+  const double largest = truth.advance({}, 10 * nm).force;
+  AttractingStandIn simulation;
+  const Diagnosis d = diagnosed(pulled(truth, 10 * nm, 0.003 * largest), simulation);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion");
+  EXPECT_GE(simulation.attracting, 2);
+  ASSERT_EQ(d.simulation.corrected.size(), 2u);
+  const CorrectedEntry& found = d.simulation.corrected[0];
+  EXPECT_EQ(found.entry, "Interface/Work of adhesion");
+  EXPECT_NEAR(found.value / work, 1, 0.03);
+  EXPECT_LT(found.low, work);
+  EXPECT_GT(found.high, work);
+  EXPECT_EQ(d.simulation.corrected[1].entry, "Interface/Adhesion range");
+}
+
+TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {
+  const MaugisDugdale none{modulus(), radius, 0, 0};
+  AttractingStandIn simulation;
+  const Diagnosis d =
+      diagnosed(pulled(none, 10 * nm, 0.003 * Hertz{modulus(), radius}.force(10 * nm)), simulation);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+  EXPECT_EQ(simulation.attracting, 0);
+}
+
+}  // namespace
+}  // namespace asperity
