@@ -15,6 +15,9 @@ constexpr double clear_evidence = 8, evidence_for_another = 4;
 /// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does
 /// not: less is what laws of this kind are off by.
 constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
+/// Part of what is left without it that is enough, too: next to an effect that explains nearly all of a large
+/// mismatch, a second one that is plain to see is a small part of the whole.
+constexpr double part_of_rest = 0.5;
 constexpr std::size_t most_judged = 6;
 
 double excess(const ModelFit& fit) { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
@@ -47,7 +50,8 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
     if (without.empty()) continue;
     const double whole = excess(search.alone.fit) / search.overdispersion;
-    if (!complete && gained < least_part_of_incomplete * whole) return false;
+    const double rest = excess(smaller->fit) / search.overdispersion;
+    if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
     if (complete && gained < least_part * whole && leaves_noise(smaller->fit)) return false;
   }
   return true;

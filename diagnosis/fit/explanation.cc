@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnosis/fit/model_fit.h"
+
 namespace asperity {
 namespace {
 
@@ -144,6 +146,50 @@ bool Explanation::compatible(const std::vector<const Effect*>& effects) {
       taken.push_back(slot);
     }
   return true;
+}
+
+ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects,
+                        const ModelFit& baseline) const {
+  ModelFit fewer;
+  fewer.explanation =
+      std::make_shared<Explanation>(problem.experiment, problem.choice, effects, explanation->correction());
+  fewer.is_confirmed = is_confirmed;
+  for (const FreeParameter& p : fewer.explanation->parameters()) {
+    const Effect* owner =
+        p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
+    const double* value = value_of(p.name, owner);
+    fewer.values.push_back(value ? *value : *baseline.value_of(p.name, owner));
+  }
+  return fewer;
+}
+
+const double* ModelFit::value_of(const std::string& name, const Effect* owner) const {
+  const auto& parameters = explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Effect* own = parameters[k].effect < 0
+                            ? nullptr
+                            : explanation->effects()[static_cast<std::size_t>(parameters[k].effect)];
+    if (own == owner && parameters[k].name == name) return &values[k];
+  }
+  return nullptr;
+}
+
+bool ModelFit::is_itself() const {
+  std::size_t next = 0;
+  const auto& parameters = explanation->parameters();
+  while (next < parameters.size() && parameters[next].effect < 0) ++next;
+  for (std::size_t e = 0; e < explanation->effects().size(); ++e) {
+    if (!explanation->effects()[e]->is_itself(values.data() + next)) return false;
+    while (next < parameters.size() && parameters[next].effect == static_cast<int>(e)) ++next;
+  }
+  return true;
+}
+
+std::string ModelFit::stopped_at() const {
+  const auto& parameters = explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    if (parameters[k].is_stopped_at(values[k])) return parameters[k].name;
+  return "";
 }
 
 }  // namespace asperity

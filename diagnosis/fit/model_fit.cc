@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/recording/median.h"
+
 namespace asperity {
 namespace {
 
@@ -49,6 +51,25 @@ double huber_sum(const VectorXd& r) {
   double sum = 0;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
   return sum;
+}
+
+/// Where responses jump, samples between a snap and its place elsewhere outweigh all others, and hold the fit
+/// where the snap is: a fit to the usual residuals, the large ones held down.
+VectorXd fit_between_snaps(const std::function<VectorXd(const VectorXd&)>& residuals, VectorXd x,
+                           const Coordinates& bounds) {
+  constexpr int rounds = 2;
+  BoundedFitOptions options;
+  options.most_iterations = 8;
+  for (int round = 0; round < rounds; ++round) {
+    const VectorXd sizes = residuals(x).cwiseAbs();
+    std::vector<double> sorted(sizes.data(), sizes.data() + sizes.size());
+    const double far = huber_bend * std::max(1.0, median(sorted));
+    const auto held_down = [&](const VectorXd& at) {
+      return VectorXd((residuals(at) / far).array().tanh() * far);
+    };
+    x = fit_within_bounds(held_down, x, bounds.low, bounds.high, options).x;
+  }
+  return x;
 }
 
 /// Starting points: for each effect its own list (or what `near` found), in all combinations.
@@ -116,50 +137,6 @@ std::vector<double> ModelFit::simulate(const Samples& samples) const {
   return asperity::simulate(explanation->mechanics(values), samples);
 }
 
-ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effect*>& effects,
-                        const ModelFit& baseline) const {
-  ModelFit fewer;
-  fewer.explanation =
-      std::make_shared<Explanation>(problem.experiment, problem.choice, effects, explanation->correction());
-  fewer.is_confirmed = is_confirmed;
-  for (const FreeParameter& p : fewer.explanation->parameters()) {
-    const Effect* owner =
-        p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
-    const double* value = value_of(p.name, owner);
-    fewer.values.push_back(value ? *value : *baseline.value_of(p.name, owner));
-  }
-  return fewer;
-}
-
-const double* ModelFit::value_of(const std::string& name, const Effect* owner) const {
-  const auto& parameters = explanation->parameters();
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const Effect* own = parameters[k].effect < 0
-                            ? nullptr
-                            : explanation->effects()[static_cast<std::size_t>(parameters[k].effect)];
-    if (own == owner && parameters[k].name == name) return &values[k];
-  }
-  return nullptr;
-}
-
-bool ModelFit::is_itself() const {
-  std::size_t next = 0;
-  const auto& parameters = explanation->parameters();
-  while (next < parameters.size() && parameters[next].effect < 0) ++next;
-  for (std::size_t e = 0; e < explanation->effects().size(); ++e) {
-    if (!explanation->effects()[e]->is_itself(values.data() + next)) return false;
-    while (next < parameters.size() && parameters[next].effect == static_cast<int>(e)) ++next;
-  }
-  return true;
-}
-
-std::string ModelFit::stopped_at() const {
-  const auto& parameters = explanation->parameters();
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    if (parameters[k].is_stopped_at(values[k])) return parameters[k].name;
-  return "";
-}
-
 DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) const {
   constexpr double two_sided_95 = 1.959964;
   const FreeParameter& p = explanation->parameters()[index];
@@ -183,8 +160,10 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   const auto explanation =
       std::make_shared<Explanation>(problem.experiment, problem.choice, effects, problem.correction);
   // From a smaller explanation, most of the values are known. Where responses jump there are many valleys.
-  const bool grown = near && !near->explanation->effects().empty();
-  const std::size_t searched = !explanation->is_smooth() ? 6 : grown ? 2 : 3;
+  constexpr std::size_t few = 2;  // a third effect mends what the pair leaves, from where the pair stands
+  const bool grown = near && !near->explanation->effects().empty(),
+             jumps = !explanation->is_smooth() && effects.size() <= few;
+  const std::size_t searched = jumps ? 5 : grown && explanation->is_smooth() ? 2 : 3;
   const Coordinates bounds = bounds_of(*explanation);
   const auto thin_residuals = residuals_of(problem, *explanation, problem.thin);
   std::vector<std::pair<double, VectorXd>> starts;
@@ -199,11 +178,12 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   BoundedFit best;
   best.cost = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < std::min(searched, starts.size()); ++i) {
-    const BoundedFit fit = fit_within_bounds(thin_residuals, starts[i].second, bounds.low, bounds.high);
+    const VectorXd start =
+        jumps ? fit_between_snaps(thin_residuals, starts[i].second, bounds) : starts[i].second;
+    const BoundedFit fit = fit_within_bounds(thin_residuals, start, bounds.low, bounds.high);
     if (fit.cost < best.cost) best = fit;
   }
-  constexpr std::size_t few = 2;  // a third effect mends what the pair leaves, from where the pair stands
-  if (!explanation->is_smooth() && (!near || near->explanation->is_smooth() || effects.size() <= few))
+  if (jumps || (!explanation->is_smooth() && (!near || near->explanation->is_smooth())))
     best = search_at_random(thin_residuals, best, bounds.low, bounds.high);
   ModelFit fit;
   fit.explanation = explanation;

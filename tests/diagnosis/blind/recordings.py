@@ -39,7 +39,7 @@ class Instrument:
 class Normal:
     """Loading, hold and unloading; `make` gives a contact without history for each run, `creep` the hold's relative growth."""
 
-    def __init__(self, make, instrument, depths, off_contact=0.0, hold=0.0, unload=True, samples=150, duration=10.0,
+    def __init__(self, make, instrument, depths, off_contact=0.0, hold=0.0, unload=True, samples=100, duration=10.0,
                  by_force=False, creep=None, jumps=None):
         self.make, self.instrument, self.depths = make, instrument, depths
         self.off_contact, self.hold, self.unload, self.samples, self.duration = off_contact, hold, unload, samples, duration

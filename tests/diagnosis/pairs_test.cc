@@ -1,0 +1,32 @@
+// Pairs of which one effect explains nearly all of the mismatch, and the other most of what is left.
+#include <gtest/gtest.h>
+
+#include "diagnosis/conceal/concealed_recording.h"
+#include "diagnosis/diagnose.h"
+
+namespace asperity {
+namespace {
+
+TEST(Pairs_other_code, a_compliance_is_named_beside_the_adhesion_that_hides_it) {
+  // Maugis' solution behind a spring, the recording of the challenge (seed 73000, number 93) that was called
+  // adhesion alone: the compliance mends less than a tenth of the whole mismatch.
+  const ConcealedRecording concealed =
+      conceal({Motion::normal, {"adhesion", "instrument_compliance"}, 0.01, 73093, ""});
+  const Diagnosis d = diagnose(concealed.recording);
+  ASSERT_EQ(d.left_out.size(), 2u) << diagnosis_json(d);
+  EXPECT_NE(d.verdict, Verdict::ambiguous);
+  for (const DiagnosedEffect& effect : d.left_out)
+    for (const TrueEffect& truth : concealed.truth.effects)
+      if (truth.id == effect.id)
+        for (const DiagnosedParameter& parameter : effect.parameters)
+          if (truth.parameters.count(parameter.name)) {
+            EXPECT_LE(parameter.low, truth.parameters.at(parameter.name).value) << parameter.name;
+            EXPECT_GE(parameter.high, truth.parameters.at(parameter.name).value) << parameter.name;
+          }
+  EXPECT_TRUE((d.left_out[0].id == "adhesion" && d.left_out[1].id == "instrument_compliance") ||
+              (d.left_out[1].id == "adhesion" && d.left_out[0].id == "instrument_compliance"))
+      << diagnosis_json(d);
+}
+
+}  // namespace
+}  // namespace asperity
