@@ -1,6 +1,5 @@
 #include "app/study_runner.h"
 
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
