@@ -29,8 +29,8 @@ const char* const rough_case =
     "  set Topography = generated(rms=1.5 nm, hurst=0.8, rolloff=300 nm, cutoff=150 nm, seed=1)\nend\n"
     "subsection Substrate\n  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Yield stress = 4 "
     "GPa\nend\n"
-    "subsection Experiment\n  set Normal load = 100 uN\n  set Load steps = 3\n  set Unload steps = 2\nend\n"
-    "subsection Mesh\n  set Interface spacing = 45 nm\n  set Layers = 2\nend\n"
+    "subsection Experiment\n  set Normal load = 100 uN\n  set Load steps = 4\n  set Unload steps = 3\nend\n"
+    "subsection Mesh\n  set Interface spacing = 37 nm\n  set Layers = 2\nend\n"
     "subsection Solver\n  set Threads = 1\nend\n"
     "subsection Output\n  set Fields = false\nend\n";
 
@@ -78,11 +78,11 @@ TEST(Killed_behaviour, solve_leaves_valid_files_and_resumes_to_the_same_answer) 
   fs::create_directories(killed);
   fs::copy_file(whole / "result.json", killed / "result.json");
   const pid_t child = start({ASPERITY_EXECUTABLE, "solve", file, "--output", killed.string(), "--overwrite"});
-  for (int i = 0; i < 6000 && rows(killed / "history.csv") < 2; ++i)
+  for (int i = 0; i < 6000 && rows(killed / "history.csv") < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, SIGKILL);
   finish(child);
-  ASSERT_GE(rows(killed / "history.csv"), 2u);
+  ASSERT_GE(rows(killed / "history.csv"), 3u);
   ASSERT_FALSE(fs::exists(killed / "result.json"))
       << "of the earlier run, or killed too late to show anything";
 

@@ -209,27 +209,16 @@ TEST(HostileText_other_code, lammps_and_liggghts_run_what_was_written_and_nothin
   }
 }
 
-/// The interpreter itself: `python3` may be a launcher that looks for it, ten times as long as it runs.
-std::string python_interpreter() {
-  const auto python = find_program("python3");
-  if (python.empty()) return "";
-  const std::string said = outcome_of({python.string(), "in.py"}, "in.py",
-                                      "import sys\nprint('path: ' + sys.executable + ' end')\n")
-                               .output;
-  const auto begin = said.find("path: ") + 6;
-  return said.substr(begin, said.find(" end", begin) - begin);
-}
-
 /// Python without YADE reads the same language, in a fraction of the time: the input, then what it made of
 /// the two names.
 TEST(HostileText_other_code, python_gives_the_names_back_and_runs_nothing_more) {
-  const std::string python = python_interpreter();
+  const auto python = find_program("python3");
   if (python.empty()) GTEST_SKIP() << "Python is not installed: apt-get install python3";
   for (const auto& text : hostile_texts()) {
     if (text.find('\xff') != std::string::npos) continue;  // bytes become characters
     SCOPED_TRACE(text);
     const Outcome outcome =
-        outcome_of({python, "input.py"}, "input.py",
+        outcome_of({python.string(), "input.py"}, "input.py",
                    input_with("yade", text) +
                        "\nprint('name: ' + PARTICLE.encode().hex() + ' end', len(asperity_contacts))\n");
     std::string hex;

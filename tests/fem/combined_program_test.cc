@@ -92,7 +92,7 @@ TEST(CombinedProgram_behaviour, unloads_from_the_load_it_ends_with) {
 /// direction before.
 TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_against_its_last_way) {
   const test::TemporaryFolder folder;
-  CaseInput input = program_case("smooth", 32e-9, "slide 60 nm; slide across 100 nm");
+  CaseInput input = program_case("smooth", 24e-9, "slide 60 nm; slide across 100 nm");
   input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
   const auto history = run(input, folder.path);
   const auto along = history.numbers("lateral_force [N]"),
@@ -105,7 +105,7 @@ TEST(CombinedProgram_analytic, a_sphere_slid_along_and_then_across_is_held_back_
               100 * (along[turn] / friction - 1), 100 * (across.back() / friction - 1),
               along.back() / friction, *std::max_element(energy.begin(), energy.end()));
   const auto verified = [](const std::string& what) {
-    return test::Verified{"Sliding", "program: slid along, then across, smooth, a/h 8: " + what, "mu P"};
+    return test::Verified{"Sliding", "program: slid along, then across, smooth, a/h 10: " + what, "mu P"};
   };
   EXPECT_TRUE(verified("friction along").within(along[turn], friction, 0.01));
   EXPECT_NEAR(across[turn], 0, 0.005 * friction);

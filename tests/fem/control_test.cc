@@ -12,7 +12,7 @@ namespace {
 using namespace asperity::fem;
 
 ContactSystemOptions options_under_control(Control control, double yield_stress) {
-  ContactSystemOptions o = asperity::test::wavy_contact(yield_stress, 5);
+  ContactSystemOptions o = asperity::test::wavy_contact(yield_stress);
   o.control = control;
   return o;
 }

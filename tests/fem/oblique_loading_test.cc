@@ -32,7 +32,7 @@ fem::ContactResultants go(FrictionalContact& c, double P, double shift, double e
 
 FrictionalContactOptions in_steps(double largest_load) {
   FrictionalContactOptions o;
-  o.friction = 0.3, o.load = largest_load, o.loaded = false, o.cells_per_radius = 8;
+  o.friction = 0.3, o.load = largest_load, o.loaded = false;
   return o;
 }
 
@@ -40,7 +40,9 @@ FrictionalContactOptions in_steps(double largest_load) {
 /// closes sticks: the shift over D0 = 3 mu P / (16 G* a) is alpha / mu.
 double shear_of_proportional_loading(int steps) {
   constexpr double P0 = 100e-6, alpha = 0.25;
-  FrictionalContact c(in_steps(P0));
+  auto o = in_steps(P0);
+  o.cells_per_radius = 8;
+  FrictionalContact c(o);
   fem::ContactResultants r;
   for (int k = 1; k <= steps; ++k) {
     const double P = P0 * std::pow(k / static_cast<double>(steps), 1.5), Q = alpha * P;

@@ -126,7 +126,7 @@ void expect_pull_off(double lambda, double cells, double step) {
 }
 
 TEST(PullOff_analytic, follows_Maugis_from_DMT_to_JKR) {
-  for (const double lambda : {0.3, 1.0}) expect_pull_off(lambda, 6, 0.1);
+  for (const double lambda : {0.3, 1.0}) expect_pull_off(lambda, 8, 0.1);
 }
 
 TEST(PullOffNightly_analytic, follows_Maugis_from_DMT_on_a_finer_mesh) {

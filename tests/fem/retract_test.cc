@@ -19,8 +19,8 @@ namespace {
 
 using namespace asperity;
 
-CaseInput drawn_back(double opening_work, double spacing) {
-  CaseInput input = test::sphere_on_silicon("smooth", "smooth", spacing, 0);
+CaseInput drawn_back(double opening_work) {
+  CaseInput input = test::sphere_on_silicon("smooth", "smooth", 40e-9, 0);
   input.interface.work_of_adhesion = 0.02, input.interface.work_of_separation = opening_work;
   input.interface.adhesion_law = "exponential", input.interface.parameters["Adhesion range"] = 5e-9;
   input.experiment.control = ExperimentInput::Control::displacement;
@@ -40,7 +40,7 @@ CsvTable run(const CaseInput& input, const std::filesystem::path& folder) {
 /// Derjaguin (1934): spheres at distance d attract by 2 pi R times the work that is left at d.
 TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_left_and_no_work_is_lost) {
   const test::TemporaryFolder folder;
-  const CaseInput input = drawn_back(0.02, 50e-9);
+  const CaseInput input = drawn_back(0.02);
   const auto history = run(input, folder.path);
   const auto force = history.numbers("normal_force [N]"),
              approach = history.numbers("normal_displacement [m]"),
@@ -76,7 +76,7 @@ TEST(Retract_analytic, a_sphere_apart_attracts_by_the_work_of_adhesion_that_is_l
 /// opened.
 TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_difference) {
   const test::TemporaryFolder folder;
-  const auto history = run(drawn_back(0.04, 40e-9), folder.path);
+  const auto history = run(drawn_back(0.04), folder.path);
   const auto energy = history.numbers("energy_error"), loss = history.numbers("adhesion_loss [J]"),
              area = history.numbers("contact_area [m^2]");
   test::Largest open;

@@ -114,7 +114,7 @@ TEST(Sliding_analytic, of_a_smooth_elastic_sphere_costs_mu_P_beyond_full_slip) {
 
 TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_after_any_step) {
   const test::TemporaryFolder folder;
-  CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 40e-9);
+  CaseInput input = sliding(generated(1.0, 160, 3, "1.6 um"), 34e-9);
   input.particle.parameters["Yield stress"] = 1.5e9;  // its asperities reach 1.8 GPa
   input.experiment.distance = 10e-9;
   // Stopped after a few steps of sliding.
