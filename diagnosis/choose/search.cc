@@ -13,8 +13,9 @@ using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 5, widest_beam_of_pairs = 3, largest_set = 3;
 
-/// Log odds against each effect that other causes look like in these data.
-constexpr double not_shown = 3;
+/// Log odds against each effect that other causes look like in these data: less than as_good, so that it
+/// stays a candidate beside its equals.
+constexpr double not_shown = 1.5;
 
 void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
            double overdispersion) {
