@@ -157,11 +157,10 @@ class Adhesion : public Effect {
   /// Dugdale's attraction over h0 (Maugis 1992): w = h/(F pi R), sigma0 = w/h0, lambda = 2 sigma0 (R/(pi w
   /// K^2))^(1/3), and lambda = -0.924 ln(1 - 1.02 alpha) (Carpick, Ogletree & Salmeron 1999, eq. (9)).
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    constexpr double pi = boost::math::double_constants::pi;
     const double stiffness = 4.0 / 3 * e.reduced_modulus();
-    const double work = p[0] / (pull_off_factor(p[1]) * pi * e.radius);
+    const double work = p[0] / (pull_off_factor(p[1]) * M_PI * e.radius);
     const double lambda = -0.924 * std::log(1 - 1.02 * p[1]);
-    const double range = 2 * work / lambda * std::cbrt(e.radius / (pi * work * stiffness * stiffness));
+    const double range = 2 * work / lambda * std::cbrt(e.radius / (M_PI * work * stiffness * stiffness));
     return {{"Interface/Work of adhesion", work, "J/m^2"}, {"Interface/Adhesion range", range, "m"}};
   }
   double opening_distance(const Experiment& e, const double* p) const override {
