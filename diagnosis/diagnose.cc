@@ -102,6 +102,8 @@ class Diagnoser {
   }
 
   void describe_simulation() {
+    mapping_->widen_untested(problem_, result_.left_out);
+    for (auto& alternative : result_.alternatives) mapping_->widen_untested(problem_, alternative.effects);
     const bool named = !result_.left_out.empty();
     result_.simulation =
         mapping_->described(problem_, named ? &judged_.list.front().fit : nullptr, result_.left_out);

@@ -127,6 +127,22 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.correction = difference_to(solved, protocols_, alone.mechanics({}), displacement_error_);
 }
 
+void SolvedCaseMapping::widen_untested(const FitProblem& problem,
+                                       std::vector<DiagnosedEffect>& effects) const {
+  for (DiagnosedEffect& effect : effects) {
+    const Effect& of = effect_of(effect.id);
+    std::vector<double> values;
+    for (const auto& p : effect.parameters) values.push_back(p.value);
+    if (values.empty() || !(of.opening_distance(problem.experiment, values.data()) > 0)) continue;
+    for (const EffectParameter& admissible : of.parameters(problem.experiment))
+      for (DiagnosedParameter& p : effect.parameters)
+        if (p.name == admissible.name && p.unit.empty()) {
+          p.low = admissible.low;
+          p.high = admissible.high;
+        }
+  }
+}
+
 SolvedSimulation SolvedCaseMapping::described(const FitProblem& problem, const ModelFit* chosen,
                                               const std::vector<DiagnosedEffect>& effects) const {
   SolvedSimulation s;

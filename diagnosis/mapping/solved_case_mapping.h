@@ -31,6 +31,9 @@ class SolvedCaseMapping {
   void confirm(SearchResult& search, const FitProblem& problem,
                const std::vector<const Candidate*>& survivors);
 
+  /// One solution tells how a law that attracts depends on the size of its attraction, which it scales with,
+  /// and not on its shape: intervals of the latter are all that is admissible.
+  void widen_untested(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
   /// What the answer rests on.
   SolvedSimulation described(const FitProblem& problem, const ModelFit* chosen,
                              const std::vector<DiagnosedEffect>& effects) const;

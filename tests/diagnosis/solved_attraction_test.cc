@@ -127,6 +127,9 @@ TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_s
   EXPECT_LT(found.low, work);
   EXPECT_GT(found.high, work);
   EXPECT_EQ(d.simulation.corrected[1].entry, "Interface/Adhesion range");
+  // What these data hardly determine is not said to be known.
+  EXPECT_LT(d.simulation.corrected[1].low, work / stress);
+  EXPECT_GT(d.simulation.corrected[1].high, work / stress);
 }
 
 TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {
