@@ -47,17 +47,22 @@ struct JacksonGreen {
   }
 };
 
-TEST(BulkPlasticity_analytic, follows_its_printed_formulas_up_to_contacts_as_large_as_the_sphere_bears) {
+// Numbers of the law are fitted to axisymmetric finite elements (Mechanics_other_code holds it to them within
+// 1.1 %); what Jackson & Green (2005) fitted to theirs is within a tenth of the force while a < 0.2 R. Larger
+// contacts are beyond the tables: there it is softer than theirs, by up to 30 % at a = 0.45 R.
+TEST(BulkPlasticity_other_code, is_hertz_up_to_first_yield_and_near_Jackson_and_Greens_fit_beyond) {
   const Experiment e = test::experiment(Motion::normal);
   for (const double yield : {0.3e9, 1e9}) {
     const JacksonGreen law{e.reduced_modulus(), e.radius, yield, 2.7,
                            e.particle.poisson_ratio};  // the softer body's ratio
     const auto contact = assembled(e, "bulk_plasticity", {yield, 2.7}).normal.contact->clone();
     for (const double w : {2.0, 5.0, 30.0, 100.0}) {
-      EXPECT_NEAR(contact->force(w * law.critical_depth()) / law.force(w), 1, 1e-9) << w;
+      const double ratio = contact->force(w * law.critical_depth()) / law.force(w);
+      const bool small = law.radius_of_contact(w) < 0.2 * e.radius;
+      EXPECT_NEAR(ratio, 1, small ? 0.1 : 0.3) << w << " " << yield;
       EXPECT_TRUE(std::isnan(contact->displacement(law.force(w))));  // never loaded: no closed form back
     }
-    if (yield == 1e9) EXPECT_GT(law.radius_of_contact(100) / e.radius, 0.4);
+    EXPECT_LT(law.radius_of_contact(2) / e.radius, 0.2);
     EXPECT_NEAR(contact->force(law.critical_depth()) / law.critical_force(), 1, 1e-12);
     EXPECT_NEAR(law.critical_force() / e.hertz().force(law.critical_depth()), 1, 1e-12);
   }
@@ -67,31 +72,40 @@ TEST(BulkPlasticity_analytic, unloads_by_its_power_to_the_imprint_and_comes_back
   const Experiment e = test::experiment(Motion::normal);
   const JacksonGreen law{e.reduced_modulus(), e.radius, 0.5e9, 2.84, e.particle.poisson_ratio};
   const double w = 12, deepest = w * law.critical_depth();
-  const double residual = deepest * (1 - std::pow(w, -0.28)) * (1 - std::pow(w, -0.69)),
-               power = 1.5 * std::pow(w, -0.0331);
+  const double residual = deepest * std::pow(1 - std::pow(w, -0.378), 1.768),
+               power = 1.345 + 0.155 * std::pow(w, -0.545);
   const auto contact = assembled(e, "bulk_plasticity", {0.5e9, 2.84}).normal.contact->clone();
+  const double largest = contact->force(deepest), further = contact->force(2 * deepest);
   contact->accept(deepest);
   contact->accept(0.9 * deepest);  // what was taken back does not count
   for (const double part : {0.3, 0.7, 0.95}) {
-    const double d = residual + part * (deepest - residual), f = law.force(w) * std::pow(part, power);
+    const double d = residual + part * (deepest - residual), f = largest * std::pow(part, power);
     EXPECT_NEAR(contact->force(d) / f, 1, 1e-9) << part;
     EXPECT_NEAR(contact->displacement(f) / d, 1, 1e-9) << part;
   }
   EXPECT_EQ(contact->force(0.99 * residual), 0);
   EXPECT_EQ(contact->force(0), 0);
-  EXPECT_NEAR(contact->force(deepest) / law.force(w), 1, 1e-12);
-  EXPECT_NEAR(contact->force(2 * deepest) / law.force(2 * w), 1, 1e-9);
+  EXPECT_NEAR(contact->force(deepest) / largest, 1, 1e-12);
+  EXPECT_NEAR(contact->force(2 * deepest) / further, 1, 1e-12);  // the loading branch, as if never unloaded
   EXPECT_TRUE(std::isnan(contact->displacement(0)));
-  EXPECT_TRUE(std::isnan(contact->displacement(1.01 * law.force(w))));
+  EXPECT_TRUE(std::isnan(contact->displacement(1.01 * largest)));
 }
 
 TEST(BulkPlasticity_analytic, takes_poissons_ratio_of_the_softer_body) {
-  Experiment e = test::experiment(Motion::normal);
-  std::swap(e.particle, e.substrate);
+  const Experiment e = test::experiment(Motion::normal);
+  Experiment swapped = e;
+  std::swap(swapped.particle, swapped.substrate);
   const JacksonGreen law{e.reduced_modulus(), e.radius, 1e9, 2.84, 0.17};
-  EXPECT_NEAR(assembled(e, "bulk_plasticity", {1e9, 2.84}).normal.contact->force(20 * law.critical_depth()) /
-                  law.force(20),
-              1, 1e-9);
+  const double d = 20 * law.critical_depth();
+  const auto force = [&](const Experiment& experiment) {
+    return assembled(experiment, "bulk_plasticity", {1e9, 2.84}).normal.contact->force(d);
+  };
+  EXPECT_NEAR(force(swapped) / force(e), 1, 1e-12);
+  // First yield is where it is with that ratio: Hertz there, less than Hertz soon after.
+  const auto contact = assembled(swapped, "bulk_plasticity", {1e9, 2.84}).normal.contact->clone();
+  const double first = law.critical_depth();
+  EXPECT_NEAR(contact->force(first) / e.hertz().force(first), 1, 1e-12);
+  EXPECT_LT(contact->force(3 * first), 0.999 * e.hertz().force(3 * first));
 }
 
 TEST(BulkPlasticity_analytic, looks_for_yield_stresses_below_that_of_the_largest_load) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <random>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -97,12 +98,14 @@ TEST(Levelling_other_code, leaves_the_known_Sq_of_a_bruker_scan) {
 }
 
 // It took fifteen once: padded copies, a mask of ones, and the autocorrelation twice.
-TEST(Measure_surface_analytic, takes_the_memory_of_five_maps_at_most_from_file_to_answer) {
-  GenerateOptions options;
-  options.nx = options.ny = 1024;
-  options.lx = options.ly = 2e-6;
-  options.rms = 2e-9;
-  Topography map = generate_periodic(SelfAffineSpectrum{2e-9, 0.8, 150e-9, 30e-9}, options);
+TEST(Measure_surface_analytic, takes_the_memory_of_six_maps_at_most_from_file_to_answer) {
+  // Without threads: a child of a process that has some cannot use its own.
+  Topography map;
+  map.nx = map.ny = 2048;
+  map.lx = map.ly = 2e-6;
+  std::mt19937 random(1);
+  std::normal_distribution<double> height(0, 2e-9);
+  for (int i = 0; i < map.nx * map.ny; ++i) map.heights.push_back(height(random));
   const std::uint64_t copy = sizeof(double) * map.heights.size();
   for (const bool with_missing : {false, true}) {
     if (with_missing) map.missing.assign(map.heights.size(), 0), map.missing[1000] = 1;
@@ -112,7 +115,7 @@ TEST(Measure_surface_analytic, takes_the_memory_of_five_maps_at_most_from_file_t
     const auto outcome =
         test::measured_in_child([&] { measure_surface(read_topography(path), Level::plane); });
     EXPECT_EQ(outcome.end, test::ChildOutcome::End::done);
-    EXPECT_LT(outcome.peak_bytes, 5 * copy);
+    EXPECT_LT(outcome.peak_bytes, 6 * copy);
     std::filesystem::remove(path);
   }
 }

@@ -150,9 +150,9 @@ TEST(Any_file_behaviour, empty_is_refused) {
 
 TEST(Any_file_behaviour, of_another_kind_is_refused_with_what_is_read) {
   EXPECT_SAYS(refusal(write_bytes("a.pdf", "%PDF-1.4\nhello\n")),
-              "is of a kind that is not read; pass one of Gwyddion Simple Field");
+              "is of a kind that is not read; pass one of Alicona (.al3d), Gwyddion Simple Field (.gsf)");
   EXPECT_SAYS(refusal(write_bytes("b.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\0", 12))),
-              "of a kind that is not read");
+              "is a picture (.png), which is not read");
   EXPECT_SAYS(refusal(write_bytes("c.gsf", "hello")),
               "is named like Gwyddion Simple Field (.gsf) but does not begin with");
   EXPECT_SAYS(refusal(write_bytes("d.md", "# A title\n\nSome words of prose.\n")),
