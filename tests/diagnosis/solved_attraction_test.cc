@@ -15,21 +15,21 @@ namespace {
 
 using test::nm;
 
-constexpr double radius = 8.5e-6;
-const ElasticBody glass{71e9, 0.17}, wafer{179e9, 0.25};
+constexpr double sphere_radius = 8.5e-6;
+const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
 
-double modulus() { return reduced_modulus(glass, wafer); }
+double modulus() { return reduced_modulus(sphere, plane); }
 
 class AttractingStandIn : public ForwardModel {
  public:
   int attracting = 0;
 
-  SimulatedBodies bodies() const override { return {glass, wafer, radius}; }
+  SimulatedBodies bodies() const override { return {sphere, plane, sphere_radius}; }
 
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt&) override {
-    double work = 0, range = 0, of_radius = radius;
+    double work = 0, range = 0, of_radius = sphere_radius;
     for (const auto& change : changes) {
       if (change.entry == "Interface/Work of adhesion") work = change.value;
       if (change.entry == "Interface/Adhesion range") range = change.value;
@@ -112,7 +112,7 @@ Diagnosis diagnosed(const Recording& recording, ForwardModel& simulation) {
 
 TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_solution) {
   const double work = 0.3, stress = 2.5e8;
-  const MaugisDugdale truth{modulus(), radius, work, stress};
+  const MaugisDugdale truth{modulus(), sphere_radius, work, stress};
   const double largest = truth.advance({}, 10 * nm).force;
   AttractingStandIn simulation;
   const Diagnosis d = diagnosed(pulled(truth, 10 * nm, 0.003 * largest), simulation);
@@ -133,10 +133,10 @@ TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_s
 }
 
 TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {
-  const MaugisDugdale none{modulus(), radius, 0, 0};
+  const MaugisDugdale none{modulus(), sphere_radius, 0, 0};
   AttractingStandIn simulation;
   const Diagnosis d =
-      diagnosed(pulled(none, 10 * nm, 0.003 * Hertz{modulus(), radius}.force(10 * nm)), simulation);
+      diagnosed(pulled(none, 10 * nm, 0.003 * Hertz{modulus(), sphere_radius}.force(10 * nm)), simulation);
   EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
   EXPECT_EQ(simulation.attracting, 0);
 }
