@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <random>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -12,7 +11,6 @@
 #include "surfaces/read_topography.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
-#include "tests/support/peak_memory.h"
 #include "tests/support/shared_files.h"
 
 namespace asperity {
@@ -95,29 +93,6 @@ TEST(Levelling_other_code, leaves_the_known_Sq_of_a_bruker_scan) {
   EXPECT_NEAR(Sq(path, Level::mean), 5.831926e-9, 1e-15);
   EXPECT_NEAR(Sq(path, Level::plane), 1.536e-9, 0.0005e-9);
   EXPECT_NEAR(Sq(path, Level::quadratic), 1.310e-9, 0.0005e-9);
-}
-
-// It took fifteen once: padded copies, a mask of ones, and the autocorrelation twice.
-TEST(Measure_surface_analytic, takes_the_memory_of_six_maps_at_most_from_file_to_answer) {
-  // Without threads: a child of a process that has some cannot use its own.
-  Topography map;
-  map.nx = map.ny = 2048;
-  map.lx = map.ly = 2e-6;
-  std::mt19937 random(1);
-  std::normal_distribution<double> height(0, 2e-9);
-  for (int i = 0; i < map.nx * map.ny; ++i) map.heights.push_back(height(random));
-  const std::uint64_t copy = sizeof(double) * map.heights.size();
-  for (const bool with_missing : {false, true}) {
-    if (with_missing) map.missing.assign(map.heights.size(), 0), map.missing[1000] = 1;
-    map.periodic = false;
-    const auto path = scratch("large.gsf");
-    write_gsf(path, map);
-    const auto outcome =
-        test::measured_in_child([&] { measure_surface(read_topography(path), Level::plane); });
-    EXPECT_EQ(outcome.end, test::ChildOutcome::End::done);
-    EXPECT_LT(outcome.peak_bytes, 6 * copy);
-    std::filesystem::remove(path);
-  }
 }
 
 TEST(Levelling_other_code, leaves_the_known_Sq_of_a_diamond_film) {
