@@ -24,9 +24,8 @@ constexpr double without_hardening = 2.84;  // H/Y
 class YieldingContact : public NormalContact {
  public:
   YieldingContact(const Hertz& law, double yield, double hardness, double poisson)
-      : law_(law), hardness_(hardness) {
-    const double C = 1.295 * std::exp(0.736 * poisson);
-    const double pressure = pi * C * yield / 2;
+      : law_(law), hardness_(hardness), of_poisson_(1.295 * std::exp(0.736 * poisson)) {
+    const double pressure = pi * of_poisson_ * yield / 2;
     critical_depth_ = std::pow(pressure / law.reduced_modulus, 2) * law.radius;
     critical_force_ = 4.0 / 3 * std::pow(law.radius / law.reduced_modulus, 2) * std::pow(pressure, 3);
     exponent_ = 0.14 * std::exp(23 * yield / law.reduced_modulus);
@@ -62,10 +61,20 @@ class YieldingContact : public NormalContact {
     const double a = std::sqrt(law_.radius * d * std::pow(std::max(1.0, w / onset), exponent_));
     const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
     const double plastic = 0.0514 * std::pow(w - 1, 1.757) / std::pow(1 + (w - 1) / 2.677, 1.037);
-    return elastic / std::sqrt(1 + std::pow(without_hardening / hardness, 2) * plastic);
+    const double changed =
+        fit_of_jackson_and_green(w, hardness) / fit_of_jackson_and_green(w, without_hardening);
+    return elastic / std::sqrt(1 + plastic) * (1 + (changed - 1) * (1 - std::exp(1 - w)));
+  }
+  /// f/f_c of Jackson & Green (2005, eq. 14), for how the force depends on H/Y: on hardening, and on the size
+  /// of the contact, which the finite elements of small contacts do not tell. Its jump at w = 1 is left out
+  /// above.
+  double fit_of_jackson_and_green(double w, double hardness) const {
+    return std::exp(-std::pow(w, 5.0 / 12) / 4) * w * std::sqrt(w) +
+           4 * hardness / of_poisson_ * (1 - std::exp(-std::pow(w, 5.0 / 9) / 25)) * w;
   }
   Hertz law_;
-  double hardness_, critical_depth_ = 0, critical_force_ = 0, exponent_ = 0;
+  double hardness_, of_poisson_;  ///< H/Y of a small contact, C(nu) = 1.295 exp(0.736 nu)
+  double critical_depth_ = 0, critical_force_ = 0, exponent_ = 0;
   double deepest_ = 0, largest_ = 0, residual_ = 0, unloading_ = 1.5;
 };
 
@@ -82,8 +91,10 @@ class BulkPlasticity : public Effect {
     static const EffectDescription d{
         "bulk_plasticity",
         "Plasticity under the contact",
-        "f/f_c = w^(3/2) [1 + (2.84 Y/H)^2 P(w)]^(-1/2), w = d/d_c; unloading f_m [(d - d_r)/(d_m - d_r)]^n",
-        "Jackson & Green 2005 (d_c, f_c, H); Etsion, Kligerman & Kadin 2005 (unloading); numbers fitted to "
+        "f/f_c = w^(3/2) [1 + P(w)]^(-1/2) f_JG(w, H)/f_JG(w, 2.84 Y), w = d/d_c; unloading f_m [(d - "
+        "d_r)/(d_m - d_r)]^n",
+        "Jackson & Green 2005 (d_c, f_c, H, f_JG); Etsion, Kligerman & Kadin 2005 (unloading); numbers "
+        "fitted to "
         "axisymmetric finite elements",
         "The softer body yields under the contact: loading is softer than elastic, unloading is steeper, and "
         "an imprint stays.",

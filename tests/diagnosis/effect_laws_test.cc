@@ -47,9 +47,9 @@ struct JacksonGreen {
   }
 };
 
-// Numbers of the law are fitted to axisymmetric finite elements (Mechanics_other_code holds it to them within
-// 1.1 %); what Jackson & Green (2005) fitted to theirs is within a tenth of the force while a < 0.2 R. Larger
-// contacts are beyond the tables: there it is softer than theirs, by up to 30 % at a = 0.45 R.
+// Numbers of the law are fitted to axisymmetric finite elements of small contacts (Mechanics_other_code holds
+// it to them within 1.1 %). Jackson & Green's (2005) fit of theirs, up to a = 0.45 R and with other hardness,
+// lies within 8 % (their own fit is up to 4 % above those finite elements).
 TEST(BulkPlasticity_other_code, is_hertz_up_to_first_yield_and_near_Jackson_and_Greens_fit_beyond) {
   const Experiment e = test::experiment(Motion::normal);
   for (const double yield : {0.3e9, 1e9}) {
@@ -57,12 +57,12 @@ TEST(BulkPlasticity_other_code, is_hertz_up_to_first_yield_and_near_Jackson_and_
                            e.particle.poisson_ratio};  // the softer body's ratio
     const auto contact = assembled(e, "bulk_plasticity", {yield, 2.7}).normal.contact->clone();
     for (const double w : {2.0, 5.0, 30.0, 100.0}) {
-      const double ratio = contact->force(w * law.critical_depth()) / law.force(w);
-      const bool small = law.radius_of_contact(w) < 0.2 * e.radius;
-      EXPECT_NEAR(ratio, 1, small ? 0.1 : 0.3) << w << " " << yield;
+      EXPECT_NEAR(contact->force(w * law.critical_depth()) / law.force(w), 1, 0.08) << w << " " << yield;
       EXPECT_TRUE(std::isnan(contact->displacement(law.force(w))));  // never loaded: no closed form back
     }
-    EXPECT_LT(law.radius_of_contact(2) / e.radius, 0.2);
+    if (yield == 1e9) {
+      EXPECT_GT(law.radius_of_contact(100) / e.radius, 0.4);
+    }
     EXPECT_NEAR(contact->force(law.critical_depth()) / law.critical_force(), 1, 1e-12);
     EXPECT_NEAR(law.critical_force() / e.hertz().force(law.critical_depth()), 1, 1e-12);
   }
