@@ -124,13 +124,15 @@ void write_answer(const CharacteriseArguments& arguments, const Prepared& work, 
   std::vector<Characterisation> tables;
   nlohmann::ordered_json json{{"format", "asperity-characterisation/1"}, {"title", text.title}, {"sets", {}}};
   const double spread = modulus_spread(work.request);
+  // Each end of a bracket is a table of its own, which says for which coefficient it holds.
+  const bool friction_is_said = work.request.friction_is_known || found.sets.size() > 1;
   for (const auto& set : found.sets) {
     Derivation derivation = derive_parameters(set);
     const std::string friction = set.inputs.at("Interface/Friction coefficient");
     const std::string suffix = found.sets.size() > 1 ? "_friction_" + friction : "";
     const auto files = write_set(derivation, suffix, arguments.engine, output);
     text.files.insert(text.files.end(), files.begin(), files.end());
-    tables.push_back(characterised(set, derivation, spread));
+    tables.push_back(characterised(set, derivation, spread, friction_is_said));
     if (found.sets.size() > 1) tables.back().label = "local friction " + friction;
     json["sets"].push_back(to_json(tables.back()));
     say("\n" + report::characterisation_text(tables.back(), text.accuracy));
@@ -144,6 +146,16 @@ void write_answer(const CharacteriseArguments& arguments, const Prepared& work, 
       output.string());
 }
 
+/// Refuses to replace another plan, which somebody may have edited.
+void write_study(const CharacterisePlan& plan, const fs::path& file, bool overwrite) {
+  const std::string text = study_text(plan);
+  if (fs::exists(file) && !overwrite && read_file(file) != text)
+    throw InputError(file.string() +
+                     " is another plan than that of these arguments; solve it by 'asperity study " +
+                     file.string() + "', choose another --output, or pass --overwrite to replace it");
+  write_file_atomically(file, text);
+}
+
 void run_characterise(const CharacteriseArguments& arguments) {
   const Prepared work = prepared(arguments);
   for (const auto& sentence : work.sentences) say(sentence);
@@ -151,7 +163,7 @@ void run_characterise(const CharacteriseArguments& arguments) {
   if (arguments.output.empty()) throw InputError("characterise needs --output DIR (or --plan)");
   const fs::path output = arguments.output;
   make_folder(output);
-  write_file_atomically(output / "study.prm", study_text(work.plan));
+  write_study(work.plan, output / "study.prm", arguments.overwrite);
   const Study study = read_study(output / "study.prm");
   const bool all_solved = solve(study, output / "study", arguments.overwrite);
   write_answer(arguments, work, study, output / "study");

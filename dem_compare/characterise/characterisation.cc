@@ -11,6 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr double sds_of_95_percent = 1.96;
+constexpr const char* friction_entry = "Interface/Friction coefficient";
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The number of result.json whose relative discretisation error is that of a quantity of parameters.json.
@@ -47,6 +48,9 @@ double relative_mesh_error(const ParameterSet& set, const std::string& quantity,
 bool is_stiffness(const std::string& key) {
   return key.find("stiffness") != std::string::npos || key.find("modulus") != std::string::npos;
 }
+
+/// A coefficient that follows the local friction of the cases.
+bool is_friction(const std::string& key) { return key.find("friction") != std::string::npos; }
 
 /// Number of realisations among the cases that tell a quantity.
 std::size_t realisations_of(const ParameterSet& set, Motion told_by) {
@@ -107,6 +111,7 @@ void add_unloading(const ParameterSet& set, const char* key, const char* meaning
 }  // namespace
 
 double CharacterisedNumber::half_width() const {
+  if (value == 0 || !input_is_known) return not_a_number;
   double variance = material_sd * material_sd;
   for (const double sd : {fit_sd, mesh_sd})
     if (std::isfinite(sd)) variance += sd * sd;
@@ -114,11 +119,10 @@ double CharacterisedNumber::half_width() const {
   return nothing_known ? not_a_number : sds_of_95_percent * std::sqrt(variance);
 }
 
-double CharacterisedNumber::relative_half_width() const {
-  return value == 0 ? not_a_number : half_width() / std::abs(value);
-}
+double CharacterisedNumber::relative_half_width() const { return half_width() / std::abs(value); }
 
-Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread) {
+Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread,
+                               bool friction_is_known) {
   Characterisation table;
   const ContactParameters& parameters = derivation.parameters;
   for (const QuantityEntry& entry : quantity_entries()) {
@@ -134,6 +138,11 @@ Characterisation characterised(const ParameterSet& set, const Derivation& deriva
     if (is_stiffness(entry.key)) number.material_sd = modulus_spread * std::abs(quantity->value);
     number.holds_scatter = !is_rough(set) || realisations_of(set, told_by) > 1;
     number.from = quantity->provenance;
+    number.is_assumed = quantity->value == 0 && !std::isfinite(quantity->sd);
+    if (is_friction(entry.key)) {
+      number.local_friction = CaseEntries(set.inputs).quantity(friction_entry, Dimension::none, 0);
+      number.input_is_known = friction_is_known;
+    }
     table.numbers.push_back(number);
   }
   add_unloading(set, "residual_imprint", "imprint that unloading leaves", "m", table);
@@ -160,6 +169,9 @@ nlohmann::ordered_json to_json(const Characterisation& characterisation) {
                                {"sd_of_mesh", known(number.mesh_sd)},
                                {"sd_of_materials", known(number.material_sd)},
                                {"holds_scatter_of_surfaces", number.holds_scatter},
+                               {"assumed", number.is_assumed},
+                               {"local_friction_that_went_in", known(number.local_friction)},
+                               {"local_friction_is_known", number.input_is_known},
                                {"from", number.from}});
   }
   json["not_known"] = characterisation.not_known;

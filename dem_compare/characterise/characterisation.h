@@ -21,9 +21,14 @@ struct CharacterisedNumber {
   double mesh_sd = std::numeric_limits<double>::quiet_NaN();  ///< discretisation error; NaN: not known
   double material_sd = 0;                                     ///< spread of Young's moduli
   bool holds_scatter = false;                                 ///< several realisations went in
-  std::string from;                                           ///< provenance, in words
+  bool is_assumed = false;  ///< nothing was measured: one load tells no offset
+  /// Local friction that went in and that the number follows; NaN: none [-].
+  double local_friction = std::numeric_limits<double>::quiet_NaN();
+  bool input_is_known = true;  ///< false: that coefficient is a guess, and there is no interval
+  std::string from;            ///< provenance, in words
 
-  /// Half of a 95 % interval of what is known of the uncertainty; NaN if nothing is.
+  /// Half of a 95 % interval of what is known of the uncertainty; NaN if nothing is, if the number is zero or
+  /// follows an input that is not known.
   double half_width() const;
   /// The same relative to the value [-]; NaN where the value is 0.
   double relative_half_width() const;
@@ -36,8 +41,10 @@ struct Characterisation {
 };
 
 /// Of one parameter set and what was derived from it (sentences in place). modulus_spread: relative standard
-/// deviation of the reduced modulus from the materials [-].
-Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread);
+/// deviation of the reduced modulus from the materials [-]; friction_is_known: whether local friction was
+/// given or is a guess.
+Characterisation characterised(const ParameterSet& set, const Derivation& derivation, double modulus_spread,
+                               bool friction_is_known);
 
 /// One object a number: key, value, unit, interval_95 and the standard deviations.
 nlohmann::ordered_json to_json(const Characterisation& characterisation);

@@ -39,6 +39,11 @@ std::string interval_text(const CharacterisedNumber& number) {
 /// What the interval does not hold, or how it stands to what was asked.
 std::string remark_of(const CharacterisedNumber& number, double accuracy) {
   std::vector<std::string> remarks;
+  if (number.is_assumed) return "assumed: one load does not tell it";
+  if (number.value == 0) return "none on this mesh, at this load";
+  if (std::isfinite(number.local_friction))
+    remarks.push_back(printed("follows the local friction of %.3g that went in", number.local_friction) +
+                      (number.input_is_known ? "" : ", a guess"));
   const double relative = number.relative_half_width();
   if (std::isfinite(relative))
     remarks.push_back(printed("±%.2g %%", 100 * relative) +

@@ -15,10 +15,11 @@ namespace {
 using test::SolvedFolder;
 using test::TemporaryFolder;
 
-Characterisation table_of(const std::vector<std::filesystem::path>& folders, double modulus_spread) {
+Characterisation table_of(const std::vector<std::filesystem::path>& folders, double modulus_spread,
+                          bool friction_is_known = true) {
   const ParameterSets found = collect_parameter_sets(folders);
   EXPECT_EQ(found.sets.size(), 1U);
-  return characterised(found.sets[0], derive_parameters(found.sets[0]), modulus_spread);
+  return characterised(found.sets[0], derive_parameters(found.sets[0]), modulus_spread, friction_is_known);
 }
 
 const CharacterisedNumber& number_of_key(const Characterisation& table, const std::string& key) {
@@ -42,6 +43,13 @@ TEST(Characterisation_analytic, holds_the_contacts_numbers_with_the_spread_of_ma
   const double half = number_of_key(spread, "normal_stiffness").half_width();
   EXPECT_NEAR(half, std::hypot(stiffness.half_width(), 1.96 * 0.1 * stiffness.value), 1e-9 * half);
   EXPECT_EQ(number_of_key(spread, "sliding_friction").material_sd, 0);
+  // Friction that is a guess is no answer, with whatever small scatter it comes out.
+  EXPECT_EQ(number_of_key(sure, "sliding_friction").local_friction, sliding.friction);
+  EXPECT_TRUE(std::isfinite(number_of_key(sure, "sliding_friction").half_width()));
+  EXPECT_TRUE(std::isnan(number_of_key(table_of(folders, 0, false), "sliding_friction").half_width()));
+  // One load tells no offset: zero is an assumption, without an interval.
+  EXPECT_TRUE(number_of_key(sure, "sliding_offset").is_assumed);
+  EXPECT_TRUE(std::isnan(number_of_key(spread, "sliding_offset").half_width()));
   // One realisation of a rough surface: no interval holds the scatter, and that is said.
   EXPECT_FALSE(stiffness.holds_scatter);
   EXPECT_FALSE(sure.not_known.empty());  // no rolling, no torsion
