@@ -37,7 +37,7 @@ struct CharacterisedNumber {
 struct Characterisation {
   std::string label;  ///< what tells it from the others, such as "local friction 0.1"; empty for a single one
   std::vector<CharacterisedNumber> numbers;
-  std::vector<std::string> not_known;  ///< meanings of quantities that the cases do not tell
+  std::vector<std::string> not_known;  ///< keys of quantities that the cases do not tell
 };
 
 /// Of one parameter set and what was derived from it (sentences in place). modulus_spread: relative standard

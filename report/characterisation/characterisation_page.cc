@@ -52,20 +52,40 @@ std::string remark_of(const CharacterisedNumber& number, double accuracy) {
   return joined(remarks, "; ");
 }
 
-std::string meaning_text(const CharacterisedNumber& number) {
-  return number.meaning + (std::isfinite(number.at_load)
-                               ? " (" + format_quantity(number.at_load, Dimension::force) + ")"
-                               : "");
+/// "normal stiffness" of normal_stiffness.
+std::string name_of(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+std::vector<std::string> names_of(const std::vector<std::string>& keys) {
+  std::vector<std::string> names;
+  for (const auto& key : keys) names.push_back(name_of(key));
+  return names;
+}
+
+std::string quantity_text(const CharacterisedNumber& number) {
+  return name_of(number.key) +
+         (std::isfinite(number.at_load) ? " at " + format_quantity(number.at_load, Dimension::force) : "");
 }
 
 Table table_of(const Characterisation& characterisation, double accuracy) {
-  Table table{{"quantity", "value", "95 % interval", "remark", "from"}, {}, true};
+  Table table{{"quantity", "value", "95 % interval", "remark"}, {}, true};
   for (const auto& number : characterisation.numbers)
-    table.rows.push_back({readable(meaning_text(number)), readable(value_text(number.value, number.unit)),
+    table.rows.push_back({readable(quantity_text(number)), readable(value_text(number.value, number.unit)),
                           readable(interval_text(number)),
-                          "<span class='wrapped'>" + readable(remark_of(number, accuracy)) + "</span>",
-                          "<span class='wrapped'>" + readable(number.from) + "</span>"});
+                          "<span class='wrapped'>" + readable(remark_of(number, accuracy)) + "</span>"});
   return table;
+}
+
+/// What each number means, and which cases it is from.
+std::string origins_of(const Characterisation& characterisation) {
+  Table table{{"quantity", "meaning and origin"}, {}, true};
+  for (const auto& number : characterisation.numbers)
+    table.rows.push_back(
+        {readable(quantity_text(number)),
+         "<span class='wrapped'>" + readable(number.meaning + "; " + number.from) + "</span>"});
+  return details_html("What each number means and is from", table_html(table));
 }
 
 }  // namespace
@@ -74,7 +94,7 @@ std::string characterisation_text(const Characterisation& characterisation, doub
   std::vector<std::array<std::string, 4>> rows;
   std::array<std::size_t, 4> widths{};
   for (const auto& number : characterisation.numbers) {
-    rows.push_back({meaning_text(number), value_text(number.value, number.unit), interval_text(number),
+    rows.push_back({quantity_text(number), value_text(number.value, number.unit), interval_text(number),
                     remark_of(number, accuracy)});
     for (std::size_t i = 0; i < 4; ++i) widths[i] = std::max(widths[i], rows.back()[i].size());
   }
@@ -84,7 +104,7 @@ std::string characterisation_text(const Characterisation& characterisation, doub
     text += row[3] + "\n";
   }
   if (!characterisation.not_known.empty())
-    text += "not known: " + joined(characterisation.not_known, "; ") + "\n";
+    text += "not known: " + joined(names_of(characterisation.not_known), ", ") + "\n";
   return text;
 }
 
@@ -94,7 +114,8 @@ std::string characterisation_page(const std::vector<Characterisation>& tables,
   for (const auto& table : tables) {
     std::string section = table_html(table_of(table, text.accuracy));
     if (!table.not_known.empty())
-      section += note("Not known: " + readable(joined(table.not_known, "; ")) + ".");
+      section += note("Not known: " + readable(joined(names_of(table.not_known), ", ")) + ".");
+    section += origins_of(table);
     body += section_html(table.label.empty() ? "The numbers" : escaped(table.label), section);
   }
   std::string how;

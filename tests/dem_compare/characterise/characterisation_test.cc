@@ -52,7 +52,8 @@ TEST(Characterisation_analytic, holds_the_contacts_numbers_with_the_spread_of_ma
   EXPECT_TRUE(std::isnan(number_of_key(spread, "sliding_offset").half_width()));
   // One realisation of a rough surface: no interval holds the scatter, and that is said.
   EXPECT_FALSE(stiffness.holds_scatter);
-  EXPECT_FALSE(sure.not_known.empty());  // no rolling, no torsion
+  for (const char* key : {"rolling_friction", "torsion_friction", "pull_off_force"})
+    EXPECT_EQ(std::count(sure.not_known.begin(), sure.not_known.end(), key), 1) << key;
 }
 
 }  // namespace
