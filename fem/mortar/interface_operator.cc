@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -45,63 +44,9 @@ class FaceFinder {
 
 }  // namespace
 
-InterfaceNodes::InterfaceNodes(const MeshLevel& level)
-    : communicator_(level.communicator()),
-      parallel_(dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1) {
-  std::map<long, Site> found;
-  for (const auto& face : level.interface_faces())
-    for (int v = 0; v < 4; ++v)
-      found[face.node[v]] = {face.body, face.i + (v & 1) * face.size, face.j + (v >> 1) * face.size};
-  const auto& partitioner = *level.partitioner();
-  for (const auto& [node, site] : found) {
-    if (partitioner.in_local_range(3 * static_cast<dealii::types::global_dof_index>(node)))
-      owned_.emplace_back(static_cast<int>(global_.size()),
-                          static_cast<int>(partitioner.global_to_local(3 * node) / 3));
-    global_.push_back(node);
-    sites_.push_back(site);
-  }
-}
-
-int InterfaceNodes::index(long global_node) const {
-  return static_cast<int>(std::lower_bound(global_.begin(), global_.end(), global_node) - global_.begin());
-}
-
-std::vector<double> InterfaceNodes::gather(const double* local, int component) const {
-  std::vector<double> values(global_.size(), 0.0);
-  for (const auto& [index, node] : owned_) values[index] = local[3 * node + component];
-  if (parallel_) dealii::Utilities::MPI::sum(values, communicator_, values);
-  return values;
-}
-
-template <typename Number>
-void InterfaceNodes::gather(const Number* local, std::vector<NodeValue<Number>>& values) const {
-  values.assign(global_.size(), NodeValue<Number>{});
-  for (const auto& [index, node] : owned_) {
-    const Number* own = local + 3 * static_cast<std::ptrdiff_t>(node);
-    values[index] = NodeValue<Number>{own[0], own[1], own[2], 0};
-  }
-  sum_over_ranks<Number>(values);
-}
-
-template <typename Number>
-void InterfaceNodes::scatter_add(std::vector<NodeValue<Number>>& values, Number* local) const {
-  sum_over_ranks<Number>(values);
-  for (const auto& [index, node] : owned_)
-    for (int c = 0; c < 3; ++c) local[3 * static_cast<std::ptrdiff_t>(node) + c] += values[index][c];
-}
-
-template <typename Number>
-void InterfaceNodes::sum_over_ranks(std::vector<NodeValue<Number>>& values) const {
-  if (!parallel_ || values.empty()) return;
-  auto* numbers = reinterpret_cast<Number*>(values.data());
-  const std::size_t count = 4 * values.size();
-  dealii::Utilities::MPI::sum(dealii::ArrayView<const Number>(numbers, count), communicator_,
-                              dealii::ArrayView<Number>(numbers, count));
-}
-
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
                                      const InterfaceNodes& fine_nodes)
-    : level_(level), nodes_(level) {
+    : level_(level), nodes_(level), touched_(nodes_.only({})) {
   set_rows(rows, fine_nodes);
 }
 
@@ -110,7 +55,6 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
   start_.assign(1, 0);
   column_.clear();
   std::vector<double> weights;
-  active_.clear();
   std::vector<std::pair<int, double>> merged;
   for (const auto& row : rows) {
     merged.clear();
@@ -146,7 +90,7 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
   const long rank = dealii::Utilities::MPI::this_mpi_process(level_.communicator());
   first_row_ = static_cast<int>(count * rank / ranks);
   last_row_ = static_cast<int>(count * (rank + 1) / ranks);
-  stiffness_.assign(rows.size(), RowStiffness());
+  set_stiffness(std::vector<RowStiffness>(rows.size()));
 }
 
 void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
@@ -163,6 +107,24 @@ void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness
   stiffness_ = stiffness;
   for (int r = first_row_; r < last_row_; ++r)
     if (!stiffness[r].open()) active_.push_back(r);
+  find_touched();
+}
+
+void InterfaceOperator::find_touched() {
+  constexpr int untouched = -1;
+  std::vector<int> place(nodes_.count(), untouched), touched;
+  for (int row = 0; row < rows(); ++row)
+    if (!stiffness_[row].open())
+      for (int e = start_[row]; e < start_[row + 1]; ++e) place[column_[e]] = 0;
+  for (int k = 0; k < nodes_.count(); ++k) {
+    if (place[k] == untouched) continue;
+    place[k] = static_cast<int>(touched.size());
+    touched.push_back(k);
+  }
+  touched_ = nodes_.only(touched);
+  touched_column_.resize(column_.size());
+  for (const int row : active_)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) touched_column_[e] = place[column_[e]];
 }
 
 void InterfaceOperator::set_rotation(const Rotation& rotation) {
@@ -171,40 +133,41 @@ void InterfaceOperator::set_rotation(const Rotation& rotation) {
 }
 
 template <typename Number>
-void InterfaceOperator::turn(std::vector<NodeValue<Number>>& values, bool back) const {
+void InterfaceOperator::turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values,
+                             bool back) const {
   if (!turned_) return;
   NodeValue<Number> column[3] = {};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) column[j][i] = static_cast<Number>(back ? rotation_[j][i] : rotation_[i][j]);
-  for (int k = 0; k < nodes_.count(); ++k)
-    if (nodes_.site(k).body == 0)
+  for (int k = 0; k < nodes.count(); ++k)
+    if (nodes.site(k).body == 0)
       values[k] = column[0] * values[k][0] + column[1] * values[k][1] + column[2] * values[k][2];
 }
 
 template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
   auto& work = std::get<Workspace<Number>>(workspaces_);
-  nodes_.gather<Number>(x, work.moved);
-  turn<Number>(work.moved, false);
-  work.forces.assign(nodes_.count(), NodeValue<Number>{});
+  touched_.gather<Number>(x, work.moved);
+  turn<Number>(touched_, work.moved, false);
+  work.forces.assign(touched_.count(), NodeValue<Number>{});
   const auto& weight = std::get<std::vector<Number>>(weights_);
   for (const int row : active_) {
     const RowStiffness& k = stiffness_[row];
     NodeValue<Number> jump{}, force{};
-    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * work.moved[column_[e]];
+    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * work.moved[touched_column_[e]];
     const Number mx = static_cast<Number>(slope_[row][0]), my = static_cast<Number>(slope_[row][1]);
     force[2] = static_cast<Number>(k.normal) * (jump[2] + mx * jump[0] + my * jump[1]);
     force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1] + mx * force[2];
     force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1] + my * force[2];
-    for (int e = start_[row]; e < start_[row + 1]; ++e) work.forces[column_[e]] += weight[e] * force;
+    for (int e = start_[row]; e < start_[row + 1]; ++e) work.forces[touched_column_[e]] += weight[e] * force;
   }
-  turn<Number>(work.forces, true);
-  nodes_.scatter_add<Number>(work.forces, y);
+  turn<Number>(touched_, work.forces, true);
+  touched_.scatter_add<Number>(work.forces, y);
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
   const auto& weight = std::get<std::vector<double>>(weights_);
-  std::vector<NodeValue<double>> result(nodes_.count(), NodeValue<double>{});
+  std::vector<NodeValue<double>> result(touched_.count(), NodeValue<double>{});
   for (const int row : active_) {
     const RowStiffness& stiffness = stiffness_[row];
     const double n[3] = {slope_[row][0], slope_[row][1], 1};
@@ -218,18 +181,19 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
           turned[c] += rotation_[i][c] * (slip[i][j] + n[i] * n[j] * stiffness.normal) * rotation_[j][c];
     }
     for (int e = start_[row]; e < start_[row + 1]; ++e) {
-      const double* k = turned_ && nodes_.site(column_[e]).body == 0 ? turned : fixed;
-      for (int c = 0; c < 3; ++c) result[column_[e]][c] += k[c] * weight[e] * weight[e];
+      const int node = touched_column_[e];
+      const double* k = turned_ && touched_.site(node).body == 0 ? turned : fixed;
+      for (int c = 0; c < 3; ++c) result[node][c] += k[c] * weight[e] * weight[e];
     }
   }
-  nodes_.scatter_add<double>(result, diagonal);
+  touched_.scatter_add<double>(result, diagonal);
 }
 
 std::vector<double> InterfaceOperator::jumps(const double* x, int component) const {
   const auto& weight = std::get<std::vector<double>>(weights_);
   auto& moved = std::get<Workspace<double>>(workspaces_).moved;
   nodes_.gather<double>(x, moved);
-  turn<double>(moved, false);
+  turn<double>(nodes_, moved, false);
   std::vector<double> jumps(rows(), 0.0);
   for (int row = 0; row < rows(); ++row)
     for (int e = start_[row]; e < start_[row + 1]; ++e)
@@ -264,7 +228,7 @@ void InterfaceOperator::add_forces(const std::vector<double>& row_forces, double
   for (int row = first_row_; row < last_row_; ++row)
     for (int e = start_[row]; e < start_[row + 1]; ++e)
       forces[column_[e]][component] += weight[e] * row_forces[row];
-  turn<double>(forces, true);
+  turn<double>(nodes_, forces, true);
   nodes_.scatter_add<double>(forces, y);
 }
 

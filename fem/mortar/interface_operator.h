@@ -16,52 +16,11 @@
 #include <vector>
 
 #include "fem/levels/mesh_level.h"
+#include "fem/mortar/interface_nodes.h"
 #include "fem/mortar/mortar.h"
 #include "fem/mortar/rigid_motion.h"
 
 namespace asperity::fem {
-
-/// Three components of a node and one that stays 0, so that the processor takes them at once.
-template <typename Number>
-struct NodeValueOf {
-  typedef Number type __attribute__((vector_size(4 * sizeof(Number))));
-};
-template <typename Number>
-using NodeValue = typename NodeValueOf<Number>::type;
-
-/// The interface nodes of one level, the same list on every rank, and where this rank keeps its own.
-class InterfaceNodes {
- public:
-  explicit InterfaceNodes(const MeshLevel& level);
-  int count() const { return static_cast<int>(global_.size()); }
-  /// Index of a global node.
-  int index(long global_node) const;
-  /// Global node of an index.
-  long global_node(int index) const { return global_[index]; }
-  /// Lattice position of a node: body and coordinates in units of 2^-lattice_bits.
-  struct Site {
-    int body, i, j;
-  };
-  const Site& site(int node) const { return sites_[node]; }
-  /// Values of one component at all interface nodes, from all ranks.
-  std::vector<double> gather(const double* local, int component) const;
-  /// The three components at all interface nodes, from all ranks.
-  template <typename Number>
-  void gather(const Number* local, std::vector<NodeValue<Number>>& values) const;
-  /// Sums contributions of all ranks and adds each to the local vector of the node's owner.
-  template <typename Number>
-  void scatter_add(std::vector<NodeValue<Number>>& values, Number* local) const;
-
- private:
-  template <typename Number>
-  void sum_over_ranks(std::vector<NodeValue<Number>>& values) const;
-
-  MPI_Comm communicator_;
-  bool parallel_;
-  std::vector<long> global_;
-  std::vector<Site> sites_;
-  std::vector<std::pair<int, int>> owned_;  ///< index in the list, local node
-};
 
 /// Stiffness of a contact row [N/m]: against closing, and symmetric against slip in the plane. All 0: open.
 struct RowStiffness {
@@ -119,10 +78,12 @@ class InterfaceOperator {
   const std::vector<int>& active() const { return active_; }
 
  private:
-  /// Turns the particle's values into the substrate's frame, or back.
+  /// Turns the particle's values at `nodes` into the substrate's frame, or back.
   template <typename Number>
-  void turn(std::vector<NodeValue<Number>>& values, bool back) const;
-  /// Fields at the interface nodes, kept between calls.
+  void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;
+  /// Finds the nodes of the rows that are not open.
+  void find_touched();
+  /// Fields at interface nodes, kept between calls.
   template <typename Number>
   struct Workspace {
     std::vector<NodeValue<Number>> moved, forces;
@@ -133,6 +94,8 @@ class InterfaceOperator {
   Rotation rotation_ = asperity::fem::rotation({});
   bool turned_ = false;
   std::vector<int> start_, column_, active_;
+  InterfaceNodes touched_;           ///< nodes of the active rows of all ranks
+  std::vector<int> touched_column_;  ///< of active rows: column_ in touched_
   std::vector<RowStiffness> stiffness_;
   std::vector<std::array<double, 2>> slope_;
   bool tilted_ = false;                                          ///< whether any row is
