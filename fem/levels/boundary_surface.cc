@@ -16,11 +16,10 @@ meshing::TriangleSurface boundary_surface(const MeshLevel& level, const Vector<d
   for (std::size_t n = 0; n < nodes; ++n) points[n] = {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
 
   std::vector<meshing::QuadIndices> quads;
-  std::size_t number = 0;  // of an owned cell: the batches hold them in this order
   for (const auto& cell : level.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const CellBatch& batch = level.batches()[number / lanes];
-    const std::size_t lane = number++ % lanes;
+    const auto [number, lane] = level.place_of(cell->active_cell_index());
+    const CellBatch& batch = level.batches()[number];
     if (static_cast<meshing::Body>(batch.body[lane]) != body) continue;
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;

@@ -26,27 +26,51 @@ MeshLevel::MeshLevel(const dealii::Triangulation<3>& triangulation, Control cont
   collect_interfaces();
 }
 
+void MeshLevel::add_to_batch(const Cell& cell, int index) {
+  CellBatch& batch = batches_[index];
+  std::vector<global_dof_index> indices(3 * vertices_per_hex);
+  cell->get_dof_indices(indices);
+  for (int v = 0; v < vertices_per_hex; ++v) {
+    const unsigned local = partitioner_->global_to_local(indices[3 * v]);
+    if (local % 3 != 0 || indices[3 * v + 2] != indices[3 * v] + 2)
+      throw WorkError(
+          "the unknowns of a node are not numbered together; this build of deal.II is not supported");
+    batch.node[v][batch.count] = static_cast<int>(local / 3);
+  }
+  batch.body[batch.count] = static_cast<unsigned char>(cell->material_id());
+  place_of_cell_[cell->active_cell_index()] = lanes * index + batch.count++;
+}
+
 void MeshLevel::make_batches() {
-  std::vector<global_dof_index> indices(24);
+  place_of_cell_.assign(dofs_->get_triangulation().n_active_cells(), -1);
+  const auto children_are_here = [](const auto& parent) {
+    for (unsigned c = 0; c < parent->n_children(); ++c)
+      if (!parent->child(c)->is_active() || !parent->child(c)->is_locally_owned()) return false;
+    return true;
+  };
+  int open = -1;  // the batch that single cells are added to
   for (const auto& cell : dofs_->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    cell->get_dof_indices(indices);
-    if (batches_.empty() || batches_.back().count == lanes) batches_.emplace_back();
-    CellBatch& batch = batches_.back();
-    for (int v = 0; v < vertices_per_hex; ++v) {
-      const unsigned local = partitioner_->global_to_local(indices[3 * v]);
-      if (local % 3 != 0 || indices[3 * v + 2] != indices[3 * v] + 2)
-        throw WorkError(
-            "the unknowns of a node are not numbered together; this build of deal.II is not supported");
-      batch.node[v][batch.count] = static_cast<int>(local / 3);
+    if (cell->level() > 0 && children_are_here(cell->parent())) {
+      const auto parent = cell->parent();
+      if (place_of_cell_[cell->active_cell_index()] >= 0) continue;
+      batches_.emplace_back();
+      for (unsigned c = 0; c < parent->n_children(); ++c)
+        add_to_batch(Cell(parent->child(c)), static_cast<int>(batches_.size()) - 1);
+      continue;
     }
-    batch.body[batch.count++] = static_cast<unsigned char>(cell->material_id());
+    if (open < 0 || batches_[open].count == lanes) {
+      open = static_cast<int>(batches_.size());
+      batches_.emplace_back();
+    }
+    add_to_batch(cell, open);
   }
-  if (!batches_.empty())
-    for (int l = batches_.back().count; l < lanes; ++l) {
-      for (auto& nodes : batches_.back().node) nodes[l] = nodes[0];
-      batches_.back().body[l] = batches_.back().body[0];
-    }
+  if (open < 0) return;
+  CellBatch& last = batches_[open];
+  for (int l = last.count; l < lanes; ++l) {
+    for (auto& nodes : last.node) nodes[l] = nodes[0];
+    last.body[l] = last.body[0];
+  }
 }
 
 void MeshLevel::make_thread_runs() {

@@ -24,7 +24,8 @@ using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
 /// Whether the driven plane's common displacement along z is an unknown (force) or given (displacement).
 enum class Control { force, displacement };
 
-/// Eight cells: local node numbers [vertex][lane]; lanes beyond `count` repeat lane 0 and are not written.
+/// Eight cells, siblings where all eight are at hand: local node numbers [vertex][lane]; lanes beyond `count`
+/// repeat lane 0 and are not written.
 struct CellBatch {
   std::array<std::array<int, lanes>, vertices_per_hex> node;
   std::array<unsigned char, lanes> body;
@@ -50,6 +51,10 @@ class MeshLevel {
   }
   MPI_Comm communicator() const { return communicator_; }
   const std::vector<CellBatch>& batches() const { return batches_; }
+  /// Batch and lane of an owned cell, by its number among the active cells.
+  std::pair<int, int> place_of(unsigned active_cell) const {
+    return {place_of_cell_[active_cell] / lanes, place_of_cell_[active_cell] % lanes};
+  }
   /// Faces of both interfaces of all ranks, sorted; the same on every rank.
   const std::vector<InterfaceFace>& interface_faces() const { return interface_faces_; }
   dealii::types::global_dof_index size() const { return dofs_->n_dofs(); }
@@ -80,22 +85,21 @@ class MeshLevel {
   /// Sets constrained entries from the free ones (homogeneous part). Ghosts must be up to date.
   template <typename Number>
   void distribute(Number* x) const {
-    for (std::size_t c = 0; c < constrained_.size(); ++c) {
-      Number sum = 0;
-      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-        sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
-      x[constrained_[c]] = sum;
-    }
+    for (std::size_t c = 0; c < constrained_.size(); ++c) distribute_line(c, x);
   }
   /// Transpose: moves what constrained rows received to the free ones and zeroes them.
   template <typename Number>
   void condense(Number* y) const {
-    for (std::size_t c = 0; c < constrained_.size(); ++c) {
-      const Number value = y[constrained_[c]];
-      y[constrained_[c]] = 0;
-      for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-        y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
-    }
+    for (std::size_t c = 0; c < constrained_.size(); ++c) condense_line(c, y);
+  }
+  /// The same for some of constrained(), by rising index.
+  template <typename Number>
+  void distribute(const std::vector<int>& lines, Number* x) const {
+    for (const int c : lines) distribute_line(c, x);
+  }
+  template <typename Number>
+  void condense(const std::vector<int>& lines, Number* y) const {
+    for (const int c : lines) condense_line(c, y);
   }
   /// The same with a given displacement of the driven plane along z (displacement control).
   /// x and driven [m].
@@ -106,20 +110,42 @@ class MeshLevel {
   const std::vector<int>& constrained() const { return constrained_; }
   void condense_diagonal(double* y) const;
 
-  /// Batches in runs that threads may write without meeting, then the rest.
+  /// Batches in runs that threads may write without meeting, then the rest: work(first, last), pointers to
+  /// their numbers.
   template <typename Work>
-  void for_each_batch(const Work& work) const {
+  void for_each_run(const Work& work) const {
     const int runs = static_cast<int>(run_start_.size()) - 1;
 #pragma omp parallel for schedule(static, 1) if (runs > 1)
     for (int run = 0; run < runs; ++run)
-      for (int b = run_start_[run]; b < run_start_[run + 1]; ++b) work(run_batches_[b]);
-    for (const int b : meeting_batches_) work(b);
+      work(run_batches_.data() + run_start_[run], run_batches_.data() + run_start_[run + 1]);
+    work(meeting_batches_.data(), meeting_batches_.data() + meeting_batches_.size());
+  }
+  /// The same, one by one.
+  template <typename Work>
+  void for_each_batch(const Work& work) const {
+    for_each_run([&](const int* first, const int* last) {
+      for (const int* batch = first; batch != last; ++batch) work(*batch);
+    });
   }
 
  private:
   /// How much of the driven plane's common displacement each unknown gets along z, and along x when tilted.
   struct DriveShares;
 
+  template <typename Number>
+  void distribute_line(std::size_t c, Number* x) const {
+    Number sum = 0;
+    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+      sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
+    x[constrained_[c]] = sum;
+  }
+  template <typename Number>
+  void condense_line(std::size_t c, Number* y) const {
+    const Number value = y[constrained_[c]];
+    y[constrained_[c]] = 0;
+    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
+      y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
+  }
   /// Collective, in this order: driven unknown, constraints whatever the control, those of the control,
   /// layout of vectors, arrays for the kernels.
   void make_constraints(Control control);
@@ -132,6 +158,8 @@ class MeshLevel {
   void make_partitioner(const dealii::IndexSet& relevant, const dealii::AffineConstraints<double>& tied);
   void fill_arrays(const DriveShares& shares, Control control);
   void make_batches();
+  using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+  void add_to_batch(const Cell& cell, int index);
   void make_thread_runs();
   void collect_interfaces();
 
@@ -149,6 +177,7 @@ class MeshLevel {
   std::vector<int> constrained_, entry_start_, entry_dof_;
   std::vector<double> entry_weight_;
   std::vector<InterfaceFace> interface_faces_;
+  std::vector<int> place_of_cell_;  ///< lanes * batch + lane; -1: not owned
 };
 
 }  // namespace asperity::fem

@@ -75,7 +75,7 @@ class PlasticBodies {
     return energies;
   }
 
-  /// Averages per owned cell in the order of the active cells.
+  /// Averages per owned cell in the order of the batches.
   std::vector<CellState> cell_states(const Vector<double>& u) const;
 
   /// History as plain numbers, for checkpoints; restore throws WorkError if it does not fit this mesh.
