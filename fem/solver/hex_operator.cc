@@ -1,5 +1,7 @@
 #include "fem/solver/hex_operator.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace asperity::fem {
@@ -101,10 +103,10 @@ void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) 
 }
 
 template <typename Number>
-Vector<Number> HexOperator<Number>::diagonal() const {
+void HexOperator<Number>::find_bulk_diagonal() const {
   using V = Simd<Number>;
-  Vector<double> diagonal(level_.partitioner());
-  double* d = diagonal.begin();
+  bulk_diagonal_.assign(positions_.size(), 0.0);
+  double* d = bulk_diagonal_.data();
   level_.for_each_batch([&](int index) {
     const CellBatch& batch = level_.batches()[index];
     V nodes[3][8];
@@ -138,6 +140,14 @@ Vector<Number> HexOperator<Number>::diagonal() const {
               static_cast<double>(bulk_[batch.body[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
     }
   });
+}
+
+template <typename Number>
+Vector<Number> HexOperator<Number>::diagonal() const {
+  if (bulk_diagonal_.empty()) find_bulk_diagonal();
+  Vector<double> diagonal(level_.partitioner());
+  double* d = diagonal.begin();
+  std::copy(bulk_diagonal_.begin(), bulk_diagonal_.end(), d);
   if (interface_) interface_->add_diagonal(d);
   if (driven_spring_ != 0 && level_.owns_driven_dof()) d[level_.local_driven_dof()] += driven_spring_;
   level_.condense_diagonal(d);

@@ -35,7 +35,8 @@ class HexOperator {
   void vmult(Vector<Number>& dst, const Vector<Number>& src) const;
   /// The same: the matrix is symmetric.
   void Tvmult(Vector<Number>& dst, const Vector<Number>& src) const { vmult(dst, src); }
-  /// Diagonal of the condensed operator, 1 at constrained unknowns.
+  /// Diagonal of the condensed operator without plastic tangents, 1 at constrained unknowns. The bodies' part
+  /// is kept from call to call.
   Vector<Number> diagonal() const;
 
   /// Stiffness matrices of the cells of a batch: entry [i][j], unknown 3 * vertex + component, one value per
@@ -52,6 +53,7 @@ class HexOperator {
   const std::vector<Number>& positions() const { return positions_; }
 
  private:
+  void find_bulk_diagonal() const;
   void apply_batch(int batch, const Number* x, Number* y) const;
   /// Replaces displacements [component][vertex] by nodal forces; `strain` holds the geometry.
   void forces_of(int batch, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const;
@@ -59,6 +61,7 @@ class HexOperator {
   const MeshLevel& level_;
   std::vector<Number> positions_;  ///< local, owned then ghosts [m]
   std::array<Number, 2> shear_, bulk_;
+  mutable std::vector<double> bulk_diagonal_;  ///< of K, local, not condensed [N/m]; empty: not yet asked for
   const InterfaceOperator* interface_ = nullptr;
   const TangentField* tangent_ = nullptr;
   Number driven_spring_ = 0;
