@@ -22,7 +22,8 @@ void fill_rough(Vector<float>& v) {
 void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
   inverse_diagonal_ = matrix.diagonal();
   for (unsigned i = 0; i < inverse_diagonal_.locally_owned_size(); ++i)
-    inverse_diagonal_.local_element(i) = 1.0f / inverse_diagonal_.local_element(i);
+    inverse_diagonal_.local_element(i) =
+        smoothed_.empty() || smoothed_[i / 3] ? 1.0f / inverse_diagonal_.local_element(i) : 0.0f;
   if (largest_ > 0) return;
   matrix.initialize_dof_vector(residual_);
   matrix.initialize_dof_vector(direction_);

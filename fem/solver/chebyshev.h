@@ -11,6 +11,9 @@ class Chebyshev {
   /// The smoother damps eigenvalues in [largest / range, largest] of the scaled operator.
   static constexpr double range = 20.0;
 
+  /// The smoother leaves unknowns of other nodes as they are: by local node, whether it is smoothed.
+  void set_smoothed(std::vector<char> nodes) { smoothed_ = std::move(nodes); }
+
   /// Takes the diagonal of `matrix`. The first time, estimates the largest eigenvalue of the scaled operator
   /// by `steps` of Lanczos (conjugate gradients), with 20 % added: opening, closing and yielding change the
   /// scaled spectrum's upper end little, because the diagonal follows.
@@ -22,6 +25,7 @@ class Chebyshev {
 
  private:
   Vector<float> inverse_diagonal_;
+  std::vector<char> smoothed_;  ///< empty: all
   mutable Vector<float> residual_, direction_;
   double largest_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "fem/solver/hex_operator.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "core/error.h"
 
@@ -33,6 +34,55 @@ void HexOperator<Number>::apply_batch(int index, const Number* x, Number* y) con
 }
 
 template <typename Number>
+void HexOperator<Number>::apply_run(const int* first, const int* last, const Number* x, Number* y) const {
+  if constexpr (std::is_same_v<Number, float>) {
+    if (parallelepipeds_) {
+      int waiting = -1;  // for another one: two at a time fill the processor's vectors
+      for (const int* batch = first; batch != last; ++batch) {
+        if (!part_.empty() && !part_[*batch]) continue;
+        if (!parallelepipeds_->holds(*batch) || yields(*batch)) {
+          apply_batch(*batch, x, y);
+        } else if (waiting < 0) {
+          waiting = *batch;
+        } else {
+          parallelepipeds_->apply(waiting, *batch, x, y);
+          waiting = -1;
+        }
+      }
+      if (waiting >= 0) parallelepipeds_->apply(waiting, -1, x, y);
+      return;
+    }
+  }
+  for (const int* batch = first; batch != last; ++batch)
+    if (part_.empty() || part_[*batch]) apply_batch(*batch, x, y);
+}
+
+template <typename Number>
+void HexOperator<Number>::set_part(std::vector<char> batches) {
+  part_ = std::move(batches);
+  std::vector<char> touched(positions_.size() / 3, 0);
+  for (std::size_t b = 0; b < part_.size(); ++b)
+    if (part_[b])
+      for (const auto& nodes : level_.batches()[b].node)
+        for (const int node : nodes) touched[node] = 1;
+  for (const auto& face : level_.interface_faces())
+    for (const long node : face.node) {
+      const auto& partitioner = *level_.partitioner();
+      const auto dof = 3 * static_cast<dealii::types::global_dof_index>(node);
+      if (partitioner.in_local_range(dof)) touched[partitioner.global_to_local(dof) / 3] = 1;
+    }
+  lines_.clear();
+  for (std::size_t c = 0; c < level_.constrained().size(); ++c)
+    if (touched[level_.constrained()[c] / 3]) lines_.push_back(static_cast<int>(c));
+}
+
+template <typename Number>
+void HexOperator<Number>::take_cells_as_parallelepipeds() {
+  if constexpr (std::is_same_v<Number, float>)
+    parallelepipeds_ = std::make_unique<ParallelepipedBatches>(level_, positions_, shear_, bulk_);
+}
+
+template <typename Number>
 void HexOperator<Number>::cell_matrices(int index, CellMatrices& matrices) const {
   using V = Simd<Number>;
   V nodes[3][8];
@@ -59,7 +109,7 @@ void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain,
     two_shear[l] = 2 * shear_[batch.body[l]];
     bulk[l] = bulk_[batch.body[l]];
   }
-  const auto* yielding = tangent_ && !tangent_->batch.empty() ? tangent_->batch[index].get() : nullptr;
+  const auto* yielding = yields(index) ? tangent_->batch[index].get() : nullptr;
   std::array<SymmetricTensor<V>, points_per_hex> stress;
   for (int q = 0; q < points_per_hex; ++q) {
     if (!yielding) {
@@ -87,15 +137,15 @@ void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) 
   if (parallel) src.update_ghost_values();
   // Constrained entries of a vector carry no information of their own: they are slaves of the free ones.
   Number* x = const_cast<Number*>(src.begin());
-  level_.distribute(x);
+  part_.empty() ? level_.distribute(x) : level_.distribute(lines_, x);
   dst = Number(0);
   if (parallel) dst.zero_out_ghost_values();
   Number* y = dst.begin();
-  level_.for_each_batch([&](int batch) { apply_batch(batch, x, y); });
+  level_.for_each_run([&](const int* first, const int* last) { apply_run(first, last, x, y); });
   if (interface_) interface_->apply(x, y);
   if (driven_spring_ != 0 && level_.owns_driven_dof())
     y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
-  level_.condense(y);
+  part_.empty() ? level_.condense(y) : level_.condense(lines_, y);
   if (parallel) {
     dst.compress(dealii::VectorOperation::add);
     src.zero_out_ghost_values();

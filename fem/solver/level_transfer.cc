@@ -198,6 +198,13 @@ void LevelTransfer::transpose_rows() {
     }
 }
 
+std::vector<int> LevelTransfer::new_nodes() const {
+  std::vector<int> nodes;
+  for (std::size_t r = 0; r < fine_node_.size(); ++r)
+    if (rows_.start[r + 1] - rows_.start[r] > 1) nodes.push_back(fine_node_[r]);
+  return nodes;
+}
+
 void LevelTransfer::prolongate_and_add(Vector<float>& fine, const Vector<float>& coarse) const {
   if (parallel_) coarse.update_ghost_values();
   coarse_.distribute(const_cast<float*>(coarse.begin()));

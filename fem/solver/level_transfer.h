@@ -17,6 +17,9 @@ class LevelTransfer {
   /// Throws WorkError where a cell has no counterpart on the coarser mesh.
   LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse);
 
+  /// Fine local nodes, owned here, between those of the coarse mesh.
+  std::vector<int> new_nodes() const;
+
   /// fine += P coarse. Sets the constrained entries of `coarse` as well.
   void prolongate_and_add(Vector<float>& fine, const Vector<float>& coarse) const;
   /// coarse = C^T P^T fine (condensed).

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "fem/solver/smoothed_part.h"
 
 namespace asperity::fem {
 Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
@@ -22,9 +23,13 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
     level.mesh = level.owned_mesh ? level.owned_mesh.get() : &finest;
     level.matrix =
         std::make_unique<HexOperator<float>>(*level.mesh, level.mesh->node_positions(geometry), materials);
+    level.matrix->take_cells_as_parallelepipeds();
     for (auto* v : {&level.solution, &level.defect, &level.scratch}) level.mesh->initialise(*v);
     if (l == 0) continue;
     level.transfer = std::make_unique<LevelTransfer>(*level.mesh, *level_[l - 1].mesh);
+    SmoothedPart part = smoothed_part(*level.mesh, *level.transfer);
+    level.matrix->set_part(std::move(part.batch));
+    level.smoother.set_smoothed(std::move(part.node));
   }
   const MeshLevel& coarse = *level_[0].mesh;
   std::vector<int> free(coarse.size(), 1);
