@@ -1,19 +1,26 @@
 #include "fem/solver/chebyshev.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::fem {
 namespace {
 
-/// Repeatable start vector with all frequencies, independent of the number of ranks only in character.
-void fill_rough(Vector<float>& v) {
-  const auto first = v.get_partitioner()->local_range().first;
+/// Start vector with all frequencies, of the nodes' places alone: the same on any number of ranks.
+void fill_rough(const HexOperator<float>& matrix, Vector<float>& v) {
+  constexpr double roughness = 1e5;  // radians over the bodies' size: far more than one from node to node
+  constexpr double along[3] = {1.0, 0.7, 0.4};
+  const float* places = matrix.positions().data();
+  double size = 0;
+  for (unsigned i = 0; i < v.locally_owned_size(); ++i)
+    size = std::max(size, std::abs(static_cast<double>(places[i])));
+  size = dealii::Utilities::MPI::max(size, v.get_mpi_communicator());
   for (unsigned i = 0; i < v.locally_owned_size(); ++i) {
-    std::uint64_t x = (first + i + 1) * 0x9E3779B97F4A7C15ull;
-    x ^= x >> 31;
-    x *= 0xBF58476D1CE4E5B9ull;
-    v.local_element(i) = static_cast<float>(static_cast<double>(x >> 40) / (1 << 23) - 1.0);
+    const float* place = places + i - i % 3;
+    double phase = 2.0 * (i % 3);
+    for (int c = 0; c < 3; ++c) phase += roughness / size * along[c] * static_cast<double>(place[c]);
+    v.local_element(i) = static_cast<float>(std::sin(phase));
   }
 }
 
@@ -30,7 +37,7 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
 
   Vector<float> r, z, p, q;
   for (auto* v : {&r, &z, &p, &q}) matrix.initialize_dof_vector(*v);
-  fill_rough(p);
+  fill_rough(matrix, p);
   matrix.vmult(r, p);  // in the range of the operator: constrained entries are zero
   z = r;
   z.scale(inverse_diagonal_);

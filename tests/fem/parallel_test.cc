@@ -71,7 +71,7 @@ TEST(Parallel_behaviour, operator_and_cycle_are_those_of_one_rank) {
   EXPECT_TRUE(same_on_all_ranks("its diagonal", all.diagonal, one.diagonal, 1e-12));
   EXPECT_LT(all.asymmetry, 1e-13);
   EXPECT_EQ(all.constrained, 0);
-  // The smoother's largest eigenvalue is estimated from a start vector that depends on the numbering.
+  // In single precision; sums of the smoother's eigenvalue estimate are those of the numbering.
   EXPECT_TRUE(same_on_all_ranks("cycle of multigrid", all.cycled, one.cycled, 1e-6));
 }
 
