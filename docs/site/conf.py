@@ -11,7 +11,7 @@ mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
 mathjax2_config = {
     "messageStyle": "none",
     "showMathMenu": False,
-    "SVG": {"scale": 95, "linebreaks": {"automatic": True}, "undefinedFamily": "serif"},
+    "SVG": {"scale": 95, "undefinedFamily": "serif"},
     "tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]], "processClass": "math", "ignoreClass": "document"},
 }
 html_theme = "sphinx_rtd_theme"

@@ -185,7 +185,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("documents", nargs="*")
     parser.add_argument("--as-printed", action="store_true")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     faults = []
     for name in arguments.documents or DOCUMENTS:
         found = blocks((ROOT / name).read_text())
