@@ -1,4 +1,4 @@
-// The command lines of README.md, and how a test makes each of them cheap.
+// The command lines of docs/commands.md, and how a test makes each of them cheap.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace asperity::test {
 std::vector<std::string> lines_of_readme(const std::filesystem::path& readme);
 
 struct ReadmeLine {
-  std::string printed;  ///< as in README.md
+  std::string printed;  ///< as in docs/commands.md
   std::string added;    ///< arguments that make it cheap
   std::string how;      ///< what they do; empty: it runs as printed
   std::string says;     ///< in what it prints

@@ -1,4 +1,4 @@
-// Every command line of README.md runs, as it is printed or with arguments that make it cheap
+// Every command line of docs/commands.md runs, as it is printed or with arguments that make it cheap
 // (readme_lines.cc says how).
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ std::string hysitron_text() {
   return text;
 }
 
-/// The clone of a person who follows README.md, with a scan and a recording of her own.
+/// The clone of a person who follows docs/commands.md, with a scan and a recording of her own.
 class Readme_behaviour : public testing::TestWithParam<std::size_t> {
  protected:
   Readme_behaviour() {
@@ -95,14 +95,14 @@ std::string name_of_group(const testing::TestParamInfo<std::size_t>& info) {
 
 TEST(ReadmeLines_analytic, each_is_run_by_a_test_and_no_other) {
   std::multiset<std::string> printed, run;
-  for (const auto& line : lines_of_readme(source / "README.md")) printed.insert(line);
+  for (const auto& line : lines_of_readme(source / "docs" / "commands.md")) printed.insert(line);
   for (const auto& group : groups_of_readme())
     for (const auto& line : group.lines) run.insert(line.printed);
   EXPECT_GE(printed.size(), 20u);
   for (const auto& line : printed)
     EXPECT_EQ(run.count(line), printed.count(line)) << "no test runs: " << line;
   for (const auto& line : run)
-    EXPECT_EQ(printed.count(line), run.count(line)) << "not in README.md: " << line;
+    EXPECT_EQ(printed.count(line), run.count(line)) << "not in docs/commands.md: " << line;
 }
 
 TEST_P(Readme_behaviour, its_lines_run) {
