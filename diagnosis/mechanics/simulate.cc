@@ -1,4 +1,5 @@
 // One pass through the recording: the assembled mechanics driven sample by sample.
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "dem_compare/laws/mindlin.h"
@@ -100,14 +101,30 @@ class NormalRun {
   }
   /// Solves d + series(f(d)) + delayed(d) = given for the contact's own displacement d.
   double contact_displacement(double given) {
-    const double outside = delayed(0) + series(0);
-    if (given - outside <= contact_->release()) return last_given_ = given, last_ = given - outside;
+    const double free = given - delayed(0) - series(0);
     const auto excess = [&](double d) { return d + series(contact_->force(d)) + delayed(d) - given; };
     const double step = given - last_given_;
     last_given_ = given;
-    last_ = increasing_root(excess, std::min(last_ + step, given),
-                            std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
+    last_ = free <= 0
+                ? pulled_displacement(excess, free)
+                : increasing_root(excess, std::min(last_ + step, given),
+                                  std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
     return last_;
+  }
+  /// Below first touch an attraction may hold, which the series draws out: until the whole displacement has
+  /// its minimum, and the contact snaps to where it is free.
+  template <class Excess>
+  double pulled_displacement(const Excess& excess, double free) const {
+    const double release = contact_->release();
+    if (!(release < 0 && contact_->force(release / 2) < 0)) return free;
+    constexpr int bits = 24;
+    const auto at_part = [&](double part) { return excess(part * release) / -release; };  // of order one
+    const double fold = release * boost::math::tools::brent_find_minima(at_part, 0.0, 1.0, bits).first;
+    const double least = excess(fold);
+    if (least >= 0) return free;
+    double high = std::max(last_, 0.0), f_high = excess(high);
+    while (f_high < 0) high += std::abs(release), f_high = excess(high);
+    return root_between(excess, fold, high, least, f_high, displacement_tolerance);
   }
 
   NormalMechanics mechanics_;

@@ -37,9 +37,12 @@ class Normals:
         load = self.between(0.2e-3, 1.5e-3)
         depth = (load / (4 / 3 * MODULUS * math.sqrt(RADIUS))) ** (2 / 3)
         if kind in ("yielding", "incipient"):
-            yield_stress, w = self.between(0.5e9, 2e9), self.between(8, 50) if kind == "yielding" else self.between(2.5, 6)
+            w = self.between(8, 50) if kind == "yielding" else self.between(2.5, 6)
             materials = (GLASS, DIAMOND) if self.random.random() < 0.5 else (GLASS, GLASS)
             modulus = reduced_modulus(*materials)
+            # The tables are those of small contacts: up to a/R = 0.2.
+            top = min(2e9, 0.2 / math.sqrt(w) * 2 * modulus / (1.6 * math.pi))
+            yield_stress = self.between(0.25 * top, top)
             make = lambda: contacts.Yielding(modulus, RADIUS, yield_stress)
             return make, w * make().approach, materials, {"bulk_plasticity/yield_stress": yield_stress}
         if kind == "greenwood_tripp":

@@ -79,6 +79,9 @@ class Normal:
                 if segment == "unload" and force < 0 and displacement > furthest:
                     contact, force = self.make(), 0.0
                     displacement, read = self.instrument.read(approach, force, time)
+                # Under a driven displacement a contact forms where the bodies touch, not before.
+                if segment == "load" and force < 0 and approach + self.instrument.compliance * force < 0 and not self.by_force:
+                    continue
                 forward = 1 if segment == "load" else -1
                 if segment != last_segment:
                     furthest, last_segment = displacement, segment

@@ -1,0 +1,44 @@
+// All stable states of an adhesive contact of one Maugis parameter (maugis_dugdale.h, in its units): with the
+// edge of the attraction at m times the contact radius, u = (m^2 - 1)^(1/2), t = arctan u,
+//   Q a^2 + L a = 1,  Q = (lambda/2) [u + (m^2 - 2) t],  L = (4/3) lambda^2 (u t - m + 1)
+// gives the radius in closed form, and with it force and approach; u runs from 0, under large loads, to where
+// the contact breaks. Many states of one contact cost one table and a short search each.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace asperity {
+
+class MaugisBranch {
+ public:
+  /// lambda: Maugis' parameter [-]; 0 is DMT, and 10 is JKR within a hundredth of the largest tension.
+  explicit MaugisBranch(double lambda);
+
+  /// [-].
+  double lambda() const { return lambda_; }
+  /// Largest tension under a dead load, over pi w R [-].
+  double pull_off() const { return pull_off_; }
+  /// Approach at which the contact breaks under fixed displacement, in Maugis' unit; not positive.
+  double release() const { return release_; }
+  /// Over pi w R [-], at an approach above release().
+  double force(double approach) const;
+  /// In Maugis' unit; under a force above -pull_off(), over pi w R.
+  double approach(double force) const;
+
+ private:
+  /// A state at ln u, and how the approach changes with it.
+  struct State {
+    double place, force, approach, approach_slope;
+  };
+  State at(double place) const;
+  /// Place at which a value falls to its target, up to a state of the table.
+  template <class Value>
+  double place_of(double target, std::size_t last, const Value& value) const;
+
+  double lambda_, pull_off_ = 0, release_ = 0;
+  std::vector<State> states_;  ///< from the largest loads on, as the approach falls
+  std::size_t tensest_ = 0;    ///< the one of least force
+};
+
+}  // namespace asperity
