@@ -137,6 +137,27 @@ TEST(Mechanics_analytic, adhesion_pulls_off_at_its_force_from_DMT_to_JKR) {
   }
 }
 
+/// Where the contact is softer than the series it breaks at its own limit, which the recorder sees at d + C
+/// f.
+TEST(Mechanics_analytic, a_compliance_draws_an_adhesive_contact_out_before_it_snaps) {
+  const Experiment e = experiment(Motion::normal);
+  const Samples path = approach_and_back(-20 * nm, 20 * nm, 4001);
+  const double compliance = 1e-5;
+  const auto last_pull = [&](const std::vector<double>& force) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      if (force[i] < 0) last = i;
+    return last;
+  };
+  const auto stiff = simulate(with(e, {{"adhesion", {40 * uN, 0.5}}}), path);
+  const auto drawn =
+      simulate(with(e, {{"adhesion", {40 * uN, 0.5}}, {"instrument_compliance", {compliance}}}), path);
+  const std::size_t at = last_pull(stiff), later = last_pull(drawn);
+  ASSERT_LT(stiff[at], -10 * uN);
+  EXPECT_NEAR(path.list[later].normal_displacement,
+              path.list[at].normal_displacement + compliance * stiff[at], 0.05 * nm);
+}
+
 TEST(Mechanics_analytic, adhesion_that_vanishes_leaves_hertz_whatever_its_transition) {
   const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(1 * nm, 40 * nm, 40);
