@@ -1,6 +1,6 @@
 // Attraction between the surfaces, from DMT (alpha = 0) to JKR (alpha = 1): Maugis' solution (1992,
 // maugis_dugdale.h) with
-//   lambda = -0.924 ln(1 - 1.02 alpha)  (Carpick, Ogletree & Salmeron 1999, eq. (9)),
+//   lambda = -0.924 ln(1 - alpha)  (after Carpick, Ogletree & Salmeron 1999, eq. (9), who have 1.02 alpha),
 // up to 10. The contact forms at d = 0 and breaks where d has its minimum (fixed grips), or a
 // spring in series lets it.
 // On a law other than Hertz' the attraction is a constant force while the surfaces touch (DMT).
@@ -14,11 +14,10 @@
 namespace asperity {
 namespace {
 
+/// lambda = 10 is JKR: alpha is scaled so that it reaches that at 1 and every alpha has its own lambda.
 double lambda_of(double alpha) {
-  if (alpha <= 0) return 0;
-  constexpr double of_dmt = 1e-8, of_jkr = 10, of_fit = 0.924;
-  return std::clamp(-of_fit * std::log(std::max(std::exp(-of_jkr / of_fit), 1 - 1.02 * alpha)), of_dmt,
-                    of_jkr);
+  constexpr double of_jkr = 10, of_fit = 0.924;
+  return -of_fit * std::log1p(-alpha * -std::expm1(-of_jkr / of_fit));
 }
 
 /// The branch of the last parameter asked for in this thread: a fit changes it seldom.
@@ -75,46 +74,40 @@ class AttractedContact : public NormalContact {
 class Adhesion : public Effect {
  public:
   const EffectDescription& description() const override {
-    static const EffectDescription d{
-        "adhesion",
-        "Adhesion",
-        "f = a^3 - lambda a^2 (u + m^2 t), d = a^2 - 4/3 lambda a u in Maugis' "
-        "units, lambda = -0.924 ln(1 - 1.02 alpha); DMT: alpha = 0, JKR: alpha = 1",
-        "Derjaguin, Muller & Toporov 1975; Johnson, Kendall & Roberts 1971; "
-        "Maugis 1992; Carpick, Ogletree & Salmeron 1999, eq. (9)",
-        "The surfaces attract each other: the contact is larger than its load "
-        "alone makes it, and it takes a pull to open it.",
-        EffectKind::contact,
-        {Motion::normal},
-        {},
-        {"attraction"},
-        2,
-        false};
+    static const EffectDescription d{"adhesion",
+                                     "Adhesion",
+                                     "f = a^3 - lambda a^2 (u + m^2 t), d = a^2 - 4/3 lambda a u in Maugis' "
+                                     "units, lambda = -0.924 ln(1 - alpha); DMT: alpha = 0, JKR: alpha = 1",
+                                     "Derjaguin, Muller & Toporov 1975; Johnson, Kendall & Roberts 1971; "
+                                     "Maugis 1992; after Carpick, Ogletree & Salmeron 1999, eq. (9)",
+                                     "The surfaces attract each other: the contact is larger than its load "
+                                     "alone makes it, and it takes a pull to open it.",
+                                     EffectKind::contact,
+                                     {Motion::normal},
+                                     {},
+                                     {"attraction"},
+                                     2,
+                                     false};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_force;
     // In the limits of DMT and JKR the range of attraction is infinite and zero: no mesh has these.
     constexpr double least = 0.05, most = 0.95;
-    if (e.by_finite_elements)
-      return {
-          {"pull_off_force",
-           "N",
-           "h",
-           1e-5 * f,
-           10 * f,
-           true,
-           {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
-          {"transition", "", "alpha, from DMT (0) to JKR (1)", least, most, false, {least, 0.3, 0.6, most}}};
-    return {
-        {"pull_off_force",
-         "N",
-         "h",
-         1e-5 * f,
-         10 * f,
-         true,
-         {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
-        {"transition", "", "alpha, from DMT (0) to JKR (1)", 0, 1, false, {0, 0.05, 0.3, 0.6, 0.95}, true}};
+    EffectParameter transition{"transition", "",    "alpha, from DMT (0) to JKR (1)", least,
+                               most,         false, {least, 0.3, 0.6, most}};
+    if (!e.by_finite_elements) {
+      transition.low = 0, transition.high = 1, transition.bounds_are_meant = true;
+      transition.starts = {0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95};
+    }
+    return {{"pull_off_force",
+             "N",
+             "h",
+             1e-5 * f,
+             10 * f,
+             true,
+             {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
+            transition};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }

@@ -8,6 +8,7 @@
 #include "dem_compare/laws/hertz_offset.h"
 #include "dem_compare/laws/jkr.h"
 #include "dem_compare/laws/linear_normal.h"
+#include "dem_compare/laws/maugis_branch.h"
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
@@ -326,6 +327,40 @@ TEST(Tabor_other_code, parameter_agrees_with_the_reference) {
     if (table.rows[i][0] != "borosilicate/Si") continue;
     EXPECT_NEAR(tabor_parameter(modulus, radius, w[i] * 1e-3, z0[i] * 1e-9) / mu[i], 1,
                 1e-5);  // six digits in the table
+  }
+}
+
+TEST(MaugisBranch_other_code, pulls_off_and_rests_where_the_reference_does) {
+  const CsvTable table = read_csv(asperity::test::reference_table("06_adhesion_table_maugis.csv"));
+  const auto lambda = table.numbers("lambda"), pull_off = table.numbers("Ppulloff/(pi*w*R)"),
+             at_rest = table.numbers("delta_zero_load"), at_pull_off = table.numbers("delta_at_pulloff");
+  ASSERT_GT(lambda.size(), 10u);
+  constexpr double six_digits = 5e-6, at_minimum = 2e-4;  // where the force changes by its square alone
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
+    const MaugisBranch branch(lambda[i]);
+    EXPECT_NEAR(branch.pull_off(), -pull_off[i], 2 * six_digits) << lambda[i];
+    EXPECT_NEAR(branch.approach(0), at_rest[i], 2 * six_digits) << lambda[i];
+    EXPECT_NEAR(branch.force(at_rest[i]), 0, 4 * six_digits) << lambda[i];
+    EXPECT_NEAR(branch.force(at_pull_off[i]), pull_off[i], at_minimum) << lambda[i];
+    EXPECT_LE(branch.release(), at_pull_off[i] + at_minimum) << lambda[i];
+  }
+}
+
+/// Under fixed displacement JKR's contact breaks at 5/9 of its pull-off force of 3/2 pi w R.
+TEST(MaugisBranch_other_code, breaks_where_JKR_does_in_its_limit) {
+  const MaugisBranch branch(50);
+  const Jkr jkr{1, 1, 1};
+  const double unit = std::cbrt(pi * pi / (16.0 / 9));  // of the approach, for E* = R = w = 1
+  EXPECT_NEAR(branch.release() * unit / jkr.smallest_approach(), 1, 2e-3);
+  EXPECT_NEAR(branch.force(branch.release()), -5.0 / 6, 0.01);
+}
+
+TEST(MaugisBranch_analytic, is_DMT_without_range) {
+  const MaugisBranch branch(0), nearly(1e-10);
+  for (const double approach : {0.1, 1.0, 30.0}) {
+    EXPECT_DOUBLE_EQ(branch.force(approach), std::pow(approach, 1.5) - 2);
+    EXPECT_NEAR(nearly.force(approach), branch.force(approach), 1e-3);
+    EXPECT_NEAR(branch.approach(branch.force(approach)), approach, 1e-12 * approach);
   }
 }
 
