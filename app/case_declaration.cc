@@ -1,11 +1,13 @@
 #include "app/case_declaration.h"
 
 #include "app/case_entry_kinds.h"
+#include "app/case_times.h"
 #include "core/experiment_declaration.h"
 #include "core/motion_program.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
+#include "results/known_entries.h"
 
 namespace asperity {
 namespace {
@@ -47,7 +49,7 @@ CaseEntry motion_program(std::string section) {
           "",
           "none | parts separated by ';' of motions joined by 'and': press LOAD, slide LENGTH, slide across "
           "LENGTH, roll ANGLE or LENGTH, "
-          "spin ANGLE, indenter LENGTH; 'in N steps' ends a part",
+          "spin ANGLE, indenter LENGTH, hold TIME; 'at SPEED in N steps', either or both, ends a part",
           "Motions one after the other, or several at once, after the particle was pressed to Normal load "
           "(Type = program), e.g. "
           "slide 200 nm and spin 20 mrad; press 50 uN; roll 30 mrad in 12 steps. press: to a load (an "
@@ -55,7 +57,9 @@ CaseEntry motion_program(std::string section) {
           "displacement) up to the first one; slide: along x, across: along y; roll: about y, by an angle or "
           "the arc's length, free of lateral force unless "
           "the part also slides; spin: about the normal; indenter: rolls freely under a plane on top that "
-          "moves by LENGTH, an arc of half of it.",
+          "moves by LENGTH, an arc of half of it; hold: "
+          "lasts a time, at rest in steps that last twice as long each. Without it a part moves at the speed "
+          "that it or Speed says.",
           [](CaseInput& input, const std::string& text) {
             const std::string program = text == "none" ? "" : text;
             parse_motion_program(program);
@@ -68,13 +72,16 @@ CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
   const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
     return values(input)[name];
   };
-  if (parameter.words.empty())
-    return quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
-                    parameter.default_text, "", documentation_of(parameter));
-  std::vector<std::pair<std::string, double>> words;
-  for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
-  return choice<double>(section, parameter.entry, member, words, parameter.default_text,
-                        documentation_of(parameter));
+  CaseEntry entry = quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
+                             parameter.default_text, "", documentation_of(parameter));
+  if (!parameter.words.empty()) {
+    std::vector<std::pair<std::string, double>> words;
+    for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
+    entry = choice<double>(section, parameter.entry, member, words, parameter.default_text,
+                           documentation_of(parameter));
+  }
+  entry.counts_if_given = !is_known_entry(section + "/" + parameter.entry);
+  return entry;
 }
 
 /// Entries that both bodies have.
@@ -264,6 +271,7 @@ std::vector<CaseEntry> declare_entries() {
   add_interface(entries);
   add_loading(entries);
   add_motion(entries);
+  add_times(entries);
   add_mesh_solver_output(entries);
   return entries;
 }

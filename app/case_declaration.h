@@ -25,6 +25,9 @@ struct CaseEntry {
   /// Decides the answer, so that cases which differ in it are of different contacts or experiments. A new
   /// entry does unless it says otherwise (mesh, solver, steps, output, title).
   bool is_physical = true;
+  /// Left at its default it says nothing, so that results of before there was the entry are still of the same
+  /// contact.
+  bool counts_if_given = false;
 
   bool required() const { return default_text.empty(); }
 };

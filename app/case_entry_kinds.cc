@@ -31,6 +31,16 @@ std::string kind_of(Dimension dimension) {
       return "an energy per area [J/m^2, mJ/m^2], ";
     case Dimension::angle:
       return "an angle [rad, deg], ";
+    case Dimension::time:
+      return "a time [s, ms, min], ";
+    case Dimension::speed:
+      return "a speed [m/s, um/s, nm/s], ";
+    case Dimension::temperature:
+      return "a temperature [K], ";
+    case Dimension::voltage:
+      return "a voltage [V, mV], ";
+    case Dimension::molar_volume:
+      return "a volume per mole [m^3/mol, cm^3/mol], ";
     default:
       return "a number, ";
   }

@@ -13,6 +13,7 @@
 #include "core/quantity.h"
 #include "core/renamed_entries.h"
 #include "core/written_apart.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/materials/hardening.h"
 #include "surfaces/scan_spec.h"
 
@@ -171,12 +172,15 @@ void remember_physical_entries(const Settings& settings, const fs::path& file, C
   for (const auto& entry : case_entries())
     if (entry.is_physical) {
       const Setting setting = setting_of(entry, settings, file);
-      input.physical_entries[setting.path()] = setting.value;
+      if (!entry.counts_if_given || setting.value != entry.default_text)
+        input.physical_entries[setting.path()] = setting.value;
     }
   for (const auto& [section, body] :
        {std::pair{"Particle/", &input.particle}, std::pair{"Substrate/", &input.substrate}})
     if (const auto* scan = body->topography.scan())
       input.physical_entries[std::string(section) + "Topography"] = with_absolute_file(*scan, {}).text();
+  for (const auto& [path, text] : fem::work_entries_of_law(input.interface))
+    input.physical_entries[path] = text;
   if (!input.experiment.declared.empty())
     input.physical_entries["Experiment/Program"] = input.experiment.program;
 }

@@ -14,6 +14,7 @@
 #include "core/printed.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
+#include "fem/interface/adhesion_law.h"
 #include "results/solved_case.h"
 
 namespace asperity {
@@ -86,10 +87,11 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
   if (input_.experiment.type != Motion::normal)
     throw InputError(file.string() + ": Experiment/Type is " + name_of(input_.experiment.type) +
                      ", and --case takes cases of normal contact so far; set Type = normal");
-  if (input_.interface.work_of_adhesion > 0)
-    throw InputError(file.string() +
-                     ": Interface/Work of adhesion is above 0, and --case takes cases without adhesion so "
-                     "far; set it to 0 J/m^2");
+  if (fem::work_of_adhesion(input_.interface).opening > 0)
+    throw InputError(
+        file.string() +
+        ": --case takes cases without adhesion so far; set Interface/Adhesion law = dugdale and Work of "
+        "adhesion = 0 J/m^2");
 }
 
 SimulatedBodies FiniteElementModel::bodies() const {
@@ -112,7 +114,7 @@ Study FiniteElementModel::study_of(const std::vector<CaseChange>& changes,
     for (const CaseChange& change : changes)
       set_entry(item.settings, change.entry, printed("%.6g %s", change.value, change.unit.c_str()));
     const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
-    if (changed.interface.work_of_adhesion > 0 && changed.interface.adhesion_law != "dugdale")
+    if (fem::work_of_adhesion(changed.interface).opening > 0 && changed.interface.adhesion_law != "dugdale")
       throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
                        ", and attraction is tried as Dugdale's so far; set it to dugdale");
     constexpr std::size_t enough = 12;

@@ -49,6 +49,9 @@ struct ExperimentInput {
   bool reverse = true;         ///< come back along the path
   double return_distance = 0;  ///< after the reversal of sliding or rolling [m]; 0: all of `distance`
   std::string program;         ///< motions combined (core/motion_program.h)
+  double speed = 0;            ///< of the motion along its path [m/s]; 0: a step lasts a second
+  double load_time = 0;        ///< from zero to the largest load, and back [s]; 0: a step lasts a second
+  double hold_time = 0;        ///< of all hold steps together [s]; 0: a step lasts a second
   int motion_steps = 0;        ///< equal steps in one direction; 0: fine where slip begins, then an interface
                                ///< spacing (half of one in torsion)
 };

@@ -1,5 +1,6 @@
 #include "core/motion_program.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <regex>
@@ -52,8 +53,14 @@ const std::vector<Word>& words() {
        }},
       {"spin", [](ProgramPart& part,
                   const std::string& text) { part.spin += parse_quantity(text, Dimension::angle); }},
-      {"indenter", [](ProgramPart& part, const std::string& text) {
+      {"indenter",
+       [](ProgramPart& part, const std::string& text) {
          part.rolled_arc += 0.5 * parse_quantity(text, Dimension::length);
+       }},
+      {"hold", [](ProgramPart& part, const std::string& text) {
+         part.duration = parse_quantity(text, Dimension::time);
+         if (!(part.duration > 0) || std::isinf(part.duration))
+           throw InputError("'hold " + text + "': give a time above 0");
        }}};
   return words;
 }
@@ -71,6 +78,27 @@ void read_motion(const std::string& text, ProgramPart& part) {
                    example + "'");
 }
 
+/// Reads "at V" and "in N steps" at the end of a part; returns what stands before.
+std::string without_suffixes(const std::string& piece, ProgramPart& part) {
+  static const std::regex steps(R"(^(.*\S)\s+in\s+(\d+)\s+steps?$)"), speed(R"(^(.*\S)\s+at\s+(\S.*)$)");
+  std::string motions = piece;
+  std::smatch found;
+  if (std::regex_match(piece, found, steps)) {
+    part.steps = static_cast<int>(std::strtol(found[2].str().c_str(), nullptr, 10));
+    if (part.steps < 1 || part.steps > 100000)
+      throw InputError("'" + piece + "': give between 1 and 100000 steps");
+    motions = trimmed(found[1].str());
+  }
+  const std::string without_steps = motions;
+  if (std::regex_match(without_steps, found, speed)) {
+    part.speed = parse_quantity(found[2].str(), Dimension::speed);
+    if (!(part.speed > 0) || std::isinf(part.speed))
+      throw InputError("'" + piece + "': give a speed above 0");
+    motions = trimmed(found[1].str());
+  }
+  return motions;
+}
+
 }  // namespace
 
 std::vector<ProgramPart> parse_motion_program(const std::string& text) {
@@ -80,19 +108,11 @@ std::vector<ProgramPart> parse_motion_program(const std::string& text) {
   if (text.size() > longest)
     throw InputError("a program of motions has at most " + std::to_string(longest) + " characters, not " +
                      std::to_string(text.size()));
-  static const std::regex steps(R"(^(.*\S)\s+in\s+(\d+)\s+steps?$)");
   for (const std::string& between : pieces_of(text, ";")) {
     const std::string piece = trimmed(between);
     if (piece.empty()) continue;
     ProgramPart part;
-    std::string motions = piece;
-    std::smatch found;
-    if (std::regex_match(piece, found, steps)) {
-      part.steps = static_cast<int>(std::strtol(found[2].str().c_str(), nullptr, 10));
-      if (part.steps < 1 || part.steps > 100000)
-        throw InputError("'" + piece + "': give between 1 and 100000 steps");
-      motions = trimmed(found[1].str());
-    }
+    const std::string motions = without_suffixes(piece, part);
     for (const std::string& motion : pieces_of(motions, " and ")) read_motion(trimmed(motion), part);
     program.push_back(part);
   }

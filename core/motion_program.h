@@ -11,8 +11,11 @@
 //                   same part free of lateral force along its path
 //   spin A          about the normal by an angle
 //   indenter L      rolls freely between the substrate and a plane on top, an indenter, that moves by L: an
-//   arc of half of L in N steps      equal ones, at the end of a part; else fine where slip begins, then
-//   those of a single motion
+//                   arc of half of L
+//   hold T          for a time, which the part's other motions take as well
+//   at V            at the end of a part, before its steps: the speed of its longest motion
+//   in N steps      equal ones, at the end of a part; else fine where slip begins, then
+//                   those of a single motion. At rest each lasts twice as long as the one before
 #pragma once
 
 #include <optional>
@@ -31,6 +34,8 @@ struct ProgramPart {
   double roll = 0;                     ///< about y [rad]
   double rolled_arc = 0;               ///< the same as a length along the particle's surface [m]
   double spin = 0;                     ///< about the normal [rad]
+  double duration = 0;                 ///< [s]; 0: follows from the speed
+  double speed = 0;                    ///< of its longest motion [m/s]; 0: that of the experiment
   int steps = 0;                       ///< 0: derived
 
   bool rolls() const { return roll != 0 || rolled_arc != 0; }

@@ -32,6 +32,9 @@ const Units& units_of(Dimension dimension) {
   static const Units surface_energy{{"J/m^2", 1.0}, {"mJ/m^2", 1e-3}, {"N/m", 1.0}, {"mN/m", 1e-3}};
   static const Units area{{"m^2", 1.0}, {"mm^2", 1e-6}, {"um^2", 1e-12}, {"nm^2", 1e-18}};
   static const Units stiffness{{"N/m", 1.0}, {"kN/m", 1e3}, {"MN/m", 1e6}, {"uN/nm", 1e3}, {"mN/um", 1e3}};
+  static const Units temperature{{"K", 1.0}};
+  static const Units voltage{{"V", 1.0}, {"mV", 1e-3}, {"uV", 1e-6}, {"kV", 1e3}};
+  static const Units molar_volume{{"m^3/mol", 1.0}, {"cm^3/mol", 1e-6}};
   switch (dimension) {
     case Dimension::none:
       return none;
@@ -53,6 +56,12 @@ const Units& units_of(Dimension dimension) {
       return area;
     case Dimension::stiffness:
       return stiffness;
+    case Dimension::temperature:
+      return temperature;
+    case Dimension::voltage:
+      return voltage;
+    case Dimension::molar_volume:
+      return molar_volume;
   }
   return none;
 }
@@ -67,7 +76,8 @@ const Prefixes& prefixes() {
 }
 
 bool takes_prefixes(Dimension dimension) {
-  return dimension != Dimension::none && dimension != Dimension::area && dimension != Dimension::angle;
+  return dimension != Dimension::none && dimension != Dimension::area && dimension != Dimension::angle &&
+         dimension != Dimension::molar_volume;
 }
 
 std::string list_of(const Units& units) {

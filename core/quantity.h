@@ -6,9 +6,24 @@
 namespace asperity {
 
 /// What a number measures; each has one SI unit.
-enum class Dimension { none, length, force, pressure, time, angle, speed, surface_energy, area, stiffness };
+enum class Dimension {
+  none,
+  length,
+  force,
+  pressure,
+  time,
+  angle,
+  speed,
+  surface_energy,
+  area,
+  stiffness,
+  temperature,
+  voltage,
+  molar_volume
+};
 
-/// SI symbol of a dimension: "m", "N", "Pa", "s", "rad", "m/s", "J/m^2", "m^2", "N/m", "" for none.
+/// SI symbol of a dimension: "m", "N", "Pa", "s", "rad", "m/s", "J/m^2", "m^2", "N/m", "K",
+/// "V", "m^3/mol", "" for none.
 std::string si_symbol(Dimension dimension);
 
 /// Value in SI of a text such as "2.5 um" or "1e-6" (a plain number is SI; "inf" is allowed).

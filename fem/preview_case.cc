@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "fem/case/case_setup.h"
 #include "fem/case/solve_cost.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
 #include "fem/solve_case.h"
@@ -36,7 +37,7 @@ std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
 LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   LeftOutOfPreview left_out;
   if (input.experiment.type != Motion::normal) left_out.motion = input.experiment.type;
-  left_out.adhesion = input.interface.work_of_adhesion > 0;
+  left_out.adhesion = fem::work_of_adhesion(input.interface).opening > 0;
   left_out.finite_bodies = input.experiment.control == ExperimentInput::Control::displacement;
   return left_out;
 }

@@ -10,6 +10,17 @@
 namespace asperity {
 namespace {
 
+/// Why a law of friction that knows rates cannot be told them; empty: it can.
+std::string objection_to_times(const ExperimentInput& e, const std::vector<ProgramPart>& parts) {
+  const bool has_speeds = std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+    const bool moves = part.rolls() || part.slide != 0 || part.slide_across != 0 || part.spin != 0;
+    return !moves || part.speed > 0 || part.duration > 0;
+  });
+  if (e.speed > 0 || e.type == Motion::normal || (e.type == Motion::program && has_speeds)) return "";
+  return "the law of friction depends on the rate of slip, and the motion has no speed; set "
+         "Experiment/Speed, e.g. 1 um/s";
+}
+
 /// Checks of a case that need no mesh.
 void require_solvable(const CaseInput& input) {
   const auto& e = input.experiment;
@@ -23,7 +34,11 @@ void require_solvable(const CaseInput& input) {
   const auto& i = input.interface;
   bool rubs = false;
   try {
-    rubs = fem::make_friction_law(i) != nullptr;
+    const auto friction = fem::make_friction_law(i);
+    rubs = friction != nullptr;
+    const std::string timeless =
+        friction && friction->resists_by_rate() ? objection_to_times(e, parts) : std::string();
+    if (!timeless.empty()) throw InputError(timeless);
     fem::make_adhesion_laws(i);
     for (const auto* body : {&input.particle, &input.substrate}) fem::make_plasticity(*body);
   } catch (const InputError& error) {

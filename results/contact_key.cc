@@ -45,7 +45,7 @@ std::string canonical(const std::string& path, const std::string& text) {
     for (const Dimension dimension :
          {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
           Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area,
-          Dimension::stiffness}) {
+          Dimension::stiffness, Dimension::temperature, Dimension::voltage, Dimension::molar_volume}) {
       try {
         return format_quantity(parse_quantity(text, dimension), dimension, digits_of_key);
       } catch (const InputError&) {  // of another dimension
@@ -106,8 +106,11 @@ bool yields(const ContactInputs& inputs, const std::string& body) {
 }
 
 bool adheres(const ContactInputs& inputs) {
-  const auto found = inputs.find("Interface/Work of adhesion");
-  return found != inputs.end() && parse_quantity(found->second, Dimension::surface_energy) > 0;
+  const auto is_given = [&](const char* entry) {
+    const auto found = inputs.find(entry);
+    return found != inputs.end() && parse_quantity(found->second, Dimension::surface_energy) > 0;
+  };
+  return is_given("Interface/Work of adhesion") || is_given("Interface/Work of adhesion on separation");
 }
 
 std::vector<std::string> differing_entries(const ContactInputs& one, const ContactInputs& other) {

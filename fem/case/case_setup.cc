@@ -46,23 +46,29 @@ Roughness roughness_of(const TopographySpec& spec, double half_width, double spa
   return roughness;
 }
 
+double shear_modulus(const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); }
+
+/// Sum of (2 - nu)/G of both bodies [1/Pa] (Mindlin 1949).
+double lateral_compliance(const CaseInput& input) {
+  return (2 - input.particle.poisson_ratio) / shear_modulus(input.particle) +
+         (2 - input.substrate.poisson_ratio) / shear_modulus(input.substrate);
+}
+
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick
 /// radius of a / 10), and steps of a spacing, an eighth of the contact radius at most; of half a spacing at
 /// the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
-  const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
   const auto law = make_friction_law(input.interface);
   const double friction = law ? area * law->initial_limit(setup.largest_load / area).stress : 0;
-  const double lateral = (2 - input.particle.poisson_ratio) / shear(input.particle) +
-                         (2 - input.substrate.poisson_ratio) / shear(input.substrate);
-  const double torsion = 1 / shear(input.particle) + 1 / shear(input.substrate);
+  const double torsion = 1 / shear_modulus(input.particle) + 1 / shear_modulus(input.substrate);
   MotionScales scales;
-  scales.full_slip_shift = 3 * friction * lateral / (16 * a);
+  scales.full_slip_shift = 3 * friction * lateral_compliance(input) / (16 * a);
   scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
   scales.largest_shift = std::min(spacing, a / 8);
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
+  scales.contact_radius = a;
   return scales;
 }
 
@@ -185,6 +191,21 @@ double contact_region(const CaseInput& input, const CaseSetup& setup, double spa
   return region;
 }
 
+/// Friction that falls with slip by more than the contact's stiffness makes it jump (stick-slip), which no
+/// sequence of equilibria follows. The bodies give way by 0.8 of 3 Q C/(16 a) on average over a pressure as
+/// Hertz' (Mindlin 1949).
+void require_friction_that_does_not_jump(const CaseInput& input, const CaseSetup& setup) {
+  const auto law = make_friction_law(input.interface);
+  if (!law || input.experiment.type == Motion::normal) return;
+  const double a = setup.hertz_radius, area = M_PI * a * a,
+               fall = law->steepest_fall(setup.largest_load / area) * area,
+               give = 0.8 * 3 * lateral_compliance(input) / (16 * a), ratio = fall * give;
+  if (ratio < 1) return;
+  throw InputError(input.file + ": friction falls with slip " + format_quantity(ratio, Dimension::none, 2) +
+                   " times as steeply as the contact's own stiffness follows, so that it would jump "
+                   "(stick-slip); raise the length over which it falls by more than that factor");
+}
+
 }  // namespace
 
 CaseSetup set_up_sizes(const CaseInput& input) {
@@ -221,6 +242,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   if (type == Motion::rolling) fit_to_rolling(input, sizes, region);
   if (type == Motion::sliding) fit_to_sliding(input, sizes);
   setup.motion = motion_scales(input, setup, spacing);
+  require_friction_that_does_not_jump(input, setup);
   if (type == Motion::program) fit_to_program(input, setup);
   options.mesh.layers = input.mesh.layers;
   for (auto& body : setup.roughness) body.spacing = spacing;

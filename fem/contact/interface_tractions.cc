@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/contact/rate_limited_shear.h"
+
 namespace asperity::fem {
 
 InterfaceTractions::InterfaceTractions(const ContactSystem& system, const FrictionLaw* friction,
@@ -93,7 +95,21 @@ InterfacePoint InterfaceTractions::point(const ContactState& state, std::size_t 
 
 double InterfaceTractions::shear_limit(const ContactState& state, std::size_t row, double pressure) const {
   const double* history = state.friction_history.data() + row * history_size_ + kept_of_all_laws;
+  // Under a law that resists by rate, whatever shear there is, is the limit at the slip that there is.
+  if (resists_by_rate()) return std::hypot(state.shear[0][row], state.shear[1][row]);
   return friction_->limit(point(state, row, pressure), history).stress;
+}
+
+Shear InterfaceTractions::shear_at(const ContactState& state, std::size_t row, double pressure) const {
+  const PlaneVector trial{state.shear[0][row] - penalty_ * slip_[0][row],
+                          state.shear[1][row] - penalty_ * slip_[1][row]};
+  if (!held_.empty() && held_[row] && limit_[row] > 0)
+    return return_to_limit(trial, std::numeric_limits<double>::infinity());
+  if (!resists_by_rate()) return return_to_limit(trial, limit_[row]);
+  const double* history = state.friction_history.data() + row * history_size_;
+  InterfacePoint before = point(state, row, pressure);
+  before.slip_path = history[0];
+  return return_to_rate(*friction_, before, history + kept_of_all_laws, trial, penalty_);
 }
 
 void InterfaceTractions::update_history(ContactState& state) const {
@@ -118,40 +134,8 @@ void InterfaceTractions::evaluate(const ContactState& state, const std::vector<d
   slip_ = slips(system_.interface(), state);
   for (std::size_t r = 0; r < pressure_.size(); ++r) {
     for (int c = 0; c < 2; ++c) slip_[c][r] -= slip_origin_[c][r];
-    const double limit =
-        !held_.empty() && held_[r] && limit_[r] > 0 ? std::numeric_limits<double>::infinity() : limit_[r];
-    shear_[r] = return_to_limit(
-        {state.shear[0][r] - penalty_ * slip_[0][r], state.shear[1][r] - penalty_ * slip_[1][r]}, limit);
+    shear_[r] = shear_at(state, r, state.multiplier[r]);
   }
-}
-
-AdhesionLaw::Attraction InterfaceTractions::attraction(const ContactState& state, int row, double gap) const {
-  // Surfaces that overlap for a moment, before the multipliers know, attract as if they touched.
-  auto result = (state.bonded[row] ? *adhesion_.opening : *adhesion_.closing).at(std::max(0.0, gap));
-  if (gap < 0) result.slope = 0;
-  return result;
-}
-
-double InterfaceTractions::update_bonds(ContactState& state, const std::vector<double>& gaps) const {
-  double lost = 0;
-  for (std::size_t r = 0; r < attraction_.size(); ++r) {
-    const bool formed = pressure_[r] > 0 && !state.bonded[r],
-               broken = state.bonded[r] && gaps[r] > adhesion_.opening->range();
-    if (!formed && !broken) continue;
-    const auto before = attraction(state, static_cast<int>(r), gaps[r]);
-    state.bonded[r] = formed;
-    const auto after = attraction(state, static_cast<int>(r), gaps[r]);
-    if (formed) state.multiplier[r] += after.stress - before.stress;
-    lost += system_.areas()[r] * (after.work - before.work);
-  }
-  return lost;
-}
-
-double InterfaceTractions::adhesion_energy(const ContactState& state, const std::vector<double>& gaps) const {
-  double energy = 0;
-  for (std::size_t r = 0; r < attraction_.size(); ++r)
-    energy -= system_.areas()[r] * attraction(state, static_cast<int>(r), gaps[r]).work;
-  return energy;
 }
 
 void InterfaceTractions::hold_unless_slipping_on(const ContactState& state) {
@@ -185,8 +169,11 @@ InterfaceTractions::Change InterfaceTractions::change(const ContactState& state)
   }
   for (std::size_t r = 0; r < shear_.size(); ++r) {
     const auto& t = shear_[r].traction;
-    shear_change += areas[r] * (std::hypot(t[0] - state.shear[0][r], t[1] - state.shear[1][r]) +
-                                std::abs(shear_limit(state, r, pressure_[r]) - limit_[r]));
+    const auto size = [](const PlaneVector& v) { return std::hypot(v[0], v[1]); };
+    const double limit_change = resists_by_rate() ? size(shear_at(state, r, pressure_[r]).traction) - size(t)
+                                                  : shear_limit(state, r, pressure_[r]) - limit_[r];
+    shear_change +=
+        areas[r] * (size({t[0] - state.shear[0][r], t[1] - state.shear[1][r]}) + std::abs(limit_change));
     shear_total += areas[r] * std::hypot(t[0], t[1]);
   }
   // Shear far below the pressures, as in purely normal contact, need not be known to a fraction of itself.

@@ -106,6 +106,9 @@ class InterfaceTractions {
   /// A row under a pressure after the evaluated slip.
   InterfacePoint point(const ContactState& state, std::size_t row, double pressure) const;
   double shear_limit(const ContactState& state, std::size_t row, double pressure) const;
+  bool resists_by_rate() const { return friction_->resists_by_rate() && time_step_ > 0; }
+  /// Of a row under a pressure at the slip that is evaluated.
+  Shear shear_at(const ContactState& state, std::size_t row, double pressure) const;
   /// Place of each row's node along x and y relative to the substrate's surface as it is displaced, but for a
   /// constant.
   std::array<std::vector<double>, 2> slips(const InterfaceOperator& interface,

@@ -211,10 +211,10 @@ void ContactExperiment::refuse_after(const Attempt& made) const {
                   ") after halving the step six times; use more Experiment/Load steps");
 }
 
-void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion) {
+void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion, double duration) {
   // Steps that fail are halved from the last accepted state, those that leave too much of the flow's turn
   // divided; what is reached in between is accepted and kept in the history.
-  std::vector<Target> pending{{target, motion, state_.time + 1}};
+  std::vector<Target> pending{{target, motion, state_.time + duration}};
   int failures = 0;
   BodyEnergies energies;
   const HistoryRow before = records_.empty() ? HistoryRow() : records_.back();
@@ -276,7 +276,7 @@ void ContactExperiment::step_to(const Station& station, int index) {
   const double fraction = station.load;
   solve_with_retries(
       fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach),
-      towards(station, index > 1 ? &program_[index - 2] : nullptr));
+      towards(station, index > 1 ? &program_[index - 2] : nullptr), station.duration);
   if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());

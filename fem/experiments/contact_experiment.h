@@ -45,7 +45,7 @@ class ContactExperiment {
     std::string failure;  ///< that broke it off
   };
   Attempt attempt(ContactState& trial, const Target& target, double force_before);
-  void solve_with_retries(double target, const RigidMotion& motion);
+  void solve_with_retries(double target, const RigidMotion& motion, double duration);
   /// The last target in equal parts, from the accepted state.
   void divide(std::vector<Target>& pending, int parts, bool divided) const;
   [[noreturn]] void refuse_after(const Attempt& made) const;

@@ -7,6 +7,7 @@
 // contact attracts by the law of the larger work until its gap leaves the law's range.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,11 +32,18 @@ class AdhesionLaw {
   virtual double range() const = 0;
 };
 
+/// Work of adhesion of surfaces on approach (closing) and on separation (opening) [J/m^2].
+struct AdhesionWork {
+  double closing = 0, opening = 0;
+};
+
 /// Its name is the word by which a case asks for it.
 struct AdhesionLawDeclaration : LawDeclaration {
   std::string fall;  ///< how attraction falls with the gap, in a few words
   /// work: of separation from contact [J/m^2]; values: of all of its parameters.
   std::unique_ptr<AdhesionLaw> (*make)(double work, const LawValues& values);
+  /// The work of adhesion that follows from the values, where the law is not given one; null: it is.
+  AdhesionWork (*own_work)(const LawValues& values) = nullptr;
 };
 const std::vector<AdhesionLawDeclaration>& adhesion_laws();
 
@@ -45,6 +53,14 @@ ParameterEntry adhesion_range(const std::string& symbol);
 /// The law of that name. Throws InputError with the names there are, or naming the entry that it lacks.
 /// work: of adhesion [J/m^2].
 std::unique_ptr<AdhesionLaw> make_adhesion_law(const std::string& name, double work, const LawValues& values);
+
+/// Given by the case, or by the values of its law; none: no adhesion. Throws InputError as make_adhesion_law
+/// does, and where a work is given to a law that has its own.
+AdhesionWork work_of_adhesion(const InterfaceInput& input);
+
+/// Entries of work of adhesion and their texts, where they follow from the law's own; none where the case is
+/// to be refused.
+std::map<std::string, std::string> work_entries_of_law(const InterfaceInput& input);
 
 /// Laws of surfaces on approach (closing) and on separation (opening); both null: no adhesion.
 struct AdhesionLaws {

@@ -14,15 +14,14 @@
 
 namespace asperity::fem {
 
-/// A point of the interface at the end of a step that is solved for. Until an experiment has a time of its
-/// own, time is the number of the recorded step: each lasts one, whatever it does, and a part of a divided
-/// step its share. Rates are per that unit.
+/// A point of the interface at the end of a step that is solved for. Steps last as long as the experiment's
+/// speed and times say, and a second where it has none; a part of a divided step has its share.
 struct InterfacePoint {
   double pressure = 0;   ///< of contact [Pa]
   double gap = 0;        ///< [m]
   PlaneVector slip{};    ///< since the last accepted state [m]; none where the point sticks or is open
   double slip_path = 0;  ///< accumulated slip since first touch, this step's included [m]
-  double slip_rate = 0;  ///< this step's slip over its time [m per unit of time]
+  double slip_rate = 0;  ///< this step's slip over its time [m/s]
   double time = 0, time_step = 0;  ///< [s]
 };
 
@@ -40,14 +39,19 @@ class FrictionLaw {
   /// (interface_tractions.h), which converges where the limit falls less per slip than the bodies' shear
   /// stress does; a limit that falls faster would let the contact jump.
   virtual ShearLimit limit(const InterfacePoint& point, const double* history) const = 0;
+  /// Whether the limit grows with the rate of slip from none at rest, so that a point under shear always
+  /// slips: limit and slip are then found together (rate_limited_shear.h).
+  virtual bool resists_by_rate() const { return false; }
+  /// Steepest fall of the limit per slip under a pressure [Pa], in [Pa/m]: contacts that are less stiff jump.
+  virtual double steepest_fall(double /*pressure*/) const { return 0; }
   /// Names of a point's internal variables, which are zero at first, in the fields of the interface.
   virtual std::vector<std::string> history() const { return {}; }
   /// Makes the history that of a state that is accepted.
   virtual void remember(const InterfacePoint&, double* /*history*/) const {}
 
-  /// Of a point that has not slipped, with internal variables of zero.
+  /// Of a point that has not slipped, with internal variables of zero: for sizes of steps.
   /// pressure [Pa].
-  ShearLimit initial_limit(double pressure) const;
+  virtual ShearLimit initial_limit(double pressure) const;
 };
 
 /// What a law of friction says of itself, and how it is made.

@@ -21,9 +21,10 @@ struct Shear {
   PlaneVector traction;  ///< [Pa]
   double xx, xy, yy;     ///< -dt/ds over eps [-]
   bool slips;
+  double along = 0;  ///< of the tangent, along the slip: none for a given limit [-]
 
   /// |t|/|t*|: the traction is this share of the trial one.
-  double secant() const { return slips ? xx + yy : 1; }
+  double secant() const { return slips ? xx + yy - along : 1; }
 };
 
 /// trial traction and limit [Pa].

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/residual_imprint.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/output/steady_motion.h"
 #include "fem/solver/load_step_error.h"
@@ -174,7 +175,7 @@ json effective_values(const CaseInput& input, const std::vector<HistoryRow>& rec
   add_contact(effective, peak, error, summary);
   add_yielding(effective, input, peak, records, error);
   add_moving(effective, input, peak, records, error);
-  if (input.interface.work_of_adhesion > 0 && least.normal_force < 0)
+  if (work_of_adhesion(input.interface).opening > 0 && least.normal_force < 0)
     effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
   return effective.values();
 }

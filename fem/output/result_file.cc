@@ -106,6 +106,9 @@ json meanings() {
 }
 
 json inputs_of(const CaseInput& input, const CaseSetup& setup, const ResultSummary& s) {
+  // What follows from entries of the law stands here as if it had been given; 0: as on approach.
+  const AdhesionWork work = work_of_adhesion(input.interface);
+  const double separation = work.opening == work.closing ? input.interface.work_of_separation : work.opening;
   json inputs{{"case", input.file},
               {"entries", input.physical_entries},
               {"particle", body_inputs(input.particle)},
@@ -116,8 +119,8 @@ json inputs_of(const CaseInput& input, const CaseSetup& setup, const ResultSumma
               {"rms_in_region", {{"particle", setup.rms_particle}, {"substrate", setup.rms_substrate}}},
               {"far_field_compliance", s.stiffness.far_field},
               {"lateral_far_field_compliance", s.stiffness.lateral_far_field},
-              {"work_of_adhesion", input.interface.work_of_adhesion},
-              {"work_of_adhesion_on_separation", input.interface.work_of_separation},
+              {"work_of_adhesion", work.closing},
+              {"work_of_adhesion_on_separation", separation},
               {"adhesion_law", input.interface.adhesion_law}};
   inputs.update(meanings());
   for (const auto& [entry, value] : interface_parameters(input.interface)) inputs[result_name(entry)] = value;

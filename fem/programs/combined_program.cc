@@ -16,6 +16,15 @@ double rolled_angle(const ProgramPart& part, double radius) { return part.roll +
 std::vector<double> shares(const ProgramPart& part, double load_change, const ExperimentInput& e,
                            const MotionScales& scales) {
   std::vector<double> path;
+  const bool rests =
+      part.slide == 0 && part.slide_across == 0 && !part.rolls() && part.spin == 0 && load_change == 0;
+  if (rests) {
+    // What creeps at rest does so by decades of time: each step lasts twice as long as the one before.
+    const int steps = part.steps > 0 ? part.steps : 1;
+    for (int i = 1; i <= steps; ++i) path.push_back(std::expm1(i * M_LN2) / std::expm1(steps * M_LN2));
+    path.back() = 1;
+    return path;
+  }
   if (part.steps > 0) {
     for (int i = 1; i <= part.steps; ++i) path.push_back(static_cast<double>(i) / part.steps);
     return path;
@@ -34,6 +43,18 @@ std::vector<double> shares(const ProgramPart& part, double load_change, const Ex
   return graded_path(1, std::min(onset, 10 * largest), largest);
 }
 
+/// Of a part [s]; 0: a second for each step.
+double duration_of(const ProgramPart& part, double load_change, const ExperimentInput& e,
+                   const MotionScales& scales) {
+  if (part.duration > 0) return part.duration;
+  const double arc = scales.rolling_radius * rolled_angle(part, scales.rolling_radius);
+  const double path = std::max({std::hypot(part.slide, part.slide_across), std::abs(arc),
+                                scales.contact_radius * std::abs(part.spin)});
+  if (path == 0) return e.load_time * std::abs(load_change);
+  const double speed = part.speed > 0 ? part.speed : e.speed;
+  return speed > 0 ? path / speed : 0;
+}
+
 }  // namespace
 
 std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, const ExperimentInput& e,
@@ -45,6 +66,7 @@ std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, con
     const auto wanted = by_force(e) ? part.load : part.approach;
     const double load_change = wanted ? *wanted / largest_load(e) - begin.load : 0;
     const double angle = rolled_angle(part, scales.rolling_radius);
+    const double duration = duration_of(part, load_change, e, scales);
     double done = 0;
     for (const double share : shares(part, load_change, e, scales)) {
       const double step = share - done;
@@ -57,6 +79,7 @@ std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, con
       at.motion.roll = begin.motion.roll + angle * share;
       at.motion.spin = begin.motion.spin + part.spin * share;
       at.rolls_freely = part.rolls_freely();
+      at.duration = duration > 0 ? duration * step : 1;
       stations.push_back(at);
       done = share;
     }
@@ -66,7 +89,8 @@ std::vector<Station> combined_program(const std::vector<ProgramPart>& parts, con
 
 MotionExtent extent_of(const std::vector<Station>& stations) {
   MotionExtent extent;
-  for (const auto& [load, motion, free] : stations) {
+  for (const auto& station : stations) {
+    const RigidMotion& motion = station.motion;
     extent.low_x = std::min(extent.low_x, motion.x), extent.high_x = std::max(extent.high_x, motion.x);
     extent.low_y = std::min(extent.low_y, motion.y), extent.high_y = std::max(extent.high_y, motion.y);
     extent.low_roll = std::min(extent.low_roll, motion.roll),

@@ -14,25 +14,30 @@ double hertz_power(const ExperimentInput& e) {
   return e.control == ExperimentInput::Control::force ? 1.5 : 1.0;
 }
 
+/// Of each of `steps` that last `all` together [s].
+double each_of(double all, int steps) { return all > 0 ? all / steps : 1; }
+
 void load(const ExperimentInput& e, const RigidMotion& here, std::vector<Station>& program) {
   for (int i = 1; i <= e.load_steps; ++i)
-    program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here, false});
-  for (int i = 0; i < e.hold_steps; ++i) program.push_back({1.0, here, false});
+    program.push_back({std::pow(static_cast<double>(i) / e.load_steps, hertz_power(e)), here, false,
+                       each_of(e.load_time, e.load_steps)});
+  for (int i = 0; i < e.hold_steps; ++i)
+    program.push_back({1.0, here, false, each_of(e.hold_time, e.hold_steps)});
 }
 
 void unload(const ExperimentInput& e, std::vector<Station>& program) {
   const RigidMotion here = program.back().motion;
-  const double from = program.back().load;
+  const double from = program.back().load, duration = each_of(e.load_time, e.unload_steps);
   if (e.retract > 0) {
     const double last = -e.retract / e.normal_approach;
     for (int i = 1; i <= e.unload_steps; ++i)
-      program.push_back({from + (last - from) * i / e.unload_steps, here, false});
+      program.push_back({from + (last - from) * i / e.unload_steps, here, false, duration});
     return;
   }
   for (int i = e.unload_steps - 1; i >= 0; --i)
     program.push_back({std::max(smallest_fraction,
                                 from * std::pow(static_cast<double>(i) / e.unload_steps, hertz_power(e))),
-                       here, false});
+                       here, false, duration});
 }
 
 std::vector<double> even_path(double length, int steps) {
@@ -53,8 +58,12 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
     return e.motion_steps > 0 ? even_path(distance, e.motion_steps)
                               : graded_path(distance, scale * onset, largest);
   };
+  double before = 0;
+  const double lever = torsion ? scales.contact_radius : 1;
   const auto add = [&](double position) {
     Station station{1.0, start, rolling};
+    if (e.speed > 0) station.duration = lever * std::abs(position - before) / e.speed;
+    before = position;
     if (torsion)
       station.motion.spin += position;
     else

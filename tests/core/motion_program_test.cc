@@ -38,6 +38,18 @@ TEST(MotionProgram_behaviour, a_length_that_is_pressed_is_an_approach_and_one_th
   EXPECT_FALSE(parts[3].rolls_freely());
 }
 
+TEST(MotionProgram_behaviour, parts_have_speeds_and_times) {
+  const auto parts =
+      parse_motion_program("slide 200 nm at 1 um/s in 4 steps; hold 3 ms; roll 1 mrad at 2 nm/s");
+  EXPECT_DOUBLE_EQ(parts[0].speed, 1e-6);
+  EXPECT_EQ(parts[0].steps, 4);
+  EXPECT_DOUBLE_EQ(parts[1].duration, 3e-3);
+  EXPECT_DOUBLE_EQ(parts[2].speed, 2e-9);
+  EXPECT_DOUBLE_EQ(parts[2].roll, 1e-3);
+  for (const char* wrong : {"slide 2 nm at 0 m/s", "hold 0 s", "hold -1 s", "slide 2 nm at 3 nm"})
+    EXPECT_THROW(parse_motion_program(wrong), InputError) << wrong;
+}
+
 TEST(MotionProgram_behaviour, says_what_is_not_a_motion) {
   const auto message = [](const std::string& text) {
     try {

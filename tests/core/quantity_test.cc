@@ -41,19 +41,29 @@ TEST(Quantity_analytic, each_unit_has_its_factor) {
       {Dimension::surface_energy, {{"1 J/m^2", 1}, {"1 mJ/m^2", 1e-3}, {"1 N/m", 1}, {"1 mN/m", 1e-3}}},
       {Dimension::area, {{"1 m^2", 1}, {"1 mm^2", 1e-6}, {"1 um^2", 1e-12}, {"1 nm^2", 1e-18}}},
       {Dimension::stiffness,
-       {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}}};
+       {{"1 N/m", 1}, {"1 kN/m", 1e3}, {"1 MN/m", 1e6}, {"1 uN/nm", 1e3}, {"1 mN/um", 1e3}}},
+      {Dimension::temperature, {{"1 K", 1}}},
+      {Dimension::voltage, {{"1 V", 1}, {"1 mV", 1e-3}, {"1 uV", 1e-6}, {"1 kV", 1e3}}},
+      {Dimension::molar_volume, {{"1 m^3/mol", 1}, {"1 cm^3/mol", 1e-6}}}};
   for (const auto& [dimension, list] : units)
     for (const auto& [text, value] : list)
       EXPECT_NEAR(parse_quantity(text, dimension) / value, 1, 1e-14) << text;
 }
 
 const std::vector<std::pair<Dimension, std::string>>& si_symbols() {
-  static const std::vector<std::pair<Dimension, std::string>> symbols{
-      {Dimension::none, ""},     {Dimension::length, "m"},
-      {Dimension::force, "N"},   {Dimension::pressure, "Pa"},
-      {Dimension::time, "s"},    {Dimension::angle, "rad"},
-      {Dimension::speed, "m/s"}, {Dimension::surface_energy, "J/m^2"},
-      {Dimension::area, "m^2"},  {Dimension::stiffness, "N/m"}};
+  static const std::vector<std::pair<Dimension, std::string>> symbols{{Dimension::none, ""},
+                                                                      {Dimension::length, "m"},
+                                                                      {Dimension::force, "N"},
+                                                                      {Dimension::pressure, "Pa"},
+                                                                      {Dimension::time, "s"},
+                                                                      {Dimension::angle, "rad"},
+                                                                      {Dimension::speed, "m/s"},
+                                                                      {Dimension::surface_energy, "J/m^2"},
+                                                                      {Dimension::area, "m^2"},
+                                                                      {Dimension::stiffness, "N/m"},
+                                                                      {Dimension::voltage, "V"},
+                                                                      {Dimension::temperature, "K"},
+                                                                      {Dimension::molar_volume, "m^3/mol"}};
   return symbols;
 }
 
@@ -80,7 +90,8 @@ TEST(Quantity_analytic, any_prefix_that_is_written_is_read) {
       {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
   for (const auto& [dimension, symbol] : si_symbols())
     for (const auto& [prefix, factor] : prefixes) {
-      if (dimension == Dimension::none || dimension == Dimension::area || dimension == Dimension::angle)
+      if (dimension == Dimension::none || dimension == Dimension::area || dimension == Dimension::angle ||
+          dimension == Dimension::molar_volume)
         continue;
       EXPECT_EQ(format_quantity(2 * factor, dimension), "2 " + prefix + symbol);
       EXPECT_NEAR(unit_factor(prefix + symbol, dimension) / factor, 1, 1e-14) << prefix << symbol;
@@ -145,7 +156,8 @@ TEST(Quantity_behaviour, hundreds_in_two_digits_have_no_exponent) {
 TEST(Quantity_analytic, is_read_as_it_is_written_whatever_its_magnitude) {
   for (const Dimension dimension :
        {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
-        Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness})
+        Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness,
+        Dimension::temperature, Dimension::voltage, Dimension::molar_volume})
     for (double value = 1.5e-15; value < 1e16; value *= 10)
       EXPECT_NEAR(parse_quantity(format_quantity(value, dimension), dimension), value, 1e-12 * value)
           << format_quantity(value, dimension);

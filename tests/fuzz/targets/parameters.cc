@@ -55,9 +55,10 @@ void read_result_file(const std::string& bytes) {
 
 void read_quantity(const std::string& text) {
   std::vector<std::string> written;  // of the dimension at hand
-  for (const Dimension dimension : {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure,
-                                    Dimension::time, Dimension::angle, Dimension::speed,
-                                    Dimension::surface_energy, Dimension::area, Dimension::stiffness}) {
+  for (const Dimension dimension :
+       {Dimension::none, Dimension::length, Dimension::force, Dimension::pressure, Dimension::time,
+        Dimension::angle, Dimension::speed, Dimension::surface_energy, Dimension::area, Dimension::stiffness,
+        Dimension::temperature, Dimension::voltage, Dimension::molar_volume}) {
     written.clear();
     try {
       written.push_back(format_quantity(parse_quantity(text, dimension), dimension));
