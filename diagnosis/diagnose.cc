@@ -20,9 +20,6 @@ namespace {
 constexpr double part_that_counts[] = {0, 0.7, 0.95, 0.98};
 /// How much worse held-out data may be predicted, relative, by an explanation that counts as equal.
 constexpr double held_out_equal = 1.05;
-/// Largest chi^2 per sample that may be called noise, whatever laws may be off by: a deviation is seldom
-/// known better than to a fifth.
-constexpr double largest_of_noise = 1.5;
 
 class Diagnoser {
  public:
@@ -59,17 +56,17 @@ class Diagnoser {
       scanner_of_noise =
           std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     }
-    const Scanner& scanner = *scanner_of_noise;
-    const ScanResult before =
-        scanner.scan(problem_.baseline_residual,
-                     problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
-    const bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
+    ScanResult before =
+        scanner_of_noise->scan(problem_.baseline_residual,
+                               problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
+    bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
-    judged_ = judged_sets(problem_, search_, scanner, blocks, baseline_held_out_);
+    judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_);
+    if (judged_.list.empty() && !seems_noise) seems_noise = is_noise_that_neighbours_share(before);
     describe_common(before);
     if (!judged_.list.empty())
-      judge(scanner);
+      judge(*scanner_of_noise);
     else if (seems_noise)
       nothing_named(Verdict::no_mismatch, {}, {});
     else
@@ -85,6 +82,27 @@ class Diagnoser {
  private:
   void say(const std::string& what) const {
     if (options_.progress) options_.progress(what);
+  }
+
+  /// Where nothing explains it: whether what is left is noise that neighbours share, most of which
+  /// differences between them do not show. If so, the noise is learned from it and `before` scanned anew.
+  bool is_noise_that_neighbours_share(ScanResult& before) {
+    const Noise kept = problem_.noise;
+    const auto& residual = problem_.baseline_residual;
+    if (!prepared_.learn_noise(residual, most_off)) return false;
+    const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    const ScanResult anew = scanner.scan(residual, LawError{});
+    // What AR(1) leaves may be correlated by no more than chance: three deviations of the sum.
+    const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, baseline_.count)));
+    if (anew.p_value > significance &&
+        shared_variance(problem_.samples, residual, problem_.noise) < 1 + chance) {
+      before = anew;
+      baseline_held_out_ =
+          predict_held_out(problem_, finished(problem_, baseline_), blocks_of(problem_.samples));
+      return true;
+    }
+    problem_.noise = kept;
+    return false;
   }
 
   /// The sets that survive the search by corrected laws, by finite elements; noise anew from the best.

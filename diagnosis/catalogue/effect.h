@@ -80,6 +80,9 @@ class Effect {
   virtual std::string not_recorded(const Experiment&) const { return ""; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }
+  /// How many numbers its law takes from the recording itself beside its parameters [-]; each counts as a
+  /// parameter.
+  virtual double numbers_read_off(const Experiment&, const double*) const { return 0; }
   /// Further starting points read off the residuals before physics is added.
   virtual std::vector<EffectStart> starts(const Samples&, const std::vector<double>&) const { return {}; }
   /// How it enters a case of finite elements that is pressed as this experiment is.

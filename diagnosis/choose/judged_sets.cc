@@ -20,6 +20,10 @@ constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
 constexpr double part_of_rest = 0.5;
 constexpr std::size_t most_judged = 6;
 
+double chi2_of(const ModelFit& fit) {
+  return fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count));
+}
+
 double excess(const ModelFit& fit) { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
 
 const Candidate* find(const SearchResult& search, const Effects& effects) {
@@ -36,7 +40,8 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
 bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
                          const Candidate& candidate) {
   const auto leaves_noise = [&](const ModelFit& fit) {
-    return remaining(problem, search.alone.fit, scanner, fit).p_value > significance;
+    return chi2_of(fit) < largest_of_noise &&
+           remaining(problem, search.alone.fit, scanner, fit).p_value > significance;
   };
   const auto& effects = candidate.fit.explanation->effects();
   const bool complete = effects.size() > 1 && leaves_noise(candidate.fit);

@@ -15,6 +15,9 @@ namespace asperity {
 constexpr double significance = 0.005;
 /// Log evidence within which two explanations are as good: odds of ten to one.
 constexpr double as_good = 2.3;
+/// Largest chi^2 per sample that may be called noise, whatever laws may be off by: a deviation is seldom
+/// known better than to a fifth.
+constexpr double largest_of_noise = 1.5;
 
 /// The residual of an explanation, beyond the model error of its laws.
 ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,

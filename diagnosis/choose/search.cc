@@ -11,7 +11,7 @@ namespace {
 
 using Effects = std::vector<const Effect*>;
 
-constexpr std::size_t widest_beam_of_singles = 5, widest_beam_of_pairs = 3, largest_set = 3;
+constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, largest_set = 3;
 
 /// Log odds against each effect that other causes look like in these data: less than as_good, so that it
 /// stays a candidate beside its equals.
@@ -19,7 +19,8 @@ constexpr double not_shown = 1.5;
 
 void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
            double overdispersion) {
-  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
+  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size()) +
+                          candidate.fit.numbers_read_off(experiment);
   const auto effects = static_cast<double>(candidate.fit.explanation->effects().size());
   const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
   candidate.score = -0.5 * candidate.cost / overdispersion - 0.5 * parameters * std::log(count) -

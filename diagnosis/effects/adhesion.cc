@@ -60,6 +60,7 @@ class AttractedContact : public NormalContact {
   AttractedContact(const AttractedContact& other) : law_(other.law_->clone()), pull_off_(other.pull_off_) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<AttractedContact>(*this); }
   double release() const override { return law_->release(); }
+  void begin_step(double time_step) override { law_->begin_step(time_step); }
   double force(double d) const override {
     const double pressed = law_->force(d);
     return pressed > 0 ? pressed - pull_off_ : 0;

@@ -1,7 +1,9 @@
 // Saw-tooth of slip events during sliding: after each event the force is lower by A and is built up again
 // over the period p:
-//   |f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2],  s: path since sliding began after the reversal,
-//   s_m: half the stroke.
+//   |f_l| <= mu f_n + A [frac(phase) - 1/2],  d phase/d s = 1/p on the mean.
+// Where events begin no law says (after a reversal, between defects, by chance): the phase is read off the
+// recording in windows of three periods (sliding_trace.h), each of which counts as a parameter. Where there
+// is no recording, events are counted from the middle of the stroke.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -102,7 +104,7 @@ class StickSlip : public Effect {
     static const EffectDescription d{
         "stick_slip",
         "Stick-slip",
-        "|f_l| <= mu f_n + A [frac((s - s_m)/p + phase) - 1/2]",
+        "|f_l| <= mu f_n + A [frac(s/p + phase) - 1/2], the phase read off the recording",
         "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
         "Sliding goes in jumps: force builds up while the contact sticks and drops when it slips.",
         EffectKind::contact,
@@ -118,33 +120,29 @@ class StickSlip : public Effect {
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_response, path = e.stroke;
     return {{"amplitude", "N", "A, drop of the force in an event", 1e-4 * f, 2 * f, true, {0.1 * f}},
-            {"period", "m", "p, path between events", 1e-4 * path, 0.5 * path, true, {0.1 * path}},
-            {"phase",
-             "",
-             "part of a period that has passed in the middle of a stroke",
-             -0.5,
-             1,
-             false,
-             {0, 0.5},
-             true}};
+            {"period", "m", "p, path between events", 1e-4 * path, 0.5 * path, true, {0.1 * path}}};
+  }
+  double numbers_read_off(const Experiment& e, const double* p) const override {
+    return e.sliding_trace ? e.sliding_trace->windows(p[1]) : 0;
   }
   std::vector<EffectStart> starts(const Samples& samples,
                                   const std::vector<double>& residual) const override {
     std::vector<EffectStart> list;
     for (const auto& [period, amplitude] : strongest_periods(samples, residual))
-      for (const double phase : {0.0, 0.17, 0.33, 0.5, 0.67, 0.83})
-        list.push_back({M_PI * amplitude, period, phase});  // a saw-tooth's first harmonic is A/pi
+      list.push_back({M_PI * amplitude, period});  // a saw-tooth's first harmonic is A/pi
     return list;
   }
   void assemble(Mechanics& m, const double* p) const override {
-    const double drop = p[0], period = p[1], phase = p[2];
-    // Counted from the middle of the stroke, phase and period do not make up for each other.
-    const double middle = 0.5 * m.experiment.stroke;
-    m.lateral.limit_changes.push_back([drop, period, phase, middle](double limit, const SlipState& s) {
-      if (s.path <= 0) return limit;
-      const double part = (s.path - middle) / period + phase;
-      return limit + drop * (part - std::floor(part) - 0.5);
-    });
+    const double drop = p[0], period = p[1], middle = 0.5 * m.experiment.stroke;
+    std::vector<double> phases;
+    if (m.experiment.sliding_trace) phases = m.experiment.sliding_trace->phases(period);
+    m.lateral.limit_changes.push_back(
+        [drop, period, middle, phases = std::move(phases)](double limit, const SlipState& s) {
+          if (s.path <= 0) return limit;
+          const bool is_read = s.sample && s.sample->index < phases.size();
+          const double part = is_read ? phases[s.sample->index] : (s.path - middle) / period;
+          return limit + drop * (part - std::floor(part) - 0.5);
+        });
   }
 };
 

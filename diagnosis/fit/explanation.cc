@@ -174,15 +174,31 @@ const double* ModelFit::value_of(const std::string& name, const Effect* owner) c
   return nullptr;
 }
 
-bool ModelFit::is_itself() const {
+std::vector<const double*> ModelFit::values_of_effects() const {
+  std::vector<const double*> list;
   std::size_t next = 0;
   const auto& parameters = explanation->parameters();
   while (next < parameters.size() && parameters[next].effect < 0) ++next;
   for (std::size_t e = 0; e < explanation->effects().size(); ++e) {
-    if (!explanation->effects()[e]->is_itself(values.data() + next)) return false;
+    list.push_back(values.data() + next);
     while (next < parameters.size() && parameters[next].effect == static_cast<int>(e)) ++next;
   }
+  return list;
+}
+
+bool ModelFit::is_itself() const {
+  const auto at = values_of_effects();
+  for (std::size_t e = 0; e < at.size(); ++e)
+    if (!explanation->effects()[e]->is_itself(at[e])) return false;
   return true;
+}
+
+double ModelFit::numbers_read_off(const Experiment& experiment) const {
+  const auto at = values_of_effects();
+  double sum = 0;
+  for (std::size_t e = 0; e < at.size(); ++e)
+    sum += explanation->effects()[e]->numbers_read_off(experiment, at[e]);
+  return sum;
 }
 
 std::string ModelFit::stopped_at() const {

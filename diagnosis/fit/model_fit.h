@@ -49,6 +49,10 @@ struct ModelFit {
   /// Null where it has no such parameter; `owner` null: of the simulation itself.
   /// In the parameter's unit.
   const double* value_of(const std::string& name, const Effect* owner) const;
+  /// Parameters of each effect, in their order.
+  std::vector<const double*> values_of_effects() const;
+  /// Numbers that the effects take from the recording, see Effect::numbers_read_off() [-].
+  double numbers_read_off(const Experiment& experiment) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
   bool is_itself() const;
   /// Name of the first parameter that ended at a bound of the search; empty: none did.

@@ -194,9 +194,7 @@ void mark_beginnings(Samples& samples, const Noise& noise) {
   }
 }
 
-bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise) {
-  constexpr double may_be_off =
-      1.25;  // of an estimate from second differences, if neighbours share a fifth or two of the variance
+bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise, double off) {
   constexpr std::size_t fewest = 100;
   bool changed = false;
   for (std::size_t t = 0; t < noise.from.size(); ++t) {
@@ -210,7 +208,7 @@ bool refine_noise(const Samples& samples, const std::vector<double>& residual, N
       }
     if (!trace || count < fewest) continue;
     const MeasuredNoise measured = measured_noise(samples, residual, noise.sd, t);
-    if (measured.sd > may_be_off || measured.sd < 1 / may_be_off) continue;
+    if (measured.sd > off || measured.sd < 1 / off) continue;
     changed = true;
     for (std::size_t r = 0; r < samples.runs.size(); ++r) {
       const SampleRun& run = samples.runs[r];

@@ -29,10 +29,14 @@ ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks
 /// From what is given, from repeats, else from the high frequencies of the residuals.
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual);
 
+/// What an estimate from second differences may be off by, as a ratio of deviations [-]: where neighbours
+/// share a fifth or two of the variance, and where they share most of it.
+constexpr double may_be_off = 1.25, most_off = 1.7;
 /// With what the residuals of a fit say of it where they are noise: where what they scatter over neighbours
-/// is no more than the estimate may be off by, deviation and memory by maximum likelihood (the latter alone
-/// where the deviation is given). False if nothing changes.
-bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise);
+/// is no more than the estimate may be `off` by, deviation and memory by maximum likelihood (the latter alone
+/// where the deviation is given). `off`: ratio of deviations [-]. False if nothing changes.
+bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise,
+                  double off = may_be_off);
 
 /// Marks samples that lie far off their neighbours (Hampel 1974) as not counting; returns how many.
 std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise);

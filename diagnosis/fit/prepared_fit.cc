@@ -66,9 +66,9 @@ FitProblem problem_of(const Recording& recording) {
 
 }  // namespace
 
-bool PreparedFit::learn_noise(const std::vector<double>& residual) {
+bool PreparedFit::learn_noise(const std::vector<double>& residual, double off) {
   Noise learned = short_scale_noise;
-  if (!refine_noise(problem.samples, residual, learned)) return false;
+  if (!refine_noise(problem.samples, residual, learned, off)) return false;
   problem.noise = learned;
   return true;
 }

@@ -14,8 +14,9 @@ struct PreparedFit {
   Noise short_scale_noise;  ///< before anything is learned from residuals that are noise
   std::size_t outliers = 0;
 
-  /// Noise from what a fit leaves, where that is noise; false if nothing changes.
-  bool learn_noise(const std::vector<double>& residual);
+  /// Noise from what a fit leaves, where that is noise, of at most `off` times the deviation estimated first
+  /// [-]; false if nothing changes.
+  bool learn_noise(const std::vector<double>& residual, double off = may_be_off);
 };
 
 /// Completes a problem whose samples and experiment are known: what finite elements say of the case as it is.

@@ -14,6 +14,7 @@ double rolling_limit(const Mechanics& mechanics, const Sample& sample, double co
                      double plate_force) {
   const LateralMechanics& lateral = mechanics.lateral;
   const Experiment& e = mechanics.experiment;
+  const double offset = offset_at(lateral, sample);
   const double cosine = std::cos(sample.rail_angle), sine = std::sin(sample.rail_angle);
   const double slope_force = plate_force / (2 * cosine);
   double above = 1, below = 1;  // lambda/r
@@ -26,9 +27,8 @@ double rolling_limit(const Mechanics& mechanics, const Sample& sample, double co
   }
   const double slopes = sample.rail_angle == 0 ? 1 : 2;
   const double share = sample.rail_angle == 0 ? plate_force : slope_force;
-  return (coefficient * above * (plate_force + lateral.offset) +
-          slopes * below * (coefficient * cosine + lateral.torsion_coefficient * sine) *
-              (share + lateral.offset)) /
+  return (coefficient * above * (plate_force + offset) +
+          slopes * below * (coefficient * cosine + lateral.torsion_coefficient * sine) * (share + offset)) /
          (1 + cosine);
 }
 
@@ -41,6 +41,7 @@ double hertz_radius(const Mechanics& mechanics, const Sample& sample) {
 double lateral_limit(const Mechanics& mechanics, const Sample& sample, double coefficient,
                      bool at_substrate) {
   const LateralMechanics& lateral = mechanics.lateral;
+  const double offset = offset_at(lateral, sample);
   switch (mechanics.experiment.mode) {
     case Motion::rolling:
       return rolling_limit(mechanics, sample, coefficient, sample.normal_force);
@@ -53,17 +54,17 @@ double lateral_limit(const Mechanics& mechanics, const Sample& sample, double co
     case Motion::torsion: {
       const double lever =
           lateral.length == LengthScale::contact_radius ? hertz_radius(mechanics, sample) / sample.radius : 1;
-      return coefficient * lever * (sample.normal_force + lateral.offset);
+      return coefficient * lever * (sample.normal_force + offset);
     }
     default:
       break;
   }
   if (lateral.follows_area) {
-    const double a = contact_radius(mechanics.geometry.reduced_modulus, sample.radius,
-                                    sample.normal_force + lateral.offset);
+    const double a =
+        contact_radius(mechanics.geometry.reduced_modulus, sample.radius, sample.normal_force + offset);
     return coefficient * M_PI * a * a;
   }
-  return coefficient * (sample.normal_force + lateral.offset);
+  return coefficient * (sample.normal_force + offset);
 }
 
 }  // namespace asperity

@@ -3,7 +3,7 @@
 //
 //   normal   d = d_contact + sum of series(f_contact) + sum of delayed parts(d_contact) + sum of
 //   shifts(sample),
-//              f_n = f_contact + sum of additions(sample, d)
+//              f_n = reading(f_contact + sum of additions(sample, d))
 //   lateral  x = x_contact + C f_l,contact,   |f_l,contact| <= limit,   f_l = f_l,contact + sum of
 //   additions(sample) limit    coefficient x (f_n + offset), each changed by the list of changes
 //
@@ -75,17 +75,20 @@ struct NormalMechanics {
   std::vector<DelayedPart> delays;                           ///< displacement [m] that follows the contact's
   std::vector<std::function<double(const Sample&)>> shifts;  ///< displacement [m]; may keep a history
   std::vector<std::function<double(const Sample&, double displacement)>> additions;  ///< force [N]
+  /// Force [N] to what the sensor reads of it [N], never falling.
+  std::vector<std::function<double(double force)>> readings;
   std::shared_ptr<const BranchCorrection> correction;  ///< in series with the contact; null: none
 };
 
 /// Under lateral load.
 struct LateralMechanics {
   enum class Stick { spring, strips } stick = Stick::spring;
-  double compliance = 0;                              ///< C in series [m/N]
-  double coefficient = 0;                             ///< mu of sliding, rolling, or torsion in mode torsion
-  double offset = 0;                                  ///< h added to the normal force [N]
-  double torsion_coefficient = 0;                     ///< mu_to at the slopes of a rail
-  LengthScale length = LengthScale::particle_radius;  ///< of rolling and torsion
+  double compliance = 0;   ///< C in series [m/N]
+  double coefficient = 0;  ///< mu of sliding, rolling, or torsion in mode torsion
+  double offset = 0;       ///< h added to the normal force [N]
+  std::vector<std::function<double(const Sample&)>> offsets;  ///< further h, of the sample [N]
+  double torsion_coefficient = 0;                             ///< mu_to at the slopes of a rail
+  LengthScale length = LengthScale::particle_radius;          ///< of rolling and torsion
   bool follows_area =
       false;  ///< sliding: the limit is coefficient x pi a^2, coefficient a shear strength [Pa]
   std::vector<CoefficientChange> coefficient_changes;
@@ -99,6 +102,13 @@ struct Mechanics {
   NormalMechanics normal;
   LateralMechanics lateral;
 };
+
+/// h added to the normal force at a sample [N].
+inline double offset_at(const LateralMechanics& lateral, const Sample& sample) {
+  double sum = lateral.offset;
+  for (const auto& part : lateral.offsets) sum += part(sample);
+  return sum;
+}
 
 /// The recording's own simulation before any effect: its laws and the values of its coefficients.
 Mechanics baseline_mechanics(const Experiment& experiment, const SimulationChoice& choice);

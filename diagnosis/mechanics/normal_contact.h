@@ -21,6 +21,8 @@ class NormalContact {
   /// Displacement at a force in closed form, where there is one; NaN: solve force() for it.
   /// [N] to [m].
   virtual double displacement(double) const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// A step of this duration begins [s]; 0 for the first sample of a run.
+  virtual void begin_step(double) {}
   /// The step to this displacement was taken.
   virtual void accept(double) {}
   /// Displacement below which there is no contact, whatever came before [m].

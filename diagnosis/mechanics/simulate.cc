@@ -34,13 +34,13 @@ class NormalRun {
                          ? shifted
                          : contact_displacement(shifted);
     accept(d);
-    return contact_->force(d) + addition(sample, sample.normal_displacement);
+    return reading(contact_->force(d) + addition(sample, sample.normal_displacement));
   }
 
   double displacement_at(const Sample& sample) {
     begin_step(sample);
     const double shifted = shift(sample);
-    if (mechanics_.additions.empty()) {
+    if (mechanics_.additions.empty() && mechanics_.readings.empty()) {
       const double d = contact_->displacement(sample.normal_force);
       if (std::isfinite(d)) {
         step_ = d - last_;
@@ -52,7 +52,7 @@ class NormalRun {
     }
     const auto whole = [&](double d) { return d + series(contact_->force(d)) + delayed(d) + shifted; };
     const auto excess = [&](double d) {
-      return contact_->force(d) + addition(sample, whole(d)) - sample.normal_force;
+      return reading(contact_->force(d) + addition(sample, whole(d))) - sample.normal_force;
     };
     // As far again as the last step went.
     const double d = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)),
@@ -73,6 +73,7 @@ class NormalRun {
     time_ = sample.time;
     begun_ = true;
     sample_ = &sample;
+    contact_->begin_step(time_step_);
   }
   void accept(double d) {
     contact_->accept(d);
@@ -98,6 +99,10 @@ class NormalRun {
     double sum = 0;
     for (const auto& part : mechanics_.additions) sum += part(sample, displacement);
     return sum;
+  }
+  double reading(double force) const {
+    for (const auto& part : mechanics_.readings) force = part(force);
+    return force;
   }
   /// Solves d + series(f(d)) + delayed(d) = given for the contact's own displacement d.
   double contact_displacement(double given) {

@@ -61,12 +61,14 @@ void take_sample(Experiment& e, Gathered& all, const Sample& s, bool response_is
     all.set["rms_roughness"].push_back(s.rms_roughness);
     all.set["radius"].push_back(s.radius);
     all.set["rail_angle"].push_back(s.rail_angle);
+    all.set["humidity"].push_back(s.humidity);
   }
   (s.direction > 0 ? all.forward : all.backward) = true;
 }
 
 void take_run(Experiment& e, Gathered& all, const SampleRun& run, const Samples& samples) {
   (run.independent_rows ? e.has_series : e.has_trace) = true;
+  if (e.mode == Motion::normal && !run.response_is_displacement) e.response_is_force = true;
   double left = std::numeric_limits<double>::infinity(), right = -left;
   for (std::size_t i = run.begin; i < run.end; ++i) {
     const Sample& s = samples.list[i];
@@ -74,8 +76,13 @@ void take_run(Experiment& e, Gathered& all, const SampleRun& run, const Samples&
     left = std::min(left, s.lateral_displacement);
     right = std::max(right, s.lateral_displacement);
   }
+  const double lasted = samples.list[run.end - 1].time - samples.list[run.begin].time;
+  if (!run.independent_rows && lasted > 0) {
+    e.slowest_run = e.slowest_run > 0 ? std::min(e.slowest_run, 1 / lasted) : 1 / lasted;
+    e.fastest_run = std::max(e.fastest_run, 1 / lasted);
+  }
   e.stroke = std::max(e.stroke, right - left);
-  e.duration = std::max(e.duration, samples.list[run.end - 1].time - samples.list[run.begin].time);
+  e.duration = std::max(e.duration, lasted);
 }
 
 }  // namespace
@@ -98,6 +105,7 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   e.largest_displacement = recording.mode == Motion::normal && all.deepest > 0
                                ? all.deepest
                                : e.hertz().approach(std::max(e.largest_force, 0.0));
+  if (e.mode == Motion::sliding && e.has_trace) e.sliding_trace = std::make_shared<SlidingTrace>(samples);
   e.has_both_directions = all.forward && all.backward;
   e.has_unloading = recording.mode == Motion::normal && all.backward;
   e.has_off_contact = recording.mode == Motion::normal && all.shallowest < 0;

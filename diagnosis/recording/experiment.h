@@ -4,10 +4,12 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "core/hertz.h"
 #include "diagnosis/recording/samples.h"
+#include "diagnosis/recording/sliding_trace.h"
 
 namespace asperity {
 
@@ -22,17 +24,21 @@ struct Experiment {
   double stroke = 0;                            ///< path length in one direction [m]
   double duration = 0;                          ///< of the longest run [s]
   double hold_duration = 0;                     ///< of the longest hold [s]
-  double slowest = 0, fastest = 0;     ///< speeds that a twentieth of the samples stay below and above [m/s]
-  double cycles = 0;                   ///< of the longest run
-  double smoothest = 0, roughest = 0;  ///< rms roughness [m]
+  double slowest = 0, fastest = 0;  ///< speeds that a twentieth of the samples stay below and above [m/s]
+  double slowest_run = 0, fastest_run = 0;  ///< shortest and longest run, as 1/duration [1/s]; normal mode
+  double cycles = 0;                        ///< of the longest run
+  double smoothest = 0, roughest = 0;       ///< rms roughness [m]
   double smallest_radius = 0, largest_radius = 0;
   double smallest_force = 0;
   /// How many different values each of the variables holds that an experimenter sets (rms_roughness, radius,
-  /// rail_angle), by channel.
+  /// rail_angle, humidity), by channel.
   std::map<std::string, int> different;
+  /// What sliding looks like in time; null where no run of sliding was recorded.
+  std::shared_ptr<const SlidingTrace> sliding_trace;
   bool has_trace = false, has_series = false, has_both_directions = false, has_unloading = false,
        has_off_contact = false;
   bool has_time = false;
+  bool response_is_force = false;  ///< a normal force is recorded under a driven displacement
   /// The simulation is a case of finite elements: laws keep only what its entries can say.
   bool by_finite_elements = false;
   /// Yield stresses of that case, as it is [Pa]; infinite: the body stays elastic.

@@ -19,7 +19,7 @@ double value_or(const RecordingTable& table, const std::string& channel, std::si
 /// An empty cell is not known, no zero: a row without the load or speed that its table gives cannot be
 /// judged.
 bool says_what_it_depends_on(const RecordingTable& table, std::size_t row, bool normal) {
-  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle"}) {
+  for (const char* channel : {"normal_force", "speed", "radius", "rms_roughness", "rail_angle", "humidity"}) {
     if (normal && std::string(channel) == "normal_force") continue;
     const auto found = table.columns.find(channel);
     if (found == table.columns.end() || !std::isnan(found->second[row])) continue;
@@ -67,6 +67,7 @@ Sample sample_of(const Recording& recording, const RecordingTable& table, std::s
   s.rms_roughness = value_or(table, "rms_roughness", row, recording.substrate.rms_roughness);
   s.rail_angle =
       value_or(table, "rail_angle", row, std::isfinite(recording.rail_angle) ? recording.rail_angle : 0.0);
+  s.humidity = value_or(table, "humidity", row, 0);
   s.cycle = value_or(table, "cycle", row, 0);
   s.response = value_or(table, table.response, row, 0);
   s.counts = std::isfinite(table.column(table.response)[row]) &&

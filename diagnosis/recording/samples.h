@@ -17,6 +17,7 @@ struct Sample {
   double radius = 0;  ///< of the particle
   double rms_roughness = 0;
   double rail_angle = 0;
+  double humidity = 0;          ///< relative, 0 to 1
   double since_reversal = 0;    ///< path since the driven motion last turned [m]
   double hold_time = 0;         ///< since the hold began [s]; 0 outside holds
   int hold = 0;                 ///< holds of the run begun so far

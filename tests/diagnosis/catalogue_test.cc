@@ -37,7 +37,19 @@ TEST(Catalogue_behaviour, holds_every_effect_of_the_format_by_its_name) {
                          "torsion_resistance",
                          "adhesion_hysteresis",
                          "baseline_tilt",
-                         "rate_and_state"})
+                         "rate_and_state",
+                         "pop_in",
+                         "film",
+                         "capillary",
+                         "electrostatic",
+                         "viscoelasticity",
+                         "detector_nonlinearity",
+                         "clipping",
+                         "constant_lateral_force",
+                         "friction_by_roughness",
+                         "friction_by_humidity",
+                         "two_term_friction",
+                         "indentation_size"})
     EXPECT_EQ(effect_of(id).id(), id);
 }
 

@@ -277,13 +277,13 @@ TEST(RateAndState_analytic, is_steady_at_a_minus_b_and_relaxes_over_its_slip_dis
 
 TEST(StickSlip_analytic, is_a_saw_tooth_about_the_limit_counted_from_the_middle_of_the_stroke) {
   Experiment e = test::experiment(Motion::sliding);
-  Mechanics m = assembled(e, "stick_slip", {4 * uN, 10 * nm, 0.25});
+  Mechanics m = assembled(e, "stick_slip", {4 * uN, 10 * nm});
   const auto& change = m.lateral.limit_changes.at(0);
   SlipState state;
   const auto at = [&](double path) { return state.path = path, change(100 * uN, state); };
   const double middle = e.stroke / 2;
-  EXPECT_NEAR(at(middle), 100 * uN - 1 * uN, 1e-15);           // a quarter of the rise from -2 uN
-  EXPECT_NEAR(at(middle + 5 * nm), 100 * uN + 1 * uN, 1e-12);  // three quarters
+  EXPECT_NEAR(at(middle + 2.5 * nm), 100 * uN - 1 * uN, 1e-12);  // a quarter of the rise from -2 uN
+  EXPECT_NEAR(at(middle + 5 * nm), 100 * uN, 1e-12);
   EXPECT_NEAR(at(middle + 15 * nm), at(middle + 5 * nm), 1e-12);
   EXPECT_NEAR(at(middle - 5 * nm), at(middle + 5 * nm), 1e-12);
   EXPECT_EQ(at(0), 100 * uN);  // before sliding there are no events
@@ -305,12 +305,9 @@ TEST(StickSlip_analytic, reads_period_and_amplitude_off_the_residuals) {
     residual.push_back(s.direction * amplitude * (part - std::floor(part) - 0.5) + noise(random));
   }
   const auto starts = effect_of("stick_slip").starts(samples, residual);
-  ASSERT_GE(starts.size(), 6u);
+  ASSERT_GE(starts.size(), 1u);
   EXPECT_NEAR(starts[0][0] / amplitude, 1, 0.1);
   EXPECT_NEAR(starts[0][1] / period, 1, 0.02);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(starts[i][1], starts[0][1]);
-  const double phases[] = {0, 0.17, 0.33, 0.5, 0.67, 0.83};
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(starts[i][2], phases[i]);
   Samples few = test::lateral_path(1e-3, {0, 10 * nm}, 10);
   few.parts = 1;
   EXPECT_TRUE(effect_of("stick_slip").starts(few, std::vector<double>(10, 0.0)).empty());

@@ -329,7 +329,7 @@ TEST(Mechanics_analytic, running_in_fades_over_the_cycles) {
 TEST(Mechanics_analytic, stick_slip_drops_by_its_amplitude_and_comes_back_after_its_period) {
   const Experiment e = experiment(Motion::sliding);
   const Samples path = lateral_path(1e-3, {0, 200 * nm}, 20001);
-  const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm, 0.1}}}), path);
+  const auto f = simulate(with(e, {{"stick_slip", {50 * uN, 20 * nm}}}), path);
   double low = 1, high = 0;
   int drops = 0;
   for (std::size_t i = 6001; i < f.size(); ++i) {

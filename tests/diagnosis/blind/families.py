@@ -108,7 +108,8 @@ class Normals:
 
 NAMES = {"compliance": "instrument_compliance", "offset": "contact_point_offset", "drift": "thermal_drift", "tilt": "baseline_tilt",
          "creep": "creep", "yielding": "bulk_plasticity", "incipient": "bulk_plasticity", "greenwood_tripp": "roughness_compliance",
-         "rough_sphere": "roughness_compliance", "adhesion": "adhesion", "radius": "effective_radius"}
+         "rough_sphere": "roughness_compliance", "adhesion": "adhesion", "radius": "effective_radius",
+         "jumps": "pop_in", "nonlinear": "detector_nonlinearity", "clipped": "clipping"}
 AWAY = {"off_contact": 0.5}
 HELD = {"hold": 20.0, "by_force": True, "duration": 2.0}
 
@@ -135,8 +136,8 @@ def normal_recordings(random, surfaces):
             yield draw.recording("null", "noise", "elastic", [], noise(), runs=runs, **how)
         for kind, parts, how in (("coated", (), AWAY), ("elastic", ("jumps",), AWAY), ("elastic", ("nonlinear",), AWAY),
                                  ("elastic", ("clipped",), AWAY), ("elastic", ("nonlinear",), {"hold": 10.0})):
-            yield draw.recording("unknown", parts[0] if parts else kind, kind, ["unknown"], draw.between(0.002, 0.01), parts, runs=runs,
-                                 **how)
+            family, truth = ("single", [NAMES[parts[0]]]) if parts else ("unknown", ["unknown"])
+            yield draw.recording(family, parts[0] if parts else kind, kind, truth, draw.between(0.002, 0.01), parts, runs=runs, **how)
         for part, how in (("tilt", {}), ("drift", {"unload": False})):  # nothing off contact, no hold: these data cannot say
             yield draw.recording("cannot say", part, "elastic", [NAMES[part]], draw.between(0.002, 0.01), (part,), runs=runs, **how)
     for kind, how in (("adhesion", AWAY), ("yielding", AWAY), ("creep", HELD)):

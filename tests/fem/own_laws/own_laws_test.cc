@@ -204,7 +204,7 @@ TEST(OwnMaterial_analytic, hardens_as_its_law_says_and_balances_energy) {
 TEST(OwnLaws_behaviour, are_in_manual_and_choices_and_refuse_entries_that_are_not_theirs) {
   const std::string manual = case_reference();
   for (const char* said : {"`Kinetic friction coefficient`", "`Weakening distance`", "`Swift exponent`",
-                           "`Adhesion plateau`", "dugdale \\| exponential \\| trapezoidal"})
+                           "`Adhesion plateau`", "patch_potentials \\| trapezoidal \\| van_der_waals"})
     EXPECT_NE(manual.find(said), std::string::npos) << said;
   EXPECT_NE(case_template().find("set Weakening distance = 0 m"), std::string::npos);
   const test::TemporaryFolder folder;

@@ -1,0 +1,80 @@
+// A liquid bridge between the bodies: it forms when they touch and pulls with the suction of its curved
+// surface until it ruptures. At constant suction (in equilibrium with the vapour: Kelvin), between sphere and
+// plane
+//   f = f_law(d) - h (1 - g/g_r),  g = max(0, -d) <= g_r = 2 r_K cos(theta),  h = 4 pi R gamma cos(theta).
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+namespace {
+
+class BridgedContact : public NormalContact {
+ public:
+  BridgedContact(const NormalContact& law, double pull, double rupture)
+      : law_(law.clone()), pull_(pull), rupture_(rupture) {}
+  BridgedContact(const BridgedContact& other)
+      : law_(other.law_->clone()),
+        pull_(other.pull_),
+        rupture_(other.rupture_),
+        is_bridged_(other.is_bridged_) {}
+  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<BridgedContact>(*this); }
+  double release() const override { return -rupture_; }
+  double force(double d) const override {
+    if (!bridged_at(d)) return 0;
+    return law_->force(d) - pull_ * (1 - std::max(0.0, -d) / rupture_);
+  }
+  void begin_step(double time_step) override { law_->begin_step(time_step); }
+  void accept(double d) override {
+    is_bridged_ = bridged_at(d);
+    law_->accept(d);
+  }
+
+ private:
+  bool bridged_at(double d) const { return d >= (is_bridged_ ? -rupture_ : 0); }
+  std::unique_ptr<NormalContact> law_;
+  double pull_, rupture_;
+  bool is_bridged_ = false;
+};
+
+class Capillary : public Effect {
+ public:
+  const EffectDescription& description() const override {
+    static const EffectDescription d{
+        "capillary",
+        "Liquid bridge",
+        "f = f_law(d) - h (1 - g/g_r), g = max(0, -d) < g_r, from the first touch on",
+        "Butt & Kappl 2009, eqs. (19), (24); Israelachvili 2011, sec. 17.11; Kelvin 1871",
+        "Water condenses where the surfaces are near: it pulls with a constant force while they touch and "
+        "over a distance of twice the Kelvin radius after they part.",
+        EffectKind::contact,
+        {Motion::normal},
+        {},
+        {"attraction"},
+        2,
+        false,
+        0.1};
+    return d;
+  }
+  bool can_show(const Experiment& e) const override { return e.has_unloading && e.has_off_contact; }
+  std::vector<EffectParameter> parameters(const Experiment& e) const override {
+    const double force = e.largest_force, range = e.largest_displacement;
+    return {{"pull_off_force", "N", "h", 1e-5 * force, 3 * force, true, {0.03 * force, 0.3 * force}},
+            {"rupture_distance",
+             "m",
+             "g_r, separation at which the bridge breaks",
+             1e-3 * range,
+             10 * range,
+             true,
+             {0.03 * range, 0.1 * range, 0.3 * range}}};
+  }
+  void assemble(Mechanics& m, const double* p) const override {
+    m.normal.contact = std::make_shared<BridgedContact>(*m.normal.contact, p[0], p[1]);
+  }
+};
+
+}  // namespace
+}  // namespace asperity
+
+ASPERITY_EFFECT(capillary, Capillary)

@@ -1,0 +1,119 @@
+// Laws of the effects that the format names since its first version, against their own formulas.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/yielding_contact.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+using test::uN;
+
+Mechanics with_effect(const std::string& id, const std::vector<double>& values,
+                      Motion mode = Motion::normal) {
+  SimulationChoice choice;
+  choice.parameters["sliding_friction"] = {0.2, true};
+  Mechanics m = baseline_mechanics(test::experiment(mode), choice);
+  effect_of(id).assemble(m, values.data());
+  return m;
+}
+
+TEST(PopIn_analytic, moves_the_law_on_by_its_jump_once_its_force_was_passed) {
+  const Mechanics m = with_effect("pop_in", {3 * nm, 100 * uN});
+  const Hertz law = m.geometry;
+  const auto contact = m.normal.contact->clone();
+  const double threshold = law.approach(100 * uN);
+  EXPECT_NEAR(contact->force(0.9 * threshold), law.force(0.9 * threshold), 1e-12);
+  contact->accept(0.9 * threshold);
+  EXPECT_NEAR(contact->displacement(90 * uN), law.approach(90 * uN), 1e-15);
+  contact->accept(1.5 * threshold);
+  for (const double part : {0.9, 1.5, 2.0})
+    EXPECT_NEAR(contact->force(part * threshold), law.force(part * threshold - 3 * nm), 1e-12) << part;
+  EXPECT_NEAR(contact->displacement(50 * uN), law.approach(50 * uN) + 3 * nm, 1e-15);
+}
+
+TEST(Film_analytic, goes_from_the_film_to_the_body_and_is_none_of_the_same_modulus) {
+  const double thickness = 20 * nm;
+  const Mechanics soft = with_effect("film", {0.2, thickness}), same = with_effect("film", {1, thickness});
+  const Hertz law = soft.geometry;
+  EXPECT_NEAR(soft.normal.contact->force(1e-6 * nm) / (0.2 * law.force(1e-6 * nm)), 1, 0.01);
+  EXPECT_NEAR(soft.normal.contact->force(1e6 * nm) / law.force(1e6 * nm), 1, 0.01);
+  EXPECT_NEAR(same.normal.contact->force(10 * nm) / law.force(10 * nm), 1, 1e-12);
+  // Perriot & Barthel: half of the difference where a = t x_0.
+  const double contrast = std::log10(5.0),
+               x = std::pow(10, -0.093 + 0.792 * contrast + 0.05 * contrast * contrast);
+  const double d = std::pow(thickness * x, 2) / law.radius;
+  EXPECT_NEAR(soft.normal.contact->force(d) / (0.6 * law.force(d)), 1, 1e-9);
+}
+
+TEST(Capillary_analytic, pulls_from_touch_to_rupture_and_forms_only_on_touch) {
+  const Mechanics m = with_effect("capillary", {20 * uN, 4 * nm});
+  const auto contact = m.normal.contact->clone();
+  EXPECT_EQ(contact->force(-1 * nm), 0);
+  contact->accept(2 * nm);
+  EXPECT_NEAR(contact->force(2 * nm), m.geometry.force(2 * nm) - 20 * uN, 1e-12);
+  EXPECT_NEAR(contact->force(-1 * nm), -15 * uN, 1e-12);
+  EXPECT_EQ(contact->force(-4.01 * nm), 0);
+  contact->accept(-5 * nm);
+  EXPECT_EQ(contact->force(-1 * nm), 0);
+}
+
+TEST(Electrostatic_analytic, is_pi_eps_U_squared_R_over_z_near_the_plane) {
+  const Mechanics m = with_effect("electrostatic", {5, 2 * nm});
+  const double R = m.geometry.radius, near = M_PI * 8.8541878128e-12 * 25 * R;
+  EXPECT_NEAR(m.normal.contact->force(-8 * nm) / (-near / (10 * nm)), 1, 0.01);
+  EXPECT_NEAR(m.normal.contact->force(0) / (-near / (2 * nm)), 1, 0.01);
+}
+
+/// A step of depth relaxes from E* to (1 - g) E* with tau.
+TEST(Viscoelasticity_analytic, relaxes_after_a_step) {
+  const Mechanics m = with_effect("viscoelasticity", {0.4, 10.0});
+  const auto contact = m.normal.contact->clone();
+  const double elastic = m.geometry.force(20 * nm);
+  contact->begin_step(0);
+  EXPECT_NEAR(contact->force(20 * nm) / elastic, 1, 1e-12);
+  contact->accept(20 * nm);
+  contact->begin_step(10);
+  EXPECT_NEAR(contact->force(20 * nm) / elastic, 0.6 + 0.4 * std::exp(-1), 1e-9);
+}
+
+TEST(Readings_analytic, of_a_bent_and_a_clipped_sensor) {
+  const Mechanics bent = with_effect("detector_nonlinearity", {0.2}),
+                  clipped = with_effect("clipping", {7 * uN});
+  const double largest = bent.experiment.largest_force;
+  EXPECT_NEAR(bent.normal.readings.at(0)(0.5 * largest) / largest, 0.5 * (1 - 0.2 * 0.25), 1e-12);
+  EXPECT_EQ(clipped.normal.readings.at(0)(9 * uN), 7 * uN);
+  EXPECT_EQ(clipped.normal.readings.at(0)(6 * uN), 6 * uN);
+}
+
+TEST(IndentationSize_analytic, is_the_yielding_sphere_of_the_stress_at_its_depth) {
+  const double yield = 0.4e9, length = 30 * nm, d = 20 * nm;
+  const Mechanics m = with_effect("indentation_size", {yield, length});
+  const YieldingContact law(m.geometry, yield * std::sqrt(1 + length / d), YieldingContact::without_hardening,
+                            softer_body(m.experiment).poisson_ratio);
+  EXPECT_NEAR(m.normal.contact->force(d) / law.force(d), 1, 1e-12);
+}
+
+TEST(LateralTerms_analytic, add_to_the_limit_by_their_formulas) {
+  Sample sample;
+  sample.humidity = 0.5, sample.rms_roughness = 2 * nm, sample.normal_force = 100 * uN;
+  SlipState state;
+  state.sample = &sample, state.normal_force = 100 * uN, state.contact_radius = 300 * nm;
+  const Mechanics constant = with_effect("constant_lateral_force", {3 * uN}, Motion::sliding);
+  EXPECT_NEAR(constant.lateral.limit_changes.at(0)(20 * uN, state), 23 * uN, 1e-12);
+  const Mechanics two = with_effect("two_term_friction", {1e7}, Motion::sliding);
+  EXPECT_NEAR(two.lateral.limit_changes.at(0)(20 * uN, state), 20 * uN + 1e7 * M_PI * 9e-14, 1e-12);
+  const Mechanics rough = with_effect("friction_by_roughness", {0.1, 1e8}, Motion::sliding);
+  EXPECT_NEAR(rough.lateral.coefficient_changes.at(0)(0.2, state), 0.3, 1e-12);
+  const Mechanics damp = with_effect("friction_by_humidity", {5 * uN}, Motion::sliding);
+  EXPECT_NEAR(offset_at(damp.lateral, sample), 5 * uN, 1e-12);
+  sample.humidity = 0.25;
+  EXPECT_NEAR(offset_at(damp.lateral, sample), 2.5 * uN, 1e-12);
+}
+
+}  // namespace
+}  // namespace asperity
