@@ -56,9 +56,7 @@ class Diagnoser {
       scanner_of_noise =
           std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     }
-    ScanResult before =
-        scanner_of_noise->scan(problem_.baseline_residual,
-                               problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
+    ScanResult before = scan_of_baseline(*scanner_of_noise);
     bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
@@ -84,6 +82,12 @@ class Diagnoser {
     if (options_.progress) options_.progress(what);
   }
 
+  /// The residual before physics is added, beyond what a solution of the case may be off by.
+  ScanResult scan_of_baseline(const Scanner& scanner) const {
+    return scanner.scan(problem_.baseline_residual,
+                        problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
+  }
+
   /// Where nothing explains it: whether what is left is noise that neighbours share, most of which
   /// differences between them do not show. If so, the noise is learned from it and `before` scanned anew.
   bool is_noise_that_neighbours_share(ScanResult& before) {
@@ -91,7 +95,7 @@ class Diagnoser {
     const auto& residual = problem_.baseline_residual;
     if (!prepared_.learn_noise(residual, most_off)) return false;
     const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
-    const ScanResult anew = scanner.scan(residual, LawError{});
+    const ScanResult anew = scan_of_baseline(scanner);
     // What AR(1) leaves may be correlated by no more than chance: three deviations of the sum.
     const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, baseline_.count)));
     if (anew.p_value > significance &&

@@ -10,6 +10,7 @@
 
 #include "dem_compare/laws/maugis_branch.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
 namespace {
@@ -54,21 +55,16 @@ class MaugisContact : public NormalContact {
 };
 
 /// A constant attraction on any law, while that law presses.
-class AttractedContact : public NormalContact {
+class AttractedContact : public ContactOnLaw {
  public:
-  AttractedContact(const NormalContact& law, double pull_off) : law_(law.clone()), pull_off_(pull_off) {}
-  AttractedContact(const AttractedContact& other) : law_(other.law_->clone()), pull_off_(other.pull_off_) {}
+  AttractedContact(const NormalContact& law, double pull_off) : ContactOnLaw(law), pull_off_(pull_off) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<AttractedContact>(*this); }
-  double release() const override { return law_->release(); }
-  void begin_step(double time_step) override { law_->begin_step(time_step); }
   double force(double d) const override {
-    const double pressed = law_->force(d);
+    const double pressed = law().force(d);
     return pressed > 0 ? pressed - pull_off_ : 0;
   }
-  void accept(double d) override { law_->accept(d); }
 
  private:
-  std::unique_ptr<NormalContact> law_;
   double pull_off_;
 };
 

@@ -6,34 +6,28 @@
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
 namespace {
 
-class BridgedContact : public NormalContact {
+class BridgedContact : public ContactOnLaw {
  public:
   BridgedContact(const NormalContact& law, double pull, double rupture)
-      : law_(law.clone()), pull_(pull), rupture_(rupture) {}
-  BridgedContact(const BridgedContact& other)
-      : law_(other.law_->clone()),
-        pull_(other.pull_),
-        rupture_(other.rupture_),
-        is_bridged_(other.is_bridged_) {}
+      : ContactOnLaw(law), pull_(pull), rupture_(rupture) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<BridgedContact>(*this); }
   double release() const override { return -rupture_; }
   double force(double d) const override {
     if (!bridged_at(d)) return 0;
-    return law_->force(d) - pull_ * (1 - std::max(0.0, -d) / rupture_);
+    return law().force(d) - pull_ * (1 - std::max(0.0, -d) / rupture_);
   }
-  void begin_step(double time_step) override { law_->begin_step(time_step); }
   void accept(double d) override {
     is_bridged_ = bridged_at(d);
-    law_->accept(d);
+    ContactOnLaw::accept(d);
   }
 
  private:
   bool bridged_at(double d) const { return d >= (is_bridged_ ? -rupture_ : 0); }
-  std::unique_ptr<NormalContact> law_;
   double pull_, rupture_;
   bool is_bridged_ = false;
 };
@@ -45,7 +39,7 @@ class Capillary : public Effect {
         "capillary",
         "Liquid bridge",
         "f = f_law(d) - h (1 - g/g_r), g = max(0, -d) < g_r, from the first touch on",
-        "Butt & Kappl 2009, eqs. (19), (24); Israelachvili 2011, sec. 17.11; Kelvin 1871",
+        "Butt & Kappl 2009 (normal capillary forces); Israelachvili 2011, ch. 17; Kelvin 1871",
         "Water condenses where the surfaces are near: it pulls with a constant force while they touch and "
         "over a distance of twice the Kelvin radius after they part.",
         EffectKind::contact,

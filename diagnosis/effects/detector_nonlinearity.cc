@@ -13,7 +13,7 @@ class DetectorNonlinearity : public Effect {
         "detector_nonlinearity",
         "Nonlinear force sensor",
         "reading = f [1 - c (f/f_max)^2]",
-        "Schaeffer 2002, J. Appl. Phys. 91, 4739; Butt, Cappella & Kappl 2005, sec. 2.3",
+        "Schaeffer 2002, J. Appl. Phys. 91, 4739; Butt, Cappella & Kappl 2005",
         "The sensor is calibrated for small deflections and is not in proportion at large ones.",
         EffectKind::instrument,
         {Motion::normal},

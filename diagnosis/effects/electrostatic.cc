@@ -1,40 +1,32 @@
 // Charges or different contact potentials attract over a long range, on the way in as on the way out. Sphere
-// and plane at the gap g (Hudlet, Saint Jean, Guthmann & Berger 1998, eq. (7)):
+// and plane at the gap g (Hudlet, Saint Jean, Guthmann & Berger 1998):
 //   f = f_law(d) - pi eps_0 U^2 R^2/[z (z + R)],  z = g + z_0,  g = max(0, -d);
 // z_0: thickness of what insulates, which bounds the force in contact.
 #include <algorithm>
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
 namespace {
 
 constexpr double vacuum_permittivity = 8.8541878128e-12;  // [F/m]
 
-class ChargedContact : public NormalContact {
+class ChargedContact : public ContactOnLaw {
  public:
   ChargedContact(const NormalContact& law, double radius, double voltage, double distance)
-      : law_(law.clone()),
+      : ContactOnLaw(law),
         radius_(radius),
         strength_(M_PI * vacuum_permittivity * std::pow(voltage * radius, 2)),
         distance_(distance) {}
-  ChargedContact(const ChargedContact& other)
-      : law_(other.law_->clone()),
-        radius_(other.radius_),
-        strength_(other.strength_),
-        distance_(other.distance_) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<ChargedContact>(*this); }
-  double release() const override { return law_->release(); }
   double force(double d) const override {
     const double z = std::max(0.0, -d) + distance_;
-    return law_->force(d) - strength_ / (z * (z + radius_));
+    return law().force(d) - strength_ / (z * (z + radius_));
   }
-  void begin_step(double time_step) override { law_->begin_step(time_step); }
-  void accept(double d) override { law_->accept(d); }
 
  private:
-  std::unique_ptr<NormalContact> law_;
   double radius_, strength_, distance_;  ///< R [m], pi eps_0 (U R)^2 [N m^2], z_0 [m]
 };
 
@@ -45,7 +37,7 @@ class Electrostatic : public Effect {
         "electrostatic",
         "Electrostatic attraction",
         "f = f_law(d) - pi eps_0 U^2 R^2/[z (z + R)], z = z_0 + max(0, -d)",
-        "Hudlet, Saint Jean, Guthmann & Berger 1998, eq. (7); Butt, Cappella & Kappl 2005, sec. 3.3",
+        "Hudlet, Saint Jean, Guthmann & Berger 1998; Butt, Cappella & Kappl 2005",
         "Charges or different work functions attract the bodies over a distance that is long compared with "
         "that of adhesion; approach and retraction feel the same.",
         EffectKind::contact,

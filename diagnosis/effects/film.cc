@@ -1,6 +1,6 @@
 // A thin elastic film on one of the bodies (oxide, polymer, contamination): the modulus that a contact of
-// radius a feels goes from the film's to that of the bodies as the contact grows (Perriot & Barthel 2004,
-// eqs. (30), (31)):
+// radius a feels goes from the film's to that of the bodies as the contact grows (Perriot & Barthel
+// 2004):
 //   f = 4/3 E_eq(a) R^(1/2) d^(3/2),  a = (R d)^(1/2),  E_eq = E_f + (E* - E_f)/[1 + (t x_0/a)^1.27],
 //   log10 x_0 = -0.093 + 0.792 log10(E*/E_f) + 0.05 log10(E*/E_f)^2.
 // The radius is that of a homogeneous body: between 1 and 2^(1/2) too small on a film much thinner than a.

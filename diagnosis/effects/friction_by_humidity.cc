@@ -17,7 +17,7 @@ class FrictionByHumidity : public Effect {
         "friction_by_humidity",
         "Friction depends on humidity",
         "|f_l| <= mu (f_n + h), h = h_50 ln(2)/ln(1/H)",
-        "Riedo, Levy & Brune 2002, eq. (2); Halsey & Levine 1998; Bocquet et al. 1998",
+        "Riedo, Levy & Brune 2002; Halsey & Levine 1998; Bocquet et al. 1998",
         "Menisci between the asperities pull the surfaces together; damper air makes more and larger ones.",
         EffectKind::contact,
         {Motion::sliding, Motion::rolling},

@@ -13,7 +13,7 @@ class FrictionByRoughness : public Effect {
         "friction_by_roughness",
         "Sliding friction depends on roughness",
         "mu = b + c rms",
-        "Makinson 1948; Bhushan 1999, sec. 5.2 (slope of asperities); Fuchs, Weinhart et al. 2014",
+        "Makinson 1948; Bhushan 1999 (slope of asperities); Fuchs, Weinhart et al. 2014",
         "Asperities interlock or plough more on a rougher substrate (c above zero), or less of the surfaces "
         "adheres (c below zero).",
         EffectKind::contact,

@@ -1,4 +1,4 @@
-// A body whose yield stress is higher in a small volume (Nix & Gao 1998, eq. (12), by the depth of the
+// A body whose yield stress is higher in a small volume (Nix & Gao 1998, by the depth of the
 // indentation):
 //   Y = Y_0 [1 + h*/d]^(1/2),
 // in the law of a yielding sphere (yielding_contact.h); the history is that of the deepest point so far.
@@ -45,7 +45,7 @@ class IndentationSize : public Effect {
     static const EffectDescription d{"indentation_size",
                                      "Yield stress that grows at small depth",
                                      "Y = Y_0 (1 + h*/d)^(1/2) in the law of bulk_plasticity",
-                                     "Nix & Gao 1998, eq. (12); Swadener, George & Pharr 2002",
+                                     "Nix & Gao 1998; Swadener, George & Pharr 2002",
                                      "A small indentation needs denser dislocations for its shape: the body "
                                      "is harder than at large depth.",
                                      EffectKind::contact,

@@ -6,36 +6,28 @@
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
-#include "diagnosis/mechanics/scalar_root.h"
+#include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
 namespace {
 
-class ContactWithBurst : public NormalContact {
+class ContactWithBurst : public ContactOnLaw {
  public:
   ContactWithBurst(const NormalContact& law, double jump, double threshold)
-      : law_(law.clone()), jump_(jump), threshold_(threshold) {}
-  ContactWithBurst(const ContactWithBurst& other)
-      : law_(other.law_->clone()),
-        jump_(other.jump_),
-        threshold_(other.threshold_),
-        has_burst_(other.has_burst_) {}
+      : ContactOnLaw(law), jump_(jump), threshold_(threshold) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<ContactWithBurst>(*this); }
-  double release() const override { return law_->release() + (has_burst_ ? jump_ : 0); }
-  double force(double d) const override { return law_->force(d - (bursts_at(d) ? jump_ : 0)); }
+  double release() const override { return law().release() + (has_burst_ ? jump_ : 0); }
+  double force(double d) const override { return law().force(d - (bursts_at(d) ? jump_ : 0)); }
   double displacement(double force) const override {
-    const double of_law = law_->displacement(force);
-    return of_law + (has_burst_ || force > threshold_ ? jump_ : 0);
+    return law().displacement(force) + (has_burst_ || force > threshold_ ? jump_ : 0);
   }
-  void begin_step(double time_step) override { law_->begin_step(time_step); }
   void accept(double d) override {
     has_burst_ = bursts_at(d);
-    law_->accept(d - (has_burst_ ? jump_ : 0));
+    ContactOnLaw::accept(d - (has_burst_ ? jump_ : 0));
   }
 
  private:
-  bool bursts_at(double d) const { return has_burst_ || law_->force(d) > threshold_; }
-  std::unique_ptr<NormalContact> law_;
+  bool bursts_at(double d) const { return has_burst_ || law().force(d) > threshold_; }
   double jump_, threshold_;
   bool has_burst_ = false;
 };

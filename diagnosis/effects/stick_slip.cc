@@ -20,7 +20,7 @@ struct SlidingPoint {
   int part;
 };
 
-constexpr double settled = 0.3;  // of a segment's path, after which the contact slides everywhere
+constexpr double settled = SlidingTrace::settled;
 
 /// Without the mean of each part.
 std::vector<SlidingPoint> sliding_points(const Samples& samples, const std::vector<double>& residual) {
@@ -98,6 +98,18 @@ std::vector<std::pair<double, double>> strongest_periods(const Samples& samples,
   return periods;
 }
 
+/// Part of a period by which events come earlier or later than the phase in a window says: samples, and
+/// distances that scatter by a few percent.
+constexpr double uncertainty_of_phase = 0.07;
+
+/// frac - 1/2, as it is on the mean where the event lies anywhere within +- `uncertainty` of its phase:
+/// otherwise a fit would take drops that come at another sample for smaller ones.
+double saw_tooth(double part, double uncertainty) {
+  const double from_event = part < 0.5 ? part : part - 1;
+  if (std::abs(from_event) >= uncertainty) return part - 0.5;
+  return from_event * (1 - 0.5 / uncertainty);
+}
+
 class StickSlip : public Effect {
  public:
   const EffectDescription& description() const override {
@@ -106,7 +118,11 @@ class StickSlip : public Effect {
         "Stick-slip",
         "|f_l| <= mu f_n + A [frac(s/p + phase) - 1/2], the phase read off the recording",
         "Bowden & Leben 1939; Tomlinson 1929; Mate et al. 1987",
-        "Sliding goes in jumps: force builds up while the contact sticks and drops when it slips.",
+        "Sliding goes in jumps: force builds up while the contact sticks and drops when it slips. Where "
+        "events "
+        "begin is read off the recording, also where data are kept out of the fit; their size and distance "
+        "are "
+        "predicted.",
         EffectKind::contact,
         {Motion::sliding},
         {},
@@ -140,8 +156,8 @@ class StickSlip : public Effect {
         [drop, period, middle, phases = std::move(phases)](double limit, const SlipState& s) {
           if (s.path <= 0) return limit;
           const bool is_read = s.sample && s.sample->index < phases.size();
-          const double part = is_read ? phases[s.sample->index] : (s.path - middle) / period;
-          return limit + drop * (part - std::floor(part) - 0.5);
+          const double phase = is_read ? phases[s.sample->index] : (s.path - middle) / period;
+          return limit + drop * saw_tooth(phase - std::floor(phase), is_read ? uncertainty_of_phase : 0);
         });
   }
 };

@@ -7,7 +7,6 @@
 namespace asperity {
 namespace {
 
-constexpr double settled = 0.3;           // of a segment's path, after which the contact slides everywhere
 constexpr double periods_of_window = 3;   // fewer tell a phase badly, and events drift over more
 constexpr std::size_t fewest_points = 6;  // of a segment that has a phase
 

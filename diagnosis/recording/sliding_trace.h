@@ -11,6 +11,9 @@ namespace asperity {
 /// Of the segments of all runs once the contact slides everywhere, without the mean of each.
 class SlidingTrace {
  public:
+  /// Part of a segment's path after which the contact slides everywhere [-].
+  static constexpr double settled = 0.3;
+
   explicit SlidingTrace(const Samples& samples);
 
   /// Part of a period that has passed at each sample, by its index [-]: path over the period [m], and the

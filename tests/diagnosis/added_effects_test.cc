@@ -50,6 +50,46 @@ TEST(Film_analytic, goes_from_the_film_to_the_body_and_is_none_of_the_same_modul
   EXPECT_NEAR(soft.normal.contact->force(d) / (0.6 * law.force(d)), 1, 1e-9);
 }
 
+/// Gao, Chiu & Lee (1992): first order in the contrast, for a punch on film and body of the same nu.
+TEST(Film_analytic, is_that_of_Gao_for_films_little_softer_or_stiffer_than_the_body) {
+  constexpr double nu = 0.3;
+  for (const double ratio : {0.8, 1.25})
+    for (const double a_over_t : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+      const double x = 1 / a_over_t, square = x * x;
+      const double weight =
+          2 / M_PI * std::atan(x) +
+          ((1 - 2 * nu) * x * std::log((1 + square) / square) - x / (1 + square)) / (2 * M_PI * (1 - nu));
+      const double thickness = 20 * nm;
+      const Mechanics m = with_effect("film", {ratio, thickness});
+      const double d = std::pow(a_over_t * thickness, 2) / m.geometry.radius;
+      EXPECT_NEAR(m.normal.contact->force(d) / m.geometry.force(d) / (1 + (ratio - 1) * weight), 1, 0.02)
+          << ratio << " " << a_over_t;  // one fit is off by at most 1.8 % of the other
+    }
+}
+
+/// Each part has a saw-tooth of another phase: the trace gives the phases back.
+TEST(SlidingTrace_analytic, reads_the_phase_of_a_saw_tooth_off_each_segment) {
+  const double period = 25 * nm;
+  Samples samples = test::lateral_path(1e-3, {0, 300 * nm, 0}, 600);
+  samples.parts = 2;
+  std::vector<double> truth;
+  for (std::size_t i = 0; i < samples.list.size(); ++i) {
+    Sample& s = samples.list[i];
+    s.part = i < 600 ? 0 : 1;
+    s.since_reversal = i < 600 ? s.lateral_displacement : 300 * nm - s.lateral_displacement;
+    const double passed = s.since_reversal / period + (i < 600 ? 0.15 : 0.7);
+    truth.push_back(passed - std::floor(passed));
+    s.response = s.direction * (100 * uN + 4 * uN * (truth.back() - 0.5));
+  }
+  const SlidingTrace trace(samples);
+  const auto phases = trace.phases(period);
+  for (std::size_t i = 200; i < truth.size(); i += 37) {
+    const double off = phases[i] - truth[i];
+    EXPECT_NEAR(off - std::round(off), 0, 0.03) << i;
+  }
+  EXPECT_NEAR(trace.windows(period), 2 * 0.7 * 300 / (3 * 25), 0.1);
+}
+
 TEST(Capillary_analytic, pulls_from_touch_to_rupture_and_forms_only_on_touch) {
   const Mechanics m = with_effect("capillary", {20 * uN, 4 * nm});
   const auto contact = m.normal.contact->clone();

@@ -1,0 +1,137 @@
+// Verdicts on recordings whose hidden effect is one that the format names since its first version, and on
+// noise that neighbours share. Events and curves are made here by plain formulas, not by the mechanics that
+// diagnoses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "core/hertz.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+using test::uN;
+
+double hertz(double d) { return d > 0 ? test::experiment(Motion::normal).hertz().force(d) : 0; }
+
+/// Load and unload to 50 nm in 100 samples each; `make` gives the force of a fresh run at depth and
+/// direction.
+Recording indentation(const std::function<std::function<double(double, int)>()>& make, int runs, double noise,
+                      double share, double memory, unsigned seed) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "indentation.csv";
+  table.control = {"normal_displacement"};
+  table.response = "normal_force";
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  double slow = normal(random);
+  for (int run = 1; run <= runs; ++run) {
+    const auto force = make();
+    for (int i = 1; i <= 200; ++i) {
+      const int direction = i <= 100 ? 1 : -1;
+      const double d = 50 * nm * (i <= 100 ? i / 100.0 : (200 - i) / 100.0);
+      table.columns["run"].push_back(run);
+      table.columns["time"].push_back(0.1 * i);
+      table.columns["normal_displacement"].push_back(d);
+      table.columns["normal_force"].push_back(
+          force(d, direction) + noise * (std::sqrt(share) * slow + std::sqrt(1 - share) * normal(random)));
+      slow = memory * slow + std::sqrt(1 - memory * memory) * normal(random);
+      table.segment.push_back(direction > 0 ? "load" : "unload");
+    }
+  }
+  r.tables = {table};
+  return r;
+}
+
+TEST(DiagnoseAdded_analytic, noise_of_which_neighbours_share_half_is_no_mismatch) {
+  const auto elastic = [] { return [](double d, int) { return hertz(d); }; };
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Diagnosis d = diagnose(indentation(elastic, 1, 15 * uN, 0.5, 0.7, seed));
+    EXPECT_EQ(d.verdict, Verdict::no_mismatch) << seed << " " << diagnosis_json(d);
+  }
+}
+
+TEST(DiagnoseAdded_analytic, a_burst_at_a_load_is_a_pop_in) {
+  const auto bursting = [] {
+    return [jump = 0.0](double d, int) mutable {
+      if (hertz(d) > 900 * uN) jump = 4 * nm;
+      return hertz(d - jump);
+    };
+  };
+  const Diagnosis d = diagnose(indentation(bursting, 2, 10 * uN, 0, 0, 4));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u);
+  EXPECT_EQ(d.left_out[0].id, "pop_in");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value, 4 * nm, 0.3 * nm);
+  EXPECT_NEAR(d.left_out[0].parameters[1].value, 900 * uN, 40 * uN);
+}
+
+TEST(DiagnoseAdded_analytic, a_sensor_at_the_end_of_its_range_is_clipped) {
+  const auto clipped = [] { return [](double d, int) { return std::min(hertz(d), 1500 * uN); }; };
+  const Diagnosis d = diagnose(indentation(clipped, 2, 10 * uN, 0, 0, 5));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u);
+  EXPECT_EQ(d.left_out[0].id, "clipping");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value, 1500 * uN, 10 * uN);
+}
+
+/// Loops at one load or three, of Mindlin's spring and a limit that rises by a saw-tooth whose events come at
+/// uneven distances and do not begin anew at reversals.
+TEST(DiagnoseAdded_analytic, stick_slip_of_uneven_events_is_found_in_every_number_of_runs) {
+  const double drop = 8 * uN, period = 40 * nm;
+  for (const int runs : {1, 3}) {
+    Recording r;
+    r.mode = Motion::sliding;
+    r.particle = test::borosilicate();
+    r.substrate = test::silicon();
+    RecordingTable table;
+    table.file = "loops.csv";
+    table.control = {"lateral_displacement", "normal_force"};
+    table.response = "lateral_force";
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    const Experiment e = test::experiment(Motion::sliding);
+    double left = 0, spacing = period, x = 0;
+    for (int run = 1; run <= runs; ++run) {
+      const double load = 100 * uN * run, radius = e.hertz().contact_radius(load);
+      const double spring = 8 * sliding_modulus(e.particle, e.substrate) * radius;
+      double force = 0;
+      for (int half = 0; half < 4; ++half)
+        for (int i = 0; i < 150; ++i) {
+          const int direction = half % 2 == 0 ? 1 : -1;
+          x += direction * 3 * nm;
+          if ((left -= 3 * nm) <= 0) left += spacing = period * (1 + 0.04 * normal(random));
+          const double limit = 0.23 * load + drop * (0.5 - left / spacing);
+          force = std::clamp(force + spring * direction * 3 * nm, -limit, limit);
+          table.columns["run"].push_back(run);
+          table.columns["cycle"].push_back(half / 2);
+          table.columns["time"].push_back(0.01 * static_cast<double>(table.segment.size()));
+          table.columns["lateral_displacement"].push_back(x);
+          table.columns["normal_force"].push_back(load);
+          table.columns["lateral_force"].push_back(force + 0.8 * uN * normal(random));
+          table.segment.push_back(direction > 0 ? "forward" : "backward");
+        }
+    }
+    r.tables = {table};
+    const Diagnosis d = diagnose(r);
+    const auto named = [](const DiagnosedEffect& effect) { return effect.id == "stick_slip"; };
+    const auto found = std::find_if(d.left_out.begin(), d.left_out.end(), named);
+    ASSERT_NE(found, d.left_out.end()) << runs << " " << diagnosis_json(d);
+    EXPECT_NEAR(found->parameters[0].value / drop, 1, 0.15) << runs;
+    EXPECT_NEAR(found->parameters[1].value / period, 1, 0.05) << runs;
+  }
+}
+
+}  // namespace
+}  // namespace asperity
