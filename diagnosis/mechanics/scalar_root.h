@@ -39,7 +39,8 @@ double increasing_root(const Function& f, double guess, double step, double tole
     low -= width;
     f_low = f(low);
   }
-  if (f_low > 0) return low;  // nothing holds it: free
+  if (!std::isfinite(f_low) || !std::isfinite(f_high)) return guess;  // so far out there is no function
+  if (f_low > 0) return low;                                          // nothing holds it: free
   if (f_high < 0) return high;
   if (!(low < high)) return high;  // so far out that a step is lost in rounding: the function has no root
   return root_between(f, low, high, f_low, f_high, tolerance);

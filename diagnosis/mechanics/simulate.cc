@@ -1,4 +1,5 @@
 // One pass through the recording: the assembled mechanics driven sample by sample.
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 
@@ -13,7 +14,6 @@ namespace asperity {
 namespace {
 
 // ---- normal
-// ----------------------------------------------------------------------------------------------------------
 
 class NormalRun {
  public:
@@ -55,8 +55,10 @@ class NormalRun {
       return reading(contact_->force(d) + addition(sample, whole(d))) - sample.normal_force;
     };
     // As far again as the last step went.
-    const double d = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)),
-                                     displacement_tolerance);
+    const double root = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)),
+                                        displacement_tolerance);
+    // A law that cannot carry the force sends the search ever further, sample by sample.
+    const double d = std::clamp(root, -farthest, farthest);
     step_ = d - last_;
     last_ = d;
     const double displacement = whole(d);
@@ -66,6 +68,7 @@ class NormalRun {
 
  private:
   static constexpr double displacement_tolerance = 1e-14;  // [m], far below what any instrument resolves
+  static constexpr double farthest = 1;                    // [m], where no contact is any more
   static constexpr double smallest_step = 1e-12;           // [m], in which a root is looked for
 
   void begin_step(const Sample& sample) {
@@ -140,7 +143,6 @@ class NormalRun {
 };
 
 // ---- lateral
-// ---------------------------------------------------------------------------------------------------------
 
 class LateralRun {
  public:

@@ -1,9 +1,11 @@
 // Laws of the effects that the format names since its first version, against their own formulas.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/fit/explanation.h"
 #include "diagnosis/mechanics/yielding_contact.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -153,6 +155,48 @@ TEST(LateralTerms_analytic, add_to_the_limit_by_their_formulas) {
   EXPECT_NEAR(offset_at(damp.lateral, sample), 5 * uN, 1e-12);
   sample.humidity = 0.25;
   EXPECT_NEAR(offset_at(damp.lateral, sample), 2.5 * uN, 1e-12);
+}
+
+/// A search tries values at the bounds, too, alone and with another effect. Under a driven force a contact
+/// that cannot carry it must not end the program.
+TEST(Simulate_behaviour, every_effect_of_a_normal_contact_bears_all_corners_of_its_bounds) {
+  Experiment e = test::experiment(Motion::normal);
+  e.hold_duration = 10;
+  Samples samples = test::approach_and_back(-0.5 * e.largest_displacement, e.largest_displacement, 40);
+  for (Sample& s : samples.list) {
+    s.normal_force = std::max(0.0, s.normal_displacement / e.largest_displacement) * e.largest_force;
+    if (s.normal_force == e.largest_force) s.hold_time = 1;
+  }
+  const auto corner = [&](const Effect& effect, std::size_t bits) {
+    std::vector<double> values;
+    for (const EffectParameter& p : effect.parameters(e)) {
+      values.push_back(bits & 1 ? p.high : p.low);
+      bits >>= 1;
+    }
+    return values;
+  };
+  for (const bool by_force : {false, true}) {
+    samples.runs.front().response_is_displacement = by_force;
+    for (const auto& one : effect_catalogue())
+      for (const auto& other : effect_catalogue()) {
+        if (!one->acts_in(Motion::normal) || !other->acts_in(Motion::normal)) continue;
+        if (one != other && !Explanation::compatible({one.get(), other.get()})) continue;
+        const std::size_t corners = std::size_t{1} << one->parameters(e).size();
+        for (std::size_t k = 0; k < corners; ++k)
+          EXPECT_NO_THROW({
+            Mechanics m = baseline_mechanics(e, {});
+            std::vector<const Effect*> both{one.get()};
+            if (one != other) both.push_back(other.get());
+            std::stable_sort(both.begin(), both.end(), [](const Effect* a, const Effect* b) {
+              return a->description().order < b->description().order;
+            });
+            for (const Effect* effect : both)
+              effect->assemble(m, corner(*effect, effect == one.get() ? k : 1).data());
+            simulate(m, samples);
+          }) << one->id()
+             << " " << other->id() << " " << k << (by_force ? " driven by force" : "");
+      }
+  }
 }
 
 }  // namespace
