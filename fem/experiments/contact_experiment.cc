@@ -231,6 +231,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
     last_report_.residual = report.residual;
+    if (report.restarts > 0) say("the quick iteration found no equilibrium; solved cautiously instead");
     if (!report.converged) {
       if (++failures > 6) refuse_after(made);
       divide(pending, 2, pending.back().divided);
