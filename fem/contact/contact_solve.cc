@@ -94,8 +94,9 @@ void ContactSolver::begin_step(Iteration& at, const RigidMotion& motion, double 
   constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
   const bool load_grows = force_control() ? at.target > growth * tractions_.carried_load(state, gaps_before)
                                           : at.target > state.approach;
-  const double share =
-      at.pace == Pace::quick && force_control() ? prediction_.share_of_last_step(state, motion, at.target) : 0;
+  const double share = at.pace == Pace::quick && force_control()
+                           ? prediction_.share_of_last_step(state, motion, at.target)
+                           : 0;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
   system_.bodies().begin_step({state.time + time_step, time_step});

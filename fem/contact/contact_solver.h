@@ -70,6 +70,8 @@ class ContactSolver {
   bool has_friction() const { return tractions_.has_friction(); }
   bool has_adhesion() const { return tractions_.has_adhesion(); }
   const FrictionLaw* friction() const { return options_.friction.get(); }  ///< null: none
+  SteadyPrediction& prediction() { return prediction_; }
+  const SteadyPrediction& prediction() const { return prediction_; }
   const InterfaceTractions& tractions() const { return tractions_; }
   /// Approach at which the undeformed surfaces touch [m].
   double touch_offset() const { return touch_offset_; }
@@ -79,15 +81,15 @@ class ContactSolver {
   double evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent);
   /// Sum of nodal forces that displacements rounded to double precision leave unbalanced [N].
   double force_of_rounding(const Vector<double>& displacement) const;
-  /// How a step is solved. Quick: from the path so far, and multipliers follow as soon as the unbalanced force
-  /// is less than their change. Cautious: from the accepted state, and each update after a close balance.
+  /// How a step is solved. Quick: from the path so far, and multipliers follow as soon as the unbalanced
+  /// force is less than their change. Cautious: from the accepted state, each update after a close balance.
   enum class Pace { quick, cautious };
   /// What the parts of one solve hand on.
   struct Iteration;
   /// solve() at a pace, without another try.
   SolveReport solve_at(Pace pace, ContactState& state, double target, const RigidMotion& motion,
                        double time_step);
-  /// Moves the state on as the last step did, if that goes on.
+  /// Moves the state on by a share of what the last step changed.
   void predict(Iteration& at, double share);
   /// The unbalanced force, relative, at which the multipliers are updated next, or the step is solved.
   double goal(const Iteration& at) const;

@@ -16,6 +16,29 @@ void SteadyPrediction::remember(ContactState& before, const ContactState& after,
   motion_ = after.motion;
 }
 
+PathMemory SteadyPrediction::memory(const ContactState& accepted) const {
+  PathMemory kept;
+  kept.target = target_;
+  if (reached_.empty() || reached_ != accepted.multiplier || !(motion_ == accepted.motion)) return kept;
+  const auto& u = before_.displacement;
+  kept.motion = before_.motion, kept.multiplier = before_.multiplier, kept.shear = before_.shear;
+  kept.displacement.assign(u.begin(), u.begin() + u.locally_owned_size());
+  return kept;
+}
+
+void SteadyPrediction::restore(const PathMemory& memory, const ContactState& accepted) {
+  target_ = memory.target;
+  reached_.clear();
+  if (memory.multiplier.size() != accepted.multiplier.size() ||
+      memory.displacement.size() != accepted.displacement.locally_owned_size())
+    return;
+  before_ = accepted;
+  before_.motion = memory.motion, before_.multiplier = memory.multiplier, before_.shear = memory.shear;
+  std::copy(memory.displacement.begin(), memory.displacement.end(), before_.displacement.begin());
+  reached_ = accepted.multiplier;
+  motion_ = accepted.motion;
+}
+
 double SteadyPrediction::share_of_last_step(const ContactState& accepted, const RigidMotion& motion,
                                             double target) const {
   if (target != target_ || reached_.empty() || reached_ != accepted.multiplier ||
@@ -46,8 +69,7 @@ void SteadyPrediction::move_on(ContactState& state, double share) {
   for (std::size_t r = 0; r < state.multiplier.size(); ++r) {
     state.multiplier[r] =
         std::max(0.0, state.multiplier[r] + share * (state.multiplier[r] - before_.multiplier[r]));
-    for (int c = 0; c < 2; ++c)
-      state.shear[c][r] += share * (state.shear[c][r] - before_.shear[c][r]);
+    for (int c = 0; c < 2; ++c) state.shear[c][r] += share * (state.shear[c][r] - before_.shear[c][r]);
   }
 }
 

@@ -10,6 +10,16 @@
 
 namespace asperity::fem {
 
+/// What a prediction needs of the state before the last step, for a checkpoint. Lists are empty where that
+/// step does not lead to the accepted state.
+struct PathMemory {
+  double target = 0;  ///< of the last step [N] or [m]
+  RigidMotion motion;
+  std::vector<double> displacement;          ///< locally owned [m]
+  std::vector<double> multiplier;            ///< [Pa]
+  std::array<std::vector<double>, 2> shear;  ///< [Pa]
+};
+
 class SteadyPrediction {
  public:
   /// reach: of the contact region about the axis of spin; radius: of the particle [m].
@@ -17,6 +27,11 @@ class SteadyPrediction {
 
   /// To be called with each step that was solved: both its states, and its target ([N] or [m]).
   void remember(ContactState& before, const ContactState& after, double target);
+
+  /// What is remembered of the way to `accepted`.
+  PathMemory memory(const ContactState& accepted) const;
+  /// Remembers what memory() said, at the same accepted state.
+  void restore(const PathMemory& memory, const ContactState& accepted);
 
   /// By how much of the last step `accepted` is to move on to `motion`; 0 where it has not led there, turned
   /// back or to another direction, or where the target was or is another [-].

@@ -87,6 +87,7 @@ bool ContactExperiment::resume() {
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
   static_cast<InterfaceState&>(state_) = checkpoint->interface;
+  solver_->prediction().restore(checkpoint->path, state_);
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
