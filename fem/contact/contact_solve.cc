@@ -11,6 +11,8 @@ namespace {
 
 // Unbalanced force, relative, of the first solution and of those after an update of the multipliers.
 constexpr double first_goal = 1e-3, fraction_of_change = 0.03;
+// The same at the quick pace, where it is compared with what an update would change now.
+constexpr double largest_goal = 0.1, fraction_of_present_change = 0.5;
 // Bounds of the residual that conjugate gradients leave of a Newton direction: closer ones save hardly a
 // Newton step.
 constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
@@ -25,11 +27,13 @@ constexpr int patience_without = 3, patience_with_friction = 0;
 }  // namespace
 
 struct ContactSolver::Iteration {
-  Iteration(ContactState& start, double aim, TangentField* tangents, const MeshLevel& level, int patience)
-      : state(start), target(aim), tangent(tangents), search(0, patience) {
+  Iteration(Pace at_pace, ContactState& start, double aim, TangentField* tangents, const MeshLevel& level,
+            int patience)
+      : pace(at_pace), state(start), target(aim), tangent(tangents), search(0, patience) {
     for (auto* v : {&residual, &direction}) level.initialise(*v);
   }
 
+  Pace pace;
   ContactState& state;
   double target;          ///< load [N] or approach [m]
   TangentField* tangent;  ///< null: the bodies do not yield
@@ -42,7 +46,28 @@ struct ContactSolver::Iteration {
 
 SolveReport ContactSolver::solve(ContactState& state, double target, const RigidMotion& motion,
                                  double time_step) {
-  Iteration at(state, target, system_.bodies().can_yield() ? &tangent_ : nullptr, system_.level(),
+  ContactState accepted = state;
+  SolveReport report;
+  if (!options_.cautious) {
+    try {
+      report = solve_at(Pace::quick, state, target, motion, time_step);
+    } catch (const StepFailure&) {
+    }
+    if (!report.converged) state = accepted;
+  }
+  if (!report.converged) {
+    const SolveReport quick = report;
+    report = solve_at(Pace::cautious, state, target, motion, time_step);
+    report.newton += quick.newton, report.linear += quick.linear;
+    report.restarts = options_.cautious ? 0 : 1;
+  }
+  if (report.converged && !options_.cautious) prediction_.remember(accepted, state, target);
+  return report;
+}
+
+SolveReport ContactSolver::solve_at(Pace pace, ContactState& state, double target, const RigidMotion& motion,
+                                    double time_step) {
+  Iteration at(pace, state, target, system_.bodies().can_yield() ? &tangent_ : nullptr, system_.level(),
                tractions_.has_friction() ? patience_with_friction : patience_without);
   begin_step(at, motion, time_step);
   SolveReport& report = at.report;
@@ -69,11 +94,15 @@ void ContactSolver::begin_step(Iteration& at, const RigidMotion& motion, double 
   constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
   const bool load_grows = force_control() ? at.target > growth * tractions_.carried_load(state, gaps_before)
                                           : at.target > state.approach;
+  const double share = at.pace == Pace::quick && force_control()
+                           ? prediction_.share_of_last_step(state, motion, at.target)
+                           : 0;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
   system_.bodies().begin_step({state.time + time_step, time_step});
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
+  if (share > 0) predict(at, share);
   if (force_control())
     complete(state.displacement, state.approach);
   else
@@ -89,18 +118,29 @@ void ContactSolver::begin_step(Iteration& at, const RigidMotion& motion, double 
   at.search.restart(at.error);
 }
 
+void ContactSolver::predict(Iteration& at, double share) {
+  prediction_.move_on(at.state, share);
+  if (tractions_.has_friction()) tractions_.update_limits(at.state);
+}
+
+double ContactSolver::goal(const Iteration& at) const {
+  // The residual after a multiplier update is about as large as the change of the multipliers: each update
+  // is followed by a solution more accurate than that, the last one by a solution to the full tolerance.
+  double wanted = 0;
+  if (!at.closed && at.pace == Pace::quick)
+    wanted = std::min(largest_goal, fraction_of_present_change * force_of(tractions_.change(at.state)));
+  else if (!at.closed)
+    wanted = at.report.updates == 0 ? first_goal
+                                    : std::min(first_goal, fraction_of_change * at.report.penetration);
+  // Rounding is that of the last evaluation.
+  return std::max({options_.residual_tolerance, rounding_, wanted});
+}
+
 void ContactSolver::balance(Iteration& at) {
   for (;;) {
-    // The residual after a multiplier update is about as large as the change of the multipliers: each update
-    // is followed by a solution more accurate than that, the last one by a solution to the full tolerance.
-    const double wanted = at.closed ? 0.0
-                          : at.report.updates == 0
-                              ? first_goal
-                              : std::min(first_goal, fraction_of_change * at.report.penetration);
-    // Rounding is that of the last evaluation.
-    const double goal = std::max({options_.residual_tolerance, rounding_, wanted});
-    if (at.error <= goal || at.report.newton >= options_.largest_newton) return;
-    newton_step(at, goal);
+    const double wanted = goal(at);
+    if (at.error <= wanted || at.report.newton >= options_.largest_newton) return;
+    newton_step(at, wanted);
   }
 }
 
@@ -147,13 +187,17 @@ void ContactSolver::choose_slip_stiffness(double step, double error_before, doub
 
 void ContactSolver::measure_change(Iteration& at) {
   const auto change = tractions_.change(at.state);
-  // The unbalanced force is measured by the pressures' total, and so is the change that sets the next goal.
-  at.report.penetration = change.pressure + change.shear * tractions_.shear_share();
+  at.report.penetration = force_of(change);
   at.report.residual = at.error;
   if (log)
     log(" update " + std::to_string(at.report.updates) + " change " + std::to_string(change.pressure) + " " +
         std::to_string(change.shear));
   at.closed = change.pressure <= options_.penetration_tolerance && change.shear <= options_.slip_tolerance;
+}
+
+double ContactSolver::force_of(const InterfaceTractions::Change& change) const {
+  // The unbalanced force is measured by the pressures' total, and so is the change that sets the next goal.
+  return change.pressure + change.shear * tractions_.shear_share();
 }
 
 void ContactSolver::update_multipliers(Iteration& at) {
@@ -163,6 +207,8 @@ void ContactSolver::update_multipliers(Iteration& at) {
   system_.follow_slopes(at.state.displacement);
   tractions_.update_multipliers(at.state);
   tractions_.update_limits(at.state);
+  // The first steps' stick and slip that called for the secant have been found by now.
+  if (at.pace == Pace::quick) slip_stiffness_ = SlipStiffness::tangent;
   if (tractions_.has_friction()) step_with_held_rows(at);
   at.error = evaluate(at.state, at.target, at.residual, at.tangent);
   at.search.restart(at.error);

@@ -23,6 +23,7 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
       penalty_(options_.penalty_factor * system.reduced_modulus() /
                system.options().mesh.sizes.spacing_particle),
       tractions_(system, options_.friction.get(), options_.adhesion, penalty_),
+      prediction_(system.options().mesh.sizes.radius, system.options().mesh.sizes.region_particle),
       elastic_diagonal_(
           HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
   const auto& gaps = system.initial_gaps();

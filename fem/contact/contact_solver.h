@@ -14,6 +14,7 @@
 #include "fem/contact/contact_state.h"
 #include "fem/contact/contact_system.h"
 #include "fem/contact/interface_tractions.h"
+#include "fem/contact/steady_prediction.h"
 
 namespace asperity::fem {
 
@@ -24,10 +25,11 @@ struct ContactSolverOptions {
   /// whole).
   double residual_tolerance = 1e-6;
   double penetration_tolerance =
-      1e-3;                      ///< change of the pressures by a multiplier update, relative, in the 1-norm
-  double slip_tolerance = 3e-3;  ///< the same of the shear tractions
+      3e-4;                      ///< change of the pressures by a multiplier update, relative, in the 1-norm
+  double slip_tolerance = 1e-3;  ///< the same of the shear tractions
   double penalty_factor = 4.0;   ///< eps = factor E* / spacing
   int largest_newton = 60, largest_updates = 40;
+  bool cautious = false;  ///< whether each step is solved as one is where the quick iteration failed
   std::shared_ptr<const FrictionLaw> friction;  ///< null: none
   AdhesionLaws adhesion;                        ///< empty: none
 };
@@ -41,8 +43,8 @@ class ContactSolver {
 
   /// Finds the equilibrium at `target` (normal force [N] under force control, approach [m] under displacement
   /// control), and at `motion`, starting from the accepted `state`, which it replaces: slip is counted from
-  /// there. Does not touch the bodies' history. time_step: that this takes (InterfacePoint). Throws
-  /// StepFailure where a step has to be smaller.
+  /// there. Does not touch the bodies' history. time_step: that this takes (InterfacePoint). Where the quick
+  /// iteration finds none, the cautious one starts again. Throws StepFailure where a step has to be smaller.
   SolveReport solve(ContactState& state, double target, const RigidMotion& motion, double time_step = 1);
   SolveReport solve(ContactState& state, double target) { return solve(state, target, state.motion); }
 
@@ -68,6 +70,8 @@ class ContactSolver {
   bool has_friction() const { return tractions_.has_friction(); }
   bool has_adhesion() const { return tractions_.has_adhesion(); }
   const FrictionLaw* friction() const { return options_.friction.get(); }  ///< null: none
+  SteadyPrediction& prediction() { return prediction_; }
+  const SteadyPrediction& prediction() const { return prediction_; }
   const InterfaceTractions& tractions() const { return tractions_; }
   /// Approach at which the undeformed surfaces touch [m].
   double touch_offset() const { return touch_offset_; }
@@ -77,8 +81,18 @@ class ContactSolver {
   double evaluate(const ContactState& state, double target, Vector<double>& residual, TangentField* tangent);
   /// Sum of nodal forces that displacements rounded to double precision leave unbalanced [N].
   double force_of_rounding(const Vector<double>& displacement) const;
+  /// How a step is solved. Quick: from the path so far, and multipliers follow as soon as the unbalanced
+  /// force is less than their change. Cautious: from the accepted state, each update after a close balance.
+  enum class Pace { quick, cautious };
   /// What the parts of one solve hand on.
   struct Iteration;
+  /// solve() at a pace, without another try.
+  SolveReport solve_at(Pace pace, ContactState& state, double target, const RigidMotion& motion,
+                       double time_step);
+  /// Moves the state on by a share of what the last step changed.
+  void predict(Iteration& at, double share);
+  /// The unbalanced force, relative, at which the multipliers are updated next, or the step is solved.
+  double goal(const Iteration& at) const;
   /// Parts of solve(). Couples the interfaces at `motion`; the first guess.
   void begin_step(Iteration& at, const RigidMotion& motion, double time_step);
   /// Newton steps for fixed multipliers.
@@ -92,6 +106,8 @@ class ContactSolver {
   void choose_slip_stiffness(double step, double error_before, double error);
   /// How far another update of the multipliers would go.
   void measure_change(Iteration& at);
+  /// A change of the multipliers as a force over the pressures' total.
+  double force_of(const InterfaceTractions::Change& change) const;
   void update_multipliers(Iteration& at);
   /// Makes the last tractions those of the state; works of the interface.
   void finish(Iteration& at);
@@ -136,6 +152,7 @@ class ContactSolver {
   int convex_steps_left_ = 0;  ///< in which Newton's direction leaves the softening of attraction out
   double penalty_;             ///< eps [Pa/m]
   InterfaceTractions tractions_;
+  SteadyPrediction prediction_;
   Vector<double> elastic_diagonal_;  ///< of both bodies' stiffness [N/m]
   double rounding_ = 0;              ///< force of rounding over the contact force, as evaluated last
   double touch_offset_;              ///< rigid shift that brings the bodies to first touch [m]

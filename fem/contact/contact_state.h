@@ -45,6 +45,7 @@ struct SolveReport {
   double friction_work = 0;                 ///< dissipated by slip in this step [J]
   double adhesion_energy = 0;               ///< potential energy of attraction, negative [J]
   double adhesion_loss = 0;                 ///< dissipated as bonds formed and broke in this step [J]
+  int restarts = 0;  ///< times that the quick iteration failed and the cautious one began anew
   bool converged = false;
 };
 

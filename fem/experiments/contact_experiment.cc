@@ -87,6 +87,7 @@ bool ContactExperiment::resume() {
   std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
   state_.displacement.update_ghost_values();
   static_cast<InterfaceState&>(state_) = checkpoint->interface;
+  solver_->prediction().restore(checkpoint->path, state_);
   system_->bodies().restore_history(checkpoint->history);
   records_ = checkpoint->records;
   load_ = checkpoint->load;
@@ -231,6 +232,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     last_report_.linear += report.linear;
     last_report_.penetration = report.penetration;
     last_report_.residual = report.residual;
+    if (report.restarts > 0) say("the quick iteration found no equilibrium; solved cautiously instead");
     if (!report.converged) {
       if (++failures > 6) refuse_after(made);
       divide(pending, 2, pending.back().divided);

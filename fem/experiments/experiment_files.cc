@@ -87,6 +87,7 @@ void ContactExperiment::write_step() {
   c.wall_time = wall_time();
   c.stiffness = stiffness_;
   c.interface = state_;
+  c.path = solver_->prediction().memory(state_);
   c.displacement.assign(state_.displacement.begin(),
                         state_.displacement.begin() + state_.displacement.locally_owned_size());
   c.history = system_->bodies().save_history();

@@ -47,7 +47,8 @@ void each_number(AnyCheckpoint& c, Do&& on) {
   for (auto* value : {&s.far_field, &s.lateral_far_field, &s.normal, &s.lateral, &s.torsion}) on(*value);
   auto& i = c.interface;
   on(i.time), on(i.approach);
-  for (auto* motion : {&i.motion, &i.coupling.frames})
+  on(c.path.target);
+  for (auto* motion : {&i.motion, &i.coupling.frames, &c.path.motion})
     on(motion->x), on(motion->y), on(motion->spin), on(motion->roll);
   on(i.coupling.elastic.x), on(i.coupling.elastic.y), on(i.coupling.elastic.turn);
 }
@@ -58,6 +59,7 @@ void each_list(AnyCheckpoint& c, Do&& on) {
   on(c.displacement), on(c.history);
   auto& i = c.interface;
   on(i.multiplier), on(i.shear[0]), on(i.shear[1]), on(i.friction_history), on(i.bonded);
+  on(c.path.displacement), on(c.path.multiplier), on(c.path.shear[0]), on(c.path.shear[1]);
 }
 
 /// Of a row.
@@ -97,7 +99,7 @@ Checkpoint checkpoint_of(const std::string& bytes) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/7";
+constexpr const char* format = "asperity-checkpoint/8";
 
 std::string part_name(int step, int rank) {
   return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin";

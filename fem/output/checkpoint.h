@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/provenance.h"
-#include "fem/contact/contact_state.h"
+#include "fem/contact/steady_prediction.h"
 #include "fem/output/measured_stiffness.h"
 #include "results/history.h"
 
@@ -21,6 +21,7 @@ struct Checkpoint {
   double wall_time = 0;             ///< [s]
   MeasuredStiffness stiffness;
   InterfaceState interface;
+  PathMemory path;
   std::vector<double> displacement;  ///< locally owned
   std::vector<double> history;       ///< PlasticBodies::save_history
 

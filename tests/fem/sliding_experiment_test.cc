@@ -239,7 +239,7 @@ TEST(RollingExperiment_behaviour, steps_that_fail_are_halved_and_reach_the_same_
   CaseInput input = sliding(generated(1.0, 160, 3), 40e-9);
   input.experiment.type = Motion::rolling;
   input.experiment.distance = 100e-9;
-  input.experiment.motion_steps = 3;
+  input.experiment.motion_steps = 2;
   input.experiment.load_steps = 4;
   input.experiment.reverse = false;
   input.particle.parameters["Yield stress"] = 1.5e9, input.substrate.parameters["Yield stress"] = 2e9;
