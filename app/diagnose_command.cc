@@ -18,6 +18,7 @@
 #include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/diagnose.h"
+#include "diagnosis/simulated_file.h"
 #include "report/diagnosis/diagnosis_page.h"
 
 namespace asperity {
@@ -50,13 +51,40 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
     text +=
         printed("  simulation: the case, %d solutions; its approach is off by %.2g nm (mesh, load steps)\n",
                 d.simulation.solves, d.simulation.displacement_error * 1e9);
-    for (const auto& e : d.simulation.corrected)
+    for (const auto& e : d.corrected())
       text += printed("  corrected.prm: %s = %.4g %s (95 %%: %.4g to %.4g)\n", e.entry.c_str(), e.value,
                       e.unit.c_str(), e.low, e.high);
   }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
   return text + "wrote " + (output / "diagnosis.json").string() + " and " +
          (output / "report.html").string() + "\n";
+}
+
+/// The case that is the simulation, and what was solved of it before.
+struct CaseOfRecording {
+  fs::path file;  ///< empty: reduced laws are the simulation
+  std::vector<std::string> overrides;
+  SolvedCases earlier;
+};
+
+/// As the command line says; where it says nothing of a case, as the recording does.
+CaseOfRecording case_of(const DiagnoseArguments& arguments, const Recording& recording) {
+  CaseOfRecording of{arguments.case_file, {}, {}};
+  fs::path study = arguments.study;
+  const SimulationChoice& given = recording.simulation;
+  if (of.file.empty() && study.empty() && given.by_finite_elements()) {
+    if (!given.case_file.empty()) of.file = recording.folder / given.case_file;
+    if (!given.study.empty()) study = recording.folder / given.study;
+    for (const auto& [entry, value] : given.case_entries) of.overrides.push_back(entry + "=" + value);
+  }
+  of.overrides.insert(of.overrides.end(), arguments.overrides.begin(), arguments.overrides.end());
+  if (!study.empty()) {
+    of.earlier = SolvedCases(study);
+    if (of.file.empty()) of.file = of.earlier.the_contact();
+  }
+  if (of.file.empty() && !of.overrides.empty())
+    throw InputError("--set is about a case of finite elements; name it with --case CASE.prm");
+  return of;
 }
 
 void run_diagnose(const DiagnoseArguments& arguments) {
@@ -69,22 +97,25 @@ void run_diagnose(const DiagnoseArguments& arguments) {
   DiagnoseOptions options;
   options.progress = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); };
   const fs::path output = arguments.output;
+  const CaseOfRecording of = case_of(arguments, recording);
   std::unique_ptr<FiniteElementModel> model;
-  if (!arguments.case_file.empty()) {
+  if (!of.file.empty()) {
     FiniteElementModelOptions how;
     how.solver = solver_program();
-    how.folder = arguments.study.empty() ? output / "solves" : fs::path(arguments.study);
+    how.folder = output / "solves";
+    how.earlier = of.earlier;
     how.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     how.seconds = 60 * arguments.minutes;
     how.say = options.progress;
-    model = std::make_unique<FiniteElementModel>(arguments.case_file, arguments.overrides, how);
+    model = std::make_unique<FiniteElementModel>(of.file, of.overrides, how);
     options.simulation = model.get();
-  } else if (!arguments.overrides.empty() || !arguments.study.empty()) {
-    throw InputError("--set and --study are about a case of finite elements; name it with --case CASE.prm");
   }
-  const Diagnosis diagnosis = diagnose(recording, options);
+  Diagnosis diagnosis = diagnose(recording, options);
+  diagnosis.simulation.case_file = of.file.string();
   make_folder(output);
-  if (model) write_diagnosed_case(model->settings(), diagnosis, output);
+  write_diagnosed_case(model ? &model->settings() : nullptr, diagnosis, output);
+  write_file_atomically(output / "before.csv", simulated_csv(recording, diagnosis, SimulatedState::before));
+  write_file_atomically(output / "after.csv", simulated_csv(recording, diagnosis, SimulatedState::after));
   const std::string json = diagnosis_json(diagnosis);
   write_file_atomically(output / "diagnosis.json", json);
   write_file_atomically(output / "report.html", report::diagnosis_page(recording, diagnosis));
@@ -111,7 +142,8 @@ void add_diagnose_command(CLI::App& app) {
       ->expected(1)
       ->take_all();
   command->add_option("--study", arguments->study,
-                      "Folder of solved cases, which are reused (default: solves in the output's)");
+                      "Folder of solved cases, which are taken as they are; without --case their contact is "
+                      "the simulation");
   command
       ->add_option(
           "--minutes", arguments->minutes,
@@ -121,7 +153,7 @@ void add_diagnose_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
-  command->footer("Example: asperity diagnose runs/paper/recordings/sliding --output output/diagnosis");
+  command->footer("Example: asperity diagnose runs/paper/recordings/sliding_offset_untreated --output output/diagnosis");
   command->callback([arguments] { run_diagnose(*arguments); });
 }
 

@@ -7,17 +7,19 @@ namespace asperity {
 
 namespace fs = std::filesystem;
 
-void write_diagnosed_case(const Settings& settings, const Diagnosis& diagnosis, const fs::path& output) {
+void write_diagnosed_case(const Settings* settings, const Diagnosis& diagnosis, const fs::path& output) {
   const SolvedSimulation& simulation = diagnosis.simulation;
   for (const char* name : {"corrected.prm", "history_before.csv", "history_after.csv"})
     fs::remove(output / name);
+  if (!settings) return;
   write_file_atomically(output / "history_before.csv",
                         read_file(fs::path(simulation.before) / "history.csv"));
-  if (simulation.corrected.empty()) return;
-  Settings corrected = settings;
+  const auto entries = diagnosis.corrected();
+  if (entries.empty()) return;
+  Settings corrected = *settings;
   std::string head = "# The case with what asperity diagnose found missing (" + name_of(diagnosis.verdict) +
                      "), 95 % intervals:\n";
-  for (const CorrectedEntry& e : simulation.corrected) {
+  for (const CorrectedEntry& e : entries) {
     const std::size_t slash = e.entry.find('/');
     override_setting(corrected, {e.entry.substr(0, slash), e.entry.substr(slash + 1),
                                  printed("%.6g %s", e.value, e.unit.c_str()), "diagnosis"});

@@ -71,7 +71,7 @@ std::size_t steps_in(const fs::path& folder) {
 /// Fewer steps say nothing of a curve.
 constexpr std::size_t least_steps = 3;
 
-std::string asked(const EnoughOfIt& enough, const fs::path& folder) {
+std::string why_enough(const EnoughOfIt& enough, const fs::path& folder) {
   return enough && steps_in(folder) >= least_steps ? enough(response_of(folder, "it goes on")) : "";
 }
 
@@ -102,11 +102,12 @@ SimulatedBodies FiniteElementModel::bodies() const {
           yield_stress(input_.substrate)};
 }
 
-Study FiniteElementModel::study_of(const std::vector<CaseChange>& changes,
-                                   const std::vector<LoadingProtocol>& protocols) const {
-  Study study;
+std::vector<FiniteElementModel::Asked> FiniteElementModel::asked_of(
+    const std::vector<CaseChange>& changes, const std::vector<LoadingProtocol>& protocols,
+    Study& study) const {
   study.title = "diagnosis";
   study.file = file_;
+  std::vector<Asked> list;
   for (const LoadingProtocol& protocol : protocols) {
     StudyCase item;
     item.settings = settings_;
@@ -117,11 +118,14 @@ Study FiniteElementModel::study_of(const std::vector<CaseChange>& changes,
     if (fem::work_of_adhesion(changed.interface).opening > 0 && changed.interface.adhesion_law != "dugdale")
       throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
                        ", and attraction is tried as Dugdale's so far; set it to dugdale");
+    const std::string inputs = inputs_sha256(item.settings, file_);
+    const fs::path earlier = options_.earlier.with_inputs(inputs);
     constexpr std::size_t enough = 12;
-    item.name = "solve-" + inputs_sha256(item.settings, file_).substr(0, enough);
-    study.cases.push_back(std::move(item));
+    item.name = "solve-" + inputs.substr(0, enough);
+    list.push_back({earlier.empty() ? options_.folder / item.name : earlier, !earlier.empty(), ""});
+    if (earlier.empty()) study.cases.push_back(std::move(item));
   }
-  return study;
+  return list;
 }
 
 std::string FiniteElementModel::out_of_time(double seconds) const {
@@ -135,7 +139,8 @@ std::string FiniteElementModel::out_of_time(double seconds) const {
 }
 
 std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const EnoughOfIt& enough,
-                                                  const std::vector<std::string>& ended_early) const {
+                                                  const std::vector<std::string>& unchosen) const {
+  if (study.cases.empty()) return {};
   StudyRunOptions options;
   options.output = options_.folder;
   options.resume = true;
@@ -143,9 +148,7 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
   options.program = options_.solver;
   options.say = options_.say;
   options.chosen = [&](const std::string& name) {
-    for (std::size_t i = 0; i < study.cases.size(); ++i)
-      if (study.cases[i].name == name) return ended_early[i].empty();
-    return true;
+    return std::find(unchosen.begin(), unchosen.end(), name) == unchosen.end();
   };
   // A normal case is solved in minutes: one that was broken off is begun again, whatever build began it.
   options.objection_to_resume = [](const auto&, const auto&) { return std::string("is not complete"); };
@@ -158,7 +161,7 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
       const std::size_t steps = steps_in(folder);
       if (looked_at[folder] == steps) return std::string();
       looked_at[folder] = steps;
-      return asked(enough, folder);
+      return why_enough(enough, folder);
     };
   return run_study(study, options);
 }
@@ -166,25 +169,34 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
 std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
                                                       const std::vector<LoadingProtocol>& protocols,
                                                       const EnoughOfIt& enough) {
-  const Study study = study_of(changes, protocols);
-  const auto folder_of = [&](std::size_t i) { return options_.folder / study.cases[i].name; };
-  std::vector<std::string> ended_early(study.cases.size());
-  for (std::size_t i = 0; i < study.cases.size(); ++i)
-    if (!has_result(folder_of(i))) ended_early[i] = asked(enough, folder_of(i));
-  const std::vector<CaseProgress> progress = run(study, enough, ended_early);
+  Study study;
+  std::vector<Asked> asked = asked_of(changes, protocols, study);
+  std::vector<std::string> unchosen;
+  for (Asked& each : asked) {
+    if (each.is_earlier || has_result(each.folder)) continue;
+    each.ended_early = why_enough(enough, each.folder);
+    if (!each.ended_early.empty()) unchosen.push_back(each.folder.filename().string());
+  }
+  const std::vector<CaseProgress> progress = run(study, enough, unchosen);
   std::vector<SolvedResponse> responses;
-  for (std::size_t i = 0; i < progress.size(); ++i) {
-    const std::string folder = folder_of(i).string();
-    if (progress[i].state == CaseProgress::State::stopped) ended_early[i] = progress[i].message;
-    if (progress[i].state == CaseProgress::State::failed)
-      throw WorkError("'" + folder + "' could not be solved: " + progress[i].message);
-    if (progress[i].state != CaseProgress::State::done && ended_early[i].empty())
+  std::size_t next = 0;
+  for (Asked& each : asked) {
+    if (each.is_earlier) {
+      responses.push_back(response_of(each.folder, ""));
+      continue;
+    }
+    const CaseProgress& done = progress[next++];
+    const std::string folder = each.folder.string();
+    if (done.state == CaseProgress::State::stopped) each.ended_early = done.message;
+    if (done.state == CaseProgress::State::failed)
+      throw WorkError("'" + folder + "' could not be solved: " + done.message);
+    if (done.state != CaseProgress::State::done && each.ended_early.empty())
       // No WorkError: a stop ends the diagnosis, where a case that fails is left out of it.
       throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
-    if (!ended_early[i].empty() && steps_in(folder) < least_steps)
-      throw WorkError("'" + folder + "' was stopped before it said anything: " + ended_early[i]);
-    responses.push_back(response_of(folder, ended_early[i]));
-    responses.back().is_out_of_time = !ended_early[i].empty() && !out_of_time(progress[i].seconds).empty();
+    if (!each.ended_early.empty() && steps_in(folder) < least_steps)
+      throw WorkError("'" + folder + "' was stopped before it said anything: " + each.ended_early);
+    responses.push_back(response_of(folder, each.ended_early));
+    responses.back().is_out_of_time = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
   }
   return responses;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/solved_cases.h"
 #include "app/study.h"
 #include "app/study_summary.h"
 #include "core/case.h"
@@ -20,6 +21,7 @@ namespace asperity {
 struct FiniteElementModelOptions {
   std::filesystem::path solver;  ///< program called as: solver solve CASE.prm ...
   std::filesystem::path folder;  ///< for the solved cases
+  SolvedCases earlier;           ///< solved elsewhere: taken as they are, and nothing is written there
   int cores = 1;
   double seconds = 30 * 60;  ///< wall time for all solutions but the case's as it is, from the start on [s]
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
@@ -41,11 +43,19 @@ class FiniteElementModel : public ForwardModel {
   const Settings& settings() const { return settings_; }
 
  private:
-  Study study_of(const std::vector<CaseChange>& changes, const std::vector<LoadingProtocol>& protocols) const;
+  /// A case to be solved, or solved already in `folder`.
+  struct Asked {
+    std::filesystem::path folder;
+    bool is_earlier = false;
+    std::string ended_early;  ///< why what is there is enough; empty: it is complete, or to be solved
+  };
+  /// Adds what is not solved elsewhere to `study`.
+  std::vector<Asked> asked_of(const std::vector<CaseChange>& changes,
+                              const std::vector<LoadingProtocol>& protocols, Study& study) const;
   /// Why a solution that took so many seconds ends; empty: it goes on.
   std::string out_of_time(double seconds) const;
   std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,
-                                const std::vector<std::string>& ended_early) const;
+                                const std::vector<std::string>& unchosen) const;
   double seconds_spent() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   }

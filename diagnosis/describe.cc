@@ -1,7 +1,9 @@
 #include "diagnosis/describe.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <limits>
 
 #include "core/printed.h"
 #include "diagnosis/choose/judged_sets.h"
@@ -111,19 +113,46 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
   return remarks;
 }
 
-std::vector<std::string> remarks_on_effects_not_tried(const Experiment& experiment) {
-  std::vector<std::string> remarks;
+bool lies_on_the_rows(const FitProblem& problem, const ModelFit& fit) {
+  constexpr double of_a_thirtieth = 1e-3;
+  return problem.noise.is_absolute &&
+         chi2_reduced(problem.samples, fit.residual(problem.samples), problem.noise) < of_a_thirtieth;
+}
+
+std::string remark_on_too_little_noise(const FitProblem& problem, const ModelFit& fit) {
+  if (!problem.noise.is_absolute) return "";
+  if (lies_on_the_rows(problem, fit))
+    return "the rows lie on a curve to a small part of their own standard deviations, as points of a fitted "
+           "curve do and measurements do not: their deviations are taken as those of the curve's parameters, "
+           "and no row tests the law between them";
+  const bool is_given = std::any_of(problem.noise.from.begin(), problem.noise.from.end(),
+                                    [](const std::string& from) { return from.rfind("given", 0) == 0; });
+  const double freedom =
+      static_cast<double>(fit.count) - static_cast<double>(fit.explanation->parameters().size());
+  constexpr double chance = 1e-6;
+  const double chi2 = chi2_reduced(problem.samples, fit.residual(problem.samples), problem.noise);
+  if (!is_given || freedom < 1 ||
+      boost::math::cdf(boost::math::chi_squared(freedom), chi2 * freedom) > chance)
+    return "";
+  return printed(
+      "what is left is smaller than the noise that is given (chi-square per sample %.2g): the standard "
+      "deviations are too large by a factor of about %.2g, and smaller mismatches stay hidden behind them",
+      chi2, std::sqrt(1 / chi2));
+}
+
+std::vector<UntriedEffect> effects_without_data(const Experiment& experiment) {
+  std::vector<UntriedEffect> list;
   for (const auto& effect : effect_catalogue()) {
     if (!effect->acts_in(experiment.mode) || effect->has_what_it_needs(experiment)) continue;
     const NeededValues needed = effect->needs();
     const auto varied = experiment.different.find(needed.channel);
     const int have = varied == experiment.different.end() ? 0 : varied->second;
     if (have < 2) continue;  // what was never varied is no candidate anyone would think of
-    remarks.push_back(effect->id() + " was not tried: " + std::to_string(have) + " different values of " +
-                      needed.channel + " cannot test its law, " + std::to_string(needed.count) +
-                      " or more would");
+    list.push_back({effect->id(), std::to_string(have) + " different values of " + needed.channel +
+                                      " cannot test its law, " + std::to_string(needed.count) +
+                                      " or more would"});
   }
-  return remarks;
+  return list;
 }
 
 std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem,
@@ -159,6 +188,23 @@ std::vector<ComparedTable> compared_tables(const Recording& recording, const Fit
   return tables;
 }
 
+std::vector<SimulatedRows> simulated_rows(const Recording& recording, const FitProblem& problem,
+                                          const ModelFit& before, const ModelFit& after) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto simulated_before = before.simulate(problem.samples),
+             simulated_after = after.simulate(problem.samples);
+  std::vector<SimulatedRows> tables;
+  for (const RecordingTable& table : recording.tables)
+    tables.push_back({std::vector<double>(table.rows(), none), std::vector<double>(table.rows(), none)});
+  for (const auto& run : problem.samples.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const auto row = static_cast<std::size_t>(problem.samples.list[i].row);
+      tables[run.table].before[row] = simulated_before[i];
+      tables[run.table].after[row] = simulated_after[i];
+    }
+  return tables;
+}
+
 std::string in_words(const Diagnosis& d) {
   const std::string numbers =
       printed("chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
@@ -166,10 +212,14 @@ std::string in_words(const Diagnosis& d) {
               d.improved.held_out_chi2_reduced);
   switch (d.verdict) {
     case Verdict::no_mismatch:
-      return "Recording and simulation agree: what is left is noise. Nothing was left out that these data "
-             "can show.";
+      return "Recording and simulation agree: what is left is " +
+             std::string(d.rows_are_points_of_a_curve ? "far less than noise would leave" : "noise") +
+             ". Nothing was left out that these data can show.";
     case Verdict::explained:
-      return "The simulation left out " + titles(d.left_out) + ". With it " + numbers + ", which is noise.";
+      return "The simulation left out " + titles(d.left_out) + ". With it " + numbers +
+             (d.rows_are_points_of_a_curve
+                  ? ": the rows are points of a curve that was fitted, which it goes through."
+                  : ", which is noise.");
     case Verdict::partly_explained:
       return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " +
              numbers + "; structure remains.";

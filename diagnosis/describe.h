@@ -21,12 +21,23 @@ std::map<std::string, NoiseEstimate> described_noise(const FitProblem& problem);
 
 /// What limits an answer: noise that is shared or not known, outliers.
 std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t outliers);
+/// Whether a fit leaves so little that the rows are points of a curve somebody fitted, and no measurements:
+/// less than a thirtieth of the deviations that are given for them.
+bool lies_on_the_rows(const FitProblem& problem, const ModelFit& fit);
+/// What is to be said where a fit leaves less than the noise that is given, beyond chance (chi^2, p < 1e-6);
+/// empty: nothing.
+std::string remark_on_too_little_noise(const FitProblem& problem, const ModelFit& fit);
+
 /// Effects that were not tried because the recording holds too few values of what they depend on.
-std::vector<std::string> remarks_on_effects_not_tried(const Experiment& experiment);
+std::vector<UntriedEffect> effects_without_data(const Experiment& experiment);
 
 /// Curves for the report.
 std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem,
                                            const ModelFit& before, const ModelFit& after);
+
+/// The same for every row of every table, those that do not count included.
+std::vector<SimulatedRows> simulated_rows(const Recording& recording, const FitProblem& problem,
+                                          const ModelFit& before, const ModelFit& after);
 
 /// The verdict in a sentence or two.
 std::string in_words(const Diagnosis& diagnosis);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/error.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/choose/tell_apart.h"
@@ -69,10 +70,13 @@ class Diagnoser {
       nothing_named(Verdict::no_mismatch, {}, {});
     else
       nothing_named(Verdict::unexplained, before.regions, before.regions);
+    describe_rows();
     if (mapping_) describe_simulation();
+    for (auto& effect : effects_without_data(problem_.experiment))
+      result_.not_tried.push_back(std::move(effect));
     if (result_.verdict != Verdict::no_mismatch)
-      for (auto& remark : remarks_on_effects_not_tried(problem_.experiment))
-        result_.remarks.push_back(std::move(remark));
+      for (const auto& [effect, why] : result_.not_tried)
+        result_.remarks.push_back(effect + " was not tried: " + why);
     result_.in_words = in_words(result_);
     return result_;
   }
@@ -123,16 +127,31 @@ class Diagnoser {
     baseline_ = search_.alone.fit;
   }
 
+  /// Whether what is named, or the simulation as it is, leaves less than noise does.
+  void describe_rows() {
+    const ModelFit& best = result_.left_out.empty() ? baseline_ : judged_.list.front().fit;
+    result_.rows_are_points_of_a_curve = lies_on_the_rows(problem_, best);
+    if (const std::string remark = remark_on_too_little_noise(problem_, best); !remark.empty())
+      result_.remarks.push_back(remark);
+  }
+
   void describe_simulation() {
-    mapping_->widen_untested(problem_, result_.left_out);
-    for (auto& alternative : result_.alternatives) mapping_->widen_untested(problem_, alternative.effects);
+    describe_in_case(result_.left_out);
+    for (auto& alternative : result_.alternatives) describe_in_case(alternative.effects);
     const bool named = !result_.left_out.empty();
-    result_.simulation =
-        mapping_->described(problem_, named ? &judged_.list.front().fit : nullptr, result_.left_out);
+    result_.simulation = mapping_->described(named ? &judged_.list.front().fit : nullptr);
     for (const auto& remark : mapping_->remarks()) result_.remarks.push_back(remark);
-    if (result_.verdict != Verdict::no_mismatch)
-      for (auto& remark : mapping_->remarks_on_effects_without_form(problem_.experiment))
-        result_.remarks.push_back(std::move(remark));
+    result_.not_tried = mapping_->effects_without_form(problem_.experiment);
+  }
+
+  void describe_in_case(std::vector<DiagnosedEffect>& effects) const {
+    mapping_->widen_untested(problem_, effects);
+    mapping_->add_case_entries(problem_, effects);
+  }
+
+  void compare(const ModelFit& after) {
+    result_.compared = compared_tables(recording_, problem_, baseline_, after);
+    result_.simulated = simulated_rows(recording_, problem_, baseline_, after);
   }
 
   void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch,
@@ -141,7 +160,7 @@ class Diagnoser {
     result_.mismatch = mismatch;
     result_.remaining = remaining;
     result_.improved = result_.baseline;
-    result_.compared = compared_tables(recording_, problem_, baseline_, baseline_);
+    compare(baseline_);
   }
 
   void judge(const Scanner& scanner) {
@@ -191,7 +210,7 @@ class Diagnoser {
           advice.empty() ? result_.alternatives.front().told_apart_by : advice};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
-    result_.compared = compared_tables(recording_, problem_, baseline_, chosen.fit);
+    compare(chosen.fit);
   }
 
   /// What leaves an explanation a candidate though no other does as well; empty: nothing.
@@ -260,6 +279,11 @@ std::string name_of(Verdict verdict) {
 }
 
 Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) {
+  if (!options.simulation && recording.simulation.by_finite_elements())
+    throw InputError(
+        "the recording's simulation is a case of finite elements, and nothing is at hand here that solves "
+        "it; "
+        "use asperity diagnose");
   if (!options.simulation) return Diagnoser(recording, options, nullptr).run();
   SolvedCaseMapping mapping(*options.simulation, options.progress);
   const Recording of_case = mapping.with_bodies_of_case(recording);

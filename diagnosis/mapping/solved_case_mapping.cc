@@ -143,8 +143,7 @@ void SolvedCaseMapping::widen_untested(const FitProblem& problem,
   }
 }
 
-SolvedSimulation SolvedCaseMapping::described(const FitProblem& problem, const ModelFit* chosen,
-                                              const std::vector<DiagnosedEffect>& effects) const {
+SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
   SolvedSimulation s;
   s.by_finite_elements = true;
   s.before = before_;
@@ -153,7 +152,12 @@ SolvedSimulation SolvedCaseMapping::described(const FitProblem& problem, const M
   if (!chosen) return s;
   for (const auto& solution : after_)
     if (solution.effects == chosen->explanation->name()) s.after = solution.source;
-  for (const DiagnosedEffect& effect : effects) {
+  return s;
+}
+
+void SolvedCaseMapping::add_case_entries(const FitProblem& problem,
+                                         std::vector<DiagnosedEffect>& effects) const {
+  for (DiagnosedEffect& effect : effects) {
     const Effect& of = effect_of(effect.id);
     std::vector<double> at;
     for (const auto& p : effect.parameters) at.push_back(p.value);
@@ -170,17 +174,15 @@ SolvedSimulation SolvedCaseMapping::described(const FitProblem& problem, const M
         entries[k].high = std::max(entries[k].high, changes[k].value);
       }
     }
-    s.corrected.insert(s.corrected.end(), entries.begin(), entries.end());
+    effect.case_entries = std::move(entries);
   }
-  return s;
 }
 
-std::vector<std::string> SolvedCaseMapping::remarks_on_effects_without_form(
-    const Experiment& experiment) const {
-  std::vector<std::string> list;
+std::vector<UntriedEffect> SolvedCaseMapping::effects_without_form(const Experiment& experiment) const {
+  std::vector<UntriedEffect> list;
   for (const auto& effect : effect_catalogue())
     if (effect->is_shown_by(experiment) && effect->enters_by(experiment) == EntersBy::reduced_law_only)
-      list.push_back(effect->id() + " was not tried: " + effect->why_not_by_finite_elements(experiment));
+      list.push_back({effect->id(), effect->why_not_by_finite_elements(experiment)});
   return list;
 }
 

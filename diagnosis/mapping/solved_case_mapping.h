@@ -34,14 +34,15 @@ class SolvedCaseMapping {
   /// One solution tells how a law that attracts depends on the size of its attraction, which it scales with,
   /// and not on its shape: intervals of the latter are all that is admissible.
   void widen_untested(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
-  /// What the answer rests on.
-  SolvedSimulation described(const FitProblem& problem, const ModelFit* chosen,
-                             const std::vector<DiagnosedEffect>& effects) const;
+  /// Fills in the entries of the case that stand for the effects.
+  void add_case_entries(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
+  /// What the answer rests on; `chosen`: null where nothing is named.
+  SolvedSimulation described(const ModelFit* chosen) const;
   const std::vector<std::string>& remarks() const { return remarks_; }
   /// A set that was worth solving could not be: what is left cannot be the only explanation.
   bool is_incomplete() const { return is_incomplete_; }
   /// Effects that have no form in this case.
-  std::vector<std::string> remarks_on_effects_without_form(const Experiment& experiment) const;
+  std::vector<UntriedEffect> effects_without_form(const Experiment& experiment) const;
 
  private:
   /// How far a set could be solved.

@@ -23,12 +23,24 @@ struct DiagnosedParameter {
   double value = 0, low = 0, high = 0;
 };
 
+/// An entry of the case with what was left out, and its 95 % interval [SI].
+struct CorrectedEntry {
+  std::string entry, unit;
+  double value = 0, low = 0, high = 0;
+};
+
 /// An effect with its parameters and what speaks for it.
 struct DiagnosedEffect {
   std::string id, title, equation, source, meaning;
   EffectKind kind = EffectKind::contact;
   double probability = 0;  ///< that it belongs to the explanation, among those that were compared
   std::vector<DiagnosedParameter> parameters;
+  std::vector<CorrectedEntry> case_entries;  ///< that stand for it in a case of finite elements
+};
+
+/// An effect that nothing was said of, and why, as the end of a sentence.
+struct UntriedEffect {
+  std::string effect, why;
 };
 
 /// A part of the data where the residual is not noise.
@@ -71,19 +83,18 @@ struct ComparedTable {
   bool is_series = false;
 };
 
-/// An entry of the case with what was left out, and its 95 % interval [SI].
-struct CorrectedEntry {
-  std::string entry, unit;
-  double value = 0, low = 0, high = 0;
+/// The response that a simulation gives for each row of one table; NaN: the row drives no simulation.
+struct SimulatedRows {
+  std::vector<double> before, after;  ///< without what was left out, and with it [SI]
 };
 
 /// The simulation that was diagnosed, where it was a case of finite elements.
 struct SolvedSimulation {
   bool by_finite_elements = false;
+  std::string case_file;          ///< as it was named
   std::string before, after;      ///< where the solutions are: of the case as it was, and as corrected
   int solves = 0;                 ///< cases that the answer rests on, those solved earlier included
   double displacement_error = 0;  ///< of mesh and load steps, as the solution of the case states it [m]
-  std::vector<CorrectedEntry> corrected;
 };
 
 struct Diagnosis {
@@ -97,8 +108,17 @@ struct Diagnosis {
   std::vector<DiagnosedEffect> left_out;
   std::vector<AlternativeExplanation> alternatives;
   std::vector<std::string> remarks;  ///< what limits the answer, in sentences
+  /// The rows lie on the simulation to a small part of their own deviations: points of a curve fitted to
+  /// measurements, and no measurements.
+  bool rows_are_points_of_a_curve = false;
+  /// What the data could show and the simulation cannot say, or too few values of what it depends on test.
+  std::vector<UntriedEffect> not_tried;
   std::vector<ComparedTable> compared;
+  std::vector<SimulatedRows> simulated;  ///< one for each table of the recording
   SolvedSimulation simulation;
+
+  /// Entries of the case with all that was left out.
+  std::vector<CorrectedEntry> corrected() const;
 };
 
 /// diagnosis.json

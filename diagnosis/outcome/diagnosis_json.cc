@@ -1,6 +1,7 @@
 // diagnosis.json, "asperity-diagnosis/1".
 #include <nlohmann/json.hpp>
 
+#include "core/printed.h"
 #include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
@@ -8,13 +9,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string kind_of(const SolvedSimulation& simulation) {
+  return simulation.by_finite_elements ? "finite_elements" : "reduced";
+}
+
 Json to_json(const DiagnosedParameter& p) {
   return {{"value", p.value}, {"unit", p.unit}, {"ci95", {p.low, p.high}}};
 }
 
-Json to_json(const DiagnosedEffect& e) {
-  Json parameters = Json::object();
+/// "0.05 J/m^2", as a case file takes it.
+std::string entry_text(const CorrectedEntry& e) { return printed("%.6g %s", e.value, e.unit.c_str()); }
+
+Json to_json(const DiagnosedEffect& e, const SolvedSimulation& simulation) {
+  Json parameters = Json::object(), entries = Json::object();
   for (const auto& p : e.parameters) parameters[p.name] = to_json(p);
+  for (const auto& entry : e.case_entries) entries[entry.entry] = entry_text(entry);
   return {{"effect", e.id},
           {"title", e.title},
           {"kind", e.kind == EffectKind::contact ? "contact" : "instrument"},
@@ -22,7 +31,9 @@ Json to_json(const DiagnosedEffect& e) {
           {"equation", e.equation},
           {"source", e.source},
           {"meaning", e.meaning},
-          {"parameters", parameters}};
+          {"parameters", parameters},
+          {"case_entries", entries},
+          {"tried_in", {kind_of(simulation)}}};
 }
 
 Json to_json(const std::vector<MismatchRegion>& regions) {
@@ -48,38 +59,55 @@ Json to_json(const FitQuality& q) {
   return {{"chi2_reduced", q.chi2_reduced}, {"rms", rms}, {"held_out_chi2_reduced", q.held_out_chi2_reduced}};
 }
 
+Json forward_model(const Diagnosis& d) {
+  const SolvedSimulation& simulation = d.simulation;
+  Json json{{"kind", kind_of(simulation)}};
+  if (!simulation.by_finite_elements) return json;
+  Json corrected = Json::object();
+  for (const auto& e : d.corrected())
+    corrected[e.entry] = {{"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}};
+  json["case"] = simulation.case_file;
+  json["solves"] = simulation.solves;
+  json["discretisation_error"] = {{"value", simulation.displacement_error},
+                                  {"unit", "m"},
+                                  {"of", "approach at the largest load, standard deviation"}};
+  json["before"] = simulation.before;
+  json["after"] = simulation.after;
+  json["corrected"] = corrected;
+  return json;
+}
+
 }  // namespace
+
+std::vector<CorrectedEntry> Diagnosis::corrected() const {
+  std::vector<CorrectedEntry> list;
+  for (const auto& effect : left_out)
+    list.insert(list.end(), effect.case_entries.begin(), effect.case_entries.end());
+  return list;
+}
 
 std::string diagnosis_json(const Diagnosis& d) {
   Json json;
   json["format"] = "asperity-diagnosis/1";
   json["verdict"] = name_of(d.verdict);
   json["in_words"] = d.in_words;
-  if (d.simulation.by_finite_elements) {
-    Json corrected = Json::object();
-    for (const auto& e : d.simulation.corrected)
-      corrected[e.entry] = {{"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}};
-    json["simulation"] = "finite elements";
-    json["solutions"] = {{"count", d.simulation.solves},
-                         {"before", d.simulation.before},
-                         {"after", d.simulation.after},
-                         {"displacement_error", {{"value", d.simulation.displacement_error}, {"unit", "m"}}},
-                         {"corrected", corrected}};
-  }
+  json["forward_model"] = forward_model(d);
   json["noise"] = Json::object();
   for (const auto& [channel, noise] : d.noise)
     json["noise"][channel] = {{"value", noise.value}, {"unit", noise.unit}, {"from", noise.from}};
   json["calibrated"] = Json::object();
   for (const auto& p : d.calibrated) json["calibrated"][p.name] = to_json(p);
+  if (d.rows_are_points_of_a_curve) json["rows_are"] = "points of a fitted curve";
   json["baseline"] = to_json(d.baseline);
   json["mismatch"] = to_json(d.mismatch);
   json["left_out"] = Json::array();
-  for (const auto& effect : d.left_out) json["left_out"].push_back(to_json(effect));
+  for (const auto& effect : d.left_out) json["left_out"].push_back(to_json(effect, d.simulation));
   json["improved"] = to_json(d.improved);
   json["alternatives"] = Json::array();
   for (const auto& a : d.alternatives) {
     Json names = Json::array(), details = Json::array();
-    for (const auto& effect : a.effects) names.push_back(effect.id), details.push_back(to_json(effect));
+    for (const auto& effect : a.effects)
+      names.push_back(effect.id), details.push_back(to_json(effect, d.simulation));
     json["alternatives"].push_back({{"effects", names},
                                     {"probability", a.probability},
                                     {"held_out_chi2_reduced", a.held_out_chi2_reduced},
@@ -87,6 +115,8 @@ std::string diagnosis_json(const Diagnosis& d) {
                                     {"details", details}});
   }
   json["remaining"] = to_json(d.remaining);
+  json["not_tried"] = Json::array();
+  for (const auto& e : d.not_tried) json["not_tried"].push_back({{"effect", e.effect}, {"why", e.why}});
   json["remarks"] = d.remarks;
   return json.dump(1) + "\n";
 }

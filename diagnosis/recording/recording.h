@@ -44,6 +44,12 @@ struct SimulationChoice {
   std::string torsion = "none";  ///< "none" or "constant"
   std::map<std::string, SimulationParameter>
       parameters;  ///< sliding_friction, rolling_friction, torsion_friction
+  /// A case of finite elements in place of these laws: its file, or a folder of solved cases, as seen from
+  /// the recording's folder; empty: none.
+  std::string case_file, study;
+  std::map<std::string, std::string> case_entries;  ///< "Section/Entry" -> value that replaces the case's
+
+  bool by_finite_elements() const { return !case_file.empty() || !study.empty(); }
 };
 
 /// A time-ordered signal, or a list of independent measurements, a row each.

@@ -4,59 +4,18 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/nearest_name.h"
 #include "core/output_folder.h"
 #include "diagnosis/recording/recording.h"
+#include "diagnosis/recording/recording_json.h"
 #include "diagnosis/recording/recording_table_file.h"
+#include "diagnosis/recording/simulation_json.h"
 
 namespace asperity {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* recording_format = "asperity-recording/1";
-
-[[noreturn]] void refuse(const std::string& file, const std::string& what) {
-  throw InputError(file + ": " + what);
-}
-
-void check_keys(const Json& object, const std::vector<std::string>& known, const std::string& where,
-                const std::string& file) {
-  if (!object.is_object()) refuse(file, "'" + where + "' is not an object { }");
-  for (const auto& item : object.items()) {
-    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-    const std::string meant = nearest_name(item.key(), known);
-    refuse(file, "there is no entry '" + item.key() + "' in " + where +
-                     (meant.empty() ? "; remove it" : "; did you mean '" + meant + "'?"));
-  }
-}
-
-std::string text_of(const Json& object, const char* key, const std::string& otherwise,
-                    const std::string& file) {
-  if (!object.contains(key)) return otherwise;
-  if (!object[key].is_string()) refuse(file, "'" + std::string(key) + "' is not a text in quotation marks");
-  return object[key].get<std::string>();
-}
-
-/// A plain SI number or a text with its unit.
-double quantity_of(const Json& value, Dimension dimension, const std::string& name, const std::string& file) {
-  double number = 0;
-  if (value.is_string()) {
-    try {
-      number = parse_quantity(value.get<std::string>(), dimension);
-    } catch (const InputError& error) {
-      refuse(file, "'" + name + "': " + error.what());
-    }
-  } else if (value.is_number()) {
-    number = value.get<double>();
-  } else {
-    refuse(file, "'" + name + "' is not a number or a text with a unit");
-  }
-  if (!std::isfinite(number)) refuse(file, "'" + name + "' is not finite");
-  return number;
-}
 
 double positive(const Json& object, const char* key, Dimension dimension, const std::string& where,
                 const std::string& file) {
@@ -82,34 +41,6 @@ RecordedBody body_of(const Json& json, const std::string& where, const std::stri
         quantity_of(json["rms_roughness"], Dimension::length, where + "/rms_roughness", file);
   body.yield_stress = positive(json, "yield_stress", Dimension::pressure, where, file);
   return body;
-}
-
-SimulationChoice simulation_of(const Json& json, const std::string& file) {
-  check_keys(json, {"normal", "sliding", "rolling", "torsion", "parameters"}, "'simulation'", file);
-  SimulationChoice choice;
-  choice.normal = text_of(json, "normal", choice.normal, file);
-  choice.sliding = text_of(json, "sliding", choice.sliding, file);
-  choice.rolling = text_of(json, "rolling", choice.rolling, file);
-  choice.torsion = text_of(json, "torsion", choice.torsion, file);
-  if (!json.contains("parameters")) return choice;
-  for (const auto& item : json["parameters"].items()) {
-    const Json& entry = item.value();
-    SimulationParameter parameter;
-    if (entry.is_object()) {
-      check_keys(entry, {"value", "calibrate"}, "'" + item.key() + "'", file);
-      if (!entry.contains("value")) refuse(file, "parameter '" + item.key() + "' lacks its 'value'");
-      parameter.value = quantity_of(entry["value"], Dimension::none, item.key(), file);
-      if (entry.contains("calibrate")) {
-        if (!entry["calibrate"].is_boolean())
-          refuse(file, "'calibrate' of '" + item.key() + "' is neither true nor false");
-        parameter.calibrate = entry["calibrate"].get<bool>();
-      }
-    } else {
-      parameter.value = quantity_of(entry, Dimension::none, item.key(), file);
-    }
-    choice.parameters[item.key()] = parameter;
-  }
-  return choice;
 }
 
 RecordingTable table_of(const Json& json, Motion mode, const fs::path& folder, const std::string& file) {
@@ -222,17 +153,7 @@ void write_recording(const Recording& recording, const fs::path& folder) {
   json["substrate"] = body_json(recording.substrate);
   if (recording.indenter) json["indenter"] = body_json(*recording.indenter);
   if (std::isfinite(recording.rail_angle)) json["rail_angle"] = recording.rail_angle;
-  if (recording.simulation_is_given) {
-    const SimulationChoice& choice = recording.simulation;
-    Json parameters = Json::object();
-    for (const auto& [name, parameter] : choice.parameters)
-      parameters[name] = {{"value", parameter.value}, {"calibrate", parameter.calibrate}};
-    json["simulation"] = {{"normal", choice.normal},
-                          {"sliding", choice.sliding},
-                          {"rolling", choice.rolling},
-                          {"torsion", choice.torsion},
-                          {"parameters", parameters}};
-  }
+  if (recording.simulation_is_given) json["simulation"] = simulation_json(recording.simulation);
   if (!recording.noise.empty()) {
     json["noise"] = Json::object();
     for (const auto& [channel, sd] : recording.noise) json["noise"][channel] = sd;

@@ -1,12 +1,12 @@
 #include "diagnosis/recording/recording_table_file.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/printed.h"
 #include "core/read_limits.h"
 #include "diagnosis/recording/cell_text.h"
 #include "diagnosis/recording/file_size.h"
@@ -114,31 +114,33 @@ void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
   if (columns.empty()) throw InputError(path.string() + ": the table is empty; it needs a header row");
 }
 
-std::string format_table_file(const RecordingTable& table) {
-  std::string text;
-  std::vector<const std::vector<double>*> columns;
-  // Where a row belongs comes first, then what was measured.
+std::vector<std::string> channels_in_order(const RecordingTable& table) {
   std::vector<std::string> names;
   for (const auto& channel : known_channels())
     for (const auto& name : {channel, channel + "_sd"})
       if (table.has(name)) names.push_back(name);
-  for (const auto& name : names) {
-    const std::string unit = unit_of_channel(name);
-    text += (text.empty() ? "" : ",") + name + (unit.empty() ? "" : " [" + unit + "]");
+  return names;
+}
+
+std::string heading_of(const std::string& channel) {
+  const std::string unit = unit_of_channel(channel);
+  return channel + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::string cell_of(double value) { return std::isnan(value) ? "" : printed("%.10g", value); }
+
+std::string format_table_file(const RecordingTable& table) {
+  std::string text;
+  std::vector<const std::vector<double>*> columns;
+  for (const auto& name : channels_in_order(table)) {
+    text += (text.empty() ? "" : ",") + heading_of(name);
     columns.push_back(&table.columns.at(name));
   }
   const bool has_segments = !table.segment.empty();
   if (has_segments) text += ",segment";
   text += '\n';
-  char number[32];
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const double value = (*columns[c])[row];
-      if (c) text += ',';
-      if (std::isnan(value)) continue;
-      std::snprintf(number, sizeof number, "%.10g", value);
-      text += number;
-    }
+    for (std::size_t c = 0; c < columns.size(); ++c) text += (c ? "," : "") + cell_of((*columns[c])[row]);
     if (has_segments) text += "," + table.segment[row];
     text += '\n';
   }

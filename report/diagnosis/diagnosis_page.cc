@@ -52,13 +52,15 @@ std::string interval(const DiagnosedParameter& p) {
 }
 
 /// What the recording was set against, and which entries the corrected case has.
-std::string simulation_words(const SolvedSimulation& simulation) {
+std::string simulation_words(const Diagnosis& d) {
+  const SolvedSimulation& simulation = d.simulation;
+  const auto corrected = d.corrected();
   std::string text = "The simulation is the case itself, solved by finite elements (" +
                      std::to_string(simulation.solves) + " solutions); its approach is off by about " +
                      with_unit(simulation.displacement_error, "m") +
                      " (mesh and load steps), which is a part of the evidence.";
-  if (!simulation.corrected.empty()) text += " In corrected.prm:";
-  for (const auto& e : simulation.corrected)
+  if (!corrected.empty()) text += " In corrected.prm:";
+  for (const auto& e : corrected)
     text += " " + escaped(e.entry) + " = " + number(e.value) + " " + escaped(e.unit) +
             " (95 %: " + number(e.low) + " to " + number(e.high) + ").";
   return text;
@@ -66,7 +68,7 @@ std::string simulation_words(const SolvedSimulation& simulation) {
 
 std::vector<std::string> verdict_sentences(const Diagnosis& d) {
   std::vector<std::string> list{escaped(d.in_words)};
-  if (d.simulation.by_finite_elements) list.push_back(simulation_words(d.simulation));
+  if (d.simulation.by_finite_elements) list.push_back(simulation_words(d));
   for (const auto& effect : d.left_out) {
     std::string text =
         "<b>" + escaped(effect.title) + "</b> (" + kind_words(effect.kind) + "): " + escaped(effect.meaning);

@@ -145,7 +145,7 @@ class TabulatedYielding {
 
 void expect_yielding(const nlohmann::json& said, double yield) {
   EXPECT_EQ(said["verdict"], "explained") << said["printed"].get<std::string>();
-  const auto& corrected = said["solutions"]["corrected"];
+  const auto& corrected = said["forward_model"]["corrected"];
   ASSERT_EQ(corrected.size(), 1u) << said["printed"].get<std::string>();
   const auto& entry = corrected["Particle/Yield stress"];
   EXPECT_NEAR(entry["value"].get<double>() / yield, 1, 0.05);
@@ -165,17 +165,44 @@ TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
   EXPECT_EQ(said["verdict"], "no_mismatch") << outcome.output;
-  EXPECT_EQ(said["simulation"], "finite elements");
-  EXPECT_EQ(said["solutions"]["count"], 1);
+  EXPECT_EQ(said["forward_model"]["kind"], "finite_elements");
+  EXPECT_EQ(said["forward_model"]["solves"], 1);
   EXPECT_TRUE(std::filesystem::exists(output / "history_before.csv"));
   EXPECT_FALSE(std::filesystem::exists(output / "corrected.prm"));
   EXPECT_NE(read_file(output / "report.html").find("The simulation is the case itself"), std::string::npos);
 
   // What was solved is taken again.
-  const auto solved = said["solutions"]["before"].get<std::string>();
+  const auto solved = said["forward_model"]["before"].get<std::string>();
   const auto written = std::filesystem::last_write_time(solved + "/result.json");
   EXPECT_EQ(call(command).status, 0);
   EXPECT_EQ(std::filesystem::last_write_time(solved + "/result.json"), written);
+  // Rows of the recording with what finite elements give; nothing was left out.
+  const CsvTable before = read_csv(output / "before.csv"), after = read_csv(output / "after.csv");
+  EXPECT_EQ(before.rows.size(), 200u);
+  EXPECT_EQ(before.numbers("simulated_normal_force [N]"), after.numbers("simulated_normal_force [N]"));
+  EXPECT_NEAR(after.numbers("simulated_normal_force [N]").back() / hertz.force(40e-9), 1, 0.02);
+
+  // Solved cases are the simulation themselves; a recording can name its case.
+  const auto other = folder.path / "other";
+  const Outcome of_study = call("diagnose " + recording.string() + " --study " +
+                                (output / "solves").string() + " --output " + other.string());
+  EXPECT_EQ(of_study.status, 0) << of_study.output;
+  EXPECT_FALSE(std::filesystem::exists(other / "solves"));
+  const auto again = nlohmann::json::parse(read_file(other / "diagnosis.json"));
+  EXPECT_EQ(again["verdict"], "no_mismatch");
+  EXPECT_EQ(again["forward_model"]["before"], said["forward_model"]["before"]);
+  EXPECT_EQ(read_file(other / "after.csv"), read_file(output / "after.csv"));
+  auto about = nlohmann::json::parse(read_file(recording / "recording.json"));
+  about["simulation"] = {{"case", "case.prm"}, {"study", "solved"}};
+  write_file_atomically(recording / "recording.json", about.dump());
+  std::filesystem::copy(file, recording / "case.prm");
+  std::filesystem::rename(output / "solves", recording / "solved");
+  const Outcome of_recording = call("diagnose " + recording.string() + " --output " + other.string());
+  EXPECT_EQ(of_recording.status, 0) << of_recording.output;
+  EXPECT_FALSE(std::filesystem::exists(other / "solves"));
+  EXPECT_EQ(read_file(other / "after.csv"), read_file(output / "after.csv"));
+  EXPECT_EQ(nlohmann::json::parse(read_file(other / "diagnosis.json"))["forward_model"]["case"],
+            (recording / "case.prm").string());
 }
 
 /// Hertz' contact in series with a spring, against the elastic case: rivals that yield cost as little as the
@@ -238,7 +265,7 @@ TEST(DiagnoseCaseNightly_analytic, attraction_is_named_with_its_work_of_adhesion
   EXPECT_NE(said["verdict"], "unexplained") << said["printed"].get<std::string>();
   ASSERT_EQ(said["left_out"].size(), 1u) << said["printed"].get<std::string>();
   EXPECT_EQ(said["left_out"][0]["effect"], "adhesion");
-  const auto& entry = said["solutions"]["corrected"]["Interface/Work of adhesion"];
+  const auto& entry = said["forward_model"]["corrected"]["Interface/Work of adhesion"];
   EXPECT_NEAR(entry["value"].get<double>() / work, 1, 0.05);
   EXPECT_LT(entry["ci95"][0], work);
   EXPECT_GT(entry["ci95"][1], work);
@@ -254,6 +281,9 @@ TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
     EXPECT_EQ(outcome.status, 2) << outcome.output;
     EXPECT_NE(outcome.output.find(why), std::string::npos) << outcome.output;
   };
+  refused(" --study " + recording.string(), "no solved case of normal contact");
+  refused(" --study " + (folder.path / "nowhere").string(), "there is no folder");
+  refused(" --set 'Mesh/Layers=3'", "name it with --case CASE.prm");
   refused(" --case " + file.string() +
               " --set 'Interface/Work of adhesion=50 mJ/m^2' --set 'Interface/Adhesion range=1 nm'",
           "cases without adhesion so far");

@@ -305,6 +305,45 @@ TEST(Diagnose_behaviour, outliers_are_left_out_and_said) {
   EXPECT_NE(d.remarks[0].find("4 samples lie far off"), std::string::npos) << d.remarks[0];
 }
 
+TEST(Diagnose_behaviour, points_of_a_fitted_curve_are_said_to_be_none_of_a_measurement) {
+  Recording r;
+  r.mode = Motion::sliding;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "line.csv";
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.response = "lateral_force";
+  for (const double load : {3.0, 10.0, 20.0, 40.0, 65.0, 100.0}) {
+    table.columns["normal_force"].push_back(load * uN);
+    table.columns["lateral_force"].push_back(0.23 * (load + 12) * uN);
+    table.columns["lateral_force_sd"].push_back(0.65 * uN);
+  }
+  r.tables = {table};
+  const Diagnosis d = diagnose(r);
+  ASSERT_EQ(d.left_out.size(), 1u) << diagnosis_json(d);
+  EXPECT_EQ(d.left_out[0].id, "adhesion_offset");
+  EXPECT_TRUE(d.rows_are_points_of_a_curve);
+  EXPECT_EQ(d.in_words.find("noise"), std::string::npos) << d.in_words;
+  EXPECT_EQ(nlohmann::json::parse(diagnosis_json(d))["rows_are"], "points of a fitted curve");
+}
+
+TEST(Diagnose_behaviour, a_deviation_that_is_given_too_large_is_said) {
+  Recording r = indentation([](double x, double) { return hertz(x); }, 20 * uN, 8);
+  const auto says = [&](const Diagnosis& d) {
+    for (const auto& remark : d.remarks)
+      if (remark.find("too large by a factor of about") != std::string::npos) return remark;
+    return std::string();
+  };
+  r.noise["normal_force"] = 20 * uN;
+  EXPECT_EQ(says(diagnose(r)), "");
+  r.noise["normal_force"] = 60 * uN;
+  const Diagnosis d = diagnose(r);
+  EXPECT_FALSE(d.rows_are_points_of_a_curve);
+  EXPECT_NE(says(d).find("factor of about 3,"), std::string::npos) << diagnosis_json(d);
+}
+
 TEST(Diagnose_behaviour, json_has_the_formats_entries) {
   const Diagnosis d =
       diagnose(indentation([](double x, double t) { return hertz(x - 0.2 * nm * t); }, 20 * uN, 3));

@@ -158,5 +158,39 @@ TEST(Recording_behaviour, refuses_an_unknown_law_and_a_body_without_modulus) {
   EXPECT_IN("'particle' needs its 'youngs_modulus'", refusal(json, rows(header)));
 }
 
+TEST(Recording_behaviour, names_a_case_or_solved_cases_as_its_simulation) {
+  const test::TemporaryFolder folder;
+  folder.write("recording.json", head(R"("simulation": {"case": "mesh/case.prm", "study": "solved",
+                 "parameters": {"Interface/Friction coefficient": {"value": 0.3},
+                                "Particle/Yield stress": "1 GPa", "Mesh/Layers": 4}},)"));
+  folder.write("loops.csv", rows(header));
+  const Recording recording = read_recording(folder.path);
+  EXPECT_EQ(recording.simulation.case_file, "mesh/case.prm");
+  EXPECT_EQ(recording.simulation.study, "solved");
+  EXPECT_EQ(recording.simulation.case_entries.at("Interface/Friction coefficient"), "0.3");
+  EXPECT_EQ(recording.simulation.case_entries.at("Particle/Yield stress"), "1 GPa");
+  EXPECT_EQ(recording.simulation.case_entries.at("Mesh/Layers"), "4");
+  write_recording(recording, folder.path / "written");
+  const Recording again = read_recording(folder.path / "written");
+  EXPECT_EQ(again.simulation.case_file, recording.simulation.case_file);
+  EXPECT_EQ(again.simulation.study, recording.simulation.study);
+  EXPECT_EQ(again.simulation.case_entries, recording.simulation.case_entries);
+}
+
+TEST(Recording_behaviour, refuses_a_simulation_outside_its_folder_and_entries_that_are_none) {
+  const auto said = [](const std::string& simulation) {
+    return refusal(head(R"("simulation": {)" + simulation + "},"), rows(header));
+  };
+  EXPECT_IN("name it on the command line (--case)", said(R"("case": "/etc/case.prm")"));
+  EXPECT_IN("name it on the command line (--study)", said(R"("study": "runs/../../other")"));
+  EXPECT_IN("not a path below", said(R"("case": "")"));
+  EXPECT_IN("no entry 'normal'", said(R"("case": "case.prm", "normal": "hertz")"));
+  EXPECT_IN("no entry of a case", said(R"("case": "case.prm", "parameters": {"sliding_friction": 0.3})"));
+  EXPECT_IN("taken as given so far",
+            said(R"("case": "case.prm", "parameters": {"Interface/Friction coefficient": )"
+                 R"({"value": 0.3, "calibrate": true}})"));
+  EXPECT_IN("lacks its 'value'", said(R"("case": "case.prm", "parameters": {"Particle/Radius": {}})"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -120,16 +120,16 @@ TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_s
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "adhesion");
   EXPECT_GE(simulation.attracting, 2);
-  ASSERT_EQ(d.simulation.corrected.size(), 2u);
-  const CorrectedEntry& found = d.simulation.corrected[0];
+  ASSERT_EQ(d.corrected().size(), 2u);
+  const CorrectedEntry found = d.corrected()[0];
   EXPECT_EQ(found.entry, "Interface/Work of adhesion");
   EXPECT_NEAR(found.value / work, 1, 0.03);
   EXPECT_LT(found.low, work);
   EXPECT_GT(found.high, work);
-  EXPECT_EQ(d.simulation.corrected[1].entry, "Interface/Adhesion range");
+  EXPECT_EQ(d.corrected()[1].entry, "Interface/Adhesion range");
   // What these data hardly determine is not said to be known.
-  EXPECT_LT(d.simulation.corrected[1].low, work / stress);
-  EXPECT_GT(d.simulation.corrected[1].high, work / stress);
+  EXPECT_LT(d.corrected()[1].low, work / stress);
+  EXPECT_GT(d.corrected()[1].high, work / stress);
 }
 
 TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {

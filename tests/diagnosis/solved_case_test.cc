@@ -3,12 +3,15 @@
 // Green 2005).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -150,7 +153,7 @@ TEST(SolvedCase_behaviour, what_the_case_says_is_the_simulation_and_not_the_redu
   EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
   EXPECT_EQ(stiff.solved, 1);
   EXPECT_TRUE(d.simulation.by_finite_elements);
-  EXPECT_TRUE(d.simulation.corrected.empty());
+  EXPECT_TRUE(d.corrected().empty());
 }
 
 TEST(SolvedCase_behaviour, yielding_gets_the_yield_stress_of_the_case_and_not_that_of_the_reduced_law) {
@@ -161,13 +164,25 @@ TEST(SolvedCase_behaviour, yielding_gets_the_yield_stress_of_the_case_and_not_th
   EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "bulk_plasticity");
-  ASSERT_EQ(d.simulation.corrected.size(), 1u);
-  const CorrectedEntry& entry = d.simulation.corrected[0];
+  ASSERT_EQ(d.corrected().size(), 1u);
+  const CorrectedEntry entry = d.corrected()[0];
   EXPECT_EQ(entry.entry, "Particle/Yield stress");
   EXPECT_NEAR(entry.value / yield, 1, 0.03);
   EXPECT_LT(entry.low, yield);
   EXPECT_GT(entry.high, yield);
   EXPECT_LT(d.improved.held_out_chi2_reduced, 1.5);
+  // Every effect that has no form in the case is said not to be tried, and why.
+  const auto film = std::find_if(d.not_tried.begin(), d.not_tried.end(),
+                                 [](const auto& untried) { return untried.effect == "film"; });
+  ASSERT_NE(film, d.not_tried.end());
+  EXPECT_TRUE(says(d, "film was not tried: " + film->why));
+  const auto json = nlohmann::json::parse(diagnosis_json(d));
+  EXPECT_EQ(json["forward_model"]["kind"], "finite_elements");
+  EXPECT_EQ(json["forward_model"]["solves"], d.simulation.solves);
+  EXPECT_NEAR(json["forward_model"]["discretisation_error"]["value"].get<double>(), 0.05 * nm, 1e-15);
+  EXPECT_EQ(json["left_out"][0]["tried_in"], nlohmann::json::array({"finite_elements"}));
+  EXPECT_EQ(json["left_out"][0]["case_entries"]["Particle/Yield stress"], printed("%.6g Pa", entry.value));
+  EXPECT_EQ(json["not_tried"].size(), d.not_tried.size());
   EXPECT_LE(elastic.solved, 20);
 }
 
@@ -191,8 +206,8 @@ TEST(SolvedCase_behaviour, each_turning_point_is_solved_and_yielding_recovered_o
   EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "bulk_plasticity");
-  ASSERT_EQ(d.simulation.corrected.size(), 1u);
-  const CorrectedEntry& entry = d.simulation.corrected[0];
+  ASSERT_EQ(d.corrected().size(), 1u);
+  const CorrectedEntry entry = d.corrected()[0];
   EXPECT_NEAR(entry.value / yield, 1, 0.03);
   EXPECT_LT(entry.low, yield);
   EXPECT_GT(entry.high, yield);
@@ -223,11 +238,11 @@ TEST(SolvedCase_behaviour, yielding_at_another_stress_than_the_case_says) {
     EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
     ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
     EXPECT_EQ(d.left_out[0].id, "bulk_plasticity");
-    ASSERT_EQ(d.simulation.corrected.size(), 1u);
-    EXPECT_EQ(d.simulation.corrected[0].entry, "Particle/Yield stress");
-    EXPECT_NEAR(d.simulation.corrected[0].value / yield, 1, 0.03);
-    EXPECT_LT(d.simulation.corrected[0].low, yield);
-    EXPECT_GT(d.simulation.corrected[0].high, yield);
+    ASSERT_EQ(d.corrected().size(), 1u);
+    EXPECT_EQ(d.corrected()[0].entry, "Particle/Yield stress");
+    EXPECT_NEAR(d.corrected()[0].value / yield, 1, 0.03);
+    EXPECT_LT(d.corrected()[0].low, yield);
+    EXPECT_GT(d.corrected()[0].high, yield);
   }
 }
 
