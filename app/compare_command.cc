@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/atomic_file.h"
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/output_folder.h"
 #include "dem_compare/compare/comparison.h"
@@ -27,7 +28,7 @@ struct CompareArguments {
   std::vector<std::string> folders;
   std::vector<std::string> parameters;
   std::string output, engine, indenter, program;
-  std::string published = ASPERITY_RUNS "/paper/published";
+  std::string published = data_folder("runs", ASPERITY_RUNS) / "paper/published";
   double tolerance = 0.05;
   int time_limit = 600;
   bool json = false;

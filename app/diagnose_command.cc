@@ -52,8 +52,8 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
         printed("  simulation: the case, %d solutions; its approach is off by %.2g nm (mesh, load steps)\n",
                 d.simulation.solves, d.simulation.displacement_error * 1e9);
     for (const auto& e : d.corrected())
-      text += printed("  corrected.prm: %s = %.4g %s (95 %%: %.4g to %.4g)\n", e.entry.c_str(), e.value,
-                      e.unit.c_str(), e.low, e.high);
+      text += printed("  corrected.prm: %s = %s (95 %%: %.4g to %.4g %s)\n", e.entry.c_str(),
+                      e.written().c_str(), e.low, e.high, e.unit.c_str());
   }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
   return text + "wrote " + (output / "diagnosis.json").string() + " and " +
@@ -153,7 +153,8 @@ void add_diagnose_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
-  command->footer("Example: asperity diagnose runs/paper/recordings/sliding_offset_untreated --output output/diagnosis");
+  command->footer(
+      "Example: asperity diagnose runs/paper/recordings/sliding_offset_untreated --output output/diagnosis");
   command->callback([arguments] { run_diagnose(*arguments); });
 }
 

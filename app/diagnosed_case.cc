@@ -21,10 +21,10 @@ void write_diagnosed_case(const Settings* settings, const Diagnosis& diagnosis, 
                      "), 95 % intervals:\n";
   for (const CorrectedEntry& e : entries) {
     const std::size_t slash = e.entry.find('/');
-    override_setting(corrected, {e.entry.substr(0, slash), e.entry.substr(slash + 1),
-                                 printed("%.6g %s", e.value, e.unit.c_str()), "diagnosis"});
-    head +=
-        printed("# %s = %.6g %s (%.6g to %.6g)\n", e.entry.c_str(), e.value, e.unit.c_str(), e.low, e.high);
+    override_setting(corrected,
+                     {e.entry.substr(0, slash), e.entry.substr(slash + 1), e.written(), "diagnosis"});
+    head += printed("# %s = %s (%.6g to %.6g %s)\n", e.entry.c_str(), e.written().c_str(), e.low, e.high,
+                    e.unit.c_str());
   }
   write_file_atomically(output / "corrected.prm", head + format_settings(corrected));
   if (!simulation.after.empty())

@@ -99,7 +99,9 @@ SimulatedBodies FiniteElementModel::bodies() const {
           {input_.substrate.youngs_modulus, input_.substrate.poisson_ratio},
           input_.radius,
           yield_stress(input_.particle),
-          yield_stress(input_.substrate)};
+          yield_stress(input_.substrate),
+          input_.particle.topography.is_smooth() && input_.substrate.topography.is_smooth(),
+          input_.mesh.interface_spacing};
 }
 
 std::vector<FiniteElementModel::Asked> FiniteElementModel::asked_of(

@@ -9,6 +9,7 @@
 
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/data_folder.h"
 #include "core/output_folder.h"
 #include "paper/analysis.h"
 #include "report/paper/paper_files.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PaperArguments {
-  std::string data = ASPERITY_RUNS "/paper/published", output, series;
+  std::string data = data_folder("runs", ASPERITY_RUNS) / "paper/published", output, series;
   bool json = false;
 };
 

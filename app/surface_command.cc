@@ -82,25 +82,8 @@ struct GenerateArguments {
   bool window = false, as_measured = false;
 };
 
-/// The spectrum asked for; what is not given follows from the pixels: cut-off 20 nm but not below four
-/// pixels, roll-off 200 nm but not below ten cut-offs.
-SelfAffineSpectrum model_of(const GenerateArguments& arguments, double spacing) {
-  constexpr double usual_cutoff = 20e-9, usual_rolloff = 200e-9, pixels_per_cutoff = 4,
-                   cutoffs_per_rolloff = 10;
-  SelfAffineSpectrum model;
-  model.rms = length_argument("--rms", arguments.rms);
-  model.hurst = arguments.hurst;
-  model.cutoff = arguments.cutoff.empty() ? std::max(usual_cutoff, pixels_per_cutoff * spacing)
-                                          : length_argument("--cutoff", arguments.cutoff);
-  model.rolloff = arguments.rolloff.empty() ? std::max(usual_rolloff, cutoffs_per_rolloff * model.cutoff)
-                                            : length_argument("--rolloff", arguments.rolloff);
-  model.check();
-  constexpr double pixels_per_wave = 2;
-  if (model.cutoff < pixels_per_wave * spacing * (1 - 1e-9))
-    throw InputError("a cutoff of " + length_in_words(model.cutoff) +
-                     " needs pixels of at most half of it, but they are " + length_in_words(spacing) +
-                     "; pass more --pixels or a longer --cutoff");
-  return model;
+double length_or_none(const char* option, const std::string& text) {
+  return text.empty() ? 0 : length_argument(option, text);
 }
 
 void generate_file(const GenerateArguments& arguments) {
@@ -126,7 +109,10 @@ void generate_file(const GenerateArguments& arguments) {
   } else {
     if (arguments.rms.empty())
       throw InputError("pass --rms, such as --rms \"1.5 nm\", or a measured spectrum with --psd");
-    SelfAffineSpectrum model = model_of(arguments, options.lx / options.nx);
+    SelfAffineSpectrum model =
+        spectrum_on_pixels(length_argument("--rms", arguments.rms), arguments.hurst,
+                           length_or_none("--rolloff", arguments.rolloff),
+                           length_or_none("--cutoff", arguments.cutoff), options.lx / options.nx);
     if (arguments.as_measured) {
       if (!arguments.window)
         throw InputError("--as-measured is meant for scans out of a larger surface: pass --window with it");

@@ -1,7 +1,9 @@
 # Flags every target of asperity gets, as one interface target.
 add_library(asperity_flags INTERFACE)
-target_include_directories(asperity_flags INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(asperity_flags INTERFACE -Wall -Wextra -Wno-psabi -Wno-maybe-uninitialized)
+target_include_directories(asperity_flags INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+                           $<INSTALL_INTERFACE:include/asperity>)
+target_compile_features(asperity_flags INTERFACE cxx_std_17)
+target_compile_options(asperity_flags INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wno-psabi;-Wno-maybe-uninitialized>")
 if(ASPERITY_NATIVE)
   target_compile_options(asperity_flags INTERFACE -march=native)
 endif()
@@ -17,5 +19,5 @@ endif()
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ASPERITY_HAS_GOLD)
 if(ASPERITY_HAS_GOLD)
-  target_link_options(asperity_flags INTERFACE -fuse-ld=gold)
+  target_link_options(asperity_flags INTERFACE $<BUILD_INTERFACE:-fuse-ld=gold>)
 endif()

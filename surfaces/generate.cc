@@ -1,9 +1,11 @@
 #include "surfaces/generate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "core/error.h"
+#include "core/quantity.h"
 #include "surfaces/fft2d.h"
 #include "surfaces/philox.h"
 
@@ -44,6 +46,24 @@ double discrete_variance(const Spectrum& spectrum, int nx, int ny, double lx, do
   double sum = 0;
   for (const double row_sum : row_sums) sum += row_sum;
   return sum / (lx * ly);
+}
+
+SelfAffineSpectrum spectrum_on_pixels(double rms, double hurst, double rolloff, double cutoff,
+                                      double spacing) {
+  constexpr double usual_cutoff = 20e-9, usual_rolloff = 200e-9, pixels_per_cutoff = 4,
+                   cutoffs_per_rolloff = 10, pixels_per_wave = 2;
+  SelfAffineSpectrum model;
+  model.rms = rms;
+  model.hurst = hurst;
+  model.cutoff = cutoff > 0 ? cutoff : std::max(usual_cutoff, pixels_per_cutoff * spacing);
+  model.rolloff = rolloff > 0 ? rolloff : std::max(usual_rolloff, cutoffs_per_rolloff * model.cutoff);
+  model.check();
+  const auto in_words = [](double value) { return format_quantity(value, Dimension::length, 4); };
+  if (model.cutoff < pixels_per_wave * spacing * (1 - 1e-9))
+    throw InputError("a cutoff of " + in_words(model.cutoff) +
+                     " needs pixels of at most half of it, but they are " + in_words(spacing) +
+                     "; pass more pixels or a longer cutoff");
+  return model;
 }
 
 Topography generate_periodic(const Spectrum& spectrum, const GenerateOptions& options) {

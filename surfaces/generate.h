@@ -20,6 +20,12 @@ struct GenerateOptions {
   double rms = -1;
 };
 
+/// The self-affine spectrum of a map with pixels of `spacing` [m]; a roll-off or cut-off of 0 follows from
+/// the pixels: cut-off 20 nm but not below four of them, roll-off 200 nm but not below ten cut-offs. Throws
+/// InputError where pixels are too large for the cut-off, or the spectrum is none.
+SelfAffineSpectrum spectrum_on_pixels(double rms, double hurst, double rolloff, double cutoff,
+                                      double spacing);
+
 /// Periodic map with period lx x ly. The amplitude of a wave vector depends on (seed, its integer wave
 /// numbers) only: the result is bit for bit the same on any number of threads, and the same surface on any
 /// pixel grid that resolves the spectrum. Wave vectors at or above the Nyquist wave number are left out.

@@ -57,6 +57,7 @@ struct NeededValues {
 /// Where an effect enters a simulation by finite elements.
 enum class EntersBy {
   measurement,      ///< it acts on any history: compliance, offset, drift, tilt
+  in_series,        ///< by its own reduced law, as a displacement beside that of the solved contact
   finite_elements,  ///< entries of the case
   reduced_law_only  ///< it has no form there yet
 };
@@ -99,6 +100,10 @@ class Effect {
   virtual double opening_distance(const Experiment&, const double*) const { return 0; }
   /// Entries of the case that stand for these parameters; empty for EntersBy other than finite elements.
   virtual std::vector<CaseChange> case_changes(const Experiment&, const double*) const { return {}; }
+  /// Entries of a corrected case that stand for what was found, with intervals; those of case_changes() over
+  /// all corners of the parameters' intervals where nothing else is said.
+  virtual std::vector<CorrectedEntry> corrected_entries(const Experiment& experiment,
+                                                        const std::vector<DiagnosedParameter>& found) const;
   /// Why it has no form of finite elements, as the end of a sentence; empty where it has one.
   virtual std::string why_not_by_finite_elements(const Experiment&) const {
     return "there is no form of it for finite elements yet";

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/data_folder.h"
 #include "core/printed.h"
 
 namespace asperity {
@@ -95,7 +96,7 @@ class Matrix {
         add("finite_elements", solved.mode, solved.effects, noise);
         items_.back().name += "-" + std::string(solved.name);
         for (const char* name : solved.cases)
-          items_.back().cases.push_back(std::filesystem::path(ASPERITY_CHALLENGE_DATA) / name);
+          items_.back().cases.push_back(data_folder("challenge", ASPERITY_CHALLENGE_DATA) / name);
       }
     return std::move(items_);
   }

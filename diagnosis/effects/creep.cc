@@ -38,6 +38,8 @@ class Creep : public Effect {
              {0.01 * range, 0.1 * range}},
             {"time_constant", "s", "tau", 1e-3 * hold, 30 * hold, true, {0.05 * hold, 0.3 * hold, 2 * hold}}};
   }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.delays.push_back({p[0] / m.experiment.hertz().approach(m.experiment.largest_force), p[1]});
   }

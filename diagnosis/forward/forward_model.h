@@ -49,6 +49,8 @@ struct SimulatedBodies {
   /// Yield stresses [Pa]; infinite: the body stays elastic.
   double particle_yield = std::numeric_limits<double>::infinity();
   double substrate_yield = std::numeric_limits<double>::infinity();
+  bool is_smooth = true;  ///< neither has a topography
+  double spacing = 0;     ///< of nodes where they can touch, as the case gives it [m]; 0: it derives it
 };
 
 /// A simulation that is solved anew for each set of changes.

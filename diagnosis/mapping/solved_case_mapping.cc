@@ -33,6 +33,21 @@ std::string in_words(const std::vector<CaseChange>& changes) {
   return text.empty() ? "as it is" : text;
 }
 
+/// What a diagnosis says of it.
+std::string name_of(EntersBy form) {
+  switch (form) {
+    case EntersBy::measurement:
+      return "measurement";
+    case EntersBy::in_series:
+      return "reduced law in series with the solution";
+    case EntersBy::finite_elements:
+      return "entries of the case";
+    case EntersBy::reduced_law_only:
+      break;
+  }
+  return "";
+}
+
 void take(RecordedBody& recorded, const ElasticBody& of_case, const std::string& name,
           std::vector<std::string>& remarks) {
   constexpr double rounding = 1e-3;
@@ -117,6 +132,8 @@ std::vector<SolvedResponse> SolvedCaseMapping::solve(const FitProblem& problem, 
 void SolvedCaseMapping::correct(FitProblem& problem) {
   const SimulatedBodies bodies = model_.bodies();
   problem.experiment.by_finite_elements = true;
+  problem.experiment.case_is_smooth = bodies.is_smooth;
+  problem.experiment.case_spacing = bodies.spacing;
   problem.experiment.particle_yield = bodies.particle_yield;
   problem.experiment.substrate_yield = bodies.substrate_yield;
   protocols_ = protocols_of(problem.samples);
@@ -159,22 +176,8 @@ void SolvedCaseMapping::add_case_entries(const FitProblem& problem,
                                          std::vector<DiagnosedEffect>& effects) const {
   for (DiagnosedEffect& effect : effects) {
     const Effect& of = effect_of(effect.id);
-    std::vector<double> at;
-    for (const auto& p : effect.parameters) at.push_back(p.value);
-    std::vector<CorrectedEntry> entries;
-    for (const auto& change : of.case_changes(problem.experiment, at.data()))
-      entries.push_back({change.entry, change.unit, change.value, change.value, change.value});
-    // An entry may follow from several parameters: the interval holds all corners of theirs.
-    for (std::size_t corner = 0; corner < std::size_t{1} << at.size(); ++corner) {
-      for (std::size_t k = 0; k < at.size(); ++k)
-        at[k] = corner >> k & 1 ? effect.parameters[k].high : effect.parameters[k].low;
-      const auto changes = of.case_changes(problem.experiment, at.data());
-      for (std::size_t k = 0; k < entries.size(); ++k) {
-        entries[k].low = std::min(entries[k].low, changes[k].value);
-        entries[k].high = std::max(entries[k].high, changes[k].value);
-      }
-    }
-    effect.case_entries = std::move(entries);
+    effect.case_entries = of.corrected_entries(problem.experiment, effect.parameters);
+    effect.form = name_of(of.enters_by(problem.experiment));
   }
 }
 

@@ -27,6 +27,10 @@ struct DiagnosedParameter {
 struct CorrectedEntry {
   std::string entry, unit;
   double value = 0, low = 0, high = 0;
+  std::string text;  ///< as a case file takes it, where that is more than the value
+
+  /// "0.05 J/m^2"
+  std::string written() const;
 };
 
 /// An effect with its parameters and what speaks for it.
@@ -36,6 +40,7 @@ struct DiagnosedEffect {
   double probability = 0;  ///< that it belongs to the explanation, among those that were compared
   std::vector<DiagnosedParameter> parameters;
   std::vector<CorrectedEntry> case_entries;  ///< that stand for it in a case of finite elements
+  std::string form;  ///< how it entered a case of finite elements; empty: by its reduced law alone
 };
 
 /// An effect that nothing was said of, and why, as the end of a sentence.

@@ -17,23 +17,22 @@ Json to_json(const DiagnosedParameter& p) {
   return {{"value", p.value}, {"unit", p.unit}, {"ci95", {p.low, p.high}}};
 }
 
-/// "0.05 J/m^2", as a case file takes it.
-std::string entry_text(const CorrectedEntry& e) { return printed("%.6g %s", e.value, e.unit.c_str()); }
-
 Json to_json(const DiagnosedEffect& e, const SolvedSimulation& simulation) {
   Json parameters = Json::object(), entries = Json::object();
   for (const auto& p : e.parameters) parameters[p.name] = to_json(p);
-  for (const auto& entry : e.case_entries) entries[entry.entry] = entry_text(entry);
-  return {{"effect", e.id},
-          {"title", e.title},
-          {"kind", e.kind == EffectKind::contact ? "contact" : "instrument"},
-          {"probability", e.probability},
-          {"equation", e.equation},
-          {"source", e.source},
-          {"meaning", e.meaning},
-          {"parameters", parameters},
-          {"case_entries", entries},
-          {"tried_in", {kind_of(simulation)}}};
+  for (const auto& entry : e.case_entries) entries[entry.entry] = entry.written();
+  Json json{{"effect", e.id},
+            {"title", e.title},
+            {"kind", e.kind == EffectKind::contact ? "contact" : "instrument"},
+            {"probability", e.probability},
+            {"equation", e.equation},
+            {"source", e.source},
+            {"meaning", e.meaning},
+            {"parameters", parameters},
+            {"case_entries", entries},
+            {"tried_in", {kind_of(simulation)}}};
+  if (!e.form.empty()) json["form"] = e.form;
+  return json;
 }
 
 Json to_json(const std::vector<MismatchRegion>& regions) {
@@ -65,7 +64,8 @@ Json forward_model(const Diagnosis& d) {
   if (!simulation.by_finite_elements) return json;
   Json corrected = Json::object();
   for (const auto& e : d.corrected())
-    corrected[e.entry] = {{"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}};
+    corrected[e.entry] = {
+        {"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}, {"entry", e.written()}};
   json["case"] = simulation.case_file;
   json["solves"] = simulation.solves;
   json["discretisation_error"] = {{"value", simulation.displacement_error},
@@ -78,6 +78,10 @@ Json forward_model(const Diagnosis& d) {
 }
 
 }  // namespace
+
+std::string CorrectedEntry::written() const {
+  return text.empty() ? printed("%.6g %s", value, unit.c_str()) : text;
+}
 
 std::vector<CorrectedEntry> Diagnosis::corrected() const {
   std::vector<CorrectedEntry> list;

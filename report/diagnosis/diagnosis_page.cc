@@ -61,8 +61,8 @@ std::string simulation_words(const Diagnosis& d) {
                      " (mesh and load steps), which is a part of the evidence.";
   if (!corrected.empty()) text += " In corrected.prm:";
   for (const auto& e : corrected)
-    text += " " + escaped(e.entry) + " = " + number(e.value) + " " + escaped(e.unit) +
-            " (95 %: " + number(e.low) + " to " + number(e.high) + ").";
+    text += " " + escaped(e.entry) + " = " + escaped(e.written()) + " (95 %: " + number(e.low) + " to " +
+            number(e.high) + " " + escaped(e.unit) + ").";
   return text;
 }
 

@@ -12,7 +12,9 @@
 
 #include "core/error.h"
 #include "core/printed.h"
+#include "core/topography_spec.h"
 #include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/conceal/rough_layer.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
@@ -31,13 +33,15 @@ class StandIn : public ForwardModel {
  public:
   double stiffer = 1;
   std::string cannot_solve;  ///< an entry
-  double share_solved = 1;   ///< of the load, where it yields; what is left takes too long
+  bool is_smooth = true;
+  double share_solved = 1;  ///< of the load, where it yields; what is left takes too long
   std::optional<double> yield_of_case;
   int solved = 0;
 
   SimulatedBodies bodies() const override {
     SimulatedBodies b{glass, wafer, radius};
     if (yield_of_case) b.particle_yield = *yield_of_case;
+    b.is_smooth = is_smooth;
     return b;
   }
 
@@ -280,6 +284,35 @@ TEST(SolvedCase_behaviour, other_motions_are_refused) {
       message_of<InputError>([&] { diagnosed(recording, &simulation); }),
       "--case takes recordings of normal contact so far, and this one is of sliding; leave out --case to "
       "diagnose it by reduced laws");
+}
+
+/// A layer of asperities whose pressure follows the gap exponentially, solved on rings: no formula of the
+/// catalogue. Recorded from where it bears a thousandth of the largest force.
+TEST(SolvedCase_behaviour, asperities_are_named_around_the_solution_and_enter_as_a_topography) {
+  const double modulus = reduced_modulus(glass, wafer), length = 0.6 * nm, deepest = 25 * nm;
+  hidden::RoughLayer layer({modulus, radius}, length, 5e9, 3 * std::sqrt(radius * deepest), 80);
+  double touch = -20 * nm;
+  const double largest = layer.force(deepest);
+  while (layer.force(touch) < 1e-3 * largest) touch += 0.05 * nm;
+  const Recording recording =
+      pressed([&](double d) { return layer.force(touch + d); }, 0.002 * largest, {deepest - touch});
+  StandIn smooth;
+  const Diagnosis d = diagnosed(recording, &smooth);
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "roughness_compliance");
+  EXPECT_EQ(d.left_out[0].form, "reduced law in series with the solution");
+  ASSERT_EQ(d.corrected().size(), 1u);
+  const CorrectedEntry entry = d.corrected()[0];
+  EXPECT_EQ(entry.entry, "Substrate/Topography");
+  const TopographySpec topography(entry.written());
+  ASSERT_NE(topography.generator(), nullptr) << entry.written();
+  EXPECT_NEAR(topography.rms() / entry.value, 1, 1e-3);
+  EXPECT_LT(entry.low, entry.value);
+  EXPECT_GT(entry.high, entry.value);
+  // A case that is rough already gets no second topography.
+  StandIn rough;
+  rough.is_smooth = false;
+  EXPECT_TRUE(diagnosed(recording, &rough).corrected().empty());
 }
 
 }  // namespace
