@@ -97,6 +97,16 @@ double modulus_spread(const CharacteriseRequest& request) {
          (2 * (one + other));
 }
 
+/// What solved cases do not say of their bodies: the particle simulation moves masses.
+void name_materials(ContactParameters& parameters, const CharacteriseRequest& request) {
+  const auto name = [](ContactBody& body, const Material& material) {
+    body.material = material.name;
+    if (material.density > 0) body.density = material.density;
+  };
+  name(parameters.particle, request.particle.material);
+  name(parameters.target, request.substrate);
+}
+
 /// parameters.json, and the engine's input, of one set. Returns their names.
 std::vector<std::string> write_set(Derivation& derivation, const std::string& suffix,
                                    const std::string& engine, const fs::path& output) {
@@ -128,6 +138,7 @@ void write_answer(const CharacteriseArguments& arguments, const Prepared& work, 
   const bool friction_is_said = work.request.friction_is_known || found.sets.size() > 1;
   for (const auto& set : found.sets) {
     Derivation derivation = derive_parameters(set);
+    name_materials(derivation.parameters, work.request);
     const std::string friction = set.inputs.at("Interface/Friction coefficient");
     const std::string suffix = found.sets.size() > 1 ? "_friction_" + friction : "";
     const auto files = write_set(derivation, suffix, arguments.engine, output);

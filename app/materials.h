@@ -21,6 +21,7 @@ struct Material {
   PublishedNumber youngs_modulus;  ///< E [Pa]
   double poisson_ratio = 0;        ///< [-]
   PublishedNumber hardness;        ///< of indentation [Pa]; infinite: the body stays elastic
+  double density = 0;              ///< [kg/m^3]; 0: not known
   std::string source;              ///< of the numbers, in words
 
   /// Initial uniaxial yield stress [Pa].
@@ -31,9 +32,9 @@ struct Material {
 /// All that have a name, in alphabetical order.
 const std::vector<Material>& named_materials();
 
-/// "silicon", or the numbers themselves: "E=71 GPa, nu=0.17, hardness=9 GPa" (hardness may be left out: the
-/// body then stays elastic). Throws InputError naming the material that was meant, or the number that is
-/// missing or out of range.
+/// "silicon", or the numbers themselves: "E=71 GPa, nu=0.17, hardness=9 GPa, density=2230 kg/m^3" (hardness
+/// may be left out: the body then stays elastic; density too, which dynamic engines need). Throws InputError
+/// naming the material that was meant, or the number that is missing or out of range.
 Material material_of(const std::string& text);
 
 /// The sphere of `--particle`: a material and its radius, "borosilicate, 8.5 um".

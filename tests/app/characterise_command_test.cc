@@ -92,6 +92,10 @@ TEST(Materials_behaviour, are_named_or_given_by_their_numbers_and_stand_in_the_d
   EXPECT_DOUBLE_EQ(particle.material.youngs_modulus.value, 71e9);
   EXPECT_DOUBLE_EQ(particle.material.yield_stress(), 3e9);  // Tabor: a third of the hardness
   EXPECT_FALSE(material_of("E=71 GPa, nu=0.17").yields());
+  EXPECT_DOUBLE_EQ(material_of("E=71 GPa, nu=0.17, density=2230 kg/m^3").density, 2230);
+  EXPECT_DOUBLE_EQ(material_of("density=2230, E=71 GPa, nu=0.17").density, 2230);
+  EXPECT_EQ(material_of("E=71 GPa, nu=0.17").density, 0);
+  EXPECT_THROW(material_of("E=71 GPa, nu=0.17, density=-1"), InputError);
   EXPECT_THROW(material_of("E=71 GPa"), InputError);
   EXPECT_THROW(material_of("E=71 GPa, nu=0.17, E=1 GPa"), InputError);
   EXPECT_THROW(particle_of("silicon, -1 um"), InputError);
@@ -100,6 +104,8 @@ TEST(Materials_behaviour, are_named_or_given_by_their_numbers_and_stand_in_the_d
     EXPECT_GE(material.youngs_modulus.high, material.youngs_modulus.value) << material.name;
     EXPECT_LE(material.hardness.low, material.hardness.value) << material.name;
     EXPECT_GE(material.hardness.high, material.hardness.value) << material.name;
+    EXPECT_GT(material.density, 1000) << material.name;
+    EXPECT_LT(material.density, 20000) << material.name;
     EXPECT_FALSE(material.source.empty()) << material.name;
   }
   EXPECT_EQ(read_file(std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/materials.md"), materials_page());
@@ -115,6 +121,13 @@ TEST(NightlyCharacterise_analytic, goes_from_a_scan_to_numbers_an_engine_and_a_p
   ASSERT_EQ(done.status, 0) << done.output;
   const ContactParameters parameters = read_contact_parameters(output + "/parameters.json");
   EXPECT_NEAR(parameters.sliding_friction->value, 0.3, 0.01);
+  EXPECT_EQ(parameters.particle.material, "borosilicate");
+  EXPECT_NEAR(parameters.particle_mass(), 4.0 / 3 * std::acos(-1) * std::pow(8.5e-6, 3) * 2230, 1e-18);
+  // An engine runs with it as it is.
+  const Outcome slid =
+      call("engine " + output + "/parameters.json --engine lammps --experiment glued --output " + output +
+           "/engine");
+  EXPECT_EQ(slid.status, 0) << slid.output;
   const Hertz smooth{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
   const double load = std::sqrt(30e-6 * 300e-6);
   EXPECT_NEAR(parameters.normal_stiffness_at(load) / smooth.normal_stiffness(load), 1, 0.25);
