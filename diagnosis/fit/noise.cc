@@ -208,7 +208,9 @@ bool refine_noise(const Samples& samples, const std::vector<double>& residual, N
       }
     if (!trace || count < fewest) continue;
     const MeasuredNoise measured = measured_noise(samples, residual, noise.sd, t);
-    if (measured.sd > off || measured.sd < 1 / off) continue;
+    // What a fit leaves is no less than the noise: an estimate above it took the signal for noise.
+    const bool is_estimate = noise.from[t] == "high frequencies";
+    if (measured.sd > off || (!is_estimate && measured.sd < 1 / off)) continue;
     changed = true;
     for (std::size_t r = 0; r < samples.runs.size(); ++r) {
       const SampleRun& run = samples.runs[r];

@@ -366,13 +366,25 @@ TEST(RefinedNoise_behaviour, is_left_as_it_was_where_residuals_cannot_tell) {
   };
   EXPECT_TRUE(changes(1, "high frequencies", samples));
   EXPECT_FALSE(changes(1.5, "high frequencies", samples));
-  EXPECT_FALSE(changes(0.6, "high frequencies", samples));
+  EXPECT_FALSE(changes(0.6, "given", samples));
   EXPECT_FALSE(changes(1, "residuals", samples));
   EXPECT_FALSE(changes(1, "given by row", samples));
   EXPECT_FALSE(changes(1, "high frequencies", flat_run(98)));
   Samples rows = samples;
   rows.runs[0].independent_rows = true;
   EXPECT_FALSE(changes(1, "high frequencies", rows));
+}
+
+/// A fit leaves no less than the noise: an estimate above what it leaves took the signal for noise.
+TEST(RefinedNoise_analytic, comes_down_to_what_a_fit_leaves) {
+  const Samples samples = flat_run(400);
+  auto residual = autoregression(400, 0, 7);
+  constexpr double factor = 0.3;
+  for (double& r : residual) r *= factor;
+  Noise noise = unit_noise(400);
+  noise.from = {"high frequencies"};
+  ASSERT_TRUE(refine_noise(samples, residual, noise));
+  EXPECT_NEAR(noise.sd[0] / factor, 1, 0.1);
 }
 
 TEST(SharedNoise_analytic, filter_of_an_autoregression_forgets_over_a_gap_as_its_memory_says) {
