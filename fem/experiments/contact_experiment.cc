@@ -109,9 +109,9 @@ void ContactExperiment::run() {
     if (!resumed) std::filesystem::remove(options_.output / "result.json");
   }
   MPI_Barrier(MPI_COMM_WORLD);
-  // A radius well inside of the region and several spacings wide; the far field does not depend on it at first
-  // order. Also when resumed: the smoothers take their eigenvalues from the first system they see, and with
-  // the same ones the steps that follow are the same to the last digit.
+  // A radius well inside of the region and several spacings wide; the far field does not depend on it at
+  // first order. Also when resumed: the smoothers take their eigenvalues from the first system they see, and
+  // with the same ones the steps that follow are the same to the last digit.
   const double radius =
       std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
                6 * setup_.system.mesh.sizes.spacing_particle);

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "dem_compare/laws/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/conceal/rough_layer.h"
 #include "diagnosis/mechanics/scalar_root.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -319,12 +321,34 @@ TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
     return assembled(e, id, values).normal.series.at(0)(force);
   };
   EXPECT_NEAR(of("instrument_compliance", {5e-6}, 2e-3), 10 * nm, 1e-20);
-  const double first = 0.5 * e.hertz().force(2 * nm);
-  EXPECT_NEAR(of("roughness_compliance", {2 * nm, 0.5}, 0.3e-3), 2 * nm * std::log(1 + 0.3e-3 / first),
-              1e-20);
-  EXPECT_NEAR(of("roughness_compliance", {2 * nm, 0.5}, first), 2 * nm * std::log(2), 1e-20);
+  // A layer of 0.1 nm: an e-fold of a light load takes its length, and of a heavy one a third.
+  const double layer = 0.1 * nm, efold = std::exp(1.0), light = 1e-10, heavy = 1;
+  const auto taken = [&](double force) {
+    return of("roughness_compliance", {layer, 1e-9}, efold * force) -
+           of("roughness_compliance", {layer, 1e-9}, force);
+  };
+  EXPECT_NEAR(taken(light) / layer, 1, 0.01);
+  EXPECT_NEAR(taken(heavy) / layer, 1.0 / 3, 0.01);
   EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, 0), 0);
   EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, -1), 0);
+}
+
+/// The layer on the sphere, solved on rings: it needs no Hertz.
+TEST(RoughnessCompliance_other_code, is_that_of_a_layer_solved_on_rings) {
+  const Experiment e = test::experiment(Motion::normal);
+  constexpr double length = 1 * nm, pressure = 1e8;
+  const double deepest = 60 * nm, reach = 1.6 * std::sqrt(e.radius * deepest);
+  hidden::RoughLayer rings({e.reduced_modulus(), e.radius}, length, pressure, reach, 160);
+  const auto mechanics = assembled(e, "roughness_compliance", {length, 1e-6});
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (double approach = -4 * nm; approach < deepest; approach += 2 * nm) {
+    const double force = rings.force(approach),
+                 law = e.hertz().approach(force) + mechanics.normal.series.at(0)(force);
+    least = std::min(least, (approach - law) / length);
+    most = std::max(most, (approach - law) / length);
+  }
+  // Where the law counts from is another place; what it adds between two loads is the same.
+  EXPECT_LT(most - least, 0.05);
 }
 
 TEST(ThermalDrift_analytic, counts_time_from_the_beginning_of_each_run) {
