@@ -79,8 +79,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+# Loaded by its name (surfaces/readers/netcdf_library.h).
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libnetcdf19)
 if(TARGET asperity_python)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 endif()
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-pandas, xvfb, xauth")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS

@@ -3,9 +3,6 @@
 // `length_unit`). The first index along y is the top of the image, as in that program's own readers of
 // instrument files. Missing: NaN or fill value. No real file was at hand: checked only against files that the
 // tests write from this description.
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
 #include <climits>
 #include <limits>
 #include <vector>
@@ -15,6 +12,7 @@
 #include "surfaces/readers/format.h"
 #include "surfaces/readers/length_unit.h"
 #include "surfaces/readers/netcdf_classic.h"
+#include "surfaces/readers/netcdf_library.h"
 #include "surfaces/readers/text_parts.h"
 
 namespace asperity {
@@ -25,48 +23,49 @@ class NetcdfFile {
  public:
   explicit NetcdfFile(const SourceFile& file) : file_(file) {
     // From memory, so that no other file and no address is ever opened; libnetcdf does not write to it.
-    check(nc_open_mem(file.path.string().c_str(), NC_NOWRITE, file.bytes.size(),
-                      const_cast<char*>(file.bytes.data()), &id_));
+    check(libnetcdf().open_mem(file.path.string().c_str(), NC_NOWRITE, file.bytes.size(),
+                               const_cast<char*>(file.bytes.data()), &id_));
   }
-  ~NetcdfFile() { nc_close(id_); }
+  ~NetcdfFile() { libnetcdf().close(id_); }
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
   int id() const { return id_; }
   void check(int status) const {
     if (status != NC_NOERR)
-      throw InputError(file_.name() + " cannot be read as NetCDF (" + nc_strerror(status) +
+      throw InputError(file_.name() + " cannot be read as NetCDF (" + libnetcdf().strerror(status) +
                        "): it is cut off or damaged; copy or export it again");
   }
   /// Number of a variable, or -1.
   int variable(const std::string& name) const {
     int variable = -1;
-    return nc_inq_varid(id_, name.c_str(), &variable) == NC_NOERR ? variable : -1;
+    return libnetcdf().inq_varid(id_, name.c_str(), &variable) == NC_NOERR ? variable : -1;
   }
   std::optional<double> number(int variable, const std::string& attribute) const {
     double value = 0;
     std::size_t length = 0;
     nc_type type = NC_NAT;
-    if (nc_inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length != 1)
+    if (libnetcdf().inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length != 1)
       return std::nullopt;
     if (type == NC_CHAR || type == NC_STRING) return std::nullopt;
-    check(nc_get_att_double(id_, variable, attribute.c_str(), &value));
+    check(libnetcdf().get_att_double(id_, variable, attribute.c_str(), &value));
     return value;
   }
   std::string text(int variable, const std::string& attribute) const {
     std::size_t length = 0;
     nc_type type = NC_NAT;
-    if (nc_inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length == 0) return "";
+    if (libnetcdf().inq_att(id_, variable, attribute.c_str(), &type, &length) != NC_NOERR || length == 0)
+      return "";
     if (type == NC_CHAR) {
       std::string value(length, ' ');
-      check(nc_get_att_text(id_, variable, attribute.c_str(), value.data()));
+      check(libnetcdf().get_att_text(id_, variable, attribute.c_str(), value.data()));
       return trimmed_text(value);
     }
     if (type != NC_STRING || length != 1) return "";
     char* value = nullptr;
-    check(nc_get_att_string(id_, variable, attribute.c_str(), &value));
+    check(libnetcdf().get_att_string(id_, variable, attribute.c_str(), &value));
     std::string copy = value ? trimmed_text(value) : "";
-    nc_free_string(1, &value);
+    libnetcdf().free_string(1, &value);
     return copy;
   }
   std::string unit(int variable) const {
@@ -89,16 +88,16 @@ struct Axis {
 /// The two dimensions of `heights` in the order in which they are stored.
 std::vector<Axis> axes_of(const SourceFile& file, const NetcdfFile& netcdf, int heights) {
   int count = 0;
-  netcdf.check(nc_inq_varndims(netcdf.id(), heights, &count));
+  netcdf.check(libnetcdf().inq_varndims(netcdf.id(), heights, &count));
   if (count != 2)
     throw InputError(file.name() + " has heights over " + std::to_string(count) +
                      " dimension(s), a profile and not a map; pass a topography measured over x and y");
   int dimensions[2];
-  netcdf.check(nc_inq_vardimid(netcdf.id(), heights, dimensions));
+  netcdf.check(libnetcdf().inq_vardimid(netcdf.id(), heights, dimensions));
   std::vector<Axis> axes(2);
   for (int i = 0; i < 2; ++i) {
     char name[NC_MAX_NAME + 1];
-    netcdf.check(nc_inq_dim(netcdf.id(), dimensions[i], name, &axes[i].points));
+    netcdf.check(libnetcdf().inq_dim(netcdf.id(), dimensions[i], name, &axes[i].points));
     axes[i].name = name;
   }
   const bool known =
@@ -145,9 +144,9 @@ void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights,
                   std::size_t rows) {
   nc_type type = NC_NAT;
   std::size_t stored_size = 0;
-  netcdf.check(nc_inq_vartype(netcdf.id(), heights, &type));
+  netcdf.check(libnetcdf().inq_vartype(netcdf.id(), heights, &type));
   if (type == NC_CHAR || type > NC_UINT64 ||
-      nc_inq_type(netcdf.id(), type, nullptr, &stored_size) != NC_NOERR)
+      libnetcdf().inq_type(netcdf.id(), type, nullptr, &stored_size) != NC_NOERR)
     throw InputError(file.name() + " has heights that are no numbers; export the topography");
   const auto refuse = [&](const std::string& what) {
     throw InputError(file.name() + " announces " + what + ", too many for a file of " +
@@ -161,7 +160,8 @@ void check_points(const SourceFile& file, const NetcdfFile& netcdf, int heights,
   if (columns > INT_MAX || rows > INT_MAX || (rows > 0 && columns > most_points / rows)) refuse(announced);
   int storage = NC_CONTIGUOUS;
   std::size_t chunk[2] = {0, 0};
-  netcdf.check(nc_inq_var_chunking(netcdf.id(), heights, &storage, chunk));  // a classic file is contiguous
+  netcdf.check(
+      libnetcdf().inq_var_chunking(netcdf.id(), heights, &storage, chunk));  // a classic file is contiguous
   if (storage == NC_CHUNKED && chunk[1] > 0 && chunk[0] > most_points / chunk[1])
     refuse("chunks of " + std::to_string(chunk[0]) + " x " + std::to_string(chunk[1]) + " points");
 }
@@ -181,7 +181,7 @@ StoredMap read(const SourceFile& file, const ReadOptions& options) {
   const std::size_t columns = axes[x_first ? 0 : 1].points, rows = axes[x_first ? 1 : 0].points;
   check_points(file, netcdf, heights, columns, rows);
   std::vector<double> stored(columns * rows);
-  if (!stored.empty()) netcdf.check(nc_get_var_double(netcdf.id(), heights, stored.data()));
+  if (!stored.empty()) netcdf.check(libnetcdf().get_var_double(netcdf.id(), heights, stored.data()));
   std::vector<double> fills{NC_FILL_DOUBLE};
   for (const char* name : {"_FillValue", "missing_value"})
     if (const auto fill = netcdf.number(heights, name)) fills.push_back(*fill);
