@@ -22,6 +22,8 @@
 #include "core/quantity.h"
 #include "dem_compare/characterise/characterisation.h"
 #include "engines/engine_input.h"
+#include "engines/many_particles/material_matrix.h"
+#include "engines/many_particles/particle_box.h"
 #include "fem/output/checkpoint.h"
 #include "report/characterisation/characterisation_page.h"
 #include "report/report.h"
@@ -107,13 +109,30 @@ void name_materials(ContactParameters& parameters, const CharacteriseRequest& re
   name(parameters.target, request.substrate);
 }
 
-/// parameters.json, and the engine's input, of one set. Returns their names.
+/// A first run of many particles, where the engine's box is written and the particle's density is known.
+void write_first_box(const ContactParameters& parameters, const std::string& engine, const fs::path& folder) {
+  const WrittenEngine& written = written_engine_of(engine);
+  if (!written.writes_boxes()) return;
+  if (!(parameters.particle.density > 0)) {
+    say("no box of particles is written: the particle's density is not known; name it, as in \"E=71 GPa, "
+        "nu=0.17, "
+        "density=2230 kg/m^3\"");
+    return;
+  }
+  constexpr int particles = 1000;
+  say(write_box(written, material_matrix({parameters}, {}), particles, folder));
+}
+
+/// parameters.json, the engine's input and a box of particles, of one set. Returns the files' names.
 std::vector<std::string> write_set(Derivation& derivation, const std::string& suffix,
                                    const std::string& engine, const fs::path& output) {
   report::write_words(derivation);
   const std::string parameters = "parameters" + suffix + ".json", input = "contact" + suffix + "." + engine;
   write_contact_parameters(derivation.parameters, output / parameters);
   write_file_atomically(output / input, engine_input(engine, derivation.parameters));
+  ContactParameters named = derivation.parameters;
+  named.file = parameters;
+  write_first_box(named, engine, output / ("box" + suffix));
   return {parameters, input};
 }
 

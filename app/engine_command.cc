@@ -5,14 +5,20 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/joined.h"
+#include "core/printable.h"
 #include "core/quantity.h"
 #include "engines/engine.h"
 #include "engines/engine_input.h"
+#include "engines/many_particles/material_matrix.h"
+#include "engines/many_particles/matrix_header.h"
+#include "engines/many_particles/particle_box.h"
 #include "engines/needed_cases.h"
 
 namespace asperity {
@@ -59,25 +65,69 @@ void run_engine(const RunArguments& arguments) {
 }
 
 struct InputArguments {
-  std::string engine, parameters, output, load;
+  std::vector<std::string> parameters;
+  std::string engine, output, load, radii;
+  std::optional<double> restitution;
+  std::optional<int> box;
+  bool many_particles = false;
 };
 
-void write_input(const InputArguments& arguments) {
-  EngineInputOptions options;
-  if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
-  const ContactParameters parameters = read_contact_parameters(arguments.parameters);
-  const std::string text = engine_input(arguments.engine, parameters, options);
-  if (arguments.output.empty())
+void put(const std::string& text, const std::string& file) {
+  if (file.empty())
     std::cout << text << std::flush;
   else
-    write_file_atomically(arguments.output, text);
-  for (const auto& missing : needed_cases(parameters))
-    std::cerr << "asperity: the record lacks " << to_text(missing) << "; that resistance is left out\n";
+    write_file_atomically(file, text);
 }
 
-}  // namespace
+/// "5 um to 10 um", or one radius.
+LoadRange parse_radii(const std::string& text) {
+  const std::string between = " to ";
+  const auto at = text.find(between);
+  const double low = parse_quantity(text.substr(0, at), Dimension::length);
+  return {low, at == std::string::npos ? low
+                                       : parse_quantity(text.substr(at + between.size()), Dimension::length)};
+}
 
-void add_engine_commands(CLI::App& app) {
+void write_matrix(const InputArguments& arguments, const std::vector<ContactParameters>& records) {
+  MatrixOptions options;
+  if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
+  if (!arguments.radii.empty()) options.radii = parse_radii(arguments.radii);
+  options.restitution = arguments.restitution;
+  const WrittenEngine& engine = written_engine_of(arguments.engine);
+  const MaterialMatrix matrix = material_matrix(records, options);
+  if (arguments.box) {
+    if (arguments.output.empty())
+      throw InputError("--box writes several files: name their folder with --output");
+    std::cout << write_box(engine, matrix, *arguments.box, arguments.output) << "\n";
+  } else {
+    put(engine.matrix_input(matrix), arguments.output);
+  }
+  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
+    for (std::size_t j = i; j < matrix.materials.size(); ++j)
+      if (matrix.pair(i, j).is_mixed)
+        std::cerr << "asperity: " << printable(pair_name(matrix, i, j))
+                  << ": no record has this pair; its law is mixed as the file's header says\n";
+}
+
+void write_input(const InputArguments& arguments) {
+  std::vector<ContactParameters> records;
+  for (const auto& file : arguments.parameters) records.push_back(read_contact_parameters(file));
+  if (records.size() > 1 || arguments.many_particles || arguments.box) {
+    write_matrix(arguments, records);
+  } else {
+    if (arguments.restitution || !arguments.radii.empty())
+      throw InputError("--restitution and --radii are for many particles: add --many-particles");
+    EngineInputOptions options;
+    if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
+    put(engine_input(arguments.engine, records.front(), options), arguments.output);
+  }
+  for (const ContactParameters& record : records)
+    for (const auto& missing : needed_cases(record))
+      std::cerr << "asperity: " << (records.size() > 1 ? printable(record.file) + ": " : "")
+                << "the record lacks " << to_text(missing) << "; that resistance is left out\n";
+}
+
+void add_run_command(CLI::App& app) {
   const auto run_arguments = std::make_shared<RunArguments>();
   CLI::App* engine = app.add_subcommand("engine", "Run one of the paper's experiments with one particle in " +
                                                       list_runnable_engines(&Engine::name, " or "));
@@ -116,18 +166,45 @@ void add_engine_commands(CLI::App& app) {
       "runs/paper/parameters_diamond.json"
       " --engine lammps --experiment rolling --amplitude '50 nm' --output output/rolling");
   engine->callback([run_arguments] { run_engine(*run_arguments); });
+}
 
+void add_input_command(CLI::App& app) {
   const auto input_arguments = std::make_shared<InputArguments>();
-  CLI::App* input = app.add_subcommand(
-      "engine-input", "Write a contact as what a user pastes into a discrete element engine");
-  input->add_option("PARAMETERS.json", input_arguments->parameters, "Contact as asperity derived it")
+  CLI::App* input = app.add_subcommand("engine-input",
+                                       "Write contacts as what a user pastes into a discrete element engine");
+  input
+      ->add_option("PARAMETERS.json", input_arguments->parameters,
+                   "Contact as asperity derived it; several of them, one for each pair of materials, for "
+                   "many particles")
       ->required();
   input->add_option("--engine", input_arguments->engine, joined(engine_input_names(), ", "))->required();
-  input->add_option("--output", input_arguments->output, "File to write (default: print)");
+  input->add_option("--output", input_arguments->output,
+                    "File to write (default: print); with --box a folder");
   input->add_option(
       "--load", input_arguments->load,
       "Normal load at which limits that depend on it are right (default: balanced over the fitted loads)");
+  input->add_flag("--many-particles", input_arguments->many_particles,
+                  "All pairs of all materials with time step and damping (implied by several records)");
+  input->add_option("--restitution", input_arguments->restitution,
+                    "Of a normal impact, for the damping between many particles (default: 0.5)");
+  input->add_option(
+      "--radii", input_arguments->radii,
+      "'5 um to 10 um': smallest and largest of many particles (default: those of the records)");
+  input->add_option(
+      "--box", input_arguments->box,
+      "Write a box of so many particles beside the contacts, which the engine runs (lammps, liggghts, yade)");
+  input->footer(
+      "Example: asperity engine-input glass_on_silicon.json glass_on_glass.json --engine lammps "
+      "--restitution 0.8 "
+      "--box 1000 --output output/box");
   input->callback([input_arguments] { write_input(*input_arguments); });
+}
+
+}  // namespace
+
+void add_engine_commands(CLI::App& app) {
+  add_run_command(app);
+  add_input_command(app);
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engines/folding.h"
@@ -20,6 +21,8 @@ struct EngineInputOptions {
 };
 
 class InputNotes;
+struct MaterialMatrix;
+struct ParticleBox;
 
 /// An engine whose input asperity writes.
 class WrittenEngine {
@@ -30,7 +33,20 @@ class WrittenEngine {
   /// What a user pastes for the contact of the notes. Throws InputError for a record that lacks what is
   /// needed.
   virtual std::string contact_input(InputNotes& notes) const = 0;
+  /// The contacts of all pairs of materials; throws InputError where that is not written for this engine.
+  virtual std::string matrix_input(const MaterialMatrix& matrix) const;
+  /// What the file of these is called beside a box.
+  virtual std::string matrix_file() const { return "contacts." + key(); }
+  /// Whether it has box_files().
+  virtual bool writes_boxes() const { return false; }
+  /// Name and text of each file that, beside that of the matrix, runs a box of particles; throws InputError
+  /// where that is not written for this engine.
+  virtual std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,
+                                                                     const ParticleBox& box) const;
 };
+
+/// By its key; throws InputError for an engine that is not known, naming what was meant.
+const WrittenEngine& written_engine_of(const std::string& key);
 
 /// Keys of all engines, in alphabetical order.
 std::vector<std::string> engine_input_names();

@@ -1,5 +1,6 @@
 #include "engines/engine_registry.h"
 
+#include "core/error.h"
 #include "core/joined.h"
 #include "engines/engine.h"
 #include "engines/input_notes.h"
@@ -12,24 +13,42 @@ namespace {
 
 class FunctionEngine : public WrittenEngine {
  public:
-  FunctionEngine(std::string key, std::string name, std::string (*contact_input)(InputNotes&))
-      : key_(std::move(key)), name_(std::move(name)), contact_input_(contact_input) {}
+  FunctionEngine(std::string key, std::string name, const EngineWriters& writers)
+      : key_(std::move(key)), name_(std::move(name)), writers_(writers) {}
   std::string key() const override { return key_; }
   std::string name() const override { return name_; }
-  std::string contact_input(InputNotes& notes) const override { return contact_input_(notes); }
+  std::string contact_input(InputNotes& notes) const override { return writers_.contact(notes); }
+  std::string matrix_input(const MaterialMatrix& matrix) const override {
+    return writers_.matrix ? writers_.matrix(matrix) : WrittenEngine::matrix_input(matrix);
+  }
+  bool writes_boxes() const override { return writers_.box != nullptr; }
+  std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,
+                                                             const ParticleBox& box) const override {
+    return writers_.box ? writers_.box(matrix, box, matrix_file()) : WrittenEngine::box_files(matrix, box);
+  }
 
  private:
   std::string key_, name_;
-  std::string (*contact_input_)(InputNotes&);
+  EngineWriters writers_;
 };
 
 std::string key_of(const std::unique_ptr<WrittenEngine>& engine) { return engine->key(); }
 
 }  // namespace
 
+std::string WrittenEngine::matrix_input(const MaterialMatrix&) const {
+  throw InputError("asperity writes the contacts of " + name() + " one at a time: give one record");
+}
+
+std::vector<std::pair<std::string, std::string>> WrittenEngine::box_files(const MaterialMatrix&,
+                                                                          const ParticleBox&) const {
+  throw InputError("asperity writes no box of particles for " + name() +
+                   "; it does for lammps, liggghts and yade. Leave --box out to write the contacts alone");
+}
+
 std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std::string& name,
-                                              std::string (*contact_input)(InputNotes&)) {
-  return std::make_unique<FunctionEngine>(key, name, contact_input);
+                                              const EngineWriters& writers) {
+  return std::make_unique<FunctionEngine>(key, name, writers);
 }
 
 const std::vector<std::unique_ptr<WrittenEngine>>& engine_catalogue() {
@@ -43,11 +62,15 @@ std::vector<std::string> engine_input_names() {
   return names;
 }
 
+const WrittenEngine& written_engine_of(const std::string& key) {
+  return *entry_named(engine_catalogue(), key, key_of, "there is no engine");
+}
+
 std::string engine_input(const std::string& key, const ContactParameters& parameters,
                          const EngineInputOptions& options) {
-  const auto& engine = entry_named(engine_catalogue(), key, key_of, "there is no engine");
-  InputNotes notes(parameters, options, engine->name());
-  return engine->contact_input(notes);
+  const WrittenEngine& engine = written_engine_of(key);
+  InputNotes notes(parameters, options, engine.name());
+  return engine.contact_input(notes);
 }
 
 std::vector<const Engine*> runnable_engines() {

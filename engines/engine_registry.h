@@ -13,9 +13,16 @@
 
 namespace asperity {
 
-/// An engine that is written alone, from a function that writes it.
+/// An engine that is written alone: what writes a contact, a matrix of materials, and a box beside the
+/// matrix's file; null where asperity does not write that.
+struct EngineWriters {
+  std::string (*contact)(InputNotes&) = nullptr;
+  std::string (*matrix)(const MaterialMatrix&) = nullptr;
+  std::vector<std::pair<std::string, std::string>> (*box)(const MaterialMatrix&, const ParticleBox&,
+                                                          const std::string& contacts) = nullptr;
+};
 std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std::string& name,
-                                              std::string (*contact_input)(InputNotes&));
+                                              const EngineWriters& writers);
 
 /// All engines, by key.
 const std::vector<std::unique_ptr<WrittenEngine>>& engine_catalogue();

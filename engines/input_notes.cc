@@ -153,6 +153,12 @@ void InputNotes::leaves_out_pull_off(const std::string& why) {
     cannot("pull-off force h_n = " + text_number(p_.pull_off_force->value) + " N: " + why + "; left out");
 }
 
+std::vector<std::string> InputNotes::not_expressed() const {
+  std::vector<std::string> all = limits_;
+  for (const auto& missing : left_out_) all.push_back("not in the record, left out: " + missing);
+  return all;
+}
+
 std::vector<std::string> InputNotes::lines() const {
   std::vector<std::string> all;
   all.push_back("Written by asperity for " + engine_ + " from " + (p_.file.empty() ? "a record" : p_.file) +
@@ -205,12 +211,9 @@ EngineElasticity engine_elasticity(InputNotes& notes) {
   const ContactParameters& p = notes.record();
   const double E = p.hertz().reduced_modulus, G = notes.shear_modulus();
   if (p.particle.has_elasticity() && p.target.has_elasticity()) {
-    const auto shear_compliance = [](const ContactBody& body) {  // (2 - nu)/G of Mindlin's G*
-      return (2 - body.poissons_ratio) * 2 * (1 + body.poissons_ratio) / body.youngs_modulus;
-    };
-    const double own_E = reduced_modulus({p.particle.youngs_modulus, p.particle.poissons_ratio},
-                                         {p.target.youngs_modulus, p.target.poissons_ratio});
-    const double own_G = 1 / (shear_compliance(p.particle) + shear_compliance(p.target));
+    const ElasticBody particle{p.particle.youngs_modulus, p.particle.poissons_ratio},
+        target{p.target.youngs_modulus, p.target.poissons_ratio};
+    const double own_E = reduced_modulus(particle, target), own_G = reduced_shear_modulus(particle, target);
     if (std::abs(own_E / E - 1) < agree && std::abs(own_G / G - 1) < agree)
       return {{p.particle.youngs_modulus, p.target.youngs_modulus},
               {p.particle.poissons_ratio, p.target.poissons_ratio}};

@@ -46,6 +46,9 @@ class InputNotes {
   /// The record's pull-off force, if it has one, and why it is left out.
   void leaves_out_pull_off(const std::string& why);
 
+  /// What the engine cannot express, each with its error, and what the record does not hold.
+  std::vector<std::string> not_expressed() const;
+
   /// "particle" and "target", or the materials' names where the record has them: two that differ.
   std::string particle_name() const;
   std::string target_name() const;

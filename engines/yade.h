@@ -19,6 +19,11 @@ class Yade : public Engine {
   std::string key() const override { return "yade"; }
   std::string name() const override { return "YADE"; }
   std::string contact_input(InputNotes& notes) const override;
+  std::string matrix_input(const MaterialMatrix& matrix) const override;
+  std::string matrix_file() const override { return "contacts.py"; }
+  bool writes_boxes() const override { return true; }
+  std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,
+                                                             const ParticleBox& box) const override;
   std::string executable() const override { return "yade"; }
   std::string package() const override { return "yade"; }
   std::string input_file() const override { return "asperity.py"; }

@@ -61,12 +61,16 @@ def asperity_find(i):
     contact = asperity_contacts.get(frozenset(O.bodies[b].material.label for b in (i.id1, i.id2)))
     if contact is None:
         return None
-    numbers, root = dict(contact['numbers']), (asperity_radius(i)/contact['radius'])**0.5
-    numbers['kno'] *= root
-    numbers['kso'] *= root
-    if i.phys.kno != numbers['kno']:
+    numbers, size = dict(contact['numbers']), asperity_radius(i)/contact['radius']
+    numbers['kno'] *= size**0.5
+    numbers['kso'] *= size**0.5
+    moments = size if contact['goes_with_size'] else 1
+    numbers['kr'] *= moments**2
+    numbers['ktw'] *= moments**2
+    numbers['maxBendPl'] *= moments
+    if any(getattr(i.phys, key) != value for key, value in numbers.items()):
         asperity_begin(i, numbers)
-    return contact['twist_limit']
+    return contact['twist_limit']*moments
 
 def asperity_step():
     global asperity_known
@@ -87,6 +91,7 @@ std::string yade_contact_entry(const std::string& label, const std::string& othe
                                const YadeContact& contact) {
   return "asperity_contacts[frozenset([" + label + ", " + other_label +
          "])] = dict(\n    radius=" + text_number(radius) + ", twist_limit=" + text_number(contact.twist) +
+         ", goes_with_size=" + (contact.goes_with_size ? "True" : "False") +
          ",\n    numbers=dict(kno=" + text_number(contact.kno) + ", kso=" + text_number(contact.kso) +
          ", tangensOfFrictionAngle=" + text_number(contact.friction) +
          ",\n                 kr=" + text_number(contact.kr) + ", ktw=" + text_number(contact.ktw) +

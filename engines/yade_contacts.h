@@ -18,6 +18,8 @@ struct YadeContact {
   double friction = 0;        ///< tangensOfFrictionAngle [-]
   double kr = 0, bend = 0;    ///< [N m/rad], maxBendPl [m]; zero: no rolling resistance
   double ktw = 0, twist = 0;  ///< [N m/rad], torsion limit over normal force [m]; zero: none
+  bool goes_with_size =
+      false;  ///< at other radii kr and ktw go with R_e^2, bend and twist with R_e; else fixed
 };
 
 /// Defines asperity_contacts, a dictionary, and asperity_step(), for PyRunner behind InteractionLoop and

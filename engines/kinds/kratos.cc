@@ -6,6 +6,7 @@
 #include "core/printable.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/matrix_inputs.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +65,7 @@ std::string kratos_input(InputNotes& notes) {
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_kratos() {
-  return written_engine("kratos", "Kratos DEMApplication", kratos_input);
+  return written_engine("kratos", "Kratos DEMApplication", {kratos_input, kratos_matrix});
 }
 }  // namespace engines
 

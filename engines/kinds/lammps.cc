@@ -3,6 +3,8 @@
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/lammps_script.h"
+#include "engines/many_particles/matrix_inputs.h"
+#include "engines/many_particles/particle_box.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -109,6 +111,13 @@ std::string Lammps::contact_input(InputNotes& notes) const {
          "# of types 1 and 2 alone; give every pair of types, mixed ones silently become linear "
          "springs\npair_coeff 1 2 " +
          law + "\n";
+}
+
+std::string Lammps::matrix_input(const MaterialMatrix& matrix) const { return lammps_matrix(matrix); }
+
+std::vector<std::pair<std::string, std::string>> Lammps::box_files(const MaterialMatrix& matrix,
+                                                                   const ParticleBox& box) const {
+  return lammps_box(matrix, box, matrix_file());
 }
 
 namespace engines {

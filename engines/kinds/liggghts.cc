@@ -2,6 +2,8 @@
 
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/matrix_inputs.h"
+#include "engines/many_particles/particle_box.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -81,7 +83,7 @@ std::string liggghts_input(InputNotes& notes) {
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_liggghts() {
-  return written_engine("liggghts", "LIGGGHTS", liggghts_input);
+  return written_engine("liggghts", "LIGGGHTS", {liggghts_input, liggghts_matrix, liggghts_box});
 }
 }  // namespace engines
 

@@ -1,6 +1,7 @@
 // MercuryDPM: HertzianViscoelasticMindlinRollingTorsionSpecies.
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -63,7 +64,7 @@ auto target = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindli
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_mercurydpm() {
-  return written_engine("mercurydpm", "MercuryDPM", mercurydpm_input);
+  return written_engine("mercurydpm", "MercuryDPM", {mercurydpm_input, mercurydpm_matrix});
 }
 }  // namespace engines
 

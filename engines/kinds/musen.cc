@@ -2,6 +2,7 @@
 #include "core/printable.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -38,7 +39,9 @@ std::string musen_input(InputNotes& notes) {
 }  // namespace
 
 namespace engines {
-std::unique_ptr<WrittenEngine> make_musen() { return written_engine("musen", "MUSEN", musen_input); }
+std::unique_ptr<WrittenEngine> make_musen() {
+  return written_engine("musen", "MUSEN", {musen_input, musen_matrix});
+}
 }  // namespace engines
 
 }  // namespace asperity

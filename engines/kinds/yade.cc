@@ -5,6 +5,8 @@
 
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/matrix_inputs.h"
+#include "engines/many_particles/particle_box.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -231,6 +233,13 @@ std::string Yade::contact_input(InputNotes& notes) const {
 PARTICLE = )" +
          python_literal(notes.particle_name()) + "\nTARGET = " + python_literal(notes.target_name()) + "\n" +
          yade_functions + "\n" + yade_contact_entry("PARTICLE", "TARGET", notes.effective_radius(), contact);
+}
+
+std::string Yade::matrix_input(const MaterialMatrix& matrix) const { return yade_matrix(matrix); }
+
+std::vector<std::pair<std::string, std::string>> Yade::box_files(const MaterialMatrix& matrix,
+                                                                 const ParticleBox& box) const {
+  return yade_box(matrix, box, matrix_file());
 }
 
 namespace engines {

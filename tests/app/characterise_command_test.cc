@@ -128,6 +128,9 @@ TEST(NightlyCharacterise_analytic, goes_from_a_scan_to_numbers_an_engine_and_a_p
       call("engine " + output + "/parameters.json --engine lammps --experiment glued --output " + output +
            "/engine");
   EXPECT_EQ(slid.status, 0) << slid.output;
+  // And a box of particles, which it has written beside it.
+  EXPECT_EQ(std::system(("cd " + output + "/box && lmp -in in.box > log 2>&1").c_str()), 0);
+  EXPECT_GT(read_file(output + "/box/energy.csv").size(), 1000U);
   const Hertz smooth{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
   const double load = std::sqrt(30e-6 * 300e-6);
   EXPECT_NEAR(parameters.normal_stiffness_at(load) / smooth.normal_stiffness(load), 1, 0.25);

@@ -144,5 +144,39 @@ TEST(EngineCommand_behaviour, writes_an_input_for_every_engine) {
   }
 }
 
+TEST(EngineInputCommand_behaviour, writes_all_pairs_and_a_box_for_several_records) {
+  const TemporaryFolder folder;
+  auto record = nlohmann::ordered_json::parse(read_file(silicon));
+  record["particle"]["material"] = "zirconia";
+  record["particle"]["density"] = 6000;
+  const std::string other = (folder.path / "zirconia.json").string();
+  folder.write("zirconia.json", record.dump());
+  const std::string files = silicon + " " + other;
+  const Outcome printed = call("engine-input " + files + " --engine lammps --restitution 0.8");
+  EXPECT_EQ(printed.status, 0) << printed.output;
+  for (const char* part : {"pair_coeff 1 3 hertz", "pair_coeff 2 2 hertz", "variable on_plane_3_2 string",
+                           "Time step advised", "type 3 (zirconia): no record has this pair"})
+    EXPECT_CONTAINS(printed.output, part);
+  const std::string box = (folder.path / "box").string();
+  const Outcome boxed = call("engine-input " + files + " --engine yade --box 27 --output " + box);
+  EXPECT_EQ(boxed.status, 0) << boxed.output;
+  EXPECT_CONTAINS(boxed.output, "box of 27 particles");
+  for (const char* name : {"contacts.py", "box.py", "particles.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "box" / name)) << name;
+  // What cannot be done says what to do, and writes nothing.
+  for (const auto& [line, part] : std::vector<std::pair<std::string, std::string>>{
+           {files + " --engine musen --box 27 --output " + box + "2", "lammps, liggghts and yade"},
+           {files + " --engine lammps --box 27", "--output"},
+           {files + " --engine lammps --restitution 0.01 --box 27 --output " + box + "2", "restitution"},
+           {silicon + " --engine lammps --restitution 0.8", "--many-particles"},
+           {files + " " + other + " --engine lammps", "give each pair once"},
+           {files + " --engine lammps --radii '5 um to 1 um'", "smallest first"}}) {
+    const Outcome refused = call("engine-input " + line);
+    EXPECT_EQ(refused.status, 2) << line << refused.output;
+    EXPECT_CONTAINS(refused.output, part);
+  }
+  EXPECT_FALSE(std::filesystem::exists(box + "2"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -77,15 +77,15 @@ def run(shape, law):
     sphere = O.materials.append(FrictMat(young=71e9, poisson=0.17, frictionAngle=math.atan(mu), density=2230))
     plane = O.materials.append(FrictMat(young=179e9, poisson=0.25, frictionAngle=math.atan(mu), density=2330))
     if shape == 'wall':
-        O.bodies.append(utils.wall(0., axis=2, material=plane)); bounds, geometry = [Bo1_Wall_Aabb()],
-            [Ig2_Wall_Sphere_ScGeom()]
+        O.bodies.append(utils.wall(0., axis=2, material=plane))
+        bounds, geometry = [Bo1_Wall_Aabb()], [Ig2_Wall_Sphere_ScGeom()]
     elif shape == 'facet':
         O.bodies.append(utils.facet([(-1e-4, -1e-4, 0), (1e-4, -1e-4, 0), (0, 1e-4, 0)], material=plane,
             fixed=True))
         bounds, geometry = [Bo1_Facet_Aabb()], [Ig2_Facet_Sphere_ScGeom()]
     else:
-        O.bodies.append(utils.sphere((0, 0, -1000*R), 1000*R, material=plane, fixed=True)); bounds,
-            geometry = [], []
+        O.bodies.append(utils.sphere((0, 0, -1000*R), 1000*R, material=plane, fixed=True))
+        bounds, geometry = [], []
     b = O.bodies.append(utils.sphere((0, 0, R - approach), R, material=sphere))
     O.bodies[b].state.blockedDOFs = 'xyXYZ'
     O.dt = 2e-9

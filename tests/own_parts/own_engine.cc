@@ -8,7 +8,7 @@ namespace {
 
 std::string own_input(InputNotes& notes) { return "friction " + text_number(notes.sliding()) + "\n"; }
 
-const RegisteredEngine entry{[] { return written_engine("own", "Own engine", own_input); }};
+const RegisteredEngine entry{[] { return written_engine("own", "Own engine", {own_input}); }};
 
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,23 @@
+// A matrix of materials as each engine takes it.
+#pragma once
+
+#include <string>
+
+#include "engines/many_particles/material_matrix.h"
+
+namespace asperity {
+
+/// pair_style granular with all pair_coeff, and a variable for each pair at a plane, for fix wall/gran.
+std::string lammps_matrix(const MaterialMatrix& matrix);
+/// Materials, functors and asperity_step() with all pairs.
+std::string yade_matrix(const MaterialMatrix& matrix);
+/// Properties by type, rolling by the model epsd3. Throws InputError for a material without E or nu.
+std::string liggghts_matrix(const MaterialMatrix& matrix);
+/// Species and mixed species.
+std::string mercurydpm_matrix(const MaterialMatrix& matrix);
+/// MaterialsDEM.json with all relations. Throws InputError for a material without E or nu.
+std::string kratos_matrix(const MaterialMatrix& matrix);
+/// Compounds and interactions as a list to type in.
+std::string musen_matrix(const MaterialMatrix& matrix);
+
+}  // namespace asperity

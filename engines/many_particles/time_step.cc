@@ -1,0 +1,70 @@
+#include "engines/many_particles/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "core/hertz.h"
+#include "core/printable.h"
+
+namespace asperity {
+namespace {
+
+constexpr double share_of_rayleigh = 0.2;  // usual, of dense packings (O'Sullivan 2011, sec. 3.5)
+constexpr double steps_per_period = 30;    // velocity Verlet is stable above pi; energy needs more
+
+double rayleigh_time(const MatrixMaterial& m, double radius) {
+  const double shear_modulus = m.youngs_modulus / (2 * (1 + m.poissons_ratio));
+  return M_PI * radius * std::sqrt(m.density / shear_modulus) / (0.1631 * m.poissons_ratio + 0.8766);
+}
+
+double mass(const MatrixMaterial& m, double radius) {
+  return 4.0 / 3 * M_PI * radius * radius * radius * m.density;
+}
+
+/// Squares of the angular frequencies of a sphere on one contact, `bodies` = 2 where the other one is as free
+/// and as heavy.
+std::vector<std::pair<double, std::string>> frequencies(const PairLaw& law, const MatrixMaterial& m, double R,
+                                                        double effective_radius, double load, int bodies) {
+  const Hertz hertz{law.reduced_modulus, effective_radius};
+  const double a = hertz.contact_radius(load), inertia = 0.4 * mass(m, R) * R * R;
+  const double lateral = 8 * law.shear_modulus * a, scale = effective_radius * effective_radius;
+  return {
+      {bodies * 2 * law.reduced_modulus * a / mass(m, R), "normal spring"},
+      {bodies * (lateral * R * R + law.rolling_stiffness * scale) / inertia, "lateral and rolling spring"},
+      {bodies * law.torsion_stiffness * scale / inertia, "torsion spring"}};
+}
+
+}  // namespace
+
+TimeStep time_step_of(const MaterialMatrix& matrix) {
+  TimeStep step;
+  double fastest = 0;
+  const double R = matrix.smallest_radius;
+  for (std::size_t i = 0; i < matrix.materials.size(); ++i) {
+    const MatrixMaterial& m = matrix.materials[i];
+    if (!(m.density > 0 && m.youngs_modulus > 0 && std::isfinite(m.poissons_ratio))) continue;
+    const double rayleigh = rayleigh_time(m, R);
+    step.rayleigh = step.rayleigh > 0 ? std::min(step.rayleigh, rayleigh) : rayleigh;
+    for (std::size_t j = 0; j < matrix.materials.size(); ++j)
+      for (const int bodies : {1, 2})
+        for (const auto& [squared, spring] :
+             frequencies(matrix.pair(i, j).law, m, R, bodies == 1 ? R : R / 2, matrix.load, bodies)) {
+          if (squared <= fastest) continue;
+          fastest = squared;
+          step.spring = spring + " of '" + printable(m.name) + "' on '" +
+                        printable(matrix.materials[j].name) + "'" + (bodies == 1 ? ", a plane" : "");
+        }
+  }
+  if (!(step.rayleigh > 0))
+    throw InputError(
+        matrix.files.front() +
+        ": no record has density, youngs_modulus and poissons_ratio of a material that particles are of; the "
+        "time step needs them");
+  step.shortest_period = 2 * M_PI / std::sqrt(fastest);
+  step.advised = std::min(share_of_rayleigh * step.rayleigh, step.shortest_period / steps_per_period);
+  return step;
+}
+
+}  // namespace asperity
