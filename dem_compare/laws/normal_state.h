@@ -10,6 +10,7 @@ struct NormalState {
   double contact_radius = 0;  ///< a [m]
   double stiffness = 0;       ///< d f_n / d delta [N/m]
   bool touching = false;      ///< history: an adhesive contact made at delta = 0 lasts to a negative approach
+  double largest_approach = 0;  ///< history: up to where it has yielded [m]; zero for elastic laws
 };
 
 }  // namespace asperity
