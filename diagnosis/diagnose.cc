@@ -45,7 +45,7 @@ class Diagnoser {
     // The residual of the best explanation is the best estimate of the noise.
     const bool explains =
         !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
-    if (explains && prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples))) {
+    if (explains && learns_noise_from(search_.candidates.front().fit)) {
       rescore(search_, problem_);
       baseline_ = search_.alone.fit;
       scanner_of_noise =
@@ -92,6 +92,26 @@ class Diagnoser {
                         problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
   }
 
+  /// The noise anew from what a fit leaves: where it is near what differences between neighbours show, and
+  /// where it is more, but nothing else is left than noise that neighbours share.
+  bool learns_noise_from(const ModelFit& fit) {
+    const Noise kept = problem_.noise;
+    const std::vector<double> residual = fit.residual(problem_.samples);
+    if (prepared_.learn_noise(residual)) return true;
+    if (!prepared_.learn_noise(residual, most_off)) return false;
+    const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    if (remaining(problem_, baseline_, scanner, fit).p_value > significance && is_all_noise(residual))
+      return true;
+    problem_.noise = kept;
+    return false;
+  }
+
+  /// What AR(1) leaves may be correlated by no more than chance: three deviations of the sum.
+  bool is_all_noise(const std::vector<double>& residual) const {
+    const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, baseline_.count)));
+    return shared_variance(problem_.samples, residual, problem_.noise) < 1 + chance;
+  }
+
   /// Where nothing explains it: whether what is left is noise that neighbours share, most of which
   /// differences between them do not show. If so, the noise is learned from it and `before` scanned anew.
   bool is_noise_that_neighbours_share(ScanResult& before) {
@@ -100,10 +120,7 @@ class Diagnoser {
     if (!prepared_.learn_noise(residual, most_off)) return false;
     const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
     const ScanResult anew = scan_of_baseline(scanner);
-    // What AR(1) leaves may be correlated by no more than chance: three deviations of the sum.
-    const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, baseline_.count)));
-    if (anew.p_value > significance &&
-        shared_variance(problem_.samples, residual, problem_.noise) < 1 + chance) {
+    if (anew.p_value > significance && is_all_noise(residual)) {
       before = anew;
       baseline_held_out_ =
           predict_held_out(problem_, finished(problem_, baseline_), blocks_of(problem_.samples));
@@ -261,22 +278,6 @@ class Diagnoser {
 };
 
 }  // namespace
-
-std::string name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::no_mismatch:
-      return "no_mismatch";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::partly_explained:
-      return "partly_explained";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
 
 Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) {
   if (!options.simulation && recording.simulation.by_finite_elements())

@@ -12,6 +12,8 @@ using Effects = std::vector<const Effect*>;
 
 /// Log evidence by which an effect must be better than none, and a set than one with a member less.
 constexpr double clear_evidence = 8, evidence_for_another = 4;
+/// Log evidence by which an effect of the instrument is named however small its part is.
+constexpr double plain_evidence = 25;
 /// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does
 /// not: less is what laws of this kind are off by.
 constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
@@ -57,7 +59,10 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     const double whole = excess(search.alone.fit) / search.overdispersion;
     const double rest = excess(smaller->fit) / search.overdispersion;
     if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
-    if (complete && gained < least_part * whole && leaves_noise(smaller->fit)) return false;
+    // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
+    const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
+                          candidate.score > smaller->score + plain_evidence;
+    if (complete && !is_plain && gained < least_part * whole && leaves_noise(smaller->fit)) return false;
   }
   return true;
 }

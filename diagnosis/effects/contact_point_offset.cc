@@ -14,7 +14,12 @@ class ContactPointOffset : public Effect {
                                      "Zero displacement was set before or after the surfaces touched; the "
                                      "whole curve is shifted along its displacement.",
                                      EffectKind::instrument,
-                                     {Motion::normal}};
+                                     {Motion::normal},
+                                     {},
+                                     {},
+                                     2,
+                                     true,
+                                     0.005};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -45,10 +45,10 @@ class Film : public Effect {
         EffectKind::contact,
         {Motion::normal},
         {},
-        {"normal_law"},
+        {"normal_law", "layer"},  // one curve does not tell a film from the layer of asperities upon it
         1,
         true,
-        0.15};
+        0.03};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

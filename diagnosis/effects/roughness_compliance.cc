@@ -26,7 +26,9 @@ class RoughnessCompliance : public Effect {
         "Asperities are pressed flat before the bulk bears: the contact is soft at low load and approaches "
         "the smooth one at high load.",
         EffectKind::contact,
-        {Motion::normal}};
+        {Motion::normal},
+        {},
+        {"layer"}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -79,6 +79,22 @@ Json forward_model(const Diagnosis& d) {
 
 }  // namespace
 
+std::string name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::no_mismatch:
+      return "no_mismatch";
+    case Verdict::explained:
+      return "explained";
+    case Verdict::partly_explained:
+      return "partly_explained";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
 std::string CorrectedEntry::written() const {
   return text.empty() ? printed("%.6g %s", value, unit.c_str()) : text;
 }

@@ -28,7 +28,8 @@ with open('particles.csv') as rows:
     for row in rows:
         type, *numbers = row.split(',')
         radius, x, y, z, *velocity = map(float, numbers)
-        spheres.append(O.bodies.append(utils.sphere((x, y, z), radius, material=asperity_materials[int(type)])))
+        material = asperity_materials[int(type)]
+        spheres.append(O.bodies.append(utils.sphere((x, y, z), radius, material=material)))
         O.bodies[spheres[-1]].state.vel = velocity
 
 def energy():

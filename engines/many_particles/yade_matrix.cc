@@ -17,7 +17,8 @@ std::string yade_matrix(const MaterialMatrix& matrix) {
   header.damping =
       "betan = (5/6)^(1/2) -ln e/(ln^2 e + pi^2)^(1/2) of the functor (Antypov & Elliott 2011), betas alike.";
   std::string text = header_text(matrix, header, python_comment) + R"(
-# O.engines: InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()],
+# O.engines: InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom(),
+#                             Ig2_Facet_Sphere_ScGeom()],
 #                            [asperity_functor], [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
 #            # behind it and before NewtonIntegrator(damping=0), at every step
 #            PyRunner(command='asperity_step()', iterPeriod=1, initRun=True),

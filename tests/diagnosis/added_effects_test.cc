@@ -132,6 +132,21 @@ TEST(Readings_analytic, of_a_bent_and_a_clipped_sensor) {
   EXPECT_EQ(clipped.normal.readings.at(0)(6 * uN), 6 * uN);
 }
 
+TEST(ActuatorHysteresis_analytic, shifts_the_way_back_alone_and_nothing_at_its_ends) {
+  const Mechanics m = with_effect("actuator_hysteresis", {-2 * nm});
+  auto shift = m.normal.shifts.at(0);
+  Sample sample;
+  const auto at = [&](double displacement, int direction) {
+    sample.normal_displacement = displacement, sample.direction = direction;
+    return shift(sample);
+  };
+  for (const double d : {-10 * nm, 0.0, 10 * nm, 30 * nm}) EXPECT_EQ(at(d, 1), 0) << d;
+  EXPECT_NEAR(at(30 * nm, -1), 0, 1e-20);
+  EXPECT_NEAR(at(10 * nm, -1), -2 * nm, 1e-18);
+  EXPECT_NEAR(at(0, -1), -2 * nm * 0.75, 1e-18);
+  EXPECT_NEAR(at(-10 * nm, -1), 0, 1e-20);
+}
+
 TEST(IndentationSize_analytic, is_the_yielding_sphere_of_the_stress_at_its_depth) {
   const double yield = 0.4e9, length = 30 * nm, d = 20 * nm;
   const Mechanics m = with_effect("indentation_size", {yield, length});

@@ -44,6 +44,7 @@ TEST(Catalogue_behaviour, holds_every_effect_of_the_format_by_its_name) {
                          "electrostatic",
                          "viscoelasticity",
                          "detector_nonlinearity",
+                         "actuator_hysteresis",
                          "clipping",
                          "constant_lateral_force",
                          "friction_by_roughness",

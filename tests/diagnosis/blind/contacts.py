@@ -173,7 +173,7 @@ class Adhesive:
 
 
 class Coated:
-    """A thin soft film: modulus of the half-space weighted by exp(-t/a) (King 1987; Saha & Nix 2002). Not in the catalogue."""
+    """A thin soft film: modulus of the half-space weighted by exp(-t/a) (King 1987; Saha & Nix 2002)."""
 
     def __init__(self, modulus, radius, softer, thickness):
         self.modulus, self.radius, self.softer, self.thickness = modulus, radius, softer, thickness

@@ -97,6 +97,10 @@ class Normals:
         if "clipped" in parts:
             top = self.between(0.7, 0.9) * largest
             given["detector"] = lambda force: min(force, top)
+        if "interference" in parts:  # light reflected by the sample: a ripple along the displacement
+            given["ripple"] = (self.between(0.03, 0.08) * largest, self.between(0.3, 0.7) * depth)
+        if "piezo" in parts:  # hysteresis of the actuator: its way back lies beside its way there
+            given["hysteresis"] = parameters["actuator_hysteresis/lag"] = self.sign() * self.between(0.03, 0.08) * depth
         if "jumps" in parts:
             how["jumps"] = (0.4 * largest, self.between(0.06, 0.2) * depth)
         depths = [depth * part for part in ({1: (1,), 3: (0.4, 0.7, 1)}[runs])]
@@ -109,7 +113,7 @@ class Normals:
 NAMES = {"compliance": "instrument_compliance", "offset": "contact_point_offset", "drift": "thermal_drift", "tilt": "baseline_tilt",
          "creep": "creep", "yielding": "bulk_plasticity", "incipient": "bulk_plasticity", "greenwood_tripp": "roughness_compliance",
          "rough_sphere": "roughness_compliance", "adhesion": "adhesion", "radius": "effective_radius",
-         "jumps": "pop_in", "nonlinear": "detector_nonlinearity", "clipped": "clipping"}
+         "jumps": "pop_in", "nonlinear": "detector_nonlinearity", "clipped": "clipping", "coated": "film", "piezo": "actuator_hysteresis"}
 AWAY = {"off_contact": 0.5}
 HELD = {"hold": 20.0, "by_force": True, "duration": 2.0}
 
@@ -136,8 +140,12 @@ def normal_recordings(random, surfaces):
             yield draw.recording("null", "noise", "elastic", [], noise(), runs=runs, **how)
         for kind, parts, how in (("coated", (), AWAY), ("elastic", ("jumps",), AWAY), ("elastic", ("nonlinear",), AWAY),
                                  ("elastic", ("clipped",), AWAY), ("elastic", ("nonlinear",), {"hold": 10.0})):
-            family, truth = ("single", [NAMES[parts[0]]]) if parts else ("unknown", ["unknown"])
-            yield draw.recording(family, parts[0] if parts else kind, kind, truth, draw.between(0.002, 0.01), parts, runs=runs, **how)
+            name = parts[0] if parts else kind
+            yield draw.recording("single", name, kind, [NAMES[name]], draw.between(0.002, 0.01), parts, runs=runs, **how)
+        for _ in range(2):
+            yield draw.recording("single", "piezo", "elastic", [NAMES["piezo"]], draw.between(0.002, 0.01), ("piezo",), runs=runs, **AWAY)
+            yield draw.recording("unknown", "interference", "elastic", ["unknown"], draw.between(0.002, 0.01), ("interference",),
+                                 runs=runs, **AWAY)
         for part, how in (("tilt", {}), ("drift", {"unload": False})):  # nothing off contact, no hold: these data cannot say
             yield draw.recording("cannot say", part, "elastic", [NAMES[part]], draw.between(0.002, 0.01), (part,), runs=runs, **how)
     for kind, how in (("adhesion", AWAY), ("yielding", AWAY), ("creep", HELD)):

@@ -27,12 +27,15 @@ def noises(random, count, sd, memory):
 class Instrument:
     """d = d_contact + C f + offset + rate t, f = (f_contact + slope d) through the detector."""
 
-    def __init__(self, compliance=0.0, offset=0.0, rate=0.0, slope=0.0, detector=None):
-        self.compliance, self.offset, self.rate, self.slope = compliance, offset, rate, slope
+    def __init__(self, compliance=0.0, offset=0.0, rate=0.0, slope=0.0, detector=None, ripple=None, hysteresis=0.0):
+        self.compliance, self.offset, self.rate, self.slope, self.hysteresis = compliance, offset, rate, slope, hysteresis
+        self.ripple = ripple  # amplitude and period
         self.detector = detector or (lambda force: force)
 
     def read(self, approach, force, time):
         displacement = approach + self.compliance * force + self.offset + self.rate * time
+        if self.ripple:
+            force += self.ripple[0] * math.sin(2 * math.pi * displacement / self.ripple[1])
         return displacement, self.detector(force + self.slope * displacement)
 
 
@@ -74,6 +77,9 @@ class Normal:
                     jumped = self.jumps[1]
                 last_force, last_time = force, time
                 displacement, read = self.instrument.read(approach + scale * crept + jumped, force, time)
+                if segment == "unload":  # of the actuator: nothing at both ends of its way
+                    part = (approach + self.off_contact * max(self.depths)) / (depth + self.off_contact * max(self.depths))
+                    displacement += self.instrument.hysteresis * math.sin(math.pi * part)
                 # What drives moves on: a spring in series lets a contact snap open where force falls faster than the spring
                 # gives way, and what lies between before and after a snap is not recorded.
                 if segment == "unload" and force < 0 and displacement > furthest:
