@@ -63,7 +63,8 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
       "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a "
       "discrete element simulation needs.");
   app.name("asperity");
-  app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + build_commit());
+  app.set_version_flag("--version", std::string("asperity " ASPERITY_VERSION ", commit ") + build_commit() +
+                                        "\nbuilt with " ASPERITY_PACKAGES);
   app.require_subcommand(1);
   app.footer(
       "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"

@@ -48,7 +48,7 @@ class Film : public Effect {
         {"normal_law", "layer"},  // one curve does not tell a film from the layer of asperities upon it
         1,
         true,
-        0.03};
+        0.15};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

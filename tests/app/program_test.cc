@@ -30,6 +30,9 @@ TEST(Program_behaviour, helps_and_says_its_version) {
   EXPECT_EQ(call("study --help").status, 0);
   EXPECT_EQ(call("--version").status, 0);
   EXPECT_EQ(call("--version").output.rfind("asperity ", 0), 0u);
+  for (const char* package : {"\nbuilt with ", "deal.II 9.", "VTK 9.", "Eigen 3.", "Trilinos 1", "PETSc 3."})
+    EXPECT_NE(call("--version").output.find(package), std::string::npos)
+        << package << call("--version").output;
 }
 
 TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {

@@ -106,7 +106,10 @@ ReadmeGroup one_particle() {
        {"build/asperity engine " + silicon + " --engine lammps --experiment glued --output loop", "", "", "",
         "loop/engine.json"},
        {"build/asperity engine-input " + silicon + " --engine yade --output contact.py", "", "", "",
-        "contact.py"}}};
+        "contact.py"},
+       {"build/asperity engine-input " + silicon +
+            " --engine lammps --box 1000 --restitution 0.8 --output box",
+        "", "", "box of 1000 particles", "box/in.box"}}};
 }
 
 ReadmeGroup recordings() {
