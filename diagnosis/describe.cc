@@ -205,6 +205,19 @@ std::vector<SimulatedRows> simulated_rows(const Recording& recording, const FitP
   return tables;
 }
 
+namespace {
+
+/// What an explanation leaves.
+std::string what_is_left(const Diagnosis& d) {
+  if (d.rows_are_points_of_a_curve)
+    return ": the rows are points of a curve that was fitted, which it goes through.";
+  if (d.improved.chi2_reduced >= largest_of_noise)
+    return ", more than noise, but no more than laws of this kind are off by.";
+  return ", which is noise.";
+}
+
+}  // namespace
+
 std::string in_words(const Diagnosis& d) {
   const std::string numbers =
       printed("chi-square per sample falls from %.3g to %.3g (data kept out of the fit: %.3g to %.3g)",
@@ -216,10 +229,7 @@ std::string in_words(const Diagnosis& d) {
              std::string(d.rows_are_points_of_a_curve ? "far less than noise would leave" : "noise") +
              ". Nothing was left out that these data can show.";
     case Verdict::explained:
-      return "The simulation left out " + titles(d.left_out) + ". With it " + numbers +
-             (d.rows_are_points_of_a_curve
-                  ? ": the rows are points of a curve that was fitted, which it goes through."
-                  : ", which is noise.");
+      return "The simulation left out " + titles(d.left_out) + ". With it " + numbers + what_is_left(d);
     case Verdict::partly_explained:
       return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " +
              numbers + "; structure remains.";

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/describe.h"
 #include "diagnosis/fit/explanation.h"
 #include "diagnosis/mechanics/yielding_contact.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -145,6 +146,17 @@ TEST(ActuatorHysteresis_analytic, shifts_the_way_back_alone_and_nothing_at_its_e
   EXPECT_NEAR(at(10 * nm, -1), -2 * nm, 1e-18);
   EXPECT_NEAR(at(0, -1), -2 * nm * 0.75, 1e-18);
   EXPECT_NEAR(at(-10 * nm, -1), 0, 1e-20);
+}
+
+TEST(InWords_regression, more_than_noise_is_not_called_noise) {
+  Diagnosis d;
+  d.verdict = Verdict::explained;
+  d.improved.chi2_reduced = 1.1;
+  EXPECT_NE(in_words(d).find("which is noise"), std::string::npos) << in_words(d);
+  d.improved.chi2_reduced = 2;
+  EXPECT_NE(in_words(d).find("more than noise, but no more than laws of this kind are off by"),
+            std::string::npos)
+      << in_words(d);
 }
 
 TEST(IndentationSize_analytic, is_the_yielding_sphere_of_the_stress_at_its_depth) {
