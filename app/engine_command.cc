@@ -180,9 +180,10 @@ void add_input_command(CLI::App& app) {
   input->add_option("--engine", input_arguments->engine, joined(engine_input_names(), ", "))->required();
   input->add_option("--output", input_arguments->output,
                     "File to write (default: print); with --box a folder");
-  input->add_option(
-      "--load", input_arguments->load,
-      "Normal load at which limits that depend on it are right (default: balanced over the fitted loads)");
+  input->add_option("--load", input_arguments->load,
+                    "Normal load at which limits that depend on it are right (default: balanced over the "
+                    "fitted loads); with "
+                    "many particles also the highest load that the time step is for");
   input->add_flag("--many-particles", input_arguments->many_particles,
                   "All pairs of all materials with time step and damping (implied by several records)");
   input->add_option("--restitution", input_arguments->restitution,

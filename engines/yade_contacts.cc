@@ -64,7 +64,7 @@ def asperity_find(i):
     numbers, size = dict(contact['numbers']), asperity_radius(i)/contact['radius']
     numbers['kno'] *= size**0.5
     numbers['kso'] *= size**0.5
-    moments = size if contact['goes_with_size'] else 1
+    moments = size if contact.get('goes_with_size') else 1
     numbers['kr'] *= moments**2
     numbers['ktw'] *= moments**2
     numbers['maxBendPl'] *= moments

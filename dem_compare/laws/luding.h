@@ -1,4 +1,4 @@
-// Piecewise linear, elasto-plastic and adhesive (Luding 2008, Granul. Matter 10, eqs. 4-8): loading k1 delta;
+// Piecewise linear, elasto-plastic and adhesive (Luding 2008, Granul. Matter 10, 235): loading k1 delta;
 // unloading and reloading k2 (delta - delta_0), delta_0 = (1 - k1/k2) delta_max; never below -k_c delta. k2
 // grows with the largest approach, k1 + (k_p - k1) delta_max/delta_p, up to k_p at delta_p (0: k_p at once).
 // On the branch -k_c delta the history goes back: reloading from there meets it again. a = (R delta)^(1/2).

@@ -1,8 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
-#include "core/error.h"
 #include "core/printable.h"
 #include "engines/many_particles/matrix_header.h"
 #include "engines/many_particles/matrix_inputs.h"
@@ -31,6 +28,7 @@ Json relation(const MaterialMatrix& matrix, const PairLaw& law) {
 }  // namespace
 
 std::string kratos_matrix(const MaterialMatrix& matrix) {
+  matrix.require_elasticity("Kratos");
   MatrixHeader header;
   header.engine = "Kratos DEMApplication";
   header.sizes = "Rolling has the smaller radius as its arm: right for pairs of one size and at walls.";
@@ -45,10 +43,6 @@ std::string kratos_matrix(const MaterialMatrix& matrix) {
   json["materials"] = json["material_relations"] = Json::array();
   for (std::size_t i = 0; i < matrix.materials.size(); ++i) {
     const MatrixMaterial& m = matrix.materials[i];
-    if (!std::isfinite(m.youngs_modulus) || !std::isfinite(m.poissons_ratio))
-      throw InputError(matrix.files.front() +
-                       ": Kratos makes E* and G* from E and nu, and no record has them of '" +
-                       printable(m.name) + "'; add youngs_modulus and poissons_ratio to that body");
     Json variables;
     if (m.density > 0) variables["PARTICLE_DENSITY"] = m.density;
     variables["YOUNG_MODULUS"] = m.youngs_modulus;

@@ -4,6 +4,7 @@
 #include "engines/lammps.h"
 #include "engines/many_particles/matrix_header.h"
 #include "engines/many_particles/matrix_inputs.h"
+#include "engines/many_particles/time_step.h"
 #include "engines/text_number.h"
 
 namespace asperity {
@@ -77,7 +78,7 @@ std::string lammps_matrix(const MaterialMatrix& matrix) {
     for (std::size_t i = 0; i < matrix.materials.size(); ++i)
       text += "variable on_plane_" + std::to_string(i + 1) + "_" + std::to_string(j + 1) + " string \"" +
               law_text(matrix, i, j, matrix.wall_radius()) + "\"\n";
-  return text;
+  return text + "timestep " + text_number(time_step_of(matrix).advised) + "\n";
 }
 
 }  // namespace asperity

@@ -1,8 +1,6 @@
 #include <cmath>
 
-#include "core/error.h"
 #include "core/hertz.h"
-#include "core/printable.h"
 #include "core/printed.h"
 #include "engines/many_particles/matrix_header.h"
 #include "engines/many_particles/matrix_inputs.h"
@@ -24,11 +22,7 @@ void each_pair(const MaterialMatrix& matrix, const Do& act) {
 /// E* and G* follow from E and nu here: what that makes of each pair.
 void compare_moduli(const MaterialMatrix& matrix, MatrixHeader& header) {
   constexpr double agrees = 1e-3;
-  for (const MatrixMaterial& m : matrix.materials)
-    if (!std::isfinite(m.youngs_modulus) || !std::isfinite(m.poissons_ratio))
-      throw InputError(matrix.files.front() +
-                       ": LIGGGHTS makes E* and G* from E and nu, and no record has them of '" +
-                       printable(m.name) + "'; add youngs_modulus and poissons_ratio to that body");
+  matrix.require_elasticity("LIGGGHTS");
   each_pair(matrix, [&](std::size_t i, std::size_t j) {
     const ElasticBody a{matrix.materials[i].youngs_modulus, matrix.materials[i].poissons_ratio},
         b{matrix.materials[j].youngs_modulus, matrix.materials[j].poissons_ratio};

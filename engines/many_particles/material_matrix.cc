@@ -74,7 +74,8 @@ std::pair<std::size_t, std::size_t> key(std::size_t i, std::size_t j) {
 }
 
 /// Mean of what records say of a material: of its pair with itself where there is one, else of all its pairs.
-/// A resistance that one of them lacks is zero: nothing is made up.
+/// A resistance to rolling or torsion that one of them lacks is zero: nothing is made up. Friction is in
+/// every record, and zero is a value of it.
 PairLaw mean_of(const Pairs& found, std::size_t material) {
   std::vector<PairLaw> laws;
   if (const auto like = found.find({material, material}); like != found.end())
@@ -85,7 +86,7 @@ PairLaw mean_of(const Pairs& found, std::size_t material) {
   const auto mean = [&](double PairLaw::*member) {
     double sum = 0;
     for (const PairLaw& law : laws) {
-      if (law.*member == 0) return 0.0;
+      if (law.*member == 0 && member != &PairLaw::sliding) return 0.0;
       sum += law.*member;
     }
     return sum / double(laws.size());
@@ -112,7 +113,8 @@ MaterialPair mixed(const MaterialMatrix& matrix, const Pairs& found, std::size_t
   const ElasticBody of_a{a.youngs_modulus, a.poissons_ratio}, of_b{b.youngs_modulus, b.poissons_ratio};
   const PairLaw mean_a = mean_of(found, i), mean_b = mean_of(found, j);
   const auto between = [&](double PairLaw::*member) {
-    return mean_a.*member > 0 && mean_b.*member > 0 ? (mean_a.*member + mean_b.*member) / 2 : 0;
+    const bool both_have = mean_a.*member > 0 && mean_b.*member > 0;
+    return both_have || member == &PairLaw::sliding ? (mean_a.*member + mean_b.*member) / 2 : 0;
   };
   MaterialPair pair;
   pair.is_mixed = true;
@@ -162,6 +164,14 @@ const MaterialPair& MaterialMatrix::pair(std::size_t i, std::size_t j) const {
   std::size_t index = 0;
   for (std::size_t k = 0; k < row; ++k) index += materials.size() - k;
   return pairs.at(index + column - row);
+}
+
+void MaterialMatrix::require_elasticity(const std::string& engine) const {
+  for (const MatrixMaterial& m : materials)
+    if (!std::isfinite(m.youngs_modulus) || !std::isfinite(m.poissons_ratio))
+      throw InputError(files.front() + ": " + engine +
+                       " makes E* and G* from E and nu, and no record has them of '" + printable(m.name) +
+                       "'; add youngs_modulus and poissons_ratio to that body");
 }
 
 std::size_t MaterialMatrix::wall() const {

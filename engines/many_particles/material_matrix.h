@@ -63,6 +63,8 @@ struct MaterialMatrix {
   /// Of a pair of particles of the largest size, and of one on a plane [m].
   double pair_radius() const { return largest_radius / 2; }
   double wall_radius() const { return largest_radius; }
+  /// For an engine that computes E* and G* itself; throws InputError for a material without E or nu.
+  void require_elasticity(const std::string& engine) const;
   /// Index of the material of walls: the first plane of a record, else the last material.
   std::size_t wall() const;
 };

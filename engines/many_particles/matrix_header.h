@@ -29,7 +29,7 @@ std::string pair_name(const MaterialMatrix& matrix, std::size_t i, std::size_t j
 
 /// Damping ratio beta of a Hertz contact whose damper goes with the root of its tangent stiffness k, 2 beta
 /// (5/6)^(1/2) (m k)^(1/2), from the restitution e: -ln e/(ln^2 e + pi^2)^(1/2) (Antypov & Elliott 2011, EPL
-/// 94, eq. 22).
+/// 94, 50004).
 double hertz_damping_ratio(double restitution);
 
 }  // namespace asperity

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr double share_of_rayleigh = 0.2;  // usual, of dense packings (O'Sullivan 2011, sec. 3.5)
+constexpr double share_of_rayleigh = 0.2;  // usual, of dense packings (O'Sullivan 2011)
 constexpr double steps_per_period = 30;    // velocity Verlet is stable above pi; energy needs more
 
 double rayleigh_time(const MatrixMaterial& m, double radius) {

@@ -96,6 +96,12 @@ TEST(MaterialMatrix_analytic, resistance_that_one_of_both_lacks_is_not_made_up) 
   EXPECT_EQ(m.pair(1, 1).law.rolling, 0);  // silicon: one of its pairs lacks it
 }
 
+TEST(MaterialMatrix_analytic, zero_friction_is_a_value_and_not_one_that_is_missing) {
+  ContactParameters smooth = polystyrene_on_silicon();
+  smooth.sliding_friction->value = 0;
+  EXPECT_DOUBLE_EQ(material_matrix({glass_on_silicon(), smooth}, {}).pair(0, 2).law.sliding, 0.23 / 2);
+}
+
 TEST(MaterialMatrix_regression, refuses_what_records_cannot_say) {
   const auto refused = [](std::vector<ContactParameters> records, const MatrixOptions& options = {}) {
     return message_of<InputError>([&] { material_matrix(records, options); });
@@ -127,6 +133,21 @@ TEST(MaterialMatrix_analytic, time_step_is_a_share_of_rayleigh_time_and_of_the_s
   EXPECT_NEAR(step.rayleigh, M_PI * radius * std::sqrt(2230 / G) / (0.1631 * 0.17 + 0.8766), 1e-14);
   // Of polystyrene, the lighter one, on silicon: k_l R^2 + K_ro over (2/5) m R^2, or two particles of it.
   EXPECT_NE(step.spring.find("lateral and rolling"), std::string::npos) << step.spring;
+  // A sphere on a plane, or two of a kind, with masses m and m/2 on the springs of R and R/2; silicon has no
+  // density.
+  double fastest = 0;
+  for (const std::size_t own : {0, 2})
+    for (const std::size_t other : {0, 1, 2})
+      for (const int spheres : {1, 2}) {
+        const double mass = 4.0 / 3 * M_PI * std::pow(radius, 3) * (own == 0 ? 2230 : 1050);
+        const PairLaw& law = m.pair(own, other).law;
+        const double R_e = radius / spheres;
+        const double delta = std::pow(0.75 * 1e-4 / (law.reduced_modulus * std::sqrt(R_e)), 2.0 / 3);
+        const double k_l = 8 * law.shear_modulus * std::sqrt(R_e * delta),
+                     K = law.rolling_stiffness * R_e * R_e;
+        fastest = std::max(fastest, (k_l + K / (radius * radius)) / (0.4 * mass / spheres));
+      }
+  EXPECT_NEAR(step.shortest_period / (2 * M_PI / std::sqrt(fastest)), 1, 1e-9);
   EXPECT_DOUBLE_EQ(step.advised, std::min(step.rayleigh / 5, step.shortest_period / 30));
   EXPECT_NEAR(hertz_damping_ratio(1), 0, 1e-15);
   EXPECT_NEAR(hertz_damping_ratio(std::exp(-M_PI)), std::sqrt(0.5), 1e-12);

@@ -57,7 +57,7 @@ TEST(ThorntonNing_analytic, yields_where_the_pressure_in_the_middle_is_p_y) {
               1e-9 * pressure);
 }
 
-// Thornton 1997, eq. (31): e^2 = (6 sqrt(3)/5) [1 - (V_y/V)^2/6] [ (V_y/V)/((V_y/V) + 2 sqrt(6/5 -
+// Thornton 1997: e^2 = (6 sqrt(3)/5) [1 - (V_y/V)^2/6] [ (V_y/V)/((V_y/V) + 2 sqrt(6/5 -
 // (V_y/V)^2/5)) ]^(1/2).
 TEST(ThorntonNing_analytic, restitution_is_that_of_thorntons_closed_form) {
   const double delta_y = plastic.yield_approach(), of_yield = 0.4 * plastic.yield_force() * delta_y;
@@ -112,7 +112,7 @@ TEST(Luding_analytic, restitution_is_the_root_of_both_stiffnesses) {
   EXPECT_NEAR(partly.out / partly.in, k1 / (0.5 * (k1 + kp)), 1e-6);
 }
 
-// Luding 2008, eq. (7): f_min = -k_c delta_min, delta_min = (k2 - k1)/(k2 + k_c) delta_max.
+// Luding 2008: f_min = -k_c delta_min, delta_min = (k2 - k1)/(k2 + k_c) delta_max.
 TEST(Luding_analytic, strongest_pull_is_that_of_the_largest_approach) {
   const double largest = 5e-9;
   const Work work = cycle(Luding{k1, kp, kc, 0, radius}, largest);
