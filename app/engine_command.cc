@@ -66,7 +66,7 @@ void run_engine(const RunArguments& arguments) {
 
 struct InputArguments {
   std::vector<std::string> parameters;
-  std::string engine, output, load, radii;
+  std::string engine, output, load, radii, normal_law = "hertz";
   std::optional<double> restitution;
   std::optional<int> box;
   bool many_particles = false;
@@ -113,12 +113,17 @@ void write_input(const InputArguments& arguments) {
   std::vector<ContactParameters> records;
   for (const auto& file : arguments.parameters) records.push_back(read_contact_parameters(file));
   if (records.size() > 1 || arguments.many_particles || arguments.box) {
+    if (arguments.normal_law != "hertz")
+      throw InputError("--normal-law " + printable(arguments.normal_law) +
+                       " is written for one contact at a time: give one record, without --many-particles and "
+                       "--box");
     write_matrix(arguments, records);
   } else {
     if (arguments.restitution || !arguments.radii.empty())
       throw InputError("--restitution and --radii are for many particles: add --many-particles");
     EngineInputOptions options;
     if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
+    options.normal_law = arguments.normal_law;
     put(engine_input(arguments.engine, records.front(), options), arguments.output);
   }
   for (const ContactParameters& record : records)
@@ -184,6 +189,10 @@ void add_input_command(CLI::App& app) {
                     "Normal load at which limits that depend on it are right (default: balanced over the "
                     "fitted loads); with "
                     "many particles also the highest load that the time step is for");
+  input
+      ->add_option("--normal-law", input_arguments->normal_law,
+                   "hertz, or of a contact that yielded luding (liggghts, mercurydpm, yade) or mdr (lammps)")
+      ->capture_default_str();
   input->add_flag("--many-particles", input_arguments->many_particles,
                   "All pairs of all materials with time step and damping (implied by several records)");
   input->add_option("--restitution", input_arguments->restitution,

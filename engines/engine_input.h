@@ -18,6 +18,7 @@ struct EngineInputOptions {
   /// Load at which the limits are right [N]; without one, as much too large at one end of the fitted loads as
   /// too small at the other.
   std::optional<double> load;
+  std::string normal_law = "hertz";  ///< or the engine's elasto-plastic one
 };
 
 class InputNotes;
@@ -33,6 +34,10 @@ class WrittenEngine {
   /// What a user pastes for the contact of the notes. Throws InputError for a record that lacks what is
   /// needed.
   virtual std::string contact_input(InputNotes& notes) const = 0;
+  /// Its elasto-plastic normal law, "luding" or "mdr"; empty where asperity writes none for it.
+  virtual std::string elastoplastic_law() const { return ""; }
+  /// As contact_input(), with that law.
+  virtual std::string elastoplastic_input(InputNotes& notes) const;
   /// The contacts of all pairs of materials; throws InputError where that is not written for this engine.
   virtual std::string matrix_input(const MaterialMatrix& matrix) const;
   /// What the file of these is called beside a box.

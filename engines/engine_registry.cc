@@ -21,6 +21,10 @@ class FunctionEngine : public WrittenEngine {
   std::string matrix_input(const MaterialMatrix& matrix) const override {
     return writers_.matrix ? writers_.matrix(matrix) : WrittenEngine::matrix_input(matrix);
   }
+  std::string elastoplastic_law() const override { return writers_.elastoplastic_law; }
+  std::string elastoplastic_input(InputNotes& notes) const override {
+    return writers_.elastoplastic ? writers_.elastoplastic(notes) : WrittenEngine::elastoplastic_input(notes);
+  }
   bool writes_boxes() const override { return writers_.box != nullptr; }
   std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,
                                                              const ParticleBox& box) const override {
@@ -35,6 +39,10 @@ class FunctionEngine : public WrittenEngine {
 std::string key_of(const std::unique_ptr<WrittenEngine>& engine) { return engine->key(); }
 
 }  // namespace
+
+std::string WrittenEngine::elastoplastic_input(InputNotes&) const {
+  throw InputError("asperity writes no elasto-plastic normal law for " + name() + "; leave --normal-law out");
+}
 
 std::string WrittenEngine::matrix_input(const MaterialMatrix&) const {
   throw InputError("asperity writes the contacts of " + name() + " one at a time: give one record");
@@ -70,7 +78,12 @@ std::string engine_input(const std::string& key, const ContactParameters& parame
                          const EngineInputOptions& options) {
   const WrittenEngine& engine = written_engine_of(key);
   InputNotes notes(parameters, options, engine.name());
-  return engine.contact_input(notes);
+  if (options.normal_law == "hertz") return engine.contact_input(notes);
+  const std::string law = engine.elastoplastic_law();
+  if (options.normal_law != law)
+    throw InputError("asperity writes no normal law '" + options.normal_law + "' for " + engine.name() +
+                     "; --normal-law is hertz" + (law.empty() ? "" : " or " + law) + " there");
+  return engine.elastoplastic_input(notes);
 }
 
 std::vector<const Engine*> runnable_engines() {

@@ -20,6 +20,8 @@ struct EngineWriters {
   std::string (*matrix)(const MaterialMatrix&) = nullptr;
   std::vector<std::pair<std::string, std::string>> (*box)(const MaterialMatrix&, const ParticleBox&,
                                                           const std::string& contacts) = nullptr;
+  const char* elastoplastic_law = "";
+  std::string (*elastoplastic)(InputNotes&) = nullptr;  ///< a contact with that law
 };
 std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std::string& name,
                                               const EngineWriters& writers);

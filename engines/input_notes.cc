@@ -99,6 +99,14 @@ double InputNotes::shear_modulus() {
   return folded.number;
 }
 
+double InputNotes::constant_lateral_stiffness() {
+  const Folded folded =
+      fold([&](double load) { return p_.lateral_stiffness_at(load); }, [](double) { return 1.0; },
+           range(&ContactParameters::sliding_friction, &ContactParameters::sliding_offset), options_.load);
+  state("lateral stiffness, which is constant here", folded);
+  return folded.number;
+}
+
 double InputNotes::constant_rolling_stiffness() {
   return rolling_stiffness_over([](double) { return 1.0; }, "which is constant here");
 }

@@ -30,6 +30,8 @@ class InputNotes {
   double torsion();
   /// k_l/(8 a) [Pa], the G* that the engine's 8 G* a must be given.
   double shear_modulus();
+  /// k_l [N/m] where the engine takes a constant.
+  double constant_lateral_stiffness();
   /// K [N m/rad] where the engine takes a constant; zero where the record has none.
   double constant_rolling_stiffness();
   double constant_torsion_stiffness();

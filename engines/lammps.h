@@ -18,6 +18,8 @@ class Lammps : public Engine {
   std::string key() const override { return "lammps"; }
   std::string name() const override { return "LAMMPS"; }
   std::string contact_input(InputNotes& notes) const override;
+  std::string elastoplastic_law() const override { return "mdr"; }
+  std::string elastoplastic_input(InputNotes& notes) const override;
   std::string matrix_input(const MaterialMatrix& matrix) const override;
   bool writes_boxes() const override { return true; }
   std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,

@@ -19,6 +19,8 @@ class Yade : public Engine {
   std::string key() const override { return "yade"; }
   std::string name() const override { return "YADE"; }
   std::string contact_input(InputNotes& notes) const override;
+  std::string elastoplastic_law() const override { return "luding"; }
+  std::string elastoplastic_input(InputNotes& notes) const override;
   std::string matrix_input(const MaterialMatrix& matrix) const override;
   std::string matrix_file() const override { return "contacts.py"; }
   bool writes_boxes() const override { return true; }

@@ -128,7 +128,7 @@ Characterisation characterised(const ParameterSet& set, const Derivation& deriva
   for (const QuantityEntry& entry : quantity_entries()) {
     const auto& quantity = parameters.*entry.member;
     if (!quantity) {
-      table.not_known.emplace_back(entry.key);
+      if (!entry.needs_yield) table.not_known.emplace_back(entry.key);
       continue;
     }
     const Motion told_by = motion_named(entry.told_by).value();

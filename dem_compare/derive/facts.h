@@ -54,6 +54,22 @@ struct YieldFact {
   std::size_t yielded = 0, cases = 0;
   double from = 0, largest = 0;  ///< load at which it is first seen [N], plastic volume [m^3]
 };
+/// An elasto-plastic law beside what was solved at one load, each less one.
+struct ElastoplasticErrors {
+  double load = 0;    ///< the largest of the case [N]
+  double misfit = 0;  ///< root mean square of the force over the largest
+  double unloading_stiffness = 0, imprint = 0, dissipated = 0;
+};
+/// An elasto-plastic normal law, fitted to load and unload at the largest load.
+struct ElastoplasticFact {
+  enum class Law { thornton_ning, luding } law = Law::thornton_ning;
+  Uncertain first, second;                  ///< E* and p_y [Pa]; k1 and k_p [N/m]
+  double third = 0;                         ///< w [J/m^2]; k_c [N/m]; zero without a pull
+  double at_load = 0;                       ///< [N]
+  double good_from = 0;                     ///< load from which on the force of loading is within a tenth [N]
+  std::vector<ElastoplasticErrors> errors;  ///< of the load it was fitted at, then of smaller loads
+  std::vector<CaseNumber> numbers;          ///< of all cases at that load
+};
 struct PullOffFact {
   Uncertain value;  ///< [N]
 };
@@ -111,10 +127,10 @@ struct ShearModulusFact {
 struct TorsionFact {
   double ratio = 0;
 };
-using Fact =
-    std::variant<ModulusFact, RadiusFact, ExponentFact, NormalStiffnessFact, GrowthFact, YieldFact,
-                 PullOffFact, ScatterFact, MeshFact, MeanResistanceFact, DissipationFact, LawFact, LengthFact,
-                 MisfitFact, LocalFrictionFact, StiffnessFact, ReversalFact, ShearModulusFact, TorsionFact>;
+using Fact = std::variant<ModulusFact, RadiusFact, ExponentFact, NormalStiffnessFact, GrowthFact, YieldFact,
+                          ElastoplasticFact, PullOffFact, ScatterFact, MeshFact, MeanResistanceFact,
+                          DissipationFact, LawFact, LengthFact, MisfitFact, LocalFrictionFact, StiffnessFact,
+                          ReversalFact, ShearModulusFact, TorsionFact>;
 
 /// What the cases cannot tell, each with the cases that would.
 struct OpenQuestion {
@@ -122,6 +138,7 @@ struct OpenQuestion {
     hertz_fit,  ///< no case has enough load steps
     exponent,   ///< of the normal law
     normal_stiffness,
+    elastoplastic,  ///< no case that yielded tells an elasto-plastic law
     pull_off,
     growth,   ///< of a stiffness with the load
     scatter,  ///< between realisations
@@ -150,8 +167,10 @@ struct Origin {
     material_shear,  ///< G* likewise
     hertz_fit,
     hertz_fit_with_offset,
-    largest_load,   ///< elastic stiffness there
-    yielded,        ///< material did
+    largest_load,  ///< elastic stiffness there
+    yielded,       ///< material did
+    thornton_ning_fit,
+    luding_fit,
     pull,           ///< number: cases
     stiffness,      ///< `source`
     smooth_growth,  ///< number: exponent of a smooth contact

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "dem_compare/cases/normal_numbers.h"
+#include "dem_compare/derive/elastoplastic_derivation.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -221,6 +222,7 @@ void derive_normal(const ParameterSet& set, Derivation& derivation) {
   derive_modulus(set, derivation, findings);
   derive_normal_stiffness(set, derivation, findings);
   find_yielding(set, derivation, findings);
+  derive_elastoplastic(set, derivation, findings);
   derive_pull_off(set, derivation, findings);
   derivation.laws.push_back(std::move(findings));
 }

@@ -1,5 +1,6 @@
 #include "engines/lammps.h"
 
+#include "engines/elastoplastic/elastoplastic_inputs.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/lammps_script.h"
@@ -112,6 +113,8 @@ std::string Lammps::contact_input(InputNotes& notes) const {
          "springs\npair_coeff 1 2 " +
          law + "\n";
 }
+
+std::string Lammps::elastoplastic_input(InputNotes& notes) const { return lammps_mdr(notes); }
 
 std::string Lammps::matrix_input(const MaterialMatrix& matrix) const { return lammps_matrix(matrix); }
 

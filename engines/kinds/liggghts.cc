@@ -1,5 +1,6 @@
 // LIGGGHTS 3.8: properties by type, rolling by the model epsd3.
 
+#include "engines/elastoplastic/elastoplastic_inputs.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/many_particles/matrix_inputs.h"
@@ -83,7 +84,8 @@ std::string liggghts_input(InputNotes& notes) {
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_liggghts() {
-  return written_engine("liggghts", "LIGGGHTS", {liggghts_input, liggghts_matrix, liggghts_box});
+  return written_engine("liggghts", "LIGGGHTS",
+                        {liggghts_input, liggghts_matrix, liggghts_box, "luding", liggghts_luding});
 }
 }  // namespace engines
 

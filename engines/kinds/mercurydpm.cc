@@ -1,4 +1,5 @@
 // MercuryDPM: HertzianViscoelasticMindlinRollingTorsionSpecies.
+#include "engines/elastoplastic/elastoplastic_inputs.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/many_particles/matrix_inputs.h"
@@ -64,7 +65,8 @@ auto target = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindli
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_mercurydpm() {
-  return written_engine("mercurydpm", "MercuryDPM", {mercurydpm_input, mercurydpm_matrix});
+  return written_engine("mercurydpm", "MercuryDPM",
+                        {mercurydpm_input, mercurydpm_matrix, nullptr, "luding", mercurydpm_luding});
 }
 }  // namespace engines
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engines/elastoplastic/elastoplastic_inputs.h"
 #include "engines/engine_registry.h"
 #include "engines/input_notes.h"
 #include "engines/many_particles/matrix_inputs.h"
@@ -234,6 +235,8 @@ PARTICLE = )" +
          python_literal(notes.particle_name()) + "\nTARGET = " + python_literal(notes.target_name()) + "\n" +
          yade_functions + "\n" + yade_contact_entry("PARTICLE", "TARGET", notes.effective_radius(), contact);
 }
+
+std::string Yade::elastoplastic_input(InputNotes& notes) const { return yade_luding(notes); }
 
 std::string Yade::matrix_input(const MaterialMatrix& matrix) const { return yade_matrix(matrix); }
 

@@ -53,6 +53,16 @@ const std::vector<QuantityEntry>& quantity_entries() {
       {"torsion_friction", "", "mu_to of |M| <= mu_to lambda (f + h_to)", "torsion", &P::torsion_friction},
       {"torsion_offset", "N", "h_to of |M| <= mu_to lambda (f + h_to)", "torsion", &P::torsion_offset},
       {"pull_off_force", "N", "h_n, the force that parts the bodies", "normal", &P::pull_off_force},
+      {"unloading_modulus", "Pa", "E* of Thornton & Ning's elasto-plastic law", "normal",
+       &P::unloading_modulus, true},
+      {"yield_pressure", "Pa", "p_y of Thornton & Ning's law", "normal", &P::yield_pressure, true},
+      {"yielded_work_of_adhesion", "J/m^2", "w of Thornton & Ning's law", "normal",
+       &P::yielded_work_of_adhesion, true},
+      {"luding_k1", "N/m", "k1, loading, of Luding's piecewise linear law", "normal", &P::luding_k1, true},
+      {"luding_kp", "N/m", "k_p, unloading from delta_p, of Luding's law", "normal", &P::luding_kp, true},
+      {"luding_kc", "N/m", "k_c, adhesion, of Luding's law", "normal", &P::luding_kc, true},
+      {"luding_delta_p", "m", "delta_p of Luding's law, up to which it was fitted", "normal",
+       &P::luding_delta_p, true},
   };
   return entries;
 }

@@ -71,6 +71,14 @@ struct ContactParameters {
   std::optional<EffectiveQuantity> torsion_friction;   ///< mu_to, times lambda_to
   std::optional<EffectiveQuantity> torsion_offset;     ///< h_to [N]
   std::optional<EffectiveQuantity> pull_off_force;     ///< h_n [N]
+  // Elasto-plastic normal laws, of contacts that yield; right up to their at_load.
+  std::optional<EffectiveQuantity> unloading_modulus;         ///< E* of Thornton & Ning 1998 [Pa]
+  std::optional<EffectiveQuantity> yield_pressure;            ///< p_y likewise [Pa]
+  std::optional<EffectiveQuantity> yielded_work_of_adhesion;  ///< w likewise [J/m^2]
+  std::optional<EffectiveQuantity> luding_k1;                 ///< k1 of Luding 2008 [N/m]
+  std::optional<EffectiveQuantity> luding_kp;                 ///< k_p likewise [N/m]
+  std::optional<EffectiveQuantity> luding_kc;                 ///< k_c likewise [N/m]
+  std::optional<EffectiveQuantity> luding_delta_p;            ///< approach from which k_p holds [m]
   nlohmann::ordered_json
       derivation;  ///< how the quantities were found (`asperity derive`); passed through, null if not said
 
@@ -109,6 +117,7 @@ struct QuantityEntry {
   const char* meaning;
   const char* told_by;  ///< Experiment/Type of the cases that `asperity derive` finds it from
   std::optional<EffectiveQuantity> ContactParameters::*member;
+  bool needs_yield = false;  ///< only a contact that has yielded has it
 };
 const std::vector<QuantityEntry>& quantity_entries();
 

@@ -22,6 +22,8 @@ const std::map<From, const char*>& origin_templates() {
       {From::hertz_fit_with_offset, hertz_with_offset},
       {From::largest_load, "elastic stiffness at the largest load"},
       {From::yielded, "material yielded"},
+      {From::thornton_ning_fit, "Thornton & Ning (1998) fitted to loading and unloading"},
+      {From::luding_fit, "Luding (2008) fitted to loading and unloading"},
       {From::pull, "largest pull while unloading; the loads are those reached before, {} cases"},
       {From::smooth_growth, "of a smooth contact it grows as a^{}, not as a"},
       {From::lateral_stiffness, "k_l = 8 G* a fitted, a Hertz' with E* of this file"},
@@ -58,6 +60,10 @@ const char* template_of(About about) {
        "exponent of the normal law: it takes five load steps; set Experiment/Load steps to 10"},
       {About::normal_stiffness,
        "k_n: no case has a stiffness at its largest load; set Experiment/Unload = true"},
+      {About::elastoplastic,
+       "elasto-plastic normal law: it takes a case of experiment normal that yields in bulk, with four steps "
+       "of loading and three of unloading or more; set Experiment/Unload = true, Load steps and Unload "
+       "steps to 10, or a higher load"},
       {About::pull_off,
        "pull-off force: no case of experiment normal was drawn apart; set Experiment/Unload = true"},
       {About::growth, "how {what} grows with the load: solve a case at another load"},

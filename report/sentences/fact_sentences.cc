@@ -46,6 +46,31 @@ struct InWords {
         {std::to_string(f.yielded), std::to_string(f.cases), force_text(f.from),
          printed("%.2g um^3", f.largest / um3)});
   }
+  std::string operator()(const ElastoplasticFact& f) const {
+    const bool is_luding = f.law == ElastoplasticFact::Law::luding;
+    constexpr double many = 2;
+    const auto beside = [](double error) {
+      return error > many ? say("{} times", {number_text({1 + error})}) : change_percent({error});
+    };
+    const auto pull = [&](const std::string& name, const std::string& value) {
+      return f.third > 0 ? ", " + name + " = " + value : "";
+    };
+    std::string text = is_luding ? say("elasto-plastic, Luding 2008: k1 = {}, k_p = {}{}",
+                                       {quantity_text(f.first, "N/m"), quantity_text(f.second, "N/m"),
+                                        pull("k_c", quantity_text({f.third}, "N/m"))})
+                                 : say("elasto-plastic, Thornton & Ning 1998: E* = {}, p_y = {}{}",
+                                       {pressure(f.first), pressure(f.second),
+                                        pull("w", quantity_text({f.third}, Dimension::surface_energy))});
+    text += f.good_from < f.at_load
+                ? say("; force of loading within 10 % from {} to {}",
+                      {force_text(f.good_from), force_text(f.at_load)})
+                : say("; force of loading nowhere within 10 % up to {}", {force_text(f.at_load)});
+    for (const auto& e : f.errors)
+      text +=
+          say("; from {}: unloading stiffness {}, imprint {}, dissipated energy {} beside the solved ones",
+              {force_text(e.load), beside(e.unloading_stiffness), beside(e.imprint), beside(e.dissipated)});
+    return text + "; " + source_words(f.numbers);
+  }
   std::string operator()(const PullOffFact& f) const {
     return "pull-off force " + quantity_text(f.value, Dimension::force);
   }

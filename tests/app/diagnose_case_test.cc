@@ -13,7 +13,7 @@
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
-#include "tests/support/shared_files.h"
+#include "tests/support/tabulated_yielding.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -86,62 +86,29 @@ constexpr double radius = 8.5e-6;
 const char* const rigid_plane =
     " --set 'Substrate/Young modulus=1000000 GPa' --set 'Substrate/Poisson ratio=0.3'";
 
-/// A sphere that yields on a rigid plane, by axisymmetric finite elements of another program.
-class TabulatedYielding {
- public:
-  explicit TabulatedYielding(double yield) {
-    const double factor = 1.295 * std::exp(0.736 * poisson), pi = std::acos(-1);
-    const double modulus = reduced_modulus({71e9, poisson}, {1e15, 0.3});
-    approach_ = std::pow(pi * factor * yield / (2 * modulus), 2) * radius;
-    force_ = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(approach_, 1.5);
-    const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_ownFE.csv"));
-    w_ = table.numbers("w/wc");
-    f_ = table.numbers("F/Fc_nu0.17");
-  }
-  double approach_at_yield() const { return approach_; }
-  /// On first loading; straight in F^(2/3) between the table's rows.
-  double loading(double d) const {
-    const double depth = d / approach_;
-    if (depth <= w_.front()) return force_ * std::pow(depth, 1.5);
-    std::size_t k = 1;
-    while (w_[k] < depth) ++k;
-    const double part = (depth - w_[k - 1]) / (w_[k] - w_[k - 1]), low = std::pow(f_[k - 1], 2.0 / 3);
-    return force_ * std::pow(low + part * (std::pow(f_[k], 2.0 / 3) - low), 1.5);
-  }
-  /// To a depth and back, then to the next: rows `of_peak` of the table of unloadings.
-  std::vector<RecordedStep> cycles(const std::vector<std::size_t>& of_peak) const {
-    const CsvTable table = read_csv(test::reference_table("02_elastoplastic_table_unloading.csv"));
-    const std::vector<double> peak = table.numbers("w_max/wc"), left = table.numbers("w_res/w_max_ownFE"),
-                              exponent = table.numbers("unloading_exponent_fit_ownFE");
-    std::vector<RecordedStep> steps;
-    const auto unloading = [&](double d, std::size_t row) {
-      const double deepest = peak[row] * approach_, part = (d / deepest - left[row]) / (1 - left[row]);
-      return part > 0 ? loading(deepest) * std::pow(part, exponent[row]) : 0.0;
-    };
-    constexpr int count = 60;
-    double from = 0, before = 0;
-    for (std::size_t k = 0; k < of_peak.size(); ++k) {
-      const std::size_t row = of_peak[k];
-      const double deepest = peak[row] * approach_, back = left[row] * deepest;
-      for (int i = 1; i <= count; ++i) {
-        const double d = from + (deepest - from) * i / count;
-        steps.push_back({d, d < before ? unloading(d, of_peak[k - 1]) : loading(d), "load"});
-      }
-      for (int i = 1; i <= count; ++i) {
-        const double d = deepest + (back - deepest) * i / count;
-        steps.push_back({d, unloading(d, row), "unload"});
-      }
-      from = back;
-      before = deepest;
-    }
-    return steps;
-  }
+using test::TabulatedYielding;
 
- private:
-  static constexpr double poisson = 0.17;
-  double approach_ = 0, force_ = 0;
-  std::vector<double> w_, f_;
-};
+/// To a depth and back, then to the next: rows `of_peak` of the table of unloadings.
+std::vector<RecordedStep> cycles(const TabulatedYielding& truth, const std::vector<std::size_t>& of_peak) {
+  std::vector<RecordedStep> steps;
+  constexpr int count = 60;
+  double from = 0, before = 0;
+  for (std::size_t k = 0; k < of_peak.size(); ++k) {
+    const std::size_t row = of_peak[k];
+    const double deepest = truth.peak(row), back = truth.left(row);
+    for (int i = 1; i <= count; ++i) {
+      const double d = from + (deepest - from) * i / count;
+      steps.push_back({d, d < before ? truth.unloading(d, of_peak[k - 1]) : truth.loading(d), "load"});
+    }
+    for (int i = 1; i <= count; ++i) {
+      const double d = deepest + (back - deepest) * i / count;
+      steps.push_back({d, truth.unloading(d, row), "unload"});
+    }
+    from = back;
+    before = deepest;
+  }
+  return steps;
+}
 
 void expect_yielding(const nlohmann::json& said, double yield) {
   EXPECT_EQ(said["verdict"], "explained") << said["printed"].get<std::string>();
@@ -245,7 +212,7 @@ TEST(DiagnoseCaseNightly_other_code, yielding_is_named_from_cycles_of_loading_an
   constexpr double yield = 1e9;
   const TabulatedYielding truth(yield);
   const TemporaryFolder folder;
-  const auto recording = recorded(folder, truth.cycles({1, 2}), "1000000 GPa", 0.3);
+  const auto recording = recorded(folder, cycles(truth, {1, 2}), "1000000 GPa", 0.3);
   expect_yielding(diagnosed(folder, recording, rigid_plane), yield);
 }
 

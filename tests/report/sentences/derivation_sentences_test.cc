@@ -64,6 +64,17 @@ TEST(DerivationSentences_behaviour, say_odds_for_the_likelier_length) {
 TEST(DerivationSentences_behaviour, name_yielding_and_what_would_tell) {
   EXPECT_SAYS(words_of(Fact{YieldFact{1, 8, 2.25e-3, 2e-20}}),
               "material yielded in 1 of 8 cases, seen first at 2.25 mN (plastic volume up to 0.02 um^3)");
+  ElastoplasticFact law;
+  law.first = {50e9, 1e9}, law.second = {2.5e9, 0.1e9};
+  law.at_load = 6e-3, law.good_from = 1e-3;
+  law.errors = {{6e-3, 0.03, 0.043, -0.116, 0.035}, {3e-3, 0.05, 0.1, 3.41, 0.2}};
+  EXPECT_SAYS(
+      words_of(Fact{law}),
+      "Thornton & Ning 1998: E* = 50.0 ± 1.0 GPa, p_y = 2.50 ± 0.10 GPa; force of loading within 10 % "
+      "from 1 mN to 6 mN");
+  EXPECT_SAYS(words_of(Fact{law}), "from 3 mN: unloading stiffness +10 %, imprint 4.41 times");
+  law.good_from = law.at_load;
+  EXPECT_SAYS(words_of(Fact{law}), "nowhere within 10 % up to 6 mN");
   EXPECT_SAYS(words_of({About::offset}), "h: one load cannot part mu f from mu h");
   EXPECT_SAYS(words_of({About::length}), "the length lambda");
   EXPECT_EQ(words_of({About::long_paths, Derived::resistance, &sliding_mode(), 1.52}),
