@@ -119,16 +119,19 @@ std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double
   return motions;
 }
 
+/// Two cases at a time, a core for each.
 double seconds_of(const CharacterisePlan& plan) {
+  constexpr int at_a_time = 2;
   double seconds = 0;
   for (const double load : plan.loads)
     for (const auto& motion : plan.motions) {
       Settings settings = plan.base;
       for (const auto& setting : motion.settings) override_setting(settings, setting);
       override_setting(settings, {"Experiment", "Normal load", text_of(load, Dimension::force), planned});
-      seconds += preview_mesh(case_from_settings(settings, planned)).seconds * plan.rung.realisations;
+      seconds +=
+          preview_mesh(case_from_settings(settings, planned)).seconds_on_one_core * plan.rung.realisations;
     }
-  return seconds;
+  return seconds / at_a_time;
 }
 
 CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, const MeasuredScan& substrate,

@@ -53,6 +53,7 @@ MeshPreview preview_mesh(const CaseInput& input) {
           setup.system.mesh.sizes.region_particle,
           cost.unknowns,
           cost.memory,
+          cost.seconds_on_two_cores(),
           cost.seconds,
           cost.steps};
 }

@@ -14,8 +14,10 @@ namespace asperity {
 
 /// The mesh that a solve would make.
 struct MeshPreview {
-  double spacing = 0, region = 0;  ///< of the interface's nodes; half width of the fine region [m]
-  double unknowns = 0, memory = 0, seconds = 0;  ///< [-], [byte], [s], roughly (fem/solve_cost.h)
+  double spacing = 0, region = 0;   ///< of the interface's nodes; half width of the fine region [m]
+  double unknowns = 0, memory = 0;  ///< [-], [byte], roughly (fem/case/solve_cost.h)
+  double seconds = 0;               ///< on two cores, to a factor of two [s]
+  double seconds_on_one_core = 0;   ///< likewise: of cases that are solved side by side [s]
   int steps = 0;
 };
 

@@ -1,5 +1,8 @@
 #include "fem/case/solve_cost.h"
 
+#include <cmath>
+
+#include "fem/materials/hardening.h"
 #include "fem/programs/program.h"
 
 namespace asperity::fem {
@@ -23,15 +26,17 @@ double estimated_memory(double unknowns) {
 SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup) {
   // Beyond the fine regions, the bulk of both bodies has some 5e4 (rough_contact, 20 nm: 1.1e5 in all).
   constexpr double bulk = 5e4;
-  // Meshing, first touch and the far field; then benchmarks/README.md: 20 steps of 1e5, 3e5 and 1e6 unknowns,
-  // both bodies yielding, take 9.7 to 11 us each unknown; steps of motion 15 to 17 us.
-  constexpr double before = 25e-6, pressing = 11e-6, moving = 16e-6;
+  // Meshing, first touch and the far field, then each step. Measured on one core of 2026, 7e4 to 2e5
+  // unknowns: 4.3 to 7 us for steps with little or no yielding, pressing or moving (rough, friction 0.1 and
+  // 0.5), 17 us for large steps of pressing with a rough sphere that yields throughout.
+  constexpr double before = 25e-6, elastic_step = 5.5e-6, yielding_step = 8e-6;
   SolveCost cost;
   cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
   cost.memory = estimated_memory(cost.unknowns);
   cost.steps = static_cast<int>(make_program(input.experiment, setup.motion).size());
-  cost.seconds =
-      cost.unknowns * (before + cost.steps * (input.experiment.type == Motion::normal ? pressing : moving));
+  const bool yielding = std::isfinite(make_plasticity(input.particle).yield_stress) ||
+                        std::isfinite(make_plasticity(input.substrate).yield_stress);
+  cost.seconds = cost.unknowns * (before + cost.steps * (yielding ? yielding_step : elastic_step));
   return cost;
 }
 
