@@ -10,6 +10,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,30 @@ int with_printed_output(int status) {
   return status == 0 ? failed : status;
 }
 
+/// A stream's buffer that takes all and keeps nothing.
+class Nothing : public std::streambuf {
+  int overflow(int character) override { return traits_type::not_eof(character); }
+  std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+
+/// --quiet for each command that writes files: with --output nothing is printed but errors, and what --json asks
+/// for.
+void add_quiet(CLI::App& app) {
+  static Nothing nothing;
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    add_quiet(*command);
+    const CLI::Option* output = command->get_option_no_throw("--output");
+    if (!output) continue;
+    const CLI::Option* json = command->get_option_no_throw("--json");
+    const std::string says = json ? "With --output: print nothing but errors, and what --json asks for"
+                                  : "With --output: print nothing but errors";
+    const CLI::Option* quiet = command->add_flag("--quiet", says);
+    command->parse_complete_callback([quiet, output, json] {
+      if (quiet->count() > 0 && output->count() > 0 && !(json && json->count() > 0)) std::cout.rdbuf(&nothing);
+    });
+  }
+}
+
 int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   CLI::App app(
       "asperity: rough, yielding contact of a micro-particle with a plane, from its topography to what a "
@@ -70,6 +95,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
       "Start with: asperity case-template > case.prm; asperity solve case.prm --output result\n"
       "Exit status: 0 done, 1 the work failed (what was accepted is kept), 2 the input was refused.");
   add_commands(app);
+  add_quiet(app);
 
   try {
     check_subcommand_exists(app, argc, argv);

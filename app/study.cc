@@ -33,7 +33,9 @@ int count_of(const Setting& setting, int least) {
 std::string folder_part(const std::string& label, std::size_t index) {
   std::string name;
   for (const char c : label) {
-    if (std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+')
+    const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '+' ||
+                         (c == '.' && !name.empty());  // ".." is a folder already
+    if (is_kept)
       name += c;
     else if (!name.empty() && name.back() != '_')
       name += '_';

@@ -12,10 +12,12 @@
 
 #include "app/case_file.h"
 #include "app/solver_commands.h"
+#include "app/study_plan.h"
 #include "app/study_runner.h"
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "fem/output/checkpoint.h"
+#include "fem/preview_case.h"
 #include "fem/solve_case.h"
 
 namespace asperity {
@@ -26,7 +28,7 @@ namespace fs = std::filesystem;
 struct StudyArguments {
   std::string file, output, solver, only;
   std::vector<std::string> overrides;
-  bool resume = false, overwrite = false, check = false;
+  bool resume = false, overwrite = false, check = false, plan = false, gather = false;
   int parallel = 0;
 };
 
@@ -62,6 +64,31 @@ void check_cases(const Study& study) {
   }
 }
 
+/// The program that was called; this one may be its solver.
+fs::path called_program() {
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  return fs::exists(self.parent_path() / "asperity") ? self.parent_path() / "asperity" : self;
+}
+
+void plan_study(const Study& study, const StudyArguments& arguments) {
+  const auto cost = [&](const StudyCase& item) {
+    const MeshPreview mesh = preview_mesh(case_from_settings(item.settings, study.file));
+    return PlannedCase{"", mesh.seconds_on_one_core, mesh.memory};
+  };
+  const auto cases = prepare_planned_cases(study, arguments.output, cost);
+  const StudyPlanOptions options{arguments.output, called_program(), arguments.overrides};
+  for (const auto& line : write_study_plan(study, cases, options)) std::cout << line << std::endl;
+}
+
+void gather(const Study& study, const StudyArguments& arguments) {
+  if (!fs::exists(fs::path(arguments.output) / "study.json"))
+    throw InputError("'" + arguments.output + "' holds no study; --plan or a run of it makes one");
+  const std::size_t solved = gather_study(study, arguments.output);
+  std::cout << solved << " of " << study.cases.size()
+            << " cases are solved; summary: " << (fs::path(arguments.output) / "study.csv").string()
+            << std::endl;
+}
+
 void run_study(const StudyArguments& arguments) {
   Study study = read_study(arguments.file, arguments.overrides);
   std::function<bool(const std::string&)> chosen_name = [](const std::string&) { return true; };
@@ -78,6 +105,8 @@ void run_study(const StudyArguments& arguments) {
   }
   if (arguments.output.empty())
     throw InputError("study needs --output DIR, the folder for the results (or --check)");
+  if (arguments.plan) return plan_study(study, arguments);
+  if (arguments.gather) return gather(study, arguments);
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   StudyRunOptions options;
   options.output = arguments.output;
@@ -141,6 +170,14 @@ void add_study_command(CLI::App& app) {
                       "Solve only cases whose names contain this (regular expression); the others wait. "
                       "Machines may share a study: "
                       "bring the case folders together, and --resume collects them");
+  const auto plan = command->add_flag(
+      "--plan", arguments->plan,
+      "Solve nothing: write each case with its cost, a Snakemake workflow and Slurm jobs into "
+      "DIR/plan, for a cluster");
+  command
+      ->add_flag("--gather", arguments->gather,
+                 "Solve nothing: collect what other machines solved in DIR into study.csv")
+      ->excludes(plan);
   command
       ->add_option("--parallel", arguments->parallel,
                    "Cases at the same time (default: the study's, else one per core)")

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "dem_compare/cases/case_numbers.h"
 #include "results/contact_key.h"
@@ -89,14 +90,20 @@ Pooled pooled(double load, const std::vector<EffectiveNumber>& numbers) {
 /// What unloading leaves and costs, load by load.
 void add_unloading(const ParameterSet& set, const char* key, const char* meaning, const char* unit,
                    Characterisation& table) {
-  std::map<double, std::vector<EffectiveNumber>> by_load;
+  std::vector<std::pair<double, std::vector<EffectiveNumber>>> by_load;
   for (const auto& solved : set.cases) {
     const EffectiveNumber number = solved.effective(key);
     if (solved.motion() != Motion::normal || !std::isfinite(number.value) || solved.history.size() == 0)
       continue;
     const auto& forces = solved.history.normal_force;
-    by_load[*std::max_element(forces.begin(), forces.end())].push_back(number);
+    const double load = *std::max_element(forces.begin(), forces.end());
+    auto found = std::find_if(by_load.begin(), by_load.end(),
+                              [&](const auto& entry) { return same_load(entry.first, load); });
+    if (found == by_load.end()) found = by_load.insert(found, {load, {}});
+    found->second.push_back(number);
   }
+  std::sort(by_load.begin(), by_load.end(),
+            [](const auto& one, const auto& other) { return one.first < other.first; });
   for (const auto& [load, numbers] : by_load) {
     const Pooled mean = pooled(load, numbers);
     CharacterisedNumber number{key,         meaning, unit, mean.mean, load, std::sqrt(mean.variance_of_mean),

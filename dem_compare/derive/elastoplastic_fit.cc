@@ -19,10 +19,22 @@ constexpr std::size_t fewest_loading = 4, fewest_unloading = 3;  // steps
 /// Solved to about 1e-6 of the load: smaller pulls are none.
 constexpr double least_pull = 1e-5;
 
+/// Work along the path, trapezoids [J].
+double work_of(const Values& approach, const Values& force) {
+  double work = 0;
+  for (std::size_t i = 0; i + 1 < force.size(); ++i)
+    work += (force[i] + force[i + 1]) / 2 * (approach[i + 1] - approach[i]);
+  return work;
+}
+
+/// Enough steps, and more of the work stays than a few asperities that yield and coarse steps leave.
 bool tells_enough(const LoadUnload& curve) {
   std::size_t bearing = 0;
   for (std::size_t i = curve.loading; i < curve.force.size(); ++i) bearing += curve.force[i] > 0;
-  return curve.loading >= fewest_loading && bearing >= fewest_unloading;
+  if (curve.loading < fewest_loading || bearing < fewest_unloading) return false;
+  constexpr double least_loss = 0.03;
+  return work_of(curve.approach, curve.force) >
+         least_loss * curve.largest_force() * curve.largest_approach() / 2;
 }
 
 /// What a fit leaves, relative to the largest force.
@@ -56,14 +68,6 @@ std::optional<LeastSquaresFit> fitted(const LawAt& law_at, const LoadUnload& cur
   } catch (const WorkError&) {
     return std::nullopt;  // too few points for so many numbers, or no minimum
   }
-}
-
-/// Work along the path, trapezoids [J].
-double work_of(const Values& approach, const Values& force) {
-  double work = 0;
-  for (std::size_t i = 0; i + 1 < force.size(); ++i)
-    work += (force[i] + force[i + 1]) / 2 * (approach[i + 1] - approach[i]);
-  return work;
 }
 
 /// Approach at which the unloading has no force left, a straight line in F^(2/3) as Hertz' [m].

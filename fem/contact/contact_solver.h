@@ -56,7 +56,8 @@ class ContactSolver {
   ContactResultants resultants(const ContactState& state) const;
   /// Gap of each row at a state [m].
   std::vector<double> gaps(const ContactState& state) const;
-  /// Stiffnesses of the bodies without further yielding and slip, contact area as it is.
+  /// Stiffnesses of the bodies without further yielding and slip, contact area as it is; NaN where the linear
+  /// solver does not converge.
   double elastic_stiffness(const ContactState& state);  ///< dF/d(approach) [N/m]
   double lateral_stiffness(const ContactState& state);  ///< dQ/d(shift along x) [N/m]
   double torsion_stiffness(const ContactState& state);  ///< dM/d(spin) [N m/rad]
@@ -121,10 +122,14 @@ class ContactSolver {
   void add_shape(const ContactState& state, const std::vector<double>& gap, ContactResultants& result) const;
   /// Reactions of the driven and the fixed plane. Collective.
   void add_reactions(const ContactState& state, ContactResultants& result) const;
-  /// Forces of the closed rows, glued together, on the particle when its frame moves by `motion` [N], by
-  /// component.
-  std::array<std::vector<double>, 2> forces_of_glued_rows(const ContactState& state,
-                                                          const RigidMotion& motion);
+  void say_if_unsolved(int iterations) const;
+  /// dF/d(approach) [N/m] with the closed rows tied by springs of `tie` times the penalty; NaN where the
+  /// linear solver does not converge.
+  double tied_normal_stiffness(const ContactState& state, double tie);
+  /// Forces of the closed rows, tied likewise, on the particle when its frame moves by `motion` [N], by
+  /// component; NaN as above.
+  std::array<std::vector<double>, 2> forces_of_tied_rows(const ContactState& state, const RigidMotion& motion,
+                                                         double tie);
   /// Mean elastic displacement of the surfaces relative to each other, weighted with the pressure; none
   /// without tilted normals.
   SurfaceDisplacement mean_displacement(const ContactState& state) const;

@@ -270,6 +270,9 @@ void ContactExperiment::measure_stiffness() {
   if (type == Motion::sliding || type == Motion::rolling || moves_as_written)
     stiffness_.lateral = without_far_field(solver_->lateral_stiffness(state_), stiffness_.lateral_far_field);
   if (type == Motion::torsion || moves_as_written) stiffness_.torsion = solver_->torsion_stiffness(state_);
+  for (const double stiffness : {stiffness_.normal, stiffness_.lateral, stiffness_.torsion})
+    if (std::isnan(stiffness))
+      say("a stiffness was not measured: the linear solver did not converge; it is left out of result.json");
 }
 
 void ContactExperiment::step_to(const Station& station, int index) {

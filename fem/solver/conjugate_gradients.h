@@ -4,6 +4,7 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include "fem/levels/mesh_level.h"
+#include "fem/solver/linear_solver.h"
 
 namespace asperity::fem {
 
@@ -12,10 +13,9 @@ namespace asperity::fem {
 template <typename Matrix, typename Preconditioner>
 int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Preconditioner& preconditioner,
                         Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) {
-  constexpr unsigned most_iterations = 400;
   x = 0.0;
   if (rhs.l2_norm() == 0) return 0;
-  dealii::ReductionControl control(most_iterations, 0.0, relative_tolerance, false, false);
+  dealii::ReductionControl control(LinearSolver::most_iterations, 0.0, relative_tolerance, false, false);
   dealii::SolverCG<Vector<double>> solver(control);
   try {
     solver.solve(matrix, x, rhs, preconditioner);

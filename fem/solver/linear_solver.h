@@ -15,6 +15,8 @@ class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
+  static constexpr int most_iterations = 400;
+
   /// Sets the operator C^T (K + G^T E G) C + k e e^T and prepares its preconditioner.
   /// row_stiffness: E, of each contact row. tangent: of the cell batches that yield, null: elastic;
   /// must live until the next update. driven_spring: k, from the driven plane to the ground [N/m] (force
@@ -28,7 +30,8 @@ class LinearSolver {
   virtual void follow_slopes() = 0;
 
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after
-  /// 400 steps: an inexact direction is still one of descent). Constrained entries and ghosts of x are set.
+  /// most_iterations: an inexact direction is still one of descent; who needs the solution looks at what is
+  /// returned). Constrained entries and ghosts of x are set.
   /// Returns the iterations.
   /// relative_tolerance [-].
   virtual int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const = 0;

@@ -35,6 +35,26 @@ TEST(Program_behaviour, helps_and_says_its_version) {
         << package << call("--version").output;
 }
 
+TEST(Program_behaviour, quiet_prints_errors_alone_and_what_json_asks_for) {
+  const TemporaryFolder folder;
+  const std::string map = (folder.path / "map.gsf").string();
+  const std::string generate =
+      "surface generate --rms '1 nm' --size '1 um' --pixels 64 --seed 1 --output " + map;
+  EXPECT_NE(call(generate).output, "");
+  const Outcome quiet = call(generate + " --quiet");
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.output, "");
+  EXPECT_TRUE(std::filesystem::exists(map));
+  const auto file = folder.write("case.prm", smooth_case() + "subsection Mesh\n  set Layer = 2\nend\n");
+  const Outcome refused =
+      call("solve " + file.string() + " --output " + (folder.path / "out").string() + " --quiet");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_CONTAINS(refused.output, "Layers");
+  const Outcome printed = call("engine-input " ASPERITY_SOURCE_DIR
+                               "/runs/paper/parameters_silicon.json --engine lammps --quiet");
+  EXPECT_CONTAINS(printed.output, "pair_style granular") << "without --output the input is what was asked for";
+}
+
 TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {
   EXPECT_EQ(call("").status, 2);
   EXPECT_EQ(call("study").status, 2);

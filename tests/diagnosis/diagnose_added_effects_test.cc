@@ -62,6 +62,32 @@ TEST(DiagnoseAdded_analytic, noise_of_which_neighbours_share_half_is_no_mismatch
   }
 }
 
+TEST(DiagnoseAdded_analytic, noise_that_neighbours_share_is_learned_from_the_best_explanation) {
+  const auto flatter = [] { return [](double d, int) { return 1.15 * hertz(d); }; };
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Diagnosis d = diagnose(indentation(flatter, 1, 15 * uN, 0.5, 0.7, seed));
+    ASSERT_EQ(d.verdict, Verdict::explained) << seed << " " << diagnosis_json(d);
+    ASSERT_EQ(d.left_out.size(), 1u) << seed;
+    EXPECT_EQ(d.left_out[0].id, "effective_radius");
+    // The force grows with the root of the radius.
+    const DiagnosedParameter& radius = d.left_out[0].parameters[0];
+    EXPECT_NEAR(radius.value, 1.15 * 1.15 * 8.5e-6, 0.02 * 8.5e-6);
+    EXPECT_GT(radius.high - radius.low, 0.004 * 8.5e-6) << "as wide as shared noise demands";
+  }
+}
+
+TEST(DiagnoseAdded_analytic, a_small_effect_of_the_instrument_that_is_plain_is_named_beside_a_large_one) {
+  // A zero error of 0.4 nm: 1.2 % of the force beside the radius' 30 %, but twenty times the noise.
+  const auto shifted = [] { return [](double d, int) { return 0.7 * hertz(d - 0.4 * nm); }; };
+  const Diagnosis d = diagnose(indentation(shifted, 2, 1 * uN, 0, 0, 6));
+  ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 2u) << diagnosis_json(d);
+  double offset = 0;
+  for (const auto& named : d.left_out)
+    if (named.id == "contact_point_offset") offset = named.parameters[0].value;
+  EXPECT_NEAR(std::abs(offset), 0.4 * nm, 0.02 * nm) << diagnosis_json(d);
+}
+
 TEST(DiagnoseAdded_analytic, a_burst_at_a_load_is_a_pop_in) {
   const auto bursting = [] {
     return [jump = 0.0](double d, int) mutable {

@@ -91,7 +91,9 @@ ReadmeGroup long_studies() {
            {"build/asperity study runs/paper/rails.prm --output rails", " --check",
             "all cases read and checked, none solved", "all 15 cases", ""},
            {"build/asperity study runs/paper/motions.prm --output motions --only torsion", " --check",
-            "all cases read and checked, none solved", "are accepted", ""}}};
+            "all cases read and checked, none solved", "are accepted", ""},
+           {"build/asperity study runs/paper/motions.prm --output motions --plan", " --check",
+            "all cases read and checked, none planned", "are accepted", ""}}};
 }
 
 ReadmeGroup one_particle() {
