@@ -149,7 +149,7 @@ std::string slurm_submission(const std::vector<PlannedCase>& cases) {
   return text +
          "id=$(sbatch --parsable --job-name=asperity-gather --dependency=\"afterany$jobs\" --mem=2000M "
          "--time=60 \\\n"
-         "            --output=plan/slurm_%A.log \"$@\" plan/gather)\n"
+         "            --output=plan/slurm_%A.log \"$@\" --wrap=plan/gather)\n"
          "echo \"job ${id%%;*}: collects them\"\n";
 }
 

@@ -1,6 +1,7 @@
 #include "dem_compare/characterise/characterisation.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -52,6 +53,31 @@ bool is_stiffness(const std::string& key) {
 
 /// A coefficient that follows the local friction of the cases.
 bool is_friction(const std::string& key) { return key.find("friction") != std::string::npos; }
+
+/// Half of a 95 % interval over the standard deviation that few realisations scatter by.
+double half_width_in_sds(int degrees_of_freedom) {
+  if (degrees_of_freedom == 0) return sds_of_95_percent;
+  constexpr double upper_end = 0.975;
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), upper_end);
+}
+
+/// Cases of rough bodies that tell a quantity beyond the first of each load.
+int repeated_cases(const ParameterSet& set, Motion told_by) {
+  std::vector<double> loads;
+  int repeated = 0;
+  for (const auto& solved : set.cases) {
+    if (solved.motion() != told_by || solved.history.size() == 0) continue;
+    const auto& forces = solved.history.normal_force;
+    const double load = *std::max_element(forces.begin(), forces.end());
+    const bool is_new =
+        std::none_of(loads.begin(), loads.end(), [&](double other) { return same_load(other, load); });
+    if (is_new)
+      loads.push_back(load);
+    else
+      ++repeated;
+  }
+  return repeated;
+}
 
 /// Number of realisations among the cases that tell a quantity.
 std::size_t realisations_of(const ParameterSet& set, Motion told_by) {
@@ -109,6 +135,7 @@ void add_unloading(const ParameterSet& set, const char* key, const char* meaning
     CharacterisedNumber number{key,         meaning, unit, mean.mean, load, std::sqrt(mean.variance_of_mean),
                                mean.mesh_sd};
     number.holds_scatter = mean.count > 1;
+    number.degrees_of_freedom = static_cast<int>(mean.count) - 1;
     number.from = "unloading from the largest load, mean of " + std::to_string(mean.count) +
                   (mean.count == 1 ? " case" : " cases");
     table.numbers.push_back(number);
@@ -119,11 +146,10 @@ void add_unloading(const ParameterSet& set, const char* key, const char* meaning
 
 double CharacterisedNumber::half_width() const {
   if (value == 0 || !input_is_known) return not_a_number;
-  double variance = material_sd * material_sd;
-  for (const double sd : {fit_sd, mesh_sd})
-    if (std::isfinite(sd)) variance += sd * sd;
-  const bool nothing_known = !std::isfinite(fit_sd) && !std::isfinite(mesh_sd) && material_sd == 0;
-  return nothing_known ? not_a_number : sds_of_95_percent * std::sqrt(variance);
+  if (!std::isfinite(fit_sd) && !std::isfinite(mesh_sd) && material_sd == 0) return not_a_number;
+  const auto known = [](double sd) { return std::isfinite(sd) ? sd : 0.0; };
+  return std::hypot(half_width_in_sds(degrees_of_freedom) * known(fit_sd), sds_of_95_percent * known(mesh_sd),
+                    sds_of_95_percent * material_sd);
 }
 
 double CharacterisedNumber::relative_half_width() const { return half_width() / std::abs(value); }
@@ -144,6 +170,7 @@ Characterisation characterised(const ParameterSet& set, const Derivation& deriva
     number.mesh_sd = relative_mesh_error(set, entry.key, told_by) * std::abs(quantity->value);
     if (is_stiffness(entry.key)) number.material_sd = modulus_spread * std::abs(quantity->value);
     number.holds_scatter = !is_rough(set) || realisations_of(set, told_by) > 1;
+    if (is_rough(set) && number.holds_scatter) number.degrees_of_freedom = repeated_cases(set, told_by);
     number.from = quantity->provenance;
     number.is_assumed = quantity->value == 0 && !std::isfinite(quantity->sd);
     if (is_friction(entry.key)) {

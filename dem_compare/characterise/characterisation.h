@@ -21,14 +21,15 @@ struct CharacterisedNumber {
   double mesh_sd = std::numeric_limits<double>::quiet_NaN();  ///< discretisation error; NaN: not known
   double material_sd = 0;                                     ///< spread of Young's moduli
   bool holds_scatter = false;                                 ///< several realisations went in
-  bool is_assumed = false;  ///< nothing was measured: one load tells no offset
+  int degrees_of_freedom = 0;  ///< of the scatter in fit_sd: realisations less one, over all loads; 0: none
+  bool is_assumed = false;     ///< nothing was measured: one load tells no offset
   /// Local friction that went in and that the number follows; NaN: none [-].
   double local_friction = std::numeric_limits<double>::quiet_NaN();
   bool input_is_known = true;  ///< false: that coefficient is a guess, and there is no interval
   std::string from;            ///< provenance, in words
 
-  /// Half of a 95 % interval of what is known of the uncertainty; NaN if nothing is, if the number is zero or
-  /// follows an input that is not known.
+  /// Half of a 95 % interval of what is known of the uncertainty; of few realisations Student's (1908). NaN
+  /// if nothing is, if the number is zero or follows an input that is not known.
   double half_width() const;
   /// The same relative to the value [-]; NaN where the value is 0.
   double relative_half_width() const;

@@ -52,7 +52,7 @@ TEST(Program_behaviour, quiet_prints_errors_alone_and_what_json_asks_for) {
   EXPECT_CONTAINS(refused.output, "Layers");
   const Outcome printed = call("engine-input " ASPERITY_SOURCE_DIR
                                "/runs/paper/parameters_silicon.json --engine lammps --quiet");
-  EXPECT_CONTAINS(printed.output, "pair_style granular") << "without --output the input is what was asked for";
+  EXPECT_CONTAINS(printed.output, "wall/gran granular") << "without --output the input is what was asked for";
 }
 
 TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {

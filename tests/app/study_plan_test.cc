@@ -68,7 +68,7 @@ TEST(StudyPlan_behaviour, lists_cases_by_memory_and_time_and_asks_for_both_with_
 }
 
 /// Writes a result of the case's inputs, slowly enough to be seen.
-const char* const stand_in_solver = R"(#!/bin/sh
+const char* const solver_that_writes_a_result = R"(#!/bin/sh
 echo "$@" >> "$4/calls"
 inputs=$(sed -n 's/^# inputs_sha256: //p' "$2")
 printf '{"format": "asperity-result/1", "inputs_sha256": "%s", "effective": {}}' "$inputs" > "$4/result.json"
@@ -77,7 +77,7 @@ printf '{"format": "asperity-result/1", "inputs_sha256": "%s", "effective": {}}'
 TEST(StudyPlan_behaviour, a_case_is_solved_by_its_script_and_is_then_left_out) {
   const TemporaryFolder folder;
   const Study study = study_in(folder);
-  const fs::path output = folder.path / "out", solver = folder.write("solver", stand_in_solver);
+  const fs::path output = folder.path / "out", solver = folder.write("solver", solver_that_writes_a_result);
   fs::permissions(solver, fs::perms::owner_all);
   write_study_plan(study, prepare_planned_cases(study, output, made_up_cost), {output, solver, {}});
   ASSERT_EQ(call_program((output / "plan/solve_case").string(), "2_mN 2").status, 0);

@@ -23,6 +23,16 @@ Characterisation answer() {
   return table;
 }
 
+TEST(CharacterisationPage_analytic, two_realisations_have_the_interval_of_student) {
+  CharacterisedNumber number{"normal_stiffness", "k_n", "N/m", 20e3, 1e-4, 1e3};
+  number.holds_scatter = true;
+  EXPECT_NEAR(number.half_width(), 1.96e3, 1);
+  number.degrees_of_freedom = 1;
+  EXPECT_NEAR(number.half_width(), 12.706e3, 1) << "tables of Student's t";
+  number.degrees_of_freedom = 2, number.mesh_sd = 1e3;
+  EXPECT_NEAR(number.half_width(), std::hypot(4.303e3, 1.96e3), 1);
+}
+
 TEST(CharacterisationPage_analytic, states_1p96_standard_deviations_and_whether_they_are_what_was_asked) {
   // 20 +- 1.96 kN/m: 9.8 %
   const std::string good = report::characterisation_text(answer(), 0.15);
