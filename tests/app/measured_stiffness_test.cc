@@ -14,18 +14,15 @@ namespace {
 
 double normal_stiffness(const test::TemporaryFolder& folder, const std::string& name,
                         const std::string& experiment) {
-  const auto file =
-      folder.write(name + ".prm", test::smooth_case() +
-                                      "subsection Substrate\n  set Topography = generated(rms=1.5 nm, "
-                                      "hurst=0.8, rolloff=208 nm, cutoff=83 nm, "
-                                      "seed=2)\nend\nsubsection Interface\n  set Friction coefficient = "
-                                      "0.1\nend\nsubsection Mesh\n  set Interface "
-                                      "spacing = 20.8 nm\n  set Layers = 2\nend\nsubsection Experiment\n  "
-                                      "set Normal load = 300 uN\n  set Load "
-                                      "steps = 4\n  set Unload = false\n" +
-                                      experiment + "end\nsubsection Output\n  set Fields = false\nend\n");
+  const auto file = folder.write(name + ".prm", test::smooth_case());
   const auto output = folder.path / name;
-  const test::Outcome outcome = test::call("solve " + file.string() + " --output " + output.string());
+  const test::Outcome outcome = test::call(
+      "solve " + file.string() + " --output " + output.string() +
+      " --set 'Substrate/Topography=generated(rms=1.5 nm, hurst=0.8, rolloff=208 nm, cutoff=83.2 nm, seed=2)'"
+      " --set 'Interface/Friction coefficient=0.1' --set 'Mesh/Interface spacing=20.8 nm' --set Mesh/Layers=2"
+      " --set Output/Fields=false --set 'Experiment/Normal load=300 uN' --set 'Experiment/Load steps=4'"
+      " --set Experiment/Unload=false" +
+      experiment);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   if (outcome.status != 0) return 0;
   return nlohmann::json::parse(read_file(output / "result.json"))["effective"]["normal_stiffness"]["value"];
@@ -35,11 +32,10 @@ double normal_stiffness(const test::TemporaryFolder& folder, const std::string& 
 /// kN/m in place of 34.
 TEST(MeasuredStiffnessNightly_analytic, of_a_case_that_rolls_far_is_that_of_one_that_is_pressed) {
   const test::TemporaryFolder folder;
-  const double pressed = normal_stiffness(folder, "pressed", "  set Type = normal\n"),
-               rolled = normal_stiffness(
-                   folder, "rolled",
-                   "  set Type = rolling\n  set Distance = 1.9 um\n  set Motion steps = 4\n  set "
-                   "Reverse = false\n");
+  const double pressed = normal_stiffness(folder, "pressed", " --set Experiment/Type=normal"),
+               rolled = normal_stiffness(folder, "rolled",
+                                         " --set Experiment/Type=rolling --set 'Experiment/Distance=1.9 um'"
+                                         " --set 'Experiment/Motion steps=4' --set Experiment/Reverse=false");
   EXPECT_TRUE(
       (test::Verified{"Stated errors", "normal stiffness of a case that rolls far beside one that is pressed",
                       "the same contact"}
