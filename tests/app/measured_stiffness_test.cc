@@ -18,7 +18,6 @@ double normal_stiffness(const test::TemporaryFolder& folder, const std::string& 
   const auto output = folder.path / name;
   const test::Outcome outcome = test::call(
       "solve " + file.string() + " --output " + output.string() +
-      " --set 'Substrate/Topography=generated(rms=1.5 nm, hurst=0.8, rolloff=208 nm, cutoff=83.2 nm, seed=2)'"
       " --set 'Interface/Friction coefficient=0.1' --set 'Mesh/Interface spacing=20.8 nm' --set Mesh/Layers=2"
       " --set Output/Fields=false --set 'Experiment/Normal load=300 uN' --set 'Experiment/Load steps=4'"
       " --set Experiment/Unload=false" +
