@@ -65,8 +65,8 @@ class Nothing : public std::streambuf {
   std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
 };
 
-/// --quiet for each command that writes files: with --output nothing is printed but errors, and what --json asks
-/// for.
+/// --quiet for each command that writes files: with --output nothing is printed but errors, and what --json
+/// asks for.
 void add_quiet(CLI::App& app) {
   static Nothing nothing;
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -78,7 +78,8 @@ void add_quiet(CLI::App& app) {
                                   : "With --output: print nothing but errors";
     const CLI::Option* quiet = command->add_flag("--quiet", says);
     command->parse_complete_callback([quiet, output, json] {
-      if (quiet->count() > 0 && output->count() > 0 && !(json && json->count() > 0)) std::cout.rdbuf(&nothing);
+      if (quiet->count() > 0 && output->count() > 0 && !(json && json->count() > 0))
+        std::cout.rdbuf(&nothing);
     });
   }
 }

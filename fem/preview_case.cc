@@ -48,7 +48,7 @@ MeshPreview preview_mesh(const CaseInput& input) {
   check_case(input);
   const CaseInput derived = fem::with_derived_path_length(input);
   const fem::CaseSetup setup = fem::set_up_sizes(derived);
-  const fem::SolveCost cost = fem::estimated_cost(derived, setup);
+  const fem::SolveCost cost = fem::estimated_cost(derived, setup, std::isfinite(lower_yield_stress(input)));
   return {setup.system.mesh.sizes.spacing_particle,
           setup.system.mesh.sizes.region_particle,
           cost.unknowns,

@@ -28,6 +28,15 @@ double chi2_of(const ModelFit& fit) {
 
 double excess(const ModelFit& fit) { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
 
+/// A layer on the surface, of asperities or a film: real ones follow its published laws to some per cent,
+/// which a second effect takes up.
+bool has_layer(const Effects& effects) {
+  return std::any_of(effects.begin(), effects.end(), [](const Effect* effect) {
+    const auto& slots = effect->description().slots;
+    return std::find(slots.begin(), slots.end(), "layer") != slots.end();
+  });
+}
+
 const Candidate* find(const SearchResult& search, const Effects& effects) {
   const std::set<const Effect*> wanted(effects.begin(), effects.end());
   for (const auto& candidate : search.candidates) {
@@ -62,7 +71,8 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
     const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
                           candidate.score > smaller->score + plain_evidence;
-    if (complete && !is_plain && gained < least_part * whole && leaves_noise(smaller->fit)) return false;
+    const bool is_unsure = !is_plain && leaves_noise(smaller->fit);
+    if (complete && gained < least_part * whole && (is_unsure || has_layer(without))) return false;
   }
   return true;
 }

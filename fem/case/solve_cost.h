@@ -22,7 +22,7 @@ struct SolveCost {
   /// The same on two cores, of which the serial parts leave 1.3 (benchmarks/README.md) [s].
   double seconds_on_two_cores() const { return seconds / 1.3; }
 };
-/// Of a case that is set up.
-SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup);
+/// Of a case that is set up; yields: whether a body of it can.
+SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yields);
 
 }  // namespace asperity::fem

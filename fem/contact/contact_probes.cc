@@ -9,14 +9,14 @@
 namespace asperity::fem {
 namespace {
 
-/// Active contact nodes are tied by springs of so many times the penalty: soft enough for multigrid to
-/// converge, stiff enough that their compliance is nearly in series with that of the bodies (rigidly_tied).
-constexpr double soft_tie = 3, stiff_tie = 6;
+/// Active contact nodes are tied by springs of so many times the penalty, as stiff as in a Newton step or
+/// twice: the smoothers of multigrid are made for these.
+constexpr double soft_tie = 1, stiff_tie = 2;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Stiffness of nodes that are tied rigidly, from two whose springs are n and 2n times the penalty: their
-/// compliance, of second order in that of the springs but for a term that goes as 1/n. Stiffer springs
-/// instead leave conjugate gradients without an answer on large meshes.
+/// Stiffness of nodes that are tied rigidly: the springs' compliance is nearly in series with that of the
+/// bodies and is extrapolated away. Springs so stiff that this needs no extrapolation leave conjugate
+/// gradients without an answer on many meshes.
 double rigidly_tied(const std::function<double(double tie)>& stiffness) {
   const double soft = stiffness(soft_tie), stiff = stiffness(stiff_tie);
   return 1 / (2 / stiff - 1 / soft);

@@ -50,8 +50,8 @@ TEST(Program_behaviour, quiet_prints_errors_alone_and_what_json_asks_for) {
       call("solve " + file.string() + " --output " + (folder.path / "out").string() + " --quiet");
   EXPECT_EQ(refused.status, 2);
   EXPECT_CONTAINS(refused.output, "Layers");
-  const Outcome printed = call("engine-input " ASPERITY_SOURCE_DIR
-                               "/runs/paper/parameters_silicon.json --engine lammps --quiet");
+  const Outcome printed =
+      call("engine-input " ASPERITY_SOURCE_DIR "/runs/paper/parameters_silicon.json --engine lammps --quiet");
   EXPECT_CONTAINS(printed.output, "wall/gran granular") << "without --output the input is what was asked for";
 }
 

@@ -67,6 +67,7 @@ TEST(DerivationSentences_behaviour, name_yielding_and_what_would_tell) {
   ElastoplasticFact law;
   law.first = {50e9, 1e9}, law.second = {2.5e9, 0.1e9};
   law.at_load = 6e-3, law.good_from = 1e-3;
+  law.numbers = {{6e-3, "a", 2e-8, 2.5e9, 1e8}};
   law.errors = {{6e-3, 0.03, 0.043, -0.116, 0.035}, {3e-3, 0.05, 0.1, 3.41, 0.2}};
   EXPECT_SAYS(
       words_of(Fact{law}),
