@@ -3,6 +3,7 @@
 // nothing else knows of it.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct EffectParameter {
   std::vector<double> starts;  ///< values from which a search begins
   /// A value at either bound means something; otherwise it says that the law is not the right one.
   bool bounds_are_meant = false;
+  /// Value with which there is no effect, in `unit`: an interval that holds it names none. NaN: there is no
+  /// such value.
+  double no_effect = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What an effect says of itself.

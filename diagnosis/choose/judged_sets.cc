@@ -105,6 +105,7 @@ JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, co
       judged.stopped.push_back(candidate.fit.explanation->name() + " (" + parameter + ")");
       continue;
     }
+    if (set.fit.holds_no_effect(search.overdispersion)) continue;
     set.held_out = predict_held_out(problem, set.fit, blocks);
     if (!set.held_out.consistent)
       judged.inconsistent.push_back(candidate.fit.explanation->name());

@@ -60,6 +60,39 @@ std::vector<const Candidate*> best_of_size(const SearchResult& result, std::size
   return list;
 }
 
+/// Smaller sets once more, each from where a good larger one that holds it stands: where responses jump, a
+/// fit may have ended in another valley, and what only led out of that one would be named.
+void refit_within_larger(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
+  constexpr std::size_t most_larger = 4;
+  constexpr int iterations = 30;
+  constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
+  for (std::size_t size = largest_set; size > 1; --size) {
+    // A smaller set, and the larger fit it is taken from.
+    std::vector<std::pair<Candidate*, const ModelFit*>> pairs;
+    std::vector<ModelFit> larger_fits;
+    for (const auto* larger : best_of_size(result, size, most_larger)) larger_fits.push_back(larger->fit);
+    for (const ModelFit& larger : larger_fits)
+      for (Candidate& smaller : result.candidates) {
+        const auto &have = larger.explanation->effects(), &own = smaller.fit.explanation->effects();
+        if (own.size() + 1 == have.size() && std::all_of(own.begin(), own.end(), [&](const Effect* effect) {
+              return std::find(have.begin(), have.end(), effect) != have.end();
+            }))
+          pairs.emplace_back(&smaller, &larger);
+      }
+    std::vector<Candidate> found(pairs.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const ModelFit start =
+          pairs[i].second->only(problem, pairs[i].first->fit.explanation->effects(), result.alone.fit);
+      found[i].fit = refitted(problem, start, problem.samples, false, iterations);
+      found[i].cost = cost_of_explanation(problem, laws, found[i].fit, result.alone.fit);
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (found[i].cost < pairs[i].first->cost - another_valley) *pairs[i].first = found[i];
+  }
+  score_all(result, problem.experiment);
+}
+
 }  // namespace
 
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
@@ -116,6 +149,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
     // Three effects are looked for only where two leave structure.
     if (size >= 2 && is_noise(result.candidates.front().fit)) break;
   }
+  refit_within_larger(result, problem, laws);
   return result;
 }
 

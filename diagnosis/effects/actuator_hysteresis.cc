@@ -40,7 +40,9 @@ class ActuatorHysteresis : public Effect {
              -0.5 * range,
              0.5 * range,
              false,
-             {-0.05 * range, 0.05 * range}}};
+             {-0.05 * range, 0.05 * range},
+             false,
+             0}};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::reduced_law_only; }
   std::string why_not_by_finite_elements(const Experiment&) const override {

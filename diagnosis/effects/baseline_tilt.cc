@@ -20,7 +20,7 @@ class BaselineTilt : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double slope = e.largest_force / e.largest_displacement;
-    return {{"slope", "N/m", "b", -slope, slope, false, {-0.02 * slope, 0.02 * slope}}};
+    return {{"slope", "N/m", "b", -slope, slope, false, {-0.02 * slope, 0.02 * slope}, false, 0}};
   }
   std::string not_recorded(const Experiment& e) const override {
     return e.has_off_contact ? "" : "record approach and retraction out of contact too";

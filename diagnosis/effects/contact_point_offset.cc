@@ -30,7 +30,9 @@ class ContactPointOffset : public Effect {
              -2 * range,
              2 * range,
              false,
-             {-0.3 * range, -0.03 * range, 0.03 * range, 0.3 * range}}};
+             {-0.3 * range, -0.03 * range, 0.03 * range, 0.3 * range},
+             false,
+             0}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double offset = p[0];

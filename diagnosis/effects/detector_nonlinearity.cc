@@ -26,7 +26,7 @@ class DetectorNonlinearity : public Effect {
   bool can_show(const Experiment& e) const override { return e.response_is_force && e.has_unloading; }
   std::vector<EffectParameter> parameters(const Experiment&) const override {
     constexpr double turns_back = 1.0 / 3;  // where the reading would fall as the force grows
-    return {{"coefficient", "", "c", -0.9, turns_back, false, {-0.1, 0.05, 0.15}}};
+    return {{"coefficient", "", "c", -0.9, turns_back, false, {-0.1, 0.05, 0.15}, false, 0}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double coefficient = p[0], largest = m.experiment.largest_force;

@@ -30,7 +30,9 @@ class EffectiveRadius : public Effect {
              0.1,
              10,
              true,
-             {0.5, 0.9, 1.1, 2}}};
+             {0.5, 0.9, 1.1, 2},
+             false,
+             1}};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {

@@ -27,7 +27,9 @@ class ThermalDrift : public Effect {
              -3 * rate,
              3 * rate,
              false,
-             {-0.05 * rate, 0.05 * rate}}};
+             {-0.05 * rate, 0.05 * rate},
+             false,
+             0}};
   }
   std::string not_recorded(const Experiment& e) const override {
     return e.hold_duration > 0 || e.has_unloading ? "" : "hold the largest load, and record the unloading";

@@ -87,8 +87,8 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
   }
   for (std::size_t e = 0; e < effects_.size(); ++e)
     for (const auto& p : effects_[e]->parameters(experiment)) {
-      FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low, p.high, p.logarithmic,
-                         1,      p.starts, p.bounds_are_meant};
+      FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low,      p.high, p.logarithmic,
+                         1,      p.starts, p.bounds_are_meant,  p.no_effect};
       if (!p.logarithmic) {
         free.scale = 0;
         for (const double start : p.starts) free.scale = std::max(free.scale, std::abs(start));

@@ -1,6 +1,7 @@
 // The simulation together with a set of effects: its free parameters and what it says of the recording.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct FreeParameter {
   bool logarithmic = false;
   double scale = 1;  ///< of a linear parameter
   std::vector<double> starts;
-  bool bounds_are_meant = true;  ///< see EffectParameter
+  bool bounds_are_meant = true;                                 ///< see EffectParameter
+  double no_effect = std::numeric_limits<double>::quiet_NaN();  ///< likewise
 
   /// Whether a fit ended at a bound that is only the search's own; value in `unit`.
   bool is_stopped_at(double value) const;

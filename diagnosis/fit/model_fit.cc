@@ -155,6 +155,15 @@ DiagnosedParameter ModelFit::parameter(std::size_t index, double inflation) cons
   return result;
 }
 
+bool ModelFit::holds_no_effect(double inflation) const {
+  const auto& parameters = explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const DiagnosedParameter found = parameter(k, inflation);
+    if (parameters[k].no_effect >= found.low && parameters[k].no_effect <= found.high) return true;
+  }
+  return false;
+}
+
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
                          const ModelFit* near) {
   const auto explanation =

@@ -57,6 +57,8 @@ struct ModelFit {
   bool is_itself() const;
   /// Name of the first parameter that ended at a bound of the search; empty: none did.
   std::string stopped_at() const;
+  /// Whether the 95 % interval of one holds the value with which its effect is none; inflation as below [-].
+  bool holds_no_effect(double inflation) const;
   /// 95 % interval of a parameter; `inflation` multiplies the variance.
   /// inflation [-].
   DiagnosedParameter parameter(std::size_t index, double inflation) const;
