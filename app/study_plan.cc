@@ -202,6 +202,10 @@ std::vector<std::string> write_study_plan(const Study& study, const std::vector<
                                           const StudyPlanOptions& options) {
   const fs::path plan = options.output / "plan";
   make_folder(plan);
+  // A case that is planned anew, its folder having been removed or set aside, is not solved for Snakemake
+  // either.
+  for (const PlannedCase& one : cases) fs::remove(plan / "solved" / one.name);
+  fs::remove(plan / "gathered");
   write_file_atomically(plan / "cases.csv", cases_csv(cases));
   write_script(plan / "solve_case", solve_case_script(options));
   write_script(plan / "gather", gather_script(study, options));

@@ -110,7 +110,6 @@ ElastoplasticNumbers numbers_of(const LoadUnload& curve, const Values& force) {
   numbers.unloading_stiffness = tangents.empty() ? unknown : tangents.front().stiffness;
   numbers.imprint = approach_without_force(curve, force);
   numbers.dissipated = work_of(curve.approach, force);
-  numbers.pull_off = std::max(0.0, -*std::min_element(force.begin(), force.end()));
   return numbers;
 }
 

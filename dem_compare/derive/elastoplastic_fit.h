@@ -34,7 +34,6 @@ struct ElastoplasticNumbers {
   double unloading_stiffness = 0;  ///< where unloading starts [N/m]
   double imprint = 0;              ///< approach that has not come back where the force vanishes [m]
   double dissipated = 0;           ///< work of the path from first to last step [J]
-  double pull_off = 0;             ///< [N]
 };
 
 /// How well a law describes the curve.

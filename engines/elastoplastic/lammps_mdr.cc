@@ -14,10 +14,10 @@ std::string lammps_mdr(InputNotes& notes) {
                w = value_or_zero(notes.record().yielded_work_of_adhesion);
   // Two equal bodies with this E* in a pair; mdr's walls are rigid, so that on a wall E/(1 - nu^2) is E*
   // itself.
-  constexpr double nu = 0.3, bodies_that_yield = 1;
-  const double youngs = E * (1 - nu * nu) * (notes.record().target.is_plane() ? bodies_that_yield : 2);
+  constexpr double nu = 0.3;
+  const double youngs = E * (1 - nu * nu) * (notes.record().target.is_plane() ? 1 : 2);
   constexpr double hardness_over_yield = 2.75;  // of small contacts in mdr, 1.75 + 1
-  notes.meaning("mdr E", youngs, "Pa", "E*/(1/(1 - nu^2)) of a rigid wall, twice that of a pair; nu = 0.3");
+  notes.meaning("mdr E", youngs, "Pa", "E* (1 - nu^2) on a rigid wall, twice that of a pair; nu = 0.3");
   notes.meaning("mdr Y", p_y / hardness_over_yield, "Pa",
                 "p_y/2.75: fully plastic small contacts carry 2.75 Y in mdr, p_y in Thornton & Ning's law");
   notes.meaning("mdr dgamma", w, "J/m^2", "work of adhesion");

@@ -36,11 +36,10 @@ std::string liggghts_luding(InputNotes& notes) {
   notes.cannot("pairs of one type with itself: they take this law too");
   const std::string model =
       std::string("model luding tangential history") + (rolling > 0 ? " rolling_friction epsd3" : "");
-  std::string text =
-      notes.text(lammps_comment) +
-      "\nhard_particles yes  # before the box: moduli above 1e9 Pa are refused otherwise\n"
-      "# type 1 is the particle's material, type 2 the target's; restitution below k1's yield is "
-      "not in the record: choose it\nvariable restitution index 0.99\n";
+  std::string text = notes.text(lammps_comment) +
+                     "\nhard_particles yes  # before the box: moduli above 1e9 Pa are refused otherwise\n"
+                     "# type 1 is the particle's material, type 2 the target's; the restitution that damping "
+                     "makes is not in the record: choose it\nvariable restitution index 0.99\n";
   const ContactParameters& p = notes.record();
   const auto known = [](double value, double otherwise) {
     return text_number(std::isfinite(value) ? value : otherwise);

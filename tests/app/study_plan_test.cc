@@ -94,6 +94,14 @@ TEST(StudyPlan_behaviour, a_case_is_solved_by_its_script_and_is_then_left_out) {
   const auto left = prepare_planned_cases(study, output, made_up_cost);
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left.front().name, "3_mN");
+
+  // What Snakemake noted of a case whose folder is gone does not hold any more.
+  fs::create_directories(output / "plan/solved");
+  for (const char* name : {"1_mN", "2_mN"}) write_file_atomically(output / "plan/solved" / name, "");
+  fs::remove_all(output / "2_mN");
+  write_study_plan(study, prepare_planned_cases(study, output, made_up_cost), {output, solver, {}});
+  EXPECT_FALSE(fs::exists(output / "plan/solved/2_mN"));
+  EXPECT_TRUE(fs::exists(output / "plan/solved/1_mN"));
 }
 
 /// A planned study of two coarse cases, by the program itself.
