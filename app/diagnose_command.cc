@@ -48,12 +48,10 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
     text += "  or: " + names + printed(" (probability %.2g)", a.probability) + "; " + a.told_apart_by + "\n";
   }
   if (d.simulation.by_finite_elements) {
-    text +=
-        printed("  simulation: the case, %d solutions; its approach is off by %.2g nm (mesh, load steps)\n",
-                d.simulation.solves, d.simulation.displacement_error * 1e9);
+    text += printed("  simulation: the case, %d solutions; %s (mesh, load steps)\n", d.simulation.solves,
+                    d.simulation.off_by().c_str());
     for (const auto& e : d.corrected())
-      text += printed("  corrected.prm: %s = %s (95 %%: %.4g to %.4g %s)\n", e.entry.c_str(),
-                      e.written().c_str(), e.low, e.high, e.unit.c_str());
+      text += "  corrected.prm: " + e.entry + " = " + e.written() + " (" + e.interval() + ")\n";
   }
   for (const auto& remark : d.remarks) text += "  note: " + remark + "\n";
   return text + "wrote " + (output / "diagnosis.json").string() + " and " +
@@ -135,7 +133,7 @@ void add_diagnose_command(CLI::App& app) {
   command->add_option(
       "--case", arguments->case_file,
       "Case file that is the simulation in place of reduced laws: solved under the recording's "
-      "loads, and again with what was left out (normal contact)");
+      "loads, and again with what was left out (normal contact, sliding)");
   command
       ->add_option("--set", arguments->overrides,
                    "\"Section/Entry=value\": replaces an entry of the case file")

@@ -17,14 +17,13 @@ void write_diagnosed_case(const Settings* settings, const Diagnosis& diagnosis, 
   const auto entries = diagnosis.corrected();
   if (entries.empty()) return;
   Settings corrected = *settings;
-  std::string head = "# The case with what asperity diagnose found missing (" + name_of(diagnosis.verdict) +
-                     "), 95 % intervals:\n";
+  std::string head =
+      "# The case with what asperity diagnose found missing (" + name_of(diagnosis.verdict) + "):\n";
   for (const CorrectedEntry& e : entries) {
     const std::size_t slash = e.entry.find('/');
     override_setting(corrected,
                      {e.entry.substr(0, slash), e.entry.substr(slash + 1), e.written(), "diagnosis"});
-    head += printed("# %s = %s (%.6g to %.6g %s)\n", e.entry.c_str(), e.written().c_str(), e.low, e.high,
-                    e.unit.c_str());
+    head += "# " + e.entry + " = " + e.written() + " (" + e.interval() + ")\n";
   }
   write_file_atomically(output / "corrected.prm", head + format_settings(corrected));
   if (!simulation.after.empty())

@@ -46,6 +46,37 @@ void drive(Settings& settings, const LoadingProtocol& protocol) {
   if (protocol.retract > 0) set_entry(settings, "Experiment/Unload steps", steps_to_resolve_pull_off);
 }
 
+/// The case slid at a constant load from rest, in one direction.
+void drive(Settings& settings, const SlidingProtocol& protocol) {
+  set_entry(settings, "Experiment/Type", "sliding");
+  set_entry(settings, "Experiment/Control", "force");
+  set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.normal_force));
+  set_entry(settings, "Experiment/Normal approach", "0 m");
+  set_entry(settings, "Experiment/Distance", printed("%.4g m", protocol.path));
+  for (const char* back : {"Reverse", "Unload"})
+    set_entry(settings, std::string("Experiment/") + back, "false");
+  set_entry(settings, "Experiment/Return distance", "0 m");
+  set_entry(settings, "Experiment/Retract", "0 m");
+  set_entry(settings, "Experiment/Cycles", "1");
+  set_entry(settings, "Experiment/Hold steps", "0");
+}
+
+SolvedSlide slide_of(const fs::path& folder, double normal_force) {
+  const SolvedCase solved = read_solved_case(folder);
+  const EffectiveNumber friction = solved.effective("sliding_friction"),
+                        stiffness = solved.effective("lateral_stiffness");
+  if (!std::isfinite(friction.value) || !std::isfinite(friction.sd))
+    throw WorkError("'" + folder.string() +
+                    "' states no sliding friction: the contact did not slip as a whole on its path");
+  SolvedSlide slide;
+  slide.normal_force = normal_force;
+  slide.friction = friction.value * normal_force;
+  slide.friction_error = friction.sd * normal_force;
+  slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
+  slide.source = folder.string();
+  return slide;
+}
+
 SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {
   const SolvedCase solved = read_solved_case(folder);
   SolvedResponse response;
@@ -84,50 +115,63 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
   warn_of_former_names(given);
   input_ = case_from_settings(given, file);
   settings_ = complete_settings(given, file);
-  if (input_.experiment.type != Motion::normal)
+  if (input_.experiment.type != Motion::normal && input_.experiment.type != Motion::sliding)
     throw InputError(file.string() + ": Experiment/Type is " + name_of(input_.experiment.type) +
-                     ", and --case takes cases of normal contact so far; set Type = normal");
+                     ", and --case takes cases of normal contact and of sliding so far; set Type = normal");
+}
+
+void FiniteElementModel::refuse_for_normal_recordings() const {
+  if (input_.experiment.type != Motion::normal)
+    throw InputError(file_.string() + ": Experiment/Type is " + name_of(input_.experiment.type) +
+                     ", and the recording is of normal contact; set Type = normal");
   if (fem::work_of_adhesion(input_.interface).opening > 0)
-    throw InputError(
-        file.string() +
-        ": --case takes cases without adhesion so far; set Interface/Adhesion law = dugdale and Work of "
-        "adhesion = 0 J/m^2");
+    throw InputError(file_.string() +
+                     ": for recordings of normal contact --case takes cases without adhesion so far; set "
+                     "Interface/Adhesion law = dugdale and Work of adhesion = 0 J/m^2");
 }
 
 SimulatedBodies FiniteElementModel::bodies() const {
+  const auto given_of_interface = [this](const char* entry) {
+    const auto found = input_.interface.parameters.find(entry);
+    return found == input_.interface.parameters.end() ? 0.0 : found->second;
+  };
   return {{input_.particle.youngs_modulus, input_.particle.poisson_ratio},
           {input_.substrate.youngs_modulus, input_.substrate.poisson_ratio},
           input_.radius,
           yield_stress(input_.particle),
           yield_stress(input_.substrate),
           input_.particle.topography.is_smooth() && input_.substrate.topography.is_smooth(),
-          input_.mesh.interface_spacing};
+          input_.mesh.interface_spacing,
+          given_of_interface("Friction coefficient"),
+          given_of_interface("Adhesion range")};
 }
 
-std::vector<FiniteElementModel::Asked> FiniteElementModel::asked_of(
-    const std::vector<CaseChange>& changes, const std::vector<LoadingProtocol>& protocols,
-    Study& study) const {
+Study FiniteElementModel::empty_study() const {
+  Study study;
   study.title = "diagnosis";
   study.file = file_;
-  std::vector<Asked> list;
-  for (const LoadingProtocol& protocol : protocols) {
-    StudyCase item;
-    item.settings = settings_;
-    drive(item.settings, protocol);
-    for (const CaseChange& change : changes)
-      set_entry(item.settings, change.entry, printed("%.6g %s", change.value, change.unit.c_str()));
-    const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
-    if (fem::work_of_adhesion(changed.interface).opening > 0 && changed.interface.adhesion_law != "dugdale")
-      throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
-                       ", and attraction is tried as Dugdale's so far; set it to dugdale");
-    const std::string inputs = inputs_sha256(item.settings, file_);
-    const fs::path earlier = options_.earlier.with_inputs(inputs);
-    constexpr std::size_t enough = 12;
-    item.name = "solve-" + inputs.substr(0, enough);
-    list.push_back({earlier.empty() ? options_.folder / item.name : earlier, !earlier.empty(), ""});
-    if (earlier.empty()) study.cases.push_back(std::move(item));
-  }
-  return list;
+  return study;
+}
+
+FiniteElementModel::Asked FiniteElementModel::asked_of(Settings driven,
+                                                       const std::vector<CaseChange>& changes,
+                                                       Study& study) const {
+  StudyCase item;
+  item.settings = std::move(driven);
+  for (const CaseChange& change : changes)
+    set_entry(item.settings, change.entry,
+              printed("%.6g", change.value) + (change.unit.empty() ? "" : " " + change.unit));
+  const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
+  if (fem::work_of_adhesion(changed.interface).opening > 0 && changed.interface.adhesion_law != "dugdale")
+    throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
+                     ", and attraction is tried as Dugdale's so far; set it to dugdale");
+  const std::string inputs = inputs_sha256(item.settings, file_);
+  const fs::path earlier = options_.earlier.with_inputs(inputs);
+  constexpr std::size_t enough = 12;
+  item.name = "solve-" + inputs.substr(0, enough);
+  const Asked asked{earlier.empty() ? options_.folder / item.name : earlier, !earlier.empty(), ""};
+  if (earlier.empty()) study.cases.push_back(std::move(item));
+  return asked;
 }
 
 std::string FiniteElementModel::out_of_time(double seconds) const {
@@ -171,8 +215,14 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
 std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
                                                       const std::vector<LoadingProtocol>& protocols,
                                                       const EnoughOfIt& enough) {
-  Study study;
-  std::vector<Asked> asked = asked_of(changes, protocols, study);
+  refuse_for_normal_recordings();
+  Study study = empty_study();
+  std::vector<Asked> asked;
+  for (const LoadingProtocol& protocol : protocols) {
+    Settings driven = settings_;
+    drive(driven, protocol);
+    asked.push_back(asked_of(std::move(driven), changes, study));
+  }
   std::vector<std::string> unchosen;
   for (Asked& each : asked) {
     if (each.is_earlier || has_result(each.folder)) continue;
@@ -201,6 +251,32 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     responses.back().is_out_of_time = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
   }
   return responses;
+}
+
+std::vector<SolvedSlide> FiniteElementModel::slide(const std::vector<CaseChange>& changes,
+                                                   const std::vector<SlidingProtocol>& protocols,
+                                                   bool must_end) {
+  Study study = empty_study();
+  std::vector<Asked> asked;
+  for (const SlidingProtocol& protocol : protocols) {
+    Settings driven = settings_;
+    drive(driven, protocol);
+    asked.push_back(asked_of(std::move(driven), changes, study));
+  }
+  const EnoughOfIt whole_path = [](const SolvedResponse&) { return std::string(); };
+  const std::vector<CaseProgress> progress = run(study, must_end ? nullptr : whole_path, {});
+  for (std::size_t i = 0; i < progress.size(); ++i) {
+    const CaseProgress& done = progress[i];
+    if (done.state == CaseProgress::State::done) continue;
+    const std::string folder = (options_.folder / study.cases[i].name).string();
+    if (done.state == CaseProgress::State::failed || done.state == CaseProgress::State::stopped)
+      throw WorkError("'" + folder + "' could not be solved: " + done.message);
+    throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
+  }
+  std::vector<SolvedSlide> slides;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    slides.push_back(slide_of(asked[i].folder, protocols[i].normal_force));
+  return slides;
 }
 
 }  // namespace asperity

@@ -29,7 +29,7 @@ struct FiniteElementModelOptions {
 
 class FiniteElementModel : public ForwardModel {
  public:
-  /// Throws InputError where the case is none that a normal recording can be set against, naming the entry.
+  /// Throws InputError where the case is none that a recording can be set against, naming the entry.
   FiniteElementModel(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      FiniteElementModelOptions options);
 
@@ -38,6 +38,9 @@ class FiniteElementModel : public ForwardModel {
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt& enough) override;
+  /// Throws InputError for a change that the case refuses, WorkError where it does not slide as a whole.
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
+                                 const std::vector<SlidingProtocol>& protocols, bool must_end) override;
 
   /// Every entry of the case as given, for a corrected case to be written from.
   const Settings& settings() const { return settings_; }
@@ -49,9 +52,10 @@ class FiniteElementModel : public ForwardModel {
     bool is_earlier = false;
     std::string ended_early;  ///< why what is there is enough; empty: it is complete, or to be solved
   };
-  /// Adds what is not solved elsewhere to `study`.
-  std::vector<Asked> asked_of(const std::vector<CaseChange>& changes,
-                              const std::vector<LoadingProtocol>& protocols, Study& study) const;
+  /// The case with these changes; what is not solved elsewhere is added to `study`.
+  Asked asked_of(Settings driven, const std::vector<CaseChange>& changes, Study& study) const;
+  Study empty_study() const;
+  void refuse_for_normal_recordings() const;
   /// Why a solution that took so many seconds ends; empty: it goes on.
   std::string out_of_time(double seconds) const;
   std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,

@@ -62,6 +62,7 @@ struct NeededValues {
 enum class EntersBy {
   measurement,      ///< it acts on any history: compliance, offset, drift, tilt
   in_series,        ///< by its own reduced law, as a displacement beside that of the solved contact
+  on_friction,      ///< by its own reduced law, as a change of the friction that was solved
   finite_elements,  ///< entries of the case
   reduced_law_only  ///< it has no form there yet
 };

@@ -1,4 +1,6 @@
 // Adhesion that presses the surfaces together without a load from outside: |f_l| <= mu (f_n + h).
+#include <cmath>
+
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -25,6 +27,17 @@ class AdhesionOffset : public Effect {
              30 * e.largest_force,
              false,
              {0.03 * e.typical_force, 0.3 * e.typical_force}}};
+  }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::finite_elements : EntersBy::reduced_law_only;
+  }
+  /// Attraction that presses a sphere as h does (DMT: h = 2 pi w R) over the case's range, which friction
+  /// does not tell.
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    constexpr double usual_range = 1e-9;
+    return {
+        {"Interface/Work of adhesion", p[0] / (2 * M_PI * e.radius), "J/m^2"},
+        {"Interface/Adhesion range", e.case_adhesion_range > 0 ? e.case_adhesion_range : usual_range, "m"}};
   }
   void assemble(Mechanics& m, const double* p) const override { m.lateral.offset += p[0]; }
 };

@@ -17,7 +17,7 @@ class AreaProportionalFriction : public Effect {
         EffectKind::contact,
         {Motion::sliding},
         {"sliding_friction"},
-        {"sliding_law"},
+        {"sliding_law", "coefficient"},
         1};
     return d;
   }
@@ -30,6 +30,10 @@ class AreaProportionalFriction : public Effect {
              100 * strength,
              true,
              {0.7 * strength, 1.5 * strength}}};
+  }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::vector<CaseChange> case_changes(const Experiment&, const double* p) const override {
+    return {{"Interface/Friction coefficient", 0, ""}, {"Interface/Shear strength", p[0], "Pa"}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.lateral.follows_area = true;

@@ -24,7 +24,7 @@ class PartialSlip : public Effect {
         1};
     return d;
   }
-  bool can_show(const Experiment& e) const override { return e.has_trace; }
+  bool can_show(const Experiment& e) const override { return e.has_trace && !e.by_finite_elements; }
   std::vector<EffectParameter> parameters(const Experiment&) const override { return {}; }
   void assemble(Mechanics& m, const double*) const override {
     m.lateral.stick = LateralMechanics::Stick::strips;

@@ -36,6 +36,9 @@ class RateAndState : public Effect {
             {"b", "", "evolution effect", -mu, mu, false, {0.005 * mu, 0.02 * mu, 0.08 * mu}},
             {"slip_distance", "m", "L", 1e-5 * path, path, true, {0.003 * path, 0.02 * path, 0.1 * path}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double a = p[0], b = p[1], length = p[2];
     const double slowest = 0.1 * m.experiment.slowest,

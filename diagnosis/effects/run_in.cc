@@ -42,6 +42,9 @@ class RunIn : public Effect {
              true,
              {0.1 * e.cycles, 0.4 * e.cycles}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double change = p[0], cycles = p[1];
     m.lateral.coefficient_changes.push_back([change, cycles](double mu, const SlipState& s) {

@@ -32,6 +32,9 @@ class StaticFrictionPeak : public Effect {
              true,
              {0.01 * path, 0.05 * path, 0.2 * path}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double excess = p[0] - 1, length = p[1];
     m.lateral.coefficient_changes.push_back([excess, length](double mu, const SlipState& s) {

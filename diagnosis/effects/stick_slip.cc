@@ -148,6 +148,9 @@ class StickSlip : public Effect {
       list.push_back({M_PI * amplitude, period});  // a saw-tooth's first harmonic is A/pi
     return list;
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double drop = p[0], period = p[1], middle = 0.5 * m.experiment.stroke;
     std::vector<double> phases;

@@ -29,6 +29,10 @@ class TwoTermFriction : public Effect {
     const double strength = e.largest_response / e.hertz().contact_area(e.largest_force);
     return {{"shear_strength", "Pa", "tau_0", 0, 30 * strength, false, {0.1 * strength, 0.5 * strength}}};
   }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::vector<CaseChange> case_changes(const Experiment&, const double* p) const override {
+    return {{"Interface/Adhesive shear strength", p[0], "Pa"}};
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double strength = p[0];
     m.lateral.limit_changes.push_back([strength](double limit, const SlipState& s) {

@@ -36,6 +36,9 @@ class VelocityDependence : public Effect {
              false,
              {-0.05 * mu, 0.05 * mu}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double b = p[0], slowest = 0.1 * m.experiment.slowest,
                  reference = std::sqrt(m.experiment.slowest * m.experiment.fastest);

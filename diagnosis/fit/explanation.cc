@@ -116,7 +116,7 @@ Mechanics Explanation::mechanics(const std::vector<double>& values) const {
     while (next < parameters_.size() && parameters_[next].effect == static_cast<int>(e)) ++next;
   }
   assemble_case_up_to(std::numeric_limits<int>::max());
-  m.normal.correction = correction_;
+  m.normal.correction = m.lateral.correction = correction_;
   return m;
 }
 

@@ -10,6 +10,10 @@ std::shared_ptr<const Explanation> off_by_mesh_error(const ModelFit& fit) {
     double displacement(const Sample& sample, double force) const override {
       return exact_->displacement(sample, force) + exact_->error();
     }
+    double limit_factor(double force) const override {
+      return exact_->limit_factor(force) * (1 + exact_->error());
+    }
+    double stiffness_factor(double force) const override { return exact_->stiffness_factor(force); }
     std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
       return exact_->contact_for(reduced);
     }

@@ -39,6 +39,21 @@ struct SolvedResponse {
   bool is_out_of_time = false;       ///< it ended early because it took too long
 };
 
+/// How a contact that was pressed is slid: at a constant normal force, from rest.
+struct SlidingProtocol {
+  double normal_force = 0;  ///< [N]
+  double path = 0;          ///< path length [m]
+};
+
+/// What one slid case says, once the whole contact slips.
+struct SolvedSlide {
+  double normal_force = 0;       ///< [N]
+  double friction = 0;           ///< steady lateral force [N]
+  double friction_error = 0;     ///< its standard deviation, as stated: along the path, of mesh and steps [N]
+  double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
+  std::string source;            ///< where it can be looked up
+};
+
 /// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.
 using EnoughOfIt = std::function<std::string(const SolvedResponse& so_far)>;
 
@@ -51,6 +66,8 @@ struct SimulatedBodies {
   double substrate_yield = std::numeric_limits<double>::infinity();
   bool is_smooth = true;  ///< neither has a topography
   double spacing = 0;     ///< of nodes where they can touch, as the case gives it [m]; 0: it derives it
+  double friction_coefficient = 0;  ///< local mu of the interface [-]; 0: its law has none
+  double adhesion_range = 0;        ///< [m]; 0: the case gives none
 };
 
 /// A simulation that is solved anew for each set of changes.
@@ -65,6 +82,9 @@ class ForwardModel {
   virtual std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                             const std::vector<LoadingProtocol>& protocols,
                                             const EnoughOfIt& enough) = 0;
+  /// Slides the case with these changes under each of the protocols, likewise; `must_end`: whatever it takes.
+  virtual std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
+                                         const std::vector<SlidingProtocol>& protocols, bool must_end) = 0;
 };
 
 }  // namespace asperity

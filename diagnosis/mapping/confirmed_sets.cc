@@ -42,7 +42,7 @@ Effects in_case(const Effects& effects, const Experiment& experiment) {
 Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
   const ModelFit contact = fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit);
   Mechanics m = contact.explanation->mechanics(contact.values);
-  m.normal.correction = nullptr;
+  m.normal.correction = m.lateral.correction = nullptr;
   return m;
 }
 
@@ -126,8 +126,8 @@ std::string SolvedCaseMapping::enough_of(const SolvedResponse& so_far, const Wat
   const std::vector<SolvedResponse> solved(protocols_.list.size(), so_far);
   const Samples part = solved_part(problem.samples, protocols_, solved);
   ModelFit fit = watch.fit;
-  fit.explanation = fit.explanation->with(
-      difference_to(solved, protocols_, reduced_law(problem, fit), displacement_error_));
+  fit.explanation =
+      fit.explanation->with(difference_to(solved, protocols_, reduced_law(problem, fit), error_));
   fit.is_confirmed = true;
   if (watch.may_begin_again && distance(problem, part, fit, watch.expected) > surprising)
     return not_as_expected;
@@ -154,6 +154,23 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::reached(const FitProblem& pro
   return answer;
 }
 
+SolvedCaseMapping::SolvedSet SolvedCaseMapping::solved_set(const FitProblem& problem, const ModelFit& fit,
+                                                           const std::vector<double>& expected,
+                                                           bool may_begin_again) {
+  const Mechanics reduced = reduced_law(problem, fit);
+  if (is_of_sliding_) {
+    const auto slid = slide(trial_of(problem, fit, 0).changes, false);
+    return {friction_difference_to(slid, reduced),
+            {Confirmation::complete, problem.samples, {}},
+            slid.front().source};
+  }
+  const Trial trial = trial_of(problem, fit, protocols_.list.front().largest_force);
+  const Watch watch{problem, trial, fit, expected, may_begin_again};
+  const auto solved =
+      solve(problem, trial, [&](const SolvedResponse& so_far) { return enough_of(so_far, watch); });
+  return {correction_by(solved, trial, reduced), reached(problem, solved), solved.front().source};
+}
+
 SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candidate,
                                                                const FitProblem& problem) {
   ModelFit& fit = candidate.fit;
@@ -162,13 +179,12 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
   double apart = 0;
   Confirmation answer;
   for (int i = 0; i < most_solves; ++i) {
-    std::vector<SolvedResponse> solved;
-    const Trial trial = trial_of(problem, fit, protocols_.list.front().largest_force);
     const auto expected = fit.simulate(problem.samples);
-    const Watch watch{problem, trial, fit, expected, i + 2 < most_solves};
     try {
-      solved = solve(problem, trial, [&](const SolvedResponse& so_far) { return enough_of(so_far, watch); });
-      fit.explanation = fit.explanation->with(correction_by(solved, trial, reduced_law(problem, fit)));
+      SolvedSet solved = solved_set(problem, fit, expected, i + 2 < most_solves);
+      fit.explanation = fit.explanation->with(solved.correction);
+      answer = std::move(solved.answer);
+      source = solved.source;
     } catch (const InputError& error) {
       remarks_.push_back(name + " was not tried: " + error.what());
       return {Confirmation::failed, {}, {}};
@@ -176,8 +192,6 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
       remarks_.push_back(name + " could not be solved: " + error.what());
       return {Confirmation::failed, {}, {}};
     }
-    answer = reached(problem, solved);
-    source = solved.front().source;
     fit.is_confirmed = true;
     apart = distance(problem, answer.part, fit, expected);
     fit = refitted(problem, fit, answer.part, false, steps_of_refit);

@@ -27,8 +27,8 @@ bool comes_back_otherwise(const Effects& effects, const Experiment& experiment) 
 std::string in_words(const std::vector<CaseChange>& changes) {
   std::string text;
   for (const auto& change : changes) {
-    text +=
-        (text.empty() ? "" : ", ") + change.entry + printed(" = %.4g %s", change.value, change.unit.c_str());
+    text += (text.empty() ? "" : ", ") + change.entry + printed(" = %.4g", change.value) +
+            (change.unit.empty() ? "" : " " + change.unit);
   }
   return text.empty() ? "as it is" : text;
 }
@@ -40,6 +40,8 @@ std::string name_of(EntersBy form) {
       return "measurement";
     case EntersBy::in_series:
       return "reduced law in series with the solution";
+    case EntersBy::on_friction:
+      return "reduced law that changes the friction that was solved";
     case EntersBy::finite_elements:
       return "entries of the case";
     case EntersBy::reduced_law_only:
@@ -64,14 +66,55 @@ void take(RecordedBody& recorded, const ElasticBody& of_case, const std::string&
   recorded.poissons_ratio = of_case.poisson_ratio;
 }
 
+/// A case has one particle on one surface.
+void refuse_several_surfaces(const Recording& recording) {
+  for (const char* channel : {"radius", "rms_roughness", "humidity"}) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const auto& table : recording.tables) {
+      if (!table.has(channel)) continue;
+      for (const double value : table.column(channel)) {
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, value), most = std::max(most, value);
+      }
+    }
+    constexpr double rounding = 1e-3;
+    if (most - least > rounding * std::abs(most))
+      throw InputError(
+          std::string("the recording varies ") + channel +
+          ", and a case has one; diagnose each part with a case of its own, or leave out --case");
+  }
+}
+
+/// The local friction that the case states, which is not fitted before physics is added.
+void take_friction(SimulationChoice& simulation, double of_case, std::vector<std::string>& remarks) {
+  if (!(of_case > 0))
+    throw InputError(
+        "--case needs a law of friction with a coefficient for a recording of sliding; give the case "
+        "Interface/Friction coefficient");
+  const auto given = simulation.parameters.find("sliding_friction");
+  constexpr double rounding = 1e-3;
+  if (given != simulation.parameters.end() &&
+      (given->second.calibrate || std::abs(given->second.value - of_case) > rounding * of_case))
+    remarks.push_back(
+        printed("local friction is the case's, %.4g, and not what the recording says of sliding_friction; "
+                "where it is another, friction_coefficient is named",
+                of_case));
+  simulation.parameters["sliding_friction"] = {of_case, false};
+}
+
 }  // namespace
 
 Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
-  if (recording.mode != Motion::normal)
-    throw InputError("--case takes recordings of normal contact so far, and this one is of " +
+  is_of_sliding_ = recording.mode == Motion::sliding;
+  if (recording.mode != Motion::normal && !is_of_sliding_)
+    throw InputError("--case takes recordings of normal contact and of sliding so far, and this one is of " +
                      name_of(recording.mode) + "; leave out --case to diagnose it by reduced laws");
   const SimulatedBodies bodies = model_.bodies();
   Recording changed = recording;
+  if (is_of_sliding_) {
+    refuse_several_surfaces(recording);
+    take_friction(changed.simulation, bodies.friction_coefficient, remarks_);
+  }
   take(changed.particle, bodies.particle, "particle", remarks_);
   take(changed.substrate, bodies.substrate, "substrate", remarks_);
   constexpr double rounding = 1e-3;
@@ -136,12 +179,32 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.case_spacing = bodies.spacing;
   problem.experiment.particle_yield = bodies.particle_yield;
   problem.experiment.substrate_yield = bodies.substrate_yield;
+  problem.experiment.case_friction = bodies.friction_coefficient;
+  problem.experiment.case_adhesion_range = bodies.adhesion_range;
+  const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
+  if (is_of_sliding_) {
+    slides_ = sliding_protocols_of(problem, bodies.is_smooth);
+    const auto slid = slide({}, true);
+    before_ = slid.front().source;
+    error_ = friction_error(slid);
+    problem.correction = friction_difference_to(slid, alone);
+    return;
+  }
   protocols_ = protocols_of(problem.samples);
   const auto solved = solve(problem, {}, nullptr);
   before_ = solved.front().source;
-  displacement_error_ = solved.front().displacement_error;
-  const Explanation alone(problem.experiment, problem.choice, {});
-  problem.correction = difference_to(solved, protocols_, alone.mechanics({}), displacement_error_);
+  error_ = solved.front().displacement_error;
+  problem.correction = difference_to(solved, protocols_, alone, error_);
+}
+
+std::vector<SolvedSlide> SolvedCaseMapping::slide(const std::vector<CaseChange>& changes, bool must_end) {
+  std::string loads;
+  for (const SlidingProtocol& protocol : slides_)
+    loads += (loads.empty() ? "" : ", ") + format_quantity(protocol.normal_force, Dimension::force);
+  say("sliding the case, " + in_words(changes) + ", under " + loads);
+  const auto slid = model_.slide(changes, slides_, must_end);
+  solves_ += static_cast<int>(slid.size());
+  return slid;
 }
 
 void SolvedCaseMapping::widen_untested(const FitProblem& problem,
@@ -165,7 +228,8 @@ SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
   s.by_finite_elements = true;
   s.before = before_;
   s.solves = solves_;
-  s.displacement_error = displacement_error_;
+  s.error = error_;
+  if (is_of_sliding_) s.error_unit.clear();
   if (!chosen) return s;
   for (const auto& solution : after_)
     if (solution.effects == chosen->explanation->name()) s.after = solution.source;

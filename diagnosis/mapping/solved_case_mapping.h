@@ -11,6 +11,7 @@
 #include "diagnosis/choose/search.h"
 #include "diagnosis/mapping/branch_curves.h"
 #include "diagnosis/mapping/solved_attraction.h"
+#include "diagnosis/mapping/solved_sliding.h"
 #include "diagnosis/outcome/diagnosis.h"
 #include "diagnosis/recording/recording.h"
 
@@ -21,8 +22,9 @@ class SolvedCaseMapping {
   SolvedCaseMapping(ForwardModel& model, std::function<void(const std::string&)> progress)
       : model_(model), progress_(std::move(progress)) {}
 
-  /// The recording with the bodies of the case; what was recorded of them and differs goes to remarks().
-  /// Throws InputError where it is not normal.
+  /// The recording with the bodies of the case and its friction; what was recorded of them and differs goes
+  /// to remarks(). Throws InputError where it is of another motion than normal or sliding, or of several
+  /// surfaces.
   Recording with_bodies_of_case(const Recording& recording);
   /// Solves the case as it is.
   void correct(FitProblem& problem);
@@ -64,9 +66,18 @@ class SolvedCaseMapping {
   std::vector<LoadingProtocol> asked_for(const FitProblem& problem, const Trial& trial) const;
   std::shared_ptr<const BranchCorrection> correction_by(const std::vector<SolvedResponse>& solved,
                                                         const Trial& trial, const Mechanics& reduced) const {
-    return trial.opening > 0 ? attraction_of(solved.front(), reduced, displacement_error_)
-                             : difference_to(solved, protocols_, reduced, displacement_error_);
+    return trial.opening > 0 ? attraction_of(solved.front(), reduced, error_)
+                             : difference_to(solved, protocols_, reduced, error_);
   }
+  /// What the solutions of a set say: the law corrected by them, and how far they came.
+  struct SolvedSet {
+    std::shared_ptr<const BranchCorrection> correction;
+    Confirmation answer;
+    std::string source;
+  };
+  SolvedSet solved_set(const FitProblem& problem, const ModelFit& fit, const std::vector<double>& expected,
+                       bool may_begin_again);
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes, bool must_end);
   /// One solution for each of the recording's protocols.
   std::vector<SolvedResponse> solve(const FitProblem& problem, const Trial& trial, const EnoughOfIt& enough);
   /// What a solution in progress is watched for.
@@ -93,10 +104,12 @@ class SolvedCaseMapping {
   };
   ForwardModel& model_;
   std::function<void(const std::string&)> progress_;
-  RecordedProtocols protocols_;
+  RecordedProtocols protocols_;          ///< of normal contact
+  std::vector<SlidingProtocol> slides_;  ///< of sliding
   std::string before_;
   std::vector<Solution> after_;
-  double displacement_error_ = 0;
+  double error_ = 0;  ///< of the case as it is: of its approach [m], or of friction as a part of it [-]
+  bool is_of_sliding_ = false;
   int solves_ = 0;
   ModelFit best_measurement_;  ///< the best set that needs no solution: what others have to be better than
   double overdispersion_ = 1;  ///< chi^2 of the best fit per sample [-]

@@ -21,6 +21,8 @@ Mechanics baseline_mechanics(const Experiment& experiment, const SimulationChoic
       break;
     case Motion::sliding:
       m.lateral.coefficient = value_of(choice, "sliding_friction");
+      // Finite elements slip at their edge first, whatever laws are named.
+      if (experiment.by_finite_elements) m.lateral.stick = LateralMechanics::Stick::strips;
       break;
     case Motion::rolling:
       m.lateral.coefficient = value_of(choice, "rolling_friction");

@@ -55,16 +55,21 @@ struct DelayedPart {
   }
 };
 
-/// What finite elements say beyond the reduced law, as a displacement of the contact at its force.
+/// What finite elements say beyond the reduced law: under normal load a displacement of the contact at its
+/// force, in sliding factors on friction and lateral stiffness.
 class BranchCorrection {
  public:
   virtual ~BranchCorrection() = default;
   /// [m]
-  virtual double displacement(const Sample& sample, double force) const = 0;
+  virtual double displacement(const Sample&, double) const { return 0; }
+  /// On the limit of the lateral force, and on the lateral stiffness, at a normal force [N]; [-].
+  virtual double limit_factor(double) const { return 1; }
+  virtual double stiffness_factor(double) const { return 1; }
   /// The contact itself, where what finite elements say is a force at its displacement, as of a contact that
   /// attracts; null: it stays the reduced law.
   virtual std::shared_ptr<const NormalContact> contact_for(const NormalContact&) const { return nullptr; }
-  /// Standard deviation of the finite elements' own displacement, of mesh and load steps, at any force [m].
+  /// Standard deviation of the finite elements' own answer, of mesh and load steps, at any force: of the
+  /// displacement under normal load [m], of friction in sliding as a part of it [-].
   virtual double error() const = 0;
 };
 
@@ -94,6 +99,7 @@ struct LateralMechanics {
   std::vector<CoefficientChange> coefficient_changes;
   std::vector<LimitChange> limit_changes;
   std::vector<std::function<double(const Sample&)>> additions;  ///< to the recorded force [N]
+  std::shared_ptr<const BranchCorrection> correction;           ///< of limit and stiffness; null: none
 };
 
 struct Mechanics {

@@ -31,6 +31,8 @@ struct CorrectedEntry {
 
   /// "0.05 J/m^2"
   std::string written() const;
+  /// "95 %: 0.04 to 0.06 J/m^2", or that it was taken and not found.
+  std::string interval() const;
 };
 
 /// An effect with its parameters and what speaks for it.
@@ -96,10 +98,14 @@ struct SimulatedRows {
 /// The simulation that was diagnosed, where it was a case of finite elements.
 struct SolvedSimulation {
   bool by_finite_elements = false;
-  std::string case_file;          ///< as it was named
-  std::string before, after;      ///< where the solutions are: of the case as it was, and as corrected
-  int solves = 0;                 ///< cases that the answer rests on, those solved earlier included
-  double displacement_error = 0;  ///< of mesh and load steps, as the solution of the case states it [m]
+  std::string case_file;         ///< as it was named
+  std::string before, after;     ///< where the solutions are: of the case as it was, and as corrected
+  int solves = 0;                ///< cases that the answer rests on, those solved earlier included
+  double error = 0;              ///< of mesh and load steps, as the solution of the case states it
+  std::string error_unit = "m";  ///< of the approach [m]; empty: of friction, as a part of it
+
+  /// "its approach is off by 0.05 nm", "its friction is off by 1.2 %".
+  std::string off_by() const;
 };
 
 struct Diagnosis {

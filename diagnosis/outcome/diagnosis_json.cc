@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/printed.h"
+#include "core/quantity.h"
 #include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
@@ -68,9 +69,11 @@ Json forward_model(const Diagnosis& d) {
         {"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}, {"entry", e.written()}};
   json["case"] = simulation.case_file;
   json["solves"] = simulation.solves;
-  json["discretisation_error"] = {{"value", simulation.displacement_error},
-                                  {"unit", "m"},
-                                  {"of", "approach at the largest load, standard deviation"}};
+  const bool is_of_approach = !simulation.error_unit.empty();
+  json["discretisation_error"] = {{"value", simulation.error},
+                                  {"unit", simulation.error_unit},
+                                  {"of", is_of_approach ? "approach at the largest load, standard deviation"
+                                                        : "friction, standard deviation as a part of it"}};
   json["before"] = simulation.before;
   json["after"] = simulation.after;
   json["corrected"] = corrected;
@@ -96,7 +99,18 @@ std::string name_of(Verdict verdict) {
 }
 
 std::string CorrectedEntry::written() const {
-  return text.empty() ? printed("%.6g %s", value, unit.c_str()) : text;
+  if (!text.empty()) return text;
+  return printed("%.6g", value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string CorrectedEntry::interval() const {
+  if (low == high) return "taken, the recording does not tell it";
+  return printed("95 %%: %.4g to %.4g", low, high) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string SolvedSimulation::off_by() const {
+  return error_unit.empty() ? printed("its friction is off by %.2g %%", 100 * error)
+                            : "its approach is off by " + format_quantity(error, Dimension::length);
 }
 
 std::vector<CorrectedEntry> Diagnosis::corrected() const {

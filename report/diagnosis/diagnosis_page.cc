@@ -56,13 +56,11 @@ std::string simulation_words(const Diagnosis& d) {
   const SolvedSimulation& simulation = d.simulation;
   const auto corrected = d.corrected();
   std::string text = "The simulation is the case itself, solved by finite elements (" +
-                     std::to_string(simulation.solves) + " solutions); its approach is off by about " +
-                     with_unit(simulation.displacement_error, "m") +
+                     std::to_string(simulation.solves) + " solutions); " + escaped(simulation.off_by()) +
                      " (mesh and load steps), which is a part of the evidence.";
   if (!corrected.empty()) text += " In corrected.prm:";
   for (const auto& e : corrected)
-    text += " " + escaped(e.entry) + " = " + escaped(e.written()) + " (95 %: " + number(e.low) + " to " +
-            number(e.high) + " " + escaped(e.unit) + ").";
+    text += " " + escaped(e.entry) + " = " + escaped(e.written()) + " (" + escaped(e.interval()) + ").";
   return text;
 }
 

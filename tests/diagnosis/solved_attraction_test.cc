@@ -43,6 +43,11 @@ class AttractingStandIn : public ForwardModel {
     return responses;
   }
 
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+                                 bool) override {
+    throw WorkError("this stand-in does not slide");
+  }
+
  private:
   static SolvedResponse pressed(const LoadingProtocol& protocol, double of_radius) {
     const Hertz hertz{modulus(), of_radius};

@@ -64,6 +64,11 @@ class StandIn : public ForwardModel {
     return responses;
   }
 
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+                                 bool) override {
+    throw WorkError("this stand-in does not slide");
+  }
+
  private:
   SolvedResponse response(const LoadingProtocol& protocol, double of_radius, std::optional<double> yield) {
     ++solved;
@@ -278,12 +283,12 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
 
 TEST(SolvedCase_behaviour, other_motions_are_refused) {
   Recording recording = pressed(hertz, 1e-9);
-  recording.mode = Motion::sliding;
+  recording.mode = Motion::rolling;
   StandIn simulation;
   EXPECT_EQ(
       message_of<InputError>([&] { diagnosed(recording, &simulation); }),
-      "--case takes recordings of normal contact so far, and this one is of sliding; leave out --case to "
-      "diagnose it by reduced laws");
+      "--case takes recordings of normal contact and of sliding so far, and this one is of rolling; leave "
+      "out --case to diagnose it by reduced laws");
 }
 
 /// A layer of asperities whose pressure follows the gap exponentially, solved on rings: no formula of the

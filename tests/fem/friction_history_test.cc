@@ -185,7 +185,9 @@ TEST(FrictionLaws_analytic, running_in_is_that_of_the_whole_path) {
 TEST(FrictionLaws_analytic, adhesive_shear_is_there_without_load_and_ends_at_its_cap) {
   const fem::AdhesiveShearAndLoad law(50e6, 0.3), capped(50e6, 0.3, 200e6);
   EXPECT_DOUBLE_EQ(law.initial_limit(0).stress, 0);
-  EXPECT_DOUBLE_EQ(law.initial_limit(1).stress, 50e6 + 0.3);
+  EXPECT_DOUBLE_EQ(law.initial_limit(50e6).stress, 65e6);
+  EXPECT_DOUBLE_EQ(law.initial_limit(10e6).stress, 20e6);  // at the edge
+  EXPECT_DOUBLE_EQ(fem::AdhesiveShearAndLoad(0, 3).initial_limit(10e6).stress, 30e6);
   EXPECT_DOUBLE_EQ(law.initial_limit(1e9).stress, 350e6);
   EXPECT_DOUBLE_EQ(law.initial_limit(std::numeric_limits<double>::infinity()).slope, 0.3);
   EXPECT_DOUBLE_EQ(capped.initial_limit(0.4e9).stress, 170e6);

@@ -22,7 +22,8 @@ TEST(FrictionLaws_analytic, limit_the_shear_as_their_equations_say) {
   };
   EXPECT_DOUBLE_EQ(limit(Coulomb(0.3), 2e9), 0.6e9);
   EXPECT_DOUBLE_EQ(limit(Coulomb(0.3), 0), 0);
-  EXPECT_DOUBLE_EQ(limit(ShearStrength(0.5e9), 1), 0.5e9);
+  EXPECT_DOUBLE_EQ(limit(ShearStrength(0.5e9), 0.25e9), 0.5e9);
+  EXPECT_DOUBLE_EQ(limit(ShearStrength(0.5e9), 0.1e9), 0.2e9);  // at the edge
   EXPECT_DOUBLE_EQ(limit(ShearStrength(0.5e9), 0), 0);
   EXPECT_DOUBLE_EQ(limit(CappedCoulomb(0.3, 0.5e9), 1e9), 0.3e9);
   EXPECT_DOUBLE_EQ(limit(CappedCoulomb(0.3, 0.5e9), 2e9), 0.5e9);

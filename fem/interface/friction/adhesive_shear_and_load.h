@@ -1,7 +1,7 @@
 // Shear that adhesion holds without load, and friction in proportion to it: |t| <= tau0 + mu p where the
 // surfaces touch, with a cap tau if given: |t| <= min(tau0 + mu p, tau). Derjaguin (1934); Bowden & Tabor
 // (1950); as shear strength of films that grows with the pressure, Briscoe & Evans (1982), Proc. R. Soc. A
-// 380:389. tau0, tau and p [Pa], mu [-].
+// 380:389. tau0, tau and p [Pa], mu [-]. At the edge of contact at most 2 p, see shear_strength.h.
 #pragma once
 
 #include <algorithm>
@@ -26,9 +26,9 @@ class AdhesiveShearAndLoad : public FrictionLaw {
           "the load; raise it, or leave out the other two entries of friction");
   }
   ShearLimit limit(const InterfacePoint& point, const double*) const override {
-    if (!(point.pressure > 0)) return {0, 0};
     const double by_load = at_no_load_ + coefficient_ * point.pressure;
-    return by_load <= cap_ ? ShearLimit{by_load, coefficient_} : ShearLimit{cap_, 0};
+    const ShearLimit inside = by_load <= cap_ ? ShearLimit{by_load, coefficient_} : ShearLimit{cap_, 0};
+    return at_no_load_ > 0 ? ShearStrength::at_edge(point.pressure, inside) : inside;
   }
 
  private:
@@ -37,7 +37,7 @@ class AdhesiveShearAndLoad : public FrictionLaw {
 
 inline const Registered<FrictionLawDeclaration> adhesive_shear_and_load_law{
     {{"Adhesive shear and load",
-      "|t| <= min(tau0 + mu p, tau) where p > 0",
+      "|t| <= min(tau0 + mu p, tau, 2 p)",
       "Derjaguin (1934), Bowden & Tabor (1950), Briscoe & Evans (1982)",
       "where the mesh resolves the junctions; boundary films of constant thickness",
       {Coulomb::parameter(),

@@ -1,0 +1,26 @@
+// Sliding by finite elements beside the reduced law: at a few of the recorded loads the case is pressed and
+// slid from rest until all of it slips, and the law is corrected by
+//   T(f; p) = T_reduced(f; p) [T_FE(f; p_k)/T_reduced(f; p_k)],   k_l(f) likewise,
+// straight in ln f between these loads (output space mapping, Echeverría & Hemker 2005). SI units.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "diagnosis/fit/model_fit.h"
+#include "diagnosis/forward/forward_model.h"
+
+namespace asperity {
+
+/// Three of the recorded loads at most, the largest first, each with a path on which a contact of this local
+/// friction slips as a whole. Throws InputError where nothing is pressed.
+std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, bool is_smooth);
+
+/// Largest part by which a slide's friction is off, as stated [-].
+double friction_error(const std::vector<SolvedSlide>& slides);
+
+/// The difference to the slides, for the reduced law `reduced`: a contact without instruments.
+std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector<SolvedSlide>& slides,
+                                                               const Mechanics& reduced);
+
+}  // namespace asperity

@@ -1,0 +1,242 @@
+// Recordings of sliding whose simulation is a case: a stand-in for finite elements, whose attraction presses
+// by another law than the reduced one, beside friction loops of Mindlin and Deresiewicz in closed form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/error.h"
+#include "dem_compare/laws/shear_moduli.h"
+#include "diagnosis/conceal/masing_contact.h"
+#include "diagnosis/diagnose.h"
+#include "diagnosis/mapping/solved_sliding.h"
+#include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::message_of;
+using test::nm;
+using test::uN;
+
+const ElasticBody silica{71e9, 0.17}, wafer_of_silicon{179e9, 0.25};
+constexpr double sphere_size = 8.5e-6;
+const Hertz smooth_contact{reduced_modulus(silica, wafer_of_silicon), sphere_size};
+const std::vector<double> loads_of_test{40 * uN, 80 * uN, 160 * uN, 300 * uN};
+
+double full_stiffness(double load) {
+  return 8 * sliding_modulus(silica, wafer_of_silicon) * smooth_contact.contact_radius(load);
+}
+double contact_area(double load) { return M_PI * std::pow(smooth_contact.contact_radius(load), 2); }
+
+class SlidingStandIn : public ForwardModel {
+ public:
+  double friction = 0.3;
+  double softer = 1;           ///< lateral stiffness over the smooth contact's
+  std::string cannot_solve{};  ///< an entry
+  std::vector<double> slid{};  ///< loads
+
+  SimulatedBodies bodies() const override {
+    SimulatedBodies b{silica, wafer_of_silicon, sphere_size};
+    b.friction_coefficient = friction;
+    return b;
+  }
+  std::vector<SolvedResponse> solve(const std::vector<CaseChange>&, const std::vector<LoadingProtocol>&,
+                                    const EnoughOfIt&) override {
+    throw WorkError("nothing is pressed alone here");
+  }
+  /// Attraction presses more the larger the contact is; the area that shears is 5 % below Hertz'.
+  static double pressed_by(double work, double load) {
+    return 2 * M_PI * sphere_size * work * (0.8 + 0.1 * smooth_contact.contact_radius(load) / 100e-9);
+  }
+  static double sheared_area(double load) { return 0.95 * contact_area(load); }
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
+                                 const std::vector<SlidingProtocol>& protocols, bool) override {
+    double mu = friction, strength = 0, work = 0;
+    for (const auto& change : changes) {
+      if (change.entry == cannot_solve) throw WorkError("the steps did not converge");
+      if (change.entry == "Interface/Friction coefficient")
+        mu = change.value;
+      else if (change.entry == "Interface/Adhesive shear strength" ||
+               change.entry == "Interface/Shear strength")
+        strength = change.value;
+      else if (change.entry == "Interface/Work of adhesion")
+        work = change.value;
+      else if (change.entry != "Interface/Adhesion range")
+        ADD_FAILURE() << change.entry;
+    }
+    std::vector<SolvedSlide> slides;
+    for (const auto& protocol : protocols) {
+      SolvedSlide s;
+      s.normal_force = protocol.normal_force;
+      s.friction =
+          mu * (s.normal_force + pressed_by(work, s.normal_force)) + strength * sheared_area(s.normal_force);
+      s.friction_error = 0.002 * s.friction;
+      s.lateral_stiffness = softer * full_stiffness(s.normal_force);
+      s.source = "stand-in";
+      slides.push_back(s);
+      slid.push_back(s.normal_force);
+      EXPECT_GT(protocol.path, 1.5 * mu * s.normal_force / full_stiffness(s.normal_force));
+    }
+    return slides;
+  }
+};
+
+/// One and a half loops at each load; `limit` of the load; noise 0.5 % of the largest force.
+Recording looped(const std::function<double(double)>& limit, double softer = 1, double compliance = 0) {
+  Recording r;
+  r.mode = Motion::sliding;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "loops.csv";
+  table.control = {"lateral_displacement", "normal_force"};
+  table.response = "lateral_force";
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.005 * limit(loads_of_test.back()));
+  double run = 0;
+  for (const double load : loads_of_test) {
+    hidden::MasingContact contact(softer * full_stiffness(load), limit(load));
+    ++run;
+    double x = 0;
+    const auto record = [&](double to, const char* segment) {
+      constexpr int count = 100;
+      const double from = x;
+      for (int i = 1; i <= count; ++i) {
+        x = from + (to - from) * i / count;
+        const double force = contact.force(x);
+        table.columns["run"].push_back(run);
+        table.columns["time"].push_back(0.1 * static_cast<double>(table.segment.size()));
+        table.columns["normal_force"].push_back(load);
+        table.columns["lateral_displacement"].push_back(x + compliance * force);
+        table.columns["lateral_force"].push_back(force + noise(random));
+        table.segment.push_back(segment);
+      }
+    };
+    record(100 * nm, "forth");
+    record(0, "back");
+    record(100 * nm, "forth again");
+  }
+  r.tables = {table};
+  return r;
+}
+
+Diagnosis diagnosed_by(const Recording& recording, SlidingStandIn& simulation) {
+  DiagnoseOptions options;
+  options.simulation = &simulation;
+  return diagnose(recording, options);
+}
+
+const CorrectedEntry* entry_of(const Diagnosis& d, const std::string& name) {
+  static std::vector<CorrectedEntry> list;
+  list = d.corrected();
+  for (const auto& e : list)
+    if (e.entry == name) return &e;
+  return nullptr;
+}
+
+void expect_found(const Diagnosis& d, const std::string& name, double truth, double within) {
+  const CorrectedEntry* entry = entry_of(d, name);
+  ASSERT_NE(entry, nullptr) << d.in_words;
+  EXPECT_NEAR(entry->value / truth, 1, within) << name;
+  EXPECT_LT(entry->low, truth) << name;
+  EXPECT_GT(entry->high, truth) << name;
+}
+
+TEST(SolvedSliding_behaviour, the_case_that_slides_as_recorded_needs_nothing_and_is_slid_at_three_loads) {
+  SlidingStandIn rough;
+  rough.softer = 0.6;
+  const Diagnosis d = diagnosed_by(looped([](double f) { return 0.3 * f; }, rough.softer), rough);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+  ASSERT_EQ(rough.slid.size(), 3u);
+  EXPECT_NEAR(rough.slid[0] / (300 * uN), 1, 1e-6);
+  EXPECT_NEAR(rough.slid[1] / (80 * uN), 1, 1e-6);
+  EXPECT_NEAR(rough.slid[2] / (40 * uN), 1, 1e-6);
+  EXPECT_EQ(d.simulation.solves, 3);
+  const auto model = nlohmann::json::parse(diagnosis_json(d))["forward_model"];
+  EXPECT_EQ(model["kind"], "finite_elements");
+  EXPECT_NEAR(model["discretisation_error"]["value"].get<double>(), 0.002, 1e-9);
+  EXPECT_EQ(model["discretisation_error"]["unit"], "");
+}
+
+TEST(SolvedSliding_behaviour, local_friction_other_than_the_case_says_is_named) {
+  SlidingStandIn stand_in;
+  const Diagnosis d = diagnosed_by(looped([](double f) { return 0.21 * f; }), stand_in);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "friction_coefficient");
+  expect_found(d, "Interface/Friction coefficient", 0.21, 0.01);
+  EXPECT_LT(d.improved.held_out_chi2_reduced, 1.5);
+}
+
+TEST(SolvedSliding_behaviour, attraction_gets_the_work_that_presses_so_in_the_case) {
+  constexpr double work = 0.4;
+  SlidingStandIn stand_in;
+  const Diagnosis d = diagnosed_by(
+      looped([&](double f) { return 0.3 * (f + SlidingStandIn::pressed_by(work, f)); }), stand_in);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion_offset");
+  EXPECT_EQ(d.left_out[0].form, "entries of the case");
+  expect_found(d, "Interface/Work of adhesion", work, 0.03);
+}
+
+TEST(SolvedSliding_behaviour, shear_strength_of_the_interface_in_place_of_a_coefficient_or_beside_it) {
+  constexpr double strength = 3e8;
+  SlidingStandIn stand_in;
+  const Diagnosis area =
+      diagnosed_by(looped([&](double f) { return strength * SlidingStandIn::sheared_area(f); }), stand_in);
+  ASSERT_EQ(area.left_out.size(), 1u) << area.in_words;
+  EXPECT_EQ(area.left_out[0].id, "area_proportional_friction") << area.in_words;
+  expect_found(area, "Interface/Shear strength", strength, 0.02);
+  const CorrectedEntry* coefficient = entry_of(area, "Interface/Friction coefficient");
+  ASSERT_NE(coefficient, nullptr);
+  EXPECT_EQ(coefficient->value, 0);
+
+  SlidingStandIn other;
+  const Diagnosis both = diagnosed_by(
+      looped([&](double f) { return 0.3 * f + strength * SlidingStandIn::sheared_area(f); }), other);
+  ASSERT_EQ(both.left_out.size(), 1u) << both.in_words;
+  EXPECT_EQ(both.left_out[0].id, "two_term_friction") << both.in_words;
+  expect_found(both, "Interface/Adhesive shear strength", strength, 0.03);
+}
+
+TEST(SolvedSliding_behaviour, a_compliant_mount_is_the_measurement_s_and_changes_no_entry) {
+  SlidingStandIn stand_in;
+  const double compliance = 1e-4;
+  const Diagnosis d = diagnosed_by(looped([](double f) { return 0.3 * f; }, 1, compliance), stand_in);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "lateral_compliance");
+  EXPECT_TRUE(d.corrected().empty());
+}
+
+TEST(SolvedSliding_behaviour, what_cannot_be_slid_leaves_the_answer_open) {
+  SlidingStandIn stand_in;
+  stand_in.cannot_solve = "Interface/Work of adhesion";
+  const Diagnosis d = diagnosed_by(
+      looped([&](double f) { return 0.3 * (f + SlidingStandIn::pressed_by(0.4, f)); }), stand_in);
+  EXPECT_NE(d.verdict, Verdict::explained) << d.in_words;
+  EXPECT_NE(d.verdict, Verdict::no_mismatch) << d.in_words;
+}
+
+TEST(SolvedSliding_behaviour, recordings_of_several_surfaces_and_cases_without_a_coefficient_are_refused) {
+  Recording several = looped([](double f) { return 0.3 * f; });
+  auto& roughness = several.tables[0].columns["rms_roughness"];
+  for (std::size_t i = 0; i < several.tables[0].rows(); ++i) roughness.push_back(i < 200 ? 1e-9 : 2e-9);
+  SlidingStandIn stand_in;
+  EXPECT_NE(message_of<InputError>([&] { diagnosed_by(several, stand_in); }).find("varies rms_roughness"),
+            std::string::npos);
+  SlidingStandIn none;
+  none.friction = 0;
+  EXPECT_NE(message_of<InputError>([&] {
+              diagnosed_by(looped([](double f) { return 0.3 * f; }), none);
+            }).find("Interface/Friction coefficient"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity
