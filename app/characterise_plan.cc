@@ -119,19 +119,29 @@ std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double
   return motions;
 }
 
-/// Two cases at a time, a core for each.
-double seconds_of(const CharacterisePlan& plan) {
+/// Of one realisation of a motion at all loads; two cases at a time, a core for each.
+double seconds_of(const CharacterisePlan& plan, const PlannedMotion& motion) {
   constexpr int at_a_time = 2;
   double seconds = 0;
-  for (const double load : plan.loads)
-    for (const auto& motion : plan.motions) {
-      Settings settings = plan.base;
-      for (const auto& setting : motion.settings) override_setting(settings, setting);
-      override_setting(settings, {"Experiment", "Normal load", text_of(load, Dimension::force), planned});
-      seconds +=
-          preview_mesh(case_from_settings(settings, planned)).seconds_on_one_core * plan.rung.realisations;
-    }
+  for (const double load : plan.loads) {
+    Settings settings = plan.base;
+    for (const auto& setting : motion.settings) override_setting(settings, setting);
+    override_setting(settings, {"Experiment", "Normal load", text_of(load, Dimension::force), planned});
+    seconds += preview_mesh(case_from_settings(settings, planned)).seconds_on_one_core;
+  }
   return seconds / at_a_time;
+}
+
+/// More surfaces under normal load alone, as the time allows: scatter over the surface is what their numbers
+/// are known to.
+void add_pressed(CharacterisePlan& plan, double time) {
+  constexpr int most_pressed = 10;
+  const double each = seconds_of(plan, plan.motions.front());
+  while (plan.rung.pressed < most_pressed && plan.seconds + each <= time) {
+    ++plan.rung.pressed;
+    plan.seconds += each;
+    plan.cases += static_cast<int>(plan.loads.size());
+  }
 }
 
 CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, const MeasuredScan& substrate,
@@ -149,10 +159,11 @@ CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, c
   const bool drawn =
       from_spectrum(substrate, request.surface) || (particle && from_spectrum(*particle, request.surface));
   if (!drawn) plan.rung.realisations = 1;
+  plan.rung.pressed = plan.rung.realisations;
   plan.base = base_of(request, plan, substrate, particle);
   plan.motions = motions_of(request, smooth.contact_radius(plan.loads.back()));
   plan.cases = static_cast<int>(plan.loads.size() * plan.motions.size()) * plan.rung.realisations;
-  plan.seconds = seconds_of(plan);
+  for (const auto& motion : plan.motions) plan.seconds += seconds_of(plan, motion) * plan.rung.realisations;
   return plan;
 }
 
@@ -166,6 +177,8 @@ std::string variant_line(const PlannedMotion& motion) {
 std::string rung_text(const Rung& rung) {
   return std::to_string(rung.loads) + (rung.loads == 1 ? " load, " : " loads, ") +
          std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
+         (rung.pressed > rung.realisations ? " (" + std::to_string(rung.pressed) + " under normal load alone)"
+                                           : "") +
          printed(", at least %g cells over the contact radius", rung.cells_per_radius);
 }
 
@@ -182,6 +195,7 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
     }
     plan = dearer;
   }
+  if (!request.quick && plan.rung.realisations > 1) add_pressed(plan, request.time);
   return plan;
 }
 
@@ -195,7 +209,11 @@ std::string study_text(const CharacterisePlan& plan) {
       "\n  subsection Vary\n    set Experiment/Normal load = " + loads +
       "\n  end\n  set Name of variants = Motion\n  subsection Variants\n";
   for (const auto& motion : plan.motions) text += variant_line(motion);
-  return text + "  end\nend\n" + format_settings(plan.base);
+  text += "  end\n";
+  if (plan.rung.pressed > plan.rung.realisations)
+    text += "  subsection Realisations of variants\n    set " + plan.motions.front().label + " = " +
+            std::to_string(plan.rung.pressed) + "\n  end\n";
+  return text + "end\n" + format_settings(plan.base);
 }
 
 std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan) {

@@ -17,6 +17,7 @@ struct Rung {
       0;             ///< of Hertz' contact at the lowest load: contact radius over spacing, at least [-]
   double waves = 0;  ///< roll-off of the spectrum over the shortest wave, at least [-]
   int loads = 1, realisations = 1;
+  int pressed = 1;  ///< realisations under normal load alone, which cost least and tell the stiffnesses
 };
 
 /// One way of motion with its entries, solved at each load and for each realisation.

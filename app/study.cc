@@ -81,7 +81,8 @@ class StudyReader {
     if (!variants_.choices.empty()) axes_.push_back(variants_);
     merge_base();
     for (const auto& axis : axes_) name_axis(axis);
-    for (int realisation = 1; realisation <= study_.realisations; ++realisation) add_cases({}, realisation);
+    check_realisations_of_variants();
+    for (int realisation = 1; realisation <= most_realisations(); ++realisation) add_cases({}, realisation);
     return study_;
   }
 
@@ -92,10 +93,13 @@ class StudyReader {
     } else if (setting.section == "Study/Variants") {
       variants_.where = setting.where;
       variants_.choices.push_back(read_variant(setting, study_.file));
+    } else if (setting.section == "Study/Realisations of variants") {
+      of_variants_.push_back({setting, count_of(setting, 1)});
     } else if (setting.section == "Study") {
       take_study_entry(setting);
     } else if (setting.section.rfind("Study/", 0) == 0) {
-      throw InputError(setting.where + ": subsection Study has Vary and Variants, not '" +
+      throw InputError(setting.where +
+                       ": subsection Study has Vary, Variants and Realisations of variants, not '" +
                        setting.section.substr(6) + "'");
     } else {
       check_entry_exists(setting);
@@ -123,6 +127,30 @@ class StudyReader {
                                         "and the subsections Vary and Variants"
                                       : "; did you mean '" + meant + "'?"));
     }
+  }
+
+  void check_realisations_of_variants() const {
+    std::vector<std::string> labels;
+    for (const auto& choice : variants_.choices) labels.push_back(choice.label);
+    for (const auto& [setting, count] : of_variants_) {
+      if (std::find(labels.begin(), labels.end(), setting.entry) != labels.end()) continue;
+      const std::string meant = nearest_name(setting.entry, labels);
+      throw InputError(
+          setting.where + ": there is no variant '" + setting.entry + "'" +
+          (meant.empty() ? "; name one of subsection Variants" : "; did you mean '" + meant + "'?"));
+    }
+  }
+
+  /// Of a variant by its label, the last axis where there are variants.
+  int realisations_of(const std::vector<std::string>& labels) const {
+    for (const auto& [setting, count] : of_variants_)
+      if (!labels.empty() && setting.entry == labels.back()) return count;
+    return study_.realisations;
+  }
+  int most_realisations() const {
+    int most = study_.realisations;
+    for (const auto& [setting, count] : of_variants_) most = std::max(most, count);
+    return most;
   }
 
   void merge_base() {
@@ -178,8 +206,9 @@ class StudyReader {
       title += (title.empty() ? "" : ", ") + choice.label;
     }
     // Realisations differ by their generated surfaces alone; without any there is one.
+    if (realisation > realisations_of(cell.labels)) return;
     if (!apply_realisation(cell.settings, realisation) && realisation > 1) return;
-    if (study_.realisations > 1) {
+    if (most_realisations() > 1) {
       cell.name += (cell.name.empty() ? "r" : "-r") + std::to_string(realisation);
       title += (title.empty() ? "" : ", ") + std::string("realisation ") + std::to_string(realisation);
     }
@@ -189,7 +218,13 @@ class StudyReader {
     study_.cases.push_back(std::move(cell));
   }
 
+  struct RealisationsOfVariant {
+    Setting setting;
+    int count = 0;
+  };
+
   Study study_;
+  std::vector<RealisationsOfVariant> of_variants_;
   fs::path base_;
   Settings own_, merged_;
   std::vector<WrittenAxis> axes_;
@@ -212,6 +247,9 @@ const char* const study_example =
     "  subsection Variants                 # named groups of entries, varied together\n"
     "    set elastic  = Particle/Yield stress=inf; Substrate/Yield stress=inf\n"
     "    set yielding =\n"
+    "  end\n"
+    "  subsection Realisations of variants # of one variant more, or fewer, than of the others\n"
+    "    set elastic = 8\n"
     "  end\n"
     "end\n";
 

@@ -13,6 +13,9 @@
 //       set elastic  = Particle/Yield stress=inf; Substrate/Yield stress=inf
 //       set yielding =
 //     end
+//     subsection Realisations of variants    # of one variant more, or fewer, than of the others
+//       set elastic = 8
+//     end
 //   end
 #pragma once
 
@@ -42,7 +45,7 @@ struct Study {
   std::string title;
   std::filesystem::path file;
   std::vector<StudyAxis> axes;
-  int realisations = 1;
+  int realisations = 1;          ///< but of variants with a number of their own
   int parallel_cases = 0;        ///< at the same time; 0: as many as the machine has cores
   std::vector<StudyCase> cases;  ///< the first realisation of all, then the second, ...
 };

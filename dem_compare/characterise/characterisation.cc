@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,32 +63,34 @@ double half_width_in_sds(int degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), upper_end);
 }
 
-/// Cases of rough bodies that tell a quantity beyond the first of each load.
-int repeated_cases(const ParameterSet& set, Motion told_by) {
-  std::vector<double> loads;
-  int repeated = 0;
+/// Loads and realisations of the cases that tell a quantity: as the derivation names them, else all of the
+/// motion that tells it.
+std::vector<CaseNumber> cases_behind(const ParameterSet& set, const Derivation& derivation,
+                                     const QuantityEntry& entry) {
+  for (const auto& [member, origins] : derivation.origins)
+    for (const Origin& origin : origins)
+      if (member == entry.member && origin.from == Origin::From::cases) return counted_of(origin.numbers);
+  std::vector<CaseNumber> cases;
   for (const auto& solved : set.cases) {
-    if (solved.motion() != told_by || solved.history.size() == 0) continue;
+    if (solved.motion() != motion_named(entry.told_by) || solved.history.size() == 0) continue;
     const auto& forces = solved.history.normal_force;
-    const double load = *std::max_element(forces.begin(), forces.end());
-    const bool is_new =
-        std::none_of(loads.begin(), loads.end(), [&](double other) { return same_load(other, load); });
-    if (is_new)
-      loads.push_back(load);
-    else
-      ++repeated;
+    cases.push_back({*std::max_element(forces.begin(), forces.end()), realisation_of(solved)});
   }
-  return repeated;
+  return cases;
 }
 
-/// Number of realisations among the cases that tell a quantity.
-std::size_t realisations_of(const ParameterSet& set, Motion told_by) {
-  std::vector<std::string> seen;
-  for (const auto& solved : set.cases) {
-    if (solved.motion() != told_by) continue;
-    const std::string realisation = realisation_of(solved);
-    if (std::find(seen.begin(), seen.end(), realisation) == seen.end()) seen.push_back(realisation);
-  }
+/// Cases beyond the first of each load.
+int repeated(const std::vector<CaseNumber>& cases) {
+  std::vector<double> loads;
+  for (const CaseNumber& one : cases)
+    if (std::none_of(loads.begin(), loads.end(), [&](double other) { return same_load(other, one.load); }))
+      loads.push_back(one.load);
+  return static_cast<int>(cases.size() - loads.size());
+}
+
+std::size_t realisations_of(const std::vector<CaseNumber>& cases) {
+  std::set<std::string> seen;
+  for (const CaseNumber& one : cases) seen.insert(one.realisation);
   return seen.size();
 }
 
@@ -169,8 +173,9 @@ Characterisation characterised(const ParameterSet& set, const Derivation& deriva
                                quantity->value, quantity->at_load, quantity->sd};
     number.mesh_sd = relative_mesh_error(set, entry.key, told_by) * std::abs(quantity->value);
     if (is_stiffness(entry.key)) number.material_sd = modulus_spread * std::abs(quantity->value);
-    number.holds_scatter = !is_rough(set) || realisations_of(set, told_by) > 1;
-    if (is_rough(set) && number.holds_scatter) number.degrees_of_freedom = repeated_cases(set, told_by);
+    const std::vector<CaseNumber> cases = cases_behind(set, derivation, entry);
+    number.holds_scatter = !is_rough(set) || realisations_of(cases) > 1;
+    if (is_rough(set) && number.holds_scatter) number.degrees_of_freedom = repeated(cases);
     number.from = quantity->provenance;
     number.is_assumed = quantity->value == 0 && !std::isfinite(quantity->sd);
     if (is_friction(entry.key)) {

@@ -65,9 +65,24 @@ void find_test_of_law(const ResistanceLaw& law, LawFindings& findings) {
     findings.found.push_back(MisfitFact{law.misfit, law.degrees_of_freedom + 2});
 }
 
-void derive_stiffness(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
+/// Stiffness of a contact that was only pressed: `solve` probes it in each direction at the largest load.
+std::vector<CaseNumber> probed_when_pressed(const ParameterSet& set, const MotionMode& mode) {
+  std::vector<CaseNumber> probed;
+  for (const auto& solved : set.cases) {
+    if (solved.motion() != Motion::normal || solved.history.size() == 0) continue;
+    const EffectiveNumber number = solved.effective(mode.stiffness_key);
+    if (!(number.value > 0)) continue;
+    const auto& forces = solved.history.normal_force;
+    probed.push_back({*std::max_element(forces.begin(), forces.end()), realisation_of(solved),
+                      solved.interface_spacing(), number.value, number.sd});
+  }
+  return probed;
+}
+
+void derive_stiffness(const ParameterSet& set, const std::vector<MotionCase>& seen, Derivation& derivation,
+                      LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
-  std::vector<CaseNumber> probed, reversed;
+  std::vector<CaseNumber> probed = probed_when_pressed(set, mode), reversed;
   bool has_energies = false;
   for (const auto& item : seen) {
     has_energies = has_energies || item.moving.has_energies();
@@ -241,7 +256,7 @@ void derive_motion(const ParameterSet& set, const MotionMode& mode, Derivation& 
     findings.open.push_back({About::experiment, Derived::resistance, &mode});
   } else {
     derive_resistance(seen, derivation, findings);
-    derive_stiffness(seen, derivation, findings);
+    derive_stiffness(set, seen, derivation, findings);
   }
   derivation.laws.push_back(std::move(findings));
 }

@@ -1,5 +1,6 @@
 #include "app/study.h"
 
+#include <map>
 #include <set>
 
 #include "app/case_file.h"
@@ -72,6 +73,26 @@ TEST(Study_behaviour, realisations_differ_by_the_seeds_of_generated_surfaces_onl
   }
   EXPECT_EQ(seeds.size(), 3u);
   EXPECT_EQ(seeds.count(3), 1u);
+}
+
+TEST(Study_behaviour, a_variant_may_have_realisations_of_its_own) {
+  const std::string section =
+      "subsection Study\n set Realisations = 2\n subsection Variants\n"
+      "  set pressed = Substrate/Topography = generated(rms=1.5 nm, rolloff=200 nm, seed=3)\n"
+      "  set slid = Substrate/Topography = generated(rms=1.5 nm, rolloff=200 nm, seed=3); "
+      "Experiment/Type = sliding; Experiment/Distance = 100 nm; Interface/Friction coefficient = 0.2\n"
+      " end\n subsection Realisations of variants\n  set ";
+  const Study study = study_of(section + "pressed = 4\n end\nend\n");
+  std::map<std::string, std::set<std::uint64_t>> seeds;
+  for (const auto& cell : study.cases) {
+    seeds[cell.labels.front()].insert(parse_generator(value_of(cell, "Substrate/Topography")).seed);
+    EXPECT_EQ(cell.name, cell.labels.front() + "-r" + std::to_string(cell.realisation));
+  }
+  EXPECT_EQ(study.cases.size(), 6u);
+  EXPECT_EQ(seeds["pressed"].size(), 4u);
+  EXPECT_EQ(seeds["slid"].size(), 2u);
+  EXPECT_CONTAINS(study_refusal(section + "presed = 4\n end\nend\n"),
+                  "there is no variant 'presed'; did you mean 'pressed'?");
 }
 
 TEST(Study_behaviour, variants_set_several_entries_together) {
@@ -173,7 +194,7 @@ TEST(Study_behaviour, what_it_cannot_mean_is_refused_with_its_line) {
           "subsection Study\n subsection Vary\n set Experiment/Normal load = 1 mN; sideways\n end\nend\n"),
       "lacks '='");
   EXPECT_CONTAINS(study_refusal("subsection Study\n subsection Varied\n set a = b\n end\nend\n"),
-                  "Vary and Variants");
+                  "Vary, Variants and Realisations of variants");
   EXPECT_CONTAINS(study_refusal("subsection Study\n set Base case = none.prm\nend\n"),
                   "there is no base case");
 }

@@ -85,7 +85,7 @@ TEST(PlasticRolling_behaviour, a_second_pass_over_the_own_imprint_needs_less) {
   expect_less_from_pass_to_pass("yielding block, p0 2.6 Y, a/h 6", passes(1, 2, 6, 3));
 }
 
-TEST(PlasticRolling_behaviour, so_does_a_second_pass_of_a_sphere_that_carries_the_imprint_with_it) {
+TEST(PlasticRollingNightly_behaviour, so_does_a_second_pass_of_a_sphere_that_carries_the_imprint_with_it) {
   expect_less_from_pass_to_pass("yielding sphere, p0 2.6 Y, a/h 6", passes(0, 2, 6, 3));
 }
 
