@@ -267,9 +267,11 @@ void ContactExperiment::measure_stiffness() {
   stiffness_.normal = without_far_field(solver_->elastic_stiffness(state_), stiffness_.far_field);
   const Motion type = input_.experiment.type;
   const bool moves_as_written = type == Motion::program && solver_->has_friction();
-  if (type == Motion::sliding || type == Motion::rolling || moves_as_written)
+  // A contact that is only pressed tells all three, as if its active contact nodes stuck.
+  const bool in_all_directions = type == Motion::normal || moves_as_written;
+  if (type == Motion::sliding || type == Motion::rolling || in_all_directions)
     stiffness_.lateral = without_far_field(solver_->lateral_stiffness(state_), stiffness_.lateral_far_field);
-  if (type == Motion::torsion || moves_as_written) stiffness_.torsion = solver_->torsion_stiffness(state_);
+  if (type == Motion::torsion || in_all_directions) stiffness_.torsion = solver_->torsion_stiffness(state_);
   for (const double stiffness : {stiffness_.normal, stiffness_.lateral, stiffness_.torsion})
     if (std::isnan(stiffness))
       say("a stiffness was not measured: the linear solver did not converge; it is left out of result.json");

@@ -148,6 +148,29 @@ TEST(Sliding_analytic, of_rough_yielding_bodies_balances_energy_and_resumes_afte
           .below(difference, 1e-6, "mu P")));
 }
 
+/// Without friction: nodes in contact count as stuck for the lateral and the torsion stiffness.
+TEST(PressedExperiment_analytic, tells_the_stiffness_of_all_three_directions) {
+  const test::TemporaryFolder folder;
+  CaseInput input = sliding("smooth", 20e-9);
+  input.substrate.youngs_modulus = 71e9, input.substrate.poisson_ratio = 0.17;
+  input.experiment.type = Motion::normal;
+  input.experiment.distance = 0;
+  input.interface = {};
+  input.mesh.contact_region = 320e-9;
+  const auto s = solve_experiment(input, folder.path);
+  const double a = 0.2593e-6;
+  const auto stiffness = [&](const char* direction) {
+    return s.result["effective"][direction]["value"].get<double>();
+  };
+  const auto verified = [](const char* quantity, const char* source) {
+    return test::Verified{"Sliding", std::string("smooth sphere pressed, a/h 13: ") + quantity, source};
+  };
+  EXPECT_TRUE(verified("lateral stiffness", "8 G* a, Mindlin (1949)")
+                  .within(stiffness("lateral_stiffness"), 8 * 8.2901e9 * a, 0.02));
+  EXPECT_TRUE(verified("torsion stiffness", "16/3 G a^3")
+                  .within(stiffness("torsion_stiffness"), 16.0 / 3 * 15.171e9 * a * a * a, 0.03));
+}
+
 TEST(TorsionExperiment_analytic, reaches_the_moment_of_full_slip) {
   const test::TemporaryFolder folder;
   CaseInput input = sliding("smooth", 20e-9);
