@@ -174,6 +174,19 @@ FiniteElementModel::Asked FiniteElementModel::asked_of(Settings driven,
   return asked;
 }
 
+template <class Protocol>
+std::vector<FiniteElementModel::Asked> FiniteElementModel::asked_of(const std::vector<CaseChange>& changes,
+                                                                    const std::vector<Protocol>& protocols,
+                                                                    Study& study) const {
+  std::vector<Asked> asked;
+  for (const Protocol& protocol : protocols) {
+    Settings driven = settings_;
+    drive(driven, protocol);
+    asked.push_back(asked_of(std::move(driven), changes, study));
+  }
+  return asked;
+}
+
 std::string FiniteElementModel::out_of_time(double seconds) const {
   // No single solution takes the time of the others.
   constexpr double share = 0.25;
@@ -217,12 +230,7 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
                                                       const EnoughOfIt& enough) {
   refuse_for_normal_recordings();
   Study study = empty_study();
-  std::vector<Asked> asked;
-  for (const LoadingProtocol& protocol : protocols) {
-    Settings driven = settings_;
-    drive(driven, protocol);
-    asked.push_back(asked_of(std::move(driven), changes, study));
-  }
+  std::vector<Asked> asked = asked_of(changes, protocols, study);
   std::vector<std::string> unchosen;
   for (Asked& each : asked) {
     if (each.is_earlier || has_result(each.folder)) continue;
@@ -257,12 +265,7 @@ std::vector<SolvedSlide> FiniteElementModel::slide(const std::vector<CaseChange>
                                                    const std::vector<SlidingProtocol>& protocols,
                                                    bool must_end) {
   Study study = empty_study();
-  std::vector<Asked> asked;
-  for (const SlidingProtocol& protocol : protocols) {
-    Settings driven = settings_;
-    drive(driven, protocol);
-    asked.push_back(asked_of(std::move(driven), changes, study));
-  }
+  const std::vector<Asked> asked = asked_of(changes, protocols, study);
   const EnoughOfIt whole_path = [](const SolvedResponse&) { return std::string(); };
   const std::vector<CaseProgress> progress = run(study, must_end ? nullptr : whole_path, {});
   for (std::size_t i = 0; i < progress.size(); ++i) {

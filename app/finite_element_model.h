@@ -52,7 +52,11 @@ class FiniteElementModel : public ForwardModel {
     bool is_earlier = false;
     std::string ended_early;  ///< why what is there is enough; empty: it is complete, or to be solved
   };
-  /// The case with these changes; what is not solved elsewhere is added to `study`.
+  /// The case with these changes under each of the protocols; what is not solved elsewhere is added to
+  /// `study`.
+  template <class Protocol>
+  std::vector<Asked> asked_of(const std::vector<CaseChange>& changes, const std::vector<Protocol>& protocols,
+                              Study& study) const;
   Asked asked_of(Settings driven, const std::vector<CaseChange>& changes, Study& study) const;
   Study empty_study() const;
   void refuse_for_normal_recordings() const;

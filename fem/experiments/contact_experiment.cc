@@ -203,12 +203,13 @@ void ContactExperiment::divide(std::vector<Target>& pending, int parts, bool div
   }
 }
 
-void ContactExperiment::refuse_after(const Attempt& made) const {
+void ContactExperiment::refuse_after(const Attempt& made, bool moves) const {
   const std::string why = made.failure.empty()
                               ? "unbalanced force " + std::to_string(made.report.residual) + " of the load"
                               : made.failure;
   throw WorkError("no equilibrium found at step " + std::to_string(records_.size() + 1) + " (" + why +
-                  ") after halving the step six times; use more Experiment/Load steps");
+                  ") after halving the step six times; use more Experiment/" +
+                  (moves ? "Motion steps" : "Load steps"));
 }
 
 void ContactExperiment::solve_with_retries(double target, const RigidMotion& motion, double duration) {
@@ -233,7 +234,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     last_report_.residual = report.residual;
     if (report.restarts > 0) say("the quick iteration found no equilibrium; solved cautiously instead");
     if (!report.converged) {
-      if (++failures > 6) refuse_after(made);
+      if (++failures > 6) refuse_after(made, !(motion == state_.motion));
       divide(pending, 2, pending.back().divided);
       continue;
     }

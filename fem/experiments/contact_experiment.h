@@ -48,7 +48,7 @@ class ContactExperiment {
   void solve_with_retries(double target, const RigidMotion& motion, double duration);
   /// The last target in equal parts, from the accepted state.
   void divide(std::vector<Target>& pending, int parts, bool divided) const;
-  [[noreturn]] void refuse_after(const Attempt& made) const;
+  [[noreturn]] void refuse_after(const Attempt& made, bool moves) const;
   /// Into how many parts a step that was tried has to be divided.
   int parts_needed(const ContactState& trial, double force_before, double force, double flow_turn) const;
   void accept(ContactState& trial, double load);
