@@ -16,18 +16,16 @@ namespace {
 
 using Effects = std::vector<const Effect*>;
 
-/// Most solutions for one set; and how near solution and expectation must be, in units of noise and mesh
-/// error, root mean square.
+/// Most solutions for one set; root mean square distance to what was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
 constexpr double near_enough = 0.2;
 /// Log evidence over the simulation alone from which a single effect is worth solutions of its own.
 constexpr double worth_solving = 8;
 constexpr std::size_t most_survivors = 3;
-/// Log evidence by which another set must be better for one not to be solved: by reduced laws, and what they
-/// may be off by; and for one solved in part to be excluded.
+/// Log evidence by which another must be better: for a set not to be solved, by reduced laws and what they
+/// may be off by; for one solved in part to be excluded.
 constexpr double excluded_by_law = 50, excluded_by_part = 4 * as_good;
-/// Root mean square difference of a solution in progress and what was expected of it, in units of noise and
-/// mesh error, from which it is begun again with values that its first loads ask for.
+/// The same of a solution in progress, from which it begins again with values that its first loads ask for.
 constexpr double surprising = 3;
 const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
 
@@ -58,6 +56,15 @@ double distance(const FitProblem& problem, const Samples& part, const ModelFit& 
       ++count;
     }
   return std::sqrt(sum / std::max(1.0, count));
+}
+
+/// Null: none of these effects.
+const Candidate* candidate_of(const SearchResult& search, const Effects& effects) {
+  for (const Candidate& candidate : search.candidates)
+    if (const Effects& its = candidate.fit.explanation->effects();
+        std::is_permutation(its.begin(), its.end(), effects.begin(), effects.end()))
+      return &candidate;
+  return nullptr;
 }
 
 /// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
@@ -216,6 +223,17 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
   const auto want = [&](const Effects& effects) {
     if (!in_case(effects, problem.experiment).empty()) wanted.insert({effects.begin(), effects.end()});
   };
+  std::set<std::string> said;
+  const auto is_excluded = [&](const Candidate& candidate) {
+    const Candidate& best = search.candidates.front();
+    const std::string name = candidate.fit.explanation->name();
+    if (candidate.score >= best.score - excluded_by_law) return false;
+    if (said.insert(name).second)
+      remarks_.push_back(name + " was not solved: by its reduced law and what that may be off by, " +
+                         best.fit.explanation->name() +
+                         printed(" is better by %.0f in log evidence", best.score - candidate.score));
+    return true;
+  };
   // What survived, with one member less too: a member must earn its place.
   for (std::size_t i = 0; i < std::min(most_survivors, survivors.size()); ++i) {
     const Effects& effects = survivors[i]->fit.explanation->effects();
@@ -223,23 +241,17 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
     for (const Effect* left_out : effects) {
       Effects fewer = effects;
       fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
-      want(fewer);
+      const Candidate* candidate = candidate_of(search, fewer);
+      if (in_case(fewer, problem.experiment).empty() || wanted.count({fewer.begin(), fewer.end()})) continue;
+      if (!candidate || !is_excluded(*candidate)) want(fewer);
     }
   }
   for (const auto& candidate : search.candidates) {
     const Effects& effects = candidate.fit.explanation->effects();
-    if (effects.size() != 1 || candidate.score <= search.alone.score + worth_solving ||
-        in_case(effects, problem.experiment).empty() || wanted.count({effects.front()}))
-      continue;
-    const Candidate& best = search.candidates.front();
-    if (candidate.score >= best.score - excluded_by_law)
+    const bool helps = effects.size() == 1 && candidate.score > search.alone.score + worth_solving;
+    if (helps && !in_case(effects, problem.experiment).empty() && !wanted.count({effects.front()}) &&
+        !is_excluded(candidate))
       want(effects);
-    else
-      remarks_.push_back(effects.front()->id() +
-                         " was not solved: by its reduced law and what that may be "
-                         "off by, " +
-                         best.fit.explanation->name() +
-                         printed(" is better by %.0f in log evidence", best.score - candidate.score));
   }
   return wanted;
 }

@@ -229,7 +229,7 @@ TEST(SolvedCase_behaviour, each_turning_point_is_solved_and_yielding_recovered_o
   EXPECT_EQ(yields.solved, 3);
 }
 
-TEST(SolvedCase_behaviour, more_turning_points_than_are_solved_leave_yielding_open_and_say_so) {
+TEST(SolvedCaseNightly_behaviour, more_turning_points_than_are_solved_leave_yielding_open_and_say_so) {
   std::vector<double> depths;
   for (int i = 2; i <= 8; ++i) depths.push_back(7.5 * nm * i);
   StandIn elastic;

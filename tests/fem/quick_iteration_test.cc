@@ -60,7 +60,7 @@ Moved moved(char motion, double yield_stress, bool cautious,
   return result;
 }
 
-TEST(QuickIteration_behaviour, finds_what_the_cautious_one_finds_in_all_motions_elastic_and_yielding) {
+TEST(QuickIterationNightly_behaviour, finds_what_the_cautious_one_finds_in_all_motions_elastic_and_yielding) {
   const double yielding = 3e9;
   for (const double yield_stress : {yielding, std::numeric_limits<double>::infinity()})
     for (const char motion : {'r', 'x', 's'}) {
