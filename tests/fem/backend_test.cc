@@ -94,7 +94,7 @@ TEST(Backend_behaviour, both_give_the_same_states_of_yielding_bodies) {
   EXPECT_GT(free.plastic, 0);
 }
 
-TEST(BackendNightly_behaviour, both_give_the_same_shear_of_a_sliding_contact) {
+TEST(Backend_behaviour, both_give_the_same_shear_of_a_sliding_contact) {
   const auto run = [](const std::string& backend) {
     ContactSystemOptions o = options_with_backend(backend);
     o.tilted_normals = true;
