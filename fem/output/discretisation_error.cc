@@ -54,9 +54,12 @@ double DiscretisationError::largest_plastic_strain() const {
 }
 double DiscretisationError::plasticity() const { return std::hypot(0.25 * whole_, largest_pressure()); }
 
-// Friction by an area: as the area. By a load: what is left is that of full slip, below 0.5 %.
+// Friction by an area: tractions sum over whole nodes, without the area's correction of the edge; +1 to +2.3
+// % for smooth spheres with a/h 12 and 13, up to 2.7 times what is left of the area. By a load: what is left
+// is that of full slip, below 0.5 %.
 double DiscretisationError::resistance(double share_by_area) const {
-  return std::hypot(0.005, share_by_area * area());
+  constexpr double without_correction = 2.5;
+  return std::hypot(0.005, share_by_area * without_correction * area());
 }
 
 // As friction's lever arm goes with the contact radius.
