@@ -29,6 +29,19 @@ TEST(FrictionLaws_analytic, limit_the_shear_as_their_equations_say) {
   EXPECT_DOUBLE_EQ(limit(CappedCoulomb(0.3, 0.5e9), 2e9), 0.5e9);
 }
 
+/// Under Hertz' pressure p0 (1 - r^2/a^2)^(1/2) the edge takes (tau/p0)^2/12 of tau pi a^2, integrated by
+/// hand.
+TEST(FrictionLaws_analytic, the_edge_of_a_Hertzian_contact_takes_little_of_its_shear_strength) {
+  constexpr double peak = 1e9;
+  constexpr int rings = 20000;  // of equal area
+  for (const double strength : {0.1e9, 0.3e9, 1e9}) {
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+      sum += ShearStrength(strength).initial_limit(peak * std::sqrt(1 - (i + 0.5) / rings)).stress / rings;
+    EXPECT_NEAR(1 - sum / strength, std::pow(strength / peak, 2) / 12, 1e-5) << strength;
+  }
+}
+
 TEST(FrictionLaws_behaviour, are_chosen_by_the_entries_of_a_case) {
   EXPECT_EQ(make_friction_law({}), nullptr);
   const auto limit = [](double coefficient, double strength) {
