@@ -125,6 +125,12 @@ void add_interface(std::vector<CaseEntry>& entries) {
       "How attraction falls with the gap: " + alternatives(falls, ", or ") + "."));
   for (const auto& parameter : parameters_of(fem::adhesion_laws()))
     entries.push_back(law_entry("Interface", parameter, values));
+  entries.push_back(quantity(
+      "Interface", "Attraction force", [](CaseInput& c) -> double& { return c.interface.attraction_force; },
+      Dimension::force, not_negative, "0 N", "",
+      "Attraction of the surfaces beyond their contact, as one force whatever the gap, which acts like more "
+      "load: 2 pi w R of smooth spheres in the limit of Derjaguin, Muller & Toporov (1975), or what a "
+      "measurement says. Under control by force; beside it a law of adhesion can act at each point."));
 }
 
 /// Motions that asperity knows, and experiments that are programs of them.

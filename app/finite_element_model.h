@@ -60,6 +60,8 @@ class FiniteElementModel : public ForwardModel {
   Asked asked_of(Settings driven, const std::vector<CaseChange>& changes, Study& study) const;
   Study empty_study() const;
   void refuse_for_normal_recordings() const;
+  std::vector<SolvedSlide> slide_once(const std::vector<CaseChange>& changes,
+                                      const std::vector<SlidingProtocol>& protocols, bool must_end);
   /// Why a solution that took so many seconds ends; empty: it goes on.
   std::string out_of_time(double seconds) const;
   std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,

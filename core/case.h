@@ -26,6 +26,8 @@ struct InterfaceInput {
   double work_of_adhesion = 0;    ///< on approach [J/m^2]; 0: no adhesion
   double work_of_separation = 0;  ///< on separation of surfaces that were in contact [J/m^2]; 0: the same
   std::string adhesion_law = "dugdale";
+  /// Attraction beyond the contact, which presses whatever the gap, so that it acts like more load [N].
+  double attraction_force = 0;
 };
 
 /// How the particle is moved.
@@ -107,11 +109,17 @@ inline Hertz hertz_of(const CaseInput& input) {
   return {reduced_modulus(elastic(input.particle), elastic(input.substrate)), input.radius};
 }
 
+/// What the contact carries at the largest load under control by force [N].
+inline double largest_contact_force(const CaseInput& input) {
+  return input.experiment.normal_load + input.interface.attraction_force;
+}
+
 /// Their approach at the largest load, or the one that is asked for [m].
 inline double hertz_approach_of(const CaseInput& input) {
   const ExperimentInput& e = input.experiment;
-  return e.control == ExperimentInput::Control::displacement ? e.normal_approach
-                                                             : hertz_of(input).approach(e.normal_load);
+  return e.control == ExperimentInput::Control::displacement
+             ? e.normal_approach
+             : hertz_of(input).approach(largest_contact_force(input));
 }
 
 }  // namespace asperity

@@ -48,6 +48,10 @@ void require_solvable(const CaseInput& input) {
     refuse(
         "Interface/Work of adhesion on separation is below Work of adhesion, which would create energy in "
         "each cycle; raise it, or 0 for the same");
+  if (i.attraction_force > 0 && e.control == ExperimentInput::Control::displacement)
+    refuse(
+        "Interface/Attraction force needs Control = force: it acts whatever the gap, so that nothing says "
+        "where the surfaces open; give a law of adhesion to follow them apart");
   if (e.retract > 0 && e.control != ExperimentInput::Control::displacement)
     refuse("Experiment/Retract needs Control = displacement: under a given force the contact breaks at once");
   if (e.type == Motion::torsion && !rubs) {

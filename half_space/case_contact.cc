@@ -44,7 +44,7 @@ double rms_of_both(const CaseInput& input) {
 
 double largest_load(const CaseInput& input) {
   return input.experiment.control == ExperimentInput::Control::force
-             ? input.experiment.normal_load
+             ? largest_contact_force(input)
              : hertz_of(input).force(input.experiment.normal_approach);
 }
 
@@ -71,7 +71,7 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   how.hardness = options.hardness;
   const auto& experiment = input.experiment;
   contact.solution = experiment.control == ExperimentInput::Control::force
-                         ? half_spaces.at_force(experiment.normal_load, how)
+                         ? half_spaces.at_force(largest_contact_force(input), how)
                          : half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
   contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
   if (options.with_stiffness && !contact.shape.reaches_edge)

@@ -90,6 +90,10 @@ ContactInputs contact_inputs(const SolvedCase& solved) {
   ContactInputs inputs;
   for (const auto& [path, text] : solved.result->physical_entries)
     if (!is_of_section(path, "Experiment")) add_canonical(solved, path, text, inputs);
+  // An entry that the version which solved it did not have.
+  for (const auto& known : known_quantities())
+    if (*known.otherwise && !inputs.count(known.path))
+      add_canonical(solved, known.path, known.otherwise, inputs);
   return inputs;
 }
 
@@ -106,11 +110,13 @@ bool yields(const ContactInputs& inputs, const std::string& body) {
 }
 
 bool adheres(const ContactInputs& inputs) {
-  const auto is_given = [&](const char* entry) {
+  const auto is_given = [&](const char* entry, Dimension dimension) {
     const auto found = inputs.find(entry);
-    return found != inputs.end() && parse_quantity(found->second, Dimension::surface_energy) > 0;
+    return found != inputs.end() && parse_quantity(found->second, dimension) > 0;
   };
-  return is_given("Interface/Work of adhesion") || is_given("Interface/Work of adhesion on separation");
+  return is_given("Interface/Work of adhesion", Dimension::surface_energy) ||
+         is_given("Interface/Work of adhesion on separation", Dimension::surface_energy) ||
+         is_given("Interface/Attraction force", Dimension::force);
 }
 
 std::vector<std::string> differing_entries(const ContactInputs& one, const ContactInputs& other) {

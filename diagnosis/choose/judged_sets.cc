@@ -69,8 +69,9 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     const double rest = excess(smaller->fit) / search.overdispersion;
     if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
-    const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
-                          candidate.score > smaller->score + plain_evidence;
+    const bool is_plain =
+        effects[k]->is_another_value() || (effects[k]->description().kind == EffectKind::instrument &&
+                                           candidate.score > smaller->score + plain_evidence);
     const bool is_unsure = !is_plain && leaves_noise(smaller->fit);
     if (complete && gained < least_part * whole && (is_unsure || has_layer(without))) return false;
   }

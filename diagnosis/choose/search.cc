@@ -21,11 +21,13 @@ void score(Candidate& candidate, const Experiment& experiment, std::size_t admis
            double overdispersion) {
   const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size()) +
                           candidate.fit.numbers_read_off(experiment);
-  const auto effects = static_cast<double>(candidate.fit.explanation->effects().size());
+  const Effects& members = candidate.fit.explanation->effects();
+  const auto effects = static_cast<double>(std::count_if(
+      members.begin(), members.end(), [](const Effect* effect) { return !effect->is_another_value(); }));
   const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
   candidate.score = -0.5 * candidate.cost / overdispersion - 0.5 * parameters * std::log(count) -
                     effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
-  for (const Effect* effect : candidate.fit.explanation->effects())
+  for (const Effect* effect : members)
     if (!effect->not_recorded(experiment).empty()) candidate.score -= not_shown;
 }
 

@@ -23,6 +23,7 @@ class FrictionCoefficient : public Effect {
         0};
     return d;
   }
+  bool is_another_value() const override { return true; }
   bool can_show(const Experiment& e) const override { return e.by_finite_elements; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double recorded = e.largest_response / e.largest_force,

@@ -68,6 +68,8 @@ struct SimulatedBodies {
   double spacing = 0;     ///< of nodes where they can touch, as the case gives it [m]; 0: it derives it
   double friction_coefficient = 0;  ///< local mu of the interface [-]; 0: its law has none
   double adhesion_range = 0;        ///< [m]; 0: the case gives none
+  double work_of_adhesion = 0;      ///< on approach [J/m^2]
+  double attraction_force = 0;      ///< beyond the contact [N]
 };
 
 /// A simulation that is solved anew for each set of changes.

@@ -18,7 +18,7 @@ using Effects = std::vector<const Effect*>;
 
 /// Most solutions for one set; root mean square distance to what was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
-constexpr double near_enough = 0.2;
+constexpr double near_enough = 0.2, too_far = 1;
 /// Log evidence over the simulation alone from which a single effect is worth solutions of its own.
 constexpr double worth_solving = 8;
 constexpr std::size_t most_survivors = 3;
@@ -209,10 +209,13 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
   }
   if (answer.state == Confirmation::partial) return answer;
   if (apart >= near_enough)
-    remarks_.push_back(name +
-                       printed(": after %d solutions the last still differs from what was expected of it "
-                               "by %.2g times noise and mesh error",
-                               most_solves, apart));
+    remarks_.push_back(
+        name +
+        printed(": after %d solutions the last still differs from what was expected of it "
+                "by %.2g times noise and mesh error",
+                most_solves, apart) +
+        (apart >= too_far ? ", so that none of them says what it would do, and it stays open" : ""));
+  if (apart >= too_far) return {Confirmation::failed, {}, {}};
   after_.push_back({name, source});
   return answer;
 }

@@ -181,6 +181,8 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.substrate_yield = bodies.substrate_yield;
   problem.experiment.case_friction = bodies.friction_coefficient;
   problem.experiment.case_adhesion_range = bodies.adhesion_range;
+  problem.experiment.case_work_of_adhesion = bodies.work_of_adhesion;
+  problem.experiment.case_attraction_force = bodies.attraction_force;
   const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
   if (is_of_sliding_) {
     slides_ = sliding_protocols_of(problem, bodies.is_smooth);

@@ -1,7 +1,10 @@
 #include "diagnosis/mapping/solved_sliding.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "dem_compare/laws/shear_moduli.h"
@@ -87,6 +90,63 @@ double steady_friction(const Mechanics& law, double normal_force) {
   return simulate(law, samples).front();
 }
 
+/// Through the differences D(f) between solution and law at up to three loads: a share of the load, of the
+/// contact's area and a force; of two loads without the force, of one the share of the load. Exact where
+/// local friction, a shear strength or attraction differ.
+class InterpolatedDifference {
+ public:
+  void add(double force, double difference) {
+    forces_.push_back(force);
+    differences_.push_back(difference);
+  }
+  void solve() {
+    const auto n = static_cast<Eigen::Index>(forces_.size());
+    Eigen::MatrixXd terms(n, n);
+    Eigen::VectorXd values(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto row = terms_at(forces_[static_cast<std::size_t>(i)]);
+      for (Eigen::Index k = 0; k < n; ++k) terms(i, k) = row[static_cast<std::size_t>(k)];
+      values(i) = differences_[static_cast<std::size_t>(i)];
+    }
+    shares_ = terms.colPivHouseholderQr().solve(values);
+  }
+  double at(double force) const {
+    const auto terms = terms_at(force);
+    double sum = 0;
+    for (Eigen::Index k = 0; k < shares_.size(); ++k) sum += shares_(k) * terms[static_cast<std::size_t>(k)];
+    return sum;
+  }
+
+ private:
+  std::array<double, 3> terms_at(double force) const {
+    const double relative = force / forces_.front();
+    return {relative, std::cbrt(relative * relative), 1};
+  }
+  std::vector<double> forces_, differences_;
+  Eigen::VectorXd shares_;
+};
+
+/// What the law's friction is to be multiplied by.
+Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& reduced) {
+  InterpolatedDifference difference;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const SolvedSlide& slide : slides) {
+    difference.add(slide.normal_force, slide.friction - steady_friction(reduced, slide.normal_force));
+    least = std::min(least, slide.normal_force), most = std::max(most, slide.normal_force);
+  }
+  Factors factors;
+  if (slides.empty()) return factors;
+  difference.solve();
+  constexpr int parts = 32;
+  const int count = most > least ? parts : 0;
+  for (int i = 0; i <= count; ++i) {
+    const double force = count == 0 ? most : least * std::pow(most / least, static_cast<double>(i) / parts),
+                 by_law = steady_friction(reduced, force);
+    if (by_law > 0) factors.add(force, 1 + difference.at(force) / by_law);
+  }
+  return factors;
+}
+
 double lateral_stiffness(const Experiment& e, double normal_force) {
   return 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(normal_force);
 }
@@ -130,9 +190,8 @@ double friction_error(const std::vector<SolvedSlide>& slides) {
 std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector<SolvedSlide>& slides,
                                                                const Mechanics& reduced) {
   auto difference = std::make_shared<FrictionDifference>();
+  difference->limit = limit_factors(slides, reduced);
   for (const SolvedSlide& slide : slides) {
-    const double by_law = steady_friction(reduced, slide.normal_force);
-    if (by_law > 0) difference->limit.add(slide.normal_force, slide.friction / by_law);
     if (slide.lateral_stiffness > 0)
       difference->stiffness.add(
           slide.normal_force,

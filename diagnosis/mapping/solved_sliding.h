@@ -1,7 +1,9 @@
 // Sliding by finite elements beside the reduced law: at a few of the recorded loads the case is pressed and
 // slid from rest until all of it slips, and the law is corrected by
-//   T(f; p) = T_reduced(f; p) [T_FE(f; p_k)/T_reduced(f; p_k)],   k_l(f) likewise,
-// straight in ln f between these loads (output space mapping, Echeverría & Hemker 2005). SI units.
+//   T(f; p) = T_reduced(f; p) [1 + D(f)/T_reduced(f; p_k)],  D = T_FE(f; p_k) - T_reduced(f; p_k),
+//   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
+// D as a share of load, contact area and a force between these loads, the ratio straight in ln f (output space
+// mapping, Echeverría & Hemker 2005). SI units.
 #pragma once
 
 #include <memory>

@@ -44,10 +44,12 @@ struct Experiment {
   /// Yield stresses of that case, as it is [Pa]; infinite: the body stays elastic.
   double particle_yield = std::numeric_limits<double>::infinity();
   double substrate_yield = std::numeric_limits<double>::infinity();
-  bool case_is_smooth = true;      ///< neither of its bodies has a topography
-  double case_spacing = 0;         ///< of its nodes where the bodies can touch [m]; 0: it derives it
-  double case_friction = 0;        ///< its local coefficient of friction [-]; 0: none
-  double case_adhesion_range = 0;  ///< of its attraction [m]; 0: it gives none
+  bool case_is_smooth = true;        ///< neither of its bodies has a topography
+  double case_spacing = 0;           ///< of its nodes where the bodies can touch [m]; 0: it derives it
+  double case_friction = 0;          ///< its local coefficient of friction [-]; 0: none
+  double case_adhesion_range = 0;    ///< of its attraction [m]; 0: it gives none
+  double case_work_of_adhesion = 0;  ///< its own [J/m^2]
+  double case_attraction_force = 0;  ///< its attraction beyond the contact [N]
 
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }

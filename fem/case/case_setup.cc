@@ -60,7 +60,7 @@ double lateral_compliance(const CaseInput& input) {
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto law = make_friction_law(input.interface);
-  const double friction = law ? area * law->initial_limit(setup.largest_load / area).stress : 0;
+  const double friction = law ? area * law->initial_limit(setup.largest_contact_force() / area).stress : 0;
   const double torsion = 1 / shear_modulus(input.particle) + 1 / shear_modulus(input.substrate);
   MotionScales scales;
   scales.full_slip_shift = 3 * friction * lateral_compliance(input) / (16 * a);
@@ -79,6 +79,7 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
   setup.hertz_approach = hertz_approach_of(input);
   const bool force = input.experiment.control == ExperimentInput::Control::force;
   setup.largest_load = force ? input.experiment.normal_load : hertz.force(setup.hertz_approach);
+  setup.attraction_force = input.interface.attraction_force;
   setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
 }
 
@@ -198,7 +199,7 @@ void require_friction_that_does_not_jump(const CaseInput& input, const CaseSetup
   const auto law = make_friction_law(input.interface);
   if (!law || input.experiment.type == Motion::normal) return;
   const double a = setup.hertz_radius, area = M_PI * a * a,
-               fall = law->steepest_fall(setup.largest_load / area) * area,
+               fall = law->steepest_fall(setup.largest_contact_force() / area) * area,
                give = 0.8 * 3 * lateral_compliance(input) / (16 * a), ratio = fall * give;
   if (ratio < 1) return;
   throw InputError(input.file + ": friction falls with slip " + format_quantity(ratio, Dimension::none, 2) +

@@ -31,9 +31,12 @@ struct CaseSetup {
   double hertz_approach = 0;                   ///< its approach [m]
   double reduced_modulus = 0;                  ///< E* [Pa]
   double largest_load = 0;                     ///< given, or Hertz' at the largest approach [N]
+  double attraction_force = 0;                 ///< beyond the contact, which carries it beside the load [N]
   MotionScales motion;                         ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
   std::array<MeshedRoughness, 2> roughness;    ///< particle, substrate
+
+  double largest_contact_force() const { return largest_load + attraction_force; }  ///< [N]
 };
 
 /// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, so

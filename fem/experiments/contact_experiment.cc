@@ -153,7 +153,7 @@ double ContactExperiment::expected_approach(double target) const {
   // needs no guess.
   if (setup_.system.control != Control::force || target <= load_) return 0;
   const auto hertz = [&](double force) {
-    return setup_.hertz_approach * std::pow(force / setup_.largest_load, 2.0 / 3);
+    return setup_.hertz_approach * std::pow(force / setup_.largest_contact_force(), 2.0 / 3);
   };
   const double touch = load_ == 0 ? 2 * std::hypot(setup_.rms_particle, setup_.rms_substrate) : 0;
   return 0.8 * (hertz(target) - hertz(load_)) + touch;
@@ -219,7 +219,7 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
   int failures = 0;
   BodyEnergies energies;
   const HistoryRow before = records_.empty() ? HistoryRow() : records_.back();
-  double force_before = before.normal_force;
+  double force_before = before.normal_force + setup_.attraction_force;
   HistoryRow sums;
   sums.plastic_work = before.plastic_work;
   sums.friction_work = before.friction_work;
@@ -252,11 +252,12 @@ void ContactExperiment::solve_with_retries(double target, const RigidMotion& mot
     pending.pop_back();
     sums.friction_work += report.friction_work;
     sums.adhesion_loss += report.adhesion_loss;
-    sums.adhesion_energy = report.adhesion_energy;
+    sums.adhesion_energy = report.adhesion_energy - setup_.attraction_force * state_.approach;
     sums.plastic_work += energies.plastic_work;
   }
   records_.push_back(record(energies, sums));
-  balance_energy(records_, solver_->has_adhesion(), setup_.motion.rolling_radius);
+  balance_energy(records_, solver_->has_adhesion() || setup_.attraction_force > 0,
+                 setup_.motion.rolling_radius);
   HistoryRow& row = records_.back();
   row.added = added_values({*system_, *solver_, state_, row, records_.size() > 1 ? &row - 1 : nullptr});
 }
@@ -282,7 +283,8 @@ void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
   solve_with_retries(
-      fraction * (setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach),
+      setup_.system.control == Control::force ? fraction * setup_.largest_load + setup_.attraction_force
+                                              : fraction * setup_.hertz_approach,
       towards(station, index > 1 ? &program_[index - 2] : nullptr), station.duration);
   if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);

@@ -41,8 +41,8 @@ HistoryRow ContactExperiment::record(const BodyEnergies& energies, const History
   HistoryRow r;
   r.step = r.time = static_cast<double>(records_.size() + 1);
   set_energies(r, energies, sums);
-  r.normal_force = c.force;
-  r.attraction = c.attraction;
+  r.normal_force = c.force - setup_.attraction_force;
+  r.attraction = c.attraction + setup_.attraction_force;
   r.driven_displacement = state_.approach;
   r.normal_displacement = state_.approach - stiffness_.far_field * c.force;
   const RigidMotion& start = program_.front().motion;

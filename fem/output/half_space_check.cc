@@ -9,7 +9,7 @@ namespace asperity::fem {
 std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
                                                         const HistoryRow& peak) {
   if (input.experiment.type != Motion::normal || peak.plastic_volume > 0 || !(peak.normal_force > 0) ||
-      make_adhesion_laws(input.interface).closing)
+      make_adhesion_laws(input.interface).closing || input.interface.attraction_force > 0)
     return std::nullopt;
   CaseInput pressed = input;
   pressed.experiment.control = ExperimentInput::Control::force;
