@@ -1,13 +1,11 @@
 #include "app/case_declaration.h"
 
 #include "app/case_entry_kinds.h"
+#include "app/case_interface.h"
 #include "app/case_times.h"
 #include "core/experiment_declaration.h"
 #include "core/motion_program.h"
-#include "fem/interface/adhesion_law.h"
-#include "fem/interface/friction_law.h"
 #include "fem/materials/hardening.h"
-#include "results/known_entries.h"
 
 namespace asperity {
 namespace {
@@ -67,23 +65,6 @@ CaseEntry motion_program(std::string section) {
           }};
 }
 
-CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
-                    const Member<LawValues>& values) {
-  const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
-    return values(input)[name];
-  };
-  CaseEntry entry = quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
-                             parameter.default_text, "", documentation_of(parameter));
-  if (!parameter.words.empty()) {
-    std::vector<std::pair<std::string, double>> words;
-    for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
-    entry = choice<double>(section, parameter.entry, member, words, parameter.default_text,
-                           documentation_of(parameter));
-  }
-  entry.counts_if_given = !is_known_entry(section + "/" + parameter.entry);
-  return entry;
-}
-
 /// Entries that both bodies have.
 void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyInput CaseInput::*body,
               const std::string& modulus_example, const std::string& ratio_example) {
@@ -97,40 +78,6 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
   for (const auto& parameter : parameters_of(fem::material_laws()))
     entries.push_back(law_entry(section, parameter, at(&BodyInput::parameters)));
   entries.push_back(topography(section, at(&BodyInput::topography)));
-}
-
-void add_interface(std::vector<CaseEntry>& entries) {
-  const Member<LawValues> values = [](CaseInput& input) -> LawValues& { return input.interface.parameters; };
-  for (const auto& parameter : parameters_of(fem::friction_laws()))
-    entries.push_back(law_entry("Interface", parameter, values));
-  entries.push_back(quantity(
-      "Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
-      Dimension::surface_energy, not_negative, "0 J/m^2", "",
-      "Work of adhesion on approach: work per area of attraction as the surfaces close; 0: no adhesion."));
-  entries.push_back(quantity(
-      "Interface", "Work of adhesion on separation",
-      [](CaseInput& c) -> double& { return c.interface.work_of_separation; }, Dimension::surface_energy,
-      not_negative, "0 J/m^2", "",
-      "Work per area to separate surfaces that were in contact (adhesion hysteresis), not below Work of "
-      "adhesion; 0: the same as on approach."));
-  std::vector<std::pair<std::string, std::string>> names;
-  std::vector<std::string> falls;
-  for (const auto& law : fem::adhesion_laws()) {
-    names.emplace_back(law.name, law.name);
-    falls.push_back(law.fall);
-  }
-  entries.push_back(choice<std::string>(
-      "Interface", "Adhesion law", [](CaseInput& c) -> std::string& { return c.interface.adhesion_law; },
-      names, InterfaceInput().adhesion_law,
-      "How attraction falls with the gap: " + alternatives(falls, ", or ") + "."));
-  for (const auto& parameter : parameters_of(fem::adhesion_laws()))
-    entries.push_back(law_entry("Interface", parameter, values));
-  entries.push_back(quantity(
-      "Interface", "Attraction force", [](CaseInput& c) -> double& { return c.interface.attraction_force; },
-      Dimension::force, not_negative, "0 N", "",
-      "Attraction of the surfaces beyond their contact, as one force whatever the gap, which acts like more "
-      "load: 2 pi w R of smooth spheres in the limit of Derjaguin, Muller & Toporov (1975), or what a "
-      "measurement says. Under control by force; beside it a law of adhesion can act at each point."));
 }
 
 /// Motions that asperity knows, and experiments that are programs of them.

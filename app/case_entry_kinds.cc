@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/printed.h"
+#include "results/known_entries.h"
 
 namespace asperity {
 namespace {
@@ -96,6 +97,23 @@ CaseEntry flag(std::string section, std::string name, Member<bool> member, std::
                std::string documentation) {
   return choice<bool>(std::move(section), std::move(name), std::move(member),
                       {{"true", true}, {"false", false}}, std::move(default_text), std::move(documentation));
+}
+
+CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
+                    const Member<LawValues>& values) {
+  const Member<double> member = [=, name = parameter.entry](CaseInput& input) -> double& {
+    return values(input)[name];
+  };
+  CaseEntry entry = quantity(section, parameter.entry, member, parameter.dimension, parameter.range,
+                             parameter.default_text, "", documentation_of(parameter));
+  if (!parameter.words.empty()) {
+    std::vector<std::pair<std::string, double>> words;
+    for (const auto& word : parameter.words) words.emplace_back(word, static_cast<double>(words.size()));
+    entry = choice<double>(section, parameter.entry, member, words, parameter.default_text,
+                           documentation_of(parameter));
+  }
+  entry.counts_if_given = !is_known_entry(section + "/" + parameter.entry);
+  return entry;
 }
 
 }  // namespace asperity

@@ -55,6 +55,10 @@ CaseEntry choice(std::string section, std::string name, const Member<T>& member,
           }};
 }
 
+/// What a law takes, of a number or of words; one that earlier versions did not have counts only if given.
+CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
+                    const Member<LawValues>& values);
+
 /// true or false.
 CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
                std::string documentation);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/case_file.h"
+#include "app/driven_case.h"
 #include "app/inputs_hash.h"
 #include "app/study_runner.h"
 #include "app/study_summary.h"
@@ -25,40 +26,6 @@ namespace fs = std::filesystem;
 double yield_stress(const BodyInput& body) {
   const auto yield = body.parameters.find("Yield stress");
   return yield != body.parameters.end() ? yield->second : std::numeric_limits<double>::infinity();
-}
-
-void set_entry(Settings& settings, const std::string& path, const std::string& value) {
-  const std::size_t slash = path.find('/');
-  override_setting(settings, {path.substr(0, slash), path.substr(slash + 1), value, "diagnosis"});
-}
-
-/// The case under another load.
-void drive(Settings& settings, const LoadingProtocol& protocol) {
-  const bool by_force = !(protocol.approach > 0);
-  set_entry(settings, "Experiment/Control", by_force ? "force" : "displacement");
-  set_entry(settings, "Experiment/Normal load", printed("%.6g N", by_force ? protocol.largest_force : 0.0));
-  set_entry(settings, "Experiment/Normal approach", printed("%.6g m", protocol.approach));
-  set_entry(settings, "Experiment/Unload", protocol.unloads ? "true" : "false");
-  set_entry(settings, "Experiment/Retract", printed("%.6g m", protocol.retract));
-  set_entry(settings, "Experiment/Cycles", "1");
-  set_entry(settings, "Experiment/Hold steps", "0");
-  constexpr const char* steps_to_resolve_pull_off = "30";
-  if (protocol.retract > 0) set_entry(settings, "Experiment/Unload steps", steps_to_resolve_pull_off);
-}
-
-/// The case slid at a constant load from rest, in one direction.
-void drive(Settings& settings, const SlidingProtocol& protocol) {
-  set_entry(settings, "Experiment/Type", "sliding");
-  set_entry(settings, "Experiment/Control", "force");
-  set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.normal_force));
-  set_entry(settings, "Experiment/Normal approach", "0 m");
-  set_entry(settings, "Experiment/Distance", printed("%.4g m", protocol.path));
-  for (const char* back : {"Reverse", "Unload"})
-    set_entry(settings, std::string("Experiment/") + back, "false");
-  set_entry(settings, "Experiment/Return distance", "0 m");
-  set_entry(settings, "Experiment/Retract", "0 m");
-  set_entry(settings, "Experiment/Cycles", "1");
-  set_entry(settings, "Experiment/Hold steps", "0");
 }
 
 /// Its friction is NaN where the contact did not slip as a whole on its path.

@@ -90,10 +90,6 @@ ContactInputs contact_inputs(const SolvedCase& solved) {
   ContactInputs inputs;
   for (const auto& [path, text] : solved.result->physical_entries)
     if (!is_of_section(path, "Experiment")) add_canonical(solved, path, text, inputs);
-  // An entry that the version which solved it did not have.
-  for (const auto& known : known_quantities())
-    if (*known.otherwise && !inputs.count(known.path))
-      add_canonical(solved, known.path, known.otherwise, inputs);
   return inputs;
 }
 

@@ -23,8 +23,7 @@ const std::vector<KnownEntry>& known_quantities() {
       {"Interface/Shear strength", Dimension::pressure, "0"},
       {"Interface/Work of adhesion", Dimension::surface_energy, "0"},
       {"Interface/Work of adhesion on separation", Dimension::surface_energy, "0"},
-      {"Interface/Adhesion range", Dimension::length, "0"},
-      {"Interface/Attraction force", Dimension::force, "0"}};
+      {"Interface/Adhesion range", Dimension::length, "0"}};
   return entries;
 }
 

@@ -84,8 +84,8 @@ class Effect {
   /// What would show the effect beyond doubt and was not recorded, as advice to the experimenter; empty where
   /// it was. Without it, other causes look alike: the effect is a candidate and no answer.
   virtual std::string not_recorded(const Experiment&) const { return ""; }
-  /// Whether it gives a number of the simulation another value, and adds no physics: in the evidence it counts
-  /// by its parameters alone, and it is no second law that would only mend what the first is off by.
+  /// Whether it gives a number of the simulation another value, and adds no physics: in the evidence it
+  /// counts by its parameters alone, and it is no second law that would only mend what the first is off by.
   virtual bool is_another_value() const { return false; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }

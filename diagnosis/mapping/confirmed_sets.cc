@@ -209,12 +209,9 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
   }
   if (answer.state == Confirmation::partial) return answer;
   if (apart >= near_enough)
-    remarks_.push_back(
-        name +
-        printed(": after %d solutions the last still differs from what was expected of it "
-                "by %.2g times noise and mesh error",
-                most_solves, apart) +
-        (apart >= too_far ? ", so that none of them says what it would do, and it stays open" : ""));
+    remarks_.push_back(name + printed(": after %d solutions the last still differs from what was expected "
+                                      "of it by %.2g times noise and mesh error%s",
+                                      most_solves, apart, apart >= too_far ? "; it stays open" : ""));
   if (apart >= too_far) return {Confirmation::failed, {}, {}};
   after_.push_back({name, source});
   return answer;

@@ -2,8 +2,8 @@
 // slid from rest until all of it slips, and the law is corrected by
 //   T(f; p) = T_reduced(f; p) [1 + D(f)/T_reduced(f; p_k)],  D = T_FE(f; p_k) - T_reduced(f; p_k),
 //   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
-// D as a share of load, contact area and a force between these loads, the ratio straight in ln f (output space
-// mapping, Echeverría & Hemker 2005). SI units.
+// D as a share of load, contact area and a force between these loads, the ratio straight in ln f (output
+// space mapping, Echeverría & Hemker 2005). SI units.
 #pragma once
 
 #include <memory>

@@ -282,10 +282,10 @@ void ContactExperiment::measure_stiffness() {
 void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
-  solve_with_retries(
-      setup_.system.control == Control::force ? fraction * setup_.largest_load + setup_.attraction_force
-                                              : fraction * setup_.hertz_approach,
-      towards(station, index > 1 ? &program_[index - 2] : nullptr), station.duration);
+  solve_with_retries(setup_.system.control == Control::force
+                         ? fraction * setup_.largest_load + setup_.attraction_force
+                         : fraction * setup_.hertz_approach,
+                     towards(station, index > 1 ? &program_[index - 2] : nullptr), station.duration);
   if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());
