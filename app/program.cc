@@ -36,9 +36,8 @@ void check_subcommand_exists(const CLI::App& app, int argc, char** argv) {
     names.push_back(command->get_name());
   for (const auto& name : names)
     if (name == argv[1]) return;
-  const std::string meant = nearest_name(argv[1], names);
-  throw InputError("there is no subcommand '" + std::string(argv[1]) + "'" +
-                   (meant.empty() ? "; asperity --help lists them" : "; did you mean '" + meant + "'?"));
+  throw InputError("there is no subcommand '" + std::string(argv[1]) + "'; " +
+                   did_you_mean(argv[1], names, "asperity --help lists them"));
 }
 
 /// A program started without one of its standard streams would open its results in their place, and print

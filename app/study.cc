@@ -120,12 +120,11 @@ class StudyReader {
     } else if (setting.entry == "Name of variants") {
       variants_.path = setting.value;
     } else {
-      const std::string meant =
-          nearest_name(setting.entry, {"Base case", "Realisations", "Parallel cases", "Name of variants"});
-      throw InputError(setting.where + ": there is no entry '" + setting.entry + "' in subsection Study" +
-                       (meant.empty() ? "; it has Base case, Realisations, Parallel cases, Name of variants "
-                                        "and the subsections Vary and Variants"
-                                      : "; did you mean '" + meant + "'?"));
+      throw InputError(setting.where + ": there is no entry '" + setting.entry + "' in subsection Study; " +
+                       did_you_mean(setting.entry,
+                                    {"Base case", "Realisations", "Parallel cases", "Name of variants"},
+                                    "it has Base case, Realisations, Parallel cases, Name of variants "
+                                    "and the subsections Vary and Variants"));
     }
   }
 
@@ -134,10 +133,8 @@ class StudyReader {
     for (const auto& choice : variants_.choices) labels.push_back(choice.label);
     for (const auto& [setting, count] : of_variants_) {
       if (std::find(labels.begin(), labels.end(), setting.entry) != labels.end()) continue;
-      const std::string meant = nearest_name(setting.entry, labels);
-      throw InputError(
-          setting.where + ": there is no variant '" + setting.entry + "'" +
-          (meant.empty() ? "; name one of subsection Variants" : "; did you mean '" + meant + "'?"));
+      throw InputError(setting.where + ": there is no variant '" + setting.entry + "'; " +
+                       did_you_mean(setting.entry, labels, "name one of subsection Variants"));
     }
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/joined.h"
+
 namespace asperity {
 namespace {
 
@@ -41,6 +43,16 @@ std::string nearest_name(const std::string& written, const std::vector<std::stri
   // More than half of the letters wrong: it is another word.
   const int longest = static_cast<int>(std::max(written.size(), nearest.size()));
   return 2 * least <= longest ? nearest : "";
+}
+
+std::string did_you_mean(const std::string& written, const std::vector<std::string>& names,
+                         const std::string& otherwise) {
+  const std::string meant = nearest_name(written, names);
+  return meant.empty() ? otherwise : "did you mean '" + meant + "'?";
+}
+
+std::string did_you_mean(const std::string& written, const std::vector<std::string>& names) {
+  return did_you_mean(written, names, "there are " + joined(names, ", "));
 }
 
 }  // namespace asperity

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/joined.h"
 #include "core/nearest_name.h"
 
 namespace asperity {
@@ -57,9 +56,7 @@ const Entry& entry_named(const std::vector<Entry>& entries, const std::string& n
     if (name_of(entry) == name) return entry;
     names.push_back(name_of(entry));
   }
-  const std::string meant = nearest_name(name, names);
-  throw InputError(refusal + " '" + name + "'; " +
-                   (meant.empty() ? "there are " + joined(names, ", ") : "did you mean '" + meant + "'?"));
+  throw InputError(refusal + " '" + name + "'; " + did_you_mean(name, names));
 }
 
 }  // namespace asperity

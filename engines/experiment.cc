@@ -71,15 +71,11 @@ double EngineExperiment::indenter_load() const {
 
 Motion engine_experiment_type(const std::string& name) {
   std::vector<std::string> names;
-  std::string list;
   for (const auto& [known, type] : type_names()) {
     if (known == name) return type;
     names.push_back(known);
-    list += (list.empty() ? "" : ", ") + known;
   }
-  const std::string meant = nearest_name(name, names);
-  throw InputError("there is no experiment '" + name + "'; " +
-                   (meant.empty() ? "there are " + list : "did you mean '" + meant + "'?"));
+  throw InputError("there is no experiment '" + name + "'; " + did_you_mean(name, names));
 }
 
 std::string engine_experiment_name(Motion type) {

@@ -26,7 +26,12 @@ double chi2_of(const ModelFit& fit) {
   return fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count));
 }
 
-double excess(const ModelFit& fit) { return std::max(0.0, fit.cost - static_cast<double>(fit.count)); }
+/// Mismatch above noise; of a case of finite elements above what its mesh may be off by as well, which the
+/// cost of every set allows for.
+double excess(const FitProblem& problem, const Candidate& candidate) {
+  const double cost = problem.correction ? candidate.cost : candidate.fit.cost;
+  return std::max(0.0, cost - static_cast<double>(candidate.fit.count));
+}
 
 /// A layer on the surface, of asperities or a film: real ones follow its published laws to some per cent,
 /// which a second effect takes up.
@@ -64,14 +69,13 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another))
       return false;
     const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
-    if (without.empty()) continue;
-    const double whole = excess(search.alone.fit) / search.overdispersion;
-    const double rest = excess(smaller->fit) / search.overdispersion;
+    if (without.empty() || effects[k]->is_another_value()) continue;
+    const double whole = excess(problem, search.alone) / search.overdispersion;
+    const double rest = excess(problem, *smaller) / search.overdispersion;
     if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
-    const bool is_plain =
-        effects[k]->is_another_value() || (effects[k]->description().kind == EffectKind::instrument &&
-                                           candidate.score > smaller->score + plain_evidence);
+    const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
+                          candidate.score > smaller->score + plain_evidence;
     const bool is_unsure = !is_plain && leaves_noise(smaller->fit);
     if (complete && gained < least_part * whole && (is_unsure || has_layer(without))) return false;
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "diagnosis/conceal/add_noise.h"
 #include "diagnosis/conceal/world.h"
@@ -32,9 +31,8 @@ void check(const ConcealOptions& options) {
   for (const auto& name : out_of_catalogue_effects(options.mode)) known.push_back(name);
   for (const auto& effect : options.effects) {
     if (std::find(known.begin(), known.end(), effect) != known.end()) continue;
-    const std::string meant = nearest_name(effect, known);
     throw InputError("no effect '" + effect + "' can be concealed in mode " + name_of(options.mode) + "; " +
-                     (meant.empty() ? "there are " + joined(known, ", ") : "did you mean '" + meant + "'?"));
+                     did_you_mean(effect, known));
   }
   for (const auto& set : exclusive()) {
     std::vector<std::string> both;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/joined.h"
 #include "core/nearest_name.h"
 #include "diagnosis/import/text_formats.h"
 
@@ -15,10 +14,7 @@ const TextFormat& format_of(const InstrumentText& text, const std::string& asked
   for (const auto& format : text_formats()) {
     if (asked.empty() ? format.recognises(text) : asked == format.name) return format;
   }
-  const std::string meant = nearest_name(asked, import_formats());
-  throw InputError(
-      "there is no format '" + asked + "'; " +
-      (meant.empty() ? "there are " + joined(import_formats(), ", ") : "did you mean '" + meant + "'?"));
+  throw InputError("there is no format '" + asked + "'; " + did_you_mean(asked, import_formats()));
 }
 
 /// What the options say over what the file says; what neither says is asked for.

@@ -26,8 +26,7 @@ const std::vector<std::pair<std::string, Dimension>>& channels() {
 }
 
 std::string remedy(const std::string& written, const std::vector<std::string>& names) {
-  const std::string meant = nearest_name(written, names);
-  return meant.empty() ? "use one of " + joined(names, ", ") : "did you mean '" + meant + "'?";
+  return did_you_mean(written, names, "use one of " + joined(names, ", "));
 }
 
 }  // namespace

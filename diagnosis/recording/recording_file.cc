@@ -4,9 +4,9 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_entries.h"
 #include "core/output_folder.h"
 #include "diagnosis/recording/recording.h"
-#include "diagnosis/recording/recording_json.h"
 #include "diagnosis/recording/recording_table_file.h"
 #include "diagnosis/recording/simulation_json.h"
 
@@ -44,7 +44,7 @@ RecordedBody body_of(const Json& json, const std::string& where, const std::stri
 }
 
 RecordingTable table_of(const Json& json, Motion mode, const fs::path& folder, const std::string& file) {
-  check_keys(json, {"file", "kind", "control", "response", "at"}, "'tables'", file);
+  check_keys(json, {"file", "kind", "control", "response", "at"}, "tables", file);
   RecordingTable table;
   table.file = text_of(json, "file", "", file);
   if (table.file.empty()) refuse(file, "a table lacks its 'file'");

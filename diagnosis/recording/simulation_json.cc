@@ -33,7 +33,7 @@ std::map<std::string, std::string> case_entries_of(const Json& parameters, const
     if (name.find('/') == std::string::npos)
       refuse(file, "'" + name + "' is no entry of a case, such as \"Interface/Friction coefficient\"");
     if (value.is_object()) {
-      check_keys(value, {"value", "calibrate"}, "'" + name + "'", file);
+      check_keys(value, {"value", "calibrate"}, name, file);
       if (value.contains("calibrate") && value["calibrate"] != false)
         refuse(file, "'" + name +
                          "' is to be calibrated, and entries of a case are taken as given so far; "
@@ -49,7 +49,7 @@ std::map<std::string, std::string> case_entries_of(const Json& parameters, const
 }
 
 SimulationChoice simulation_by_case(const Json& json, const std::string& file) {
-  check_keys(json, {"case", "study", "parameters"}, "'simulation' by finite elements", file);
+  check_keys(json, {"case", "study", "parameters"}, "simulation by finite elements", file);
   SimulationChoice choice;
   choice.case_file = beside(json, "case", file);
   choice.study = beside(json, "study", file);
@@ -62,7 +62,7 @@ SimulationChoice simulation_by_case(const Json& json, const std::string& file) {
 SimulationChoice simulation_of(const Json& json, const std::string& file) {
   if (json.is_object() && (json.contains("case") || json.contains("study")))
     return simulation_by_case(json, file);
-  check_keys(json, {"normal", "sliding", "rolling", "torsion", "parameters"}, "'simulation'", file);
+  check_keys(json, {"normal", "sliding", "rolling", "torsion", "parameters"}, "simulation", file);
   SimulationChoice choice;
   choice.normal = text_of(json, "normal", choice.normal, file);
   choice.sliding = text_of(json, "sliding", choice.sliding, file);
@@ -73,7 +73,7 @@ SimulationChoice simulation_of(const Json& json, const std::string& file) {
     const Json& entry = item.value();
     SimulationParameter parameter;
     if (entry.is_object()) {
-      check_keys(entry, {"value", "calibrate"}, "'" + item.key() + "'", file);
+      check_keys(entry, {"value", "calibrate"}, item.key(), file);
       if (!entry.contains("value")) refuse(file, "parameter '" + item.key() + "' lacks its 'value'");
       parameter.value = quantity_of(entry["value"], Dimension::none, item.key(), file);
       if (entry.contains("calibrate")) {

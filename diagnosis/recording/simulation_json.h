@@ -5,7 +5,7 @@
 #include <string>
 
 #include "diagnosis/recording/recording.h"
-#include "diagnosis/recording/recording_json.h"
+#include "core/json_entries.h"
 
 namespace asperity {
 

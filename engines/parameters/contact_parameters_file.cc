@@ -4,9 +4,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/joined.h"
-#include "core/json_text.h"
-#include "core/nearest_name.h"
+#include "core/json_entries.h"
 #include "core/printable.h"
 #include "core/quantity.h"
 #include "engines/parameters/contact_parameters.h"
@@ -14,57 +12,17 @@
 namespace asperity {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* format_name = "asperity-parameters/1";
-
-[[noreturn]] void refuse(const std::string& file, const std::string& what) {
-  throw InputError(file + ": " + what);
-}
 
 /// A text of the file as a message shows it: on one line.
 std::string quoted(const std::string& text) { return "'" + printable(text) + "'"; }
-
-/// Every key of an object must be one of `known`.
-void check_keys(const Json& object, const std::vector<std::string>& known, const std::string& where,
-                const std::string& file) {
-  if (!object.is_object()) refuse(file, "'" + where + "' is not an object { }");
-  for (const auto& item : object.items()) {
-    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-    const std::string meant = nearest_name(item.key(), known);
-    refuse(file,
-           "there is no " + quoted(item.key()) + " in '" + where + "'; " +
-               (meant.empty() ? "it may hold " + joined(known, ", ") : "did you mean '" + meant + "'?"));
-  }
-}
-
-std::string text_of(const Json& object, const char* key, const std::string& where, const std::string& file) {
-  if (!object.contains(key)) return "";
-  if (!object[key].is_string()) refuse(file, "'" + where + "/" + key + "' is not a text in quotation marks");
-  return object[key].get<std::string>();
-}
-
-double finite_number(const Json& value, const std::string& where, const std::string& file) {
-  if (!value.is_number() || !std::isfinite(value.get<double>()))
-    refuse(file, "'" + where + "' is not a number");
-  return value.get<double>();
-}
 
 /// A plain SI number or a text with its unit ("8.5 um"), above zero.
 double body_number(const Json& object, const char* key, Dimension dimension, const std::string& where,
                    const std::string& file) {
   if (!object.contains(key)) return std::numeric_limits<double>::quiet_NaN();
   const std::string path = where + "/" + key;
-  double value = 0;
-  if (object[key].is_string()) {
-    try {
-      value = parse_quantity(object[key].get<std::string>(), dimension);
-    } catch (const InputError& error) {
-      refuse(file, "'" + path + "': " + error.what());
-    }
-  } else {
-    value = finite_number(object[key], path, file);
-  }
+  const double value = quantity_of(object[key], dimension, path, file);
   const bool may_be_zero = dimension == Dimension::none || std::string(key) == "rms";  // a smooth surface
   if (!(value > 0) && !(may_be_zero && value == 0)) refuse(file, "'" + path + "' must be above zero");
   return value;
@@ -77,13 +35,14 @@ ContactBody parse_body(const Json& json, const char* name, bool is_target, const
   if (is_target) known.insert(known.begin(), "geometry");
   check_keys(object, known, name, file);
   ContactBody body;
-  body.material = text_of(object, "material", name, file);
+  body.material = text_of(object, "material", "", file, std::string(name) + "/");
   body.youngs_modulus = body_number(object, "youngs_modulus", Dimension::pressure, name, file);
   body.poissons_ratio = body_number(object, "poissons_ratio", Dimension::none, name, file);
   body.density = body_number(object, "density", Dimension::none, name, file);
   body.rms = body_number(object, "rms", Dimension::length, name, file);
   body.radius = body_number(object, "radius", Dimension::length, name, file);
-  const std::string geometry = is_target ? text_of(object, "geometry", name, file) : "sphere";
+  const std::string geometry =
+      is_target ? text_of(object, "geometry", "", file, std::string(name) + "/") : "sphere";
   if (geometry == "plane")
     body.radius = std::numeric_limits<double>::infinity();
   else if (geometry != "sphere")
@@ -102,7 +61,7 @@ EffectiveQuantity parse_quantity_entry(const Json& object, const QuantityEntry& 
   if (!object.contains("value")) refuse(file, "'" + where + "' has no value");
   EffectiveQuantity quantity;
   quantity.value = finite_number(object["value"], where + "/value", file);
-  const std::string unit = text_of(object, "unit", where, file);
+  const std::string unit = text_of(object, "unit", "", file, where + "/");
   if (unit != entry.unit)
     refuse(file, "'" + where + "' has the unit " + quoted(unit) + "; it must be in SI: '" + entry.unit + "'");
   if (object.contains("sd") && !object["sd"].is_null()) {
@@ -118,7 +77,7 @@ EffectiveQuantity parse_quantity_entry(const Json& object, const QuantityEntry& 
     if (!(quantity.load_range->low > 0 && quantity.load_range->high >= quantity.load_range->low))
       refuse(file, "'" + where + "/load_range' must be two loads above zero, the lowest first");
   }
-  const std::string scale = text_of(object, "length_scale", where, file);
+  const std::string scale = text_of(object, "length_scale", "", file, where + "/");
   if (scale == "r")
     quantity.length_scale = LengthScale::particle_radius;
   else if (scale == "a")
@@ -128,7 +87,7 @@ EffectiveQuantity parse_quantity_entry(const Json& object, const QuantityEntry& 
            "'" + where + "/length_scale' is " + quoted(scale) + "; it must be r (particle) or a (contact)");
   if (object.contains("at_load"))
     quantity.at_load = finite_number(object["at_load"], where + "/at_load", file);
-  quantity.provenance = text_of(object, "provenance", where, file);
+  quantity.provenance = text_of(object, "provenance", "", file, where + "/");
   return quantity;
 }
 
