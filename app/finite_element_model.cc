@@ -38,6 +38,7 @@ SolvedSlide slide_of(const fs::path& folder, double normal_force) {
   slide.friction = friction.value * normal_force;
   slide.friction_error = friction.sd * normal_force;
   slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
+  slide.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
   slide.source = folder.string();
   return slide;
 }

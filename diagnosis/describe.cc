@@ -28,6 +28,21 @@ std::string titles(const std::vector<DiagnosedEffect>& effects) {
   return text;
 }
 
+/// What each parameter would be off by if finite elements were off by what they state; in its unit.
+std::vector<double> shifts_by_mesh_errors(const FitProblem& problem, const ModelFit& fit) {
+  std::vector<double> shifts(fit.values.size(), 0.0);
+  if (!fit.explanation->correction()) return shifts;
+  constexpr int steps = 6;
+  for (auto& explanation : off_by_mesh_errors(fit)) {
+    ModelFit off = fit;
+    off.explanation = std::move(explanation);
+    off = refitted(problem, off, problem.thin, false, steps);
+    for (std::size_t k = 0; k < shifts.size(); ++k)
+      shifts[k] = std::hypot(shifts[k], off.values[k] - fit.values[k]);
+  }
+  return shifts;
+}
+
 }  // namespace
 
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
@@ -39,21 +54,14 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
       shared_variance(problem.samples, fit.residual(problem.samples), problem.noise);
   const ModelFit known = with_intervals(problem, fit);
   const double accuracy = accuracy_of(problem, fit);
-  // What the parameters would be if finite elements were off by what they state.
-  ModelFit off = fit;
-  if (fit.explanation->correction()) {
-    constexpr int steps = 6;
-    off.explanation = off_by_mesh_error(fit);
-    off = refitted(problem, off, problem.thin, false, steps);
-  }
+  const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectDescription& d = effects[e]->description();
     DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
       if (free.effect == static_cast<int>(e))
-        effect.parameters.push_back(
-            widened(known.parameter(k, inflation), free, accuracy, off.values[k] - fit.values[k]));
+        effect.parameters.push_back(widened(known.parameter(k, inflation), free, accuracy, by_mesh[k]));
     }
     list.push_back(effect);
   }

@@ -148,19 +148,32 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-LawError mesh_error(const ModelFit& fit, const Samples& samples, const std::vector<double>& response) {
-  const auto off = asperity::simulate(off_by_mesh_error(fit)->mechanics(fit.values), samples);
-  LawError error(response.size());
-  for (std::size_t i = 0; i < error.size(); ++i)
-    error[i] = samples.list[i].counts ? std::abs(off[i] - response[i]) : 0.0;
-  return error;
+std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
+                                  const std::vector<double>& response) {
+  std::vector<LawError> errors;
+  for (const auto& explanation : off_by_mesh_errors(fit)) {
+    const auto off = asperity::simulate(explanation->mechanics(fit.values), samples);
+    LawError error(response.size());
+    for (std::size_t i = 0; i < error.size(); ++i)
+      error[i] = samples.list[i].counts ? std::abs(off[i] - response[i]) : 0.0;
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
+
+LawError together(const std::vector<LawError>& errors, std::size_t count) {
+  LawError all(count, 0.0);
+  for (const LawError& error : errors)
+    for (std::size_t i = 0; i < count; ++i) all[i] = std::hypot(all[i], error[i]);
+  return all;
 }
 
 std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
   const Samples& samples = problem.samples;
-  std::vector<LawError> errors;
   const auto& effects = fit.explanation->effects();
   const auto with = fit.simulate(samples);
+  std::vector<LawError> errors;
+  if (fit.explanation->correction()) errors = mesh_errors(fit, samples, with);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
   for (std::size_t i = 0; i < with.size(); ++i)
@@ -169,7 +182,6 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
                      : 0.0;
   changed = largest_nearby(samples, changed);
   const double largest = *std::max_element(changed.begin(), changed.end());
-  if (fit.explanation->correction()) errors.push_back(mesh_error(fit, samples, with));
   for (const Effect* left_out : effects) {
     if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
     std::vector<const Effect*> others;
@@ -196,10 +208,7 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
 }
 
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
-  LawError all(problem.samples.list.size(), 0.0);
-  for (const LawError& error : law_errors(problem, fit, baseline))
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::hypot(all[i], error[i]);
-  return all;
+  return together(law_errors(problem, fit, baseline), problem.samples.list.size());
 }
 
 double accuracy_of(const FitProblem& problem, const ModelFit& fit) {

@@ -18,9 +18,14 @@ namespace asperity {
 using LawError = std::vector<double>;
 
 /// What mesh and load steps of finite elements may be off by, as a part of the response: one standard
-/// deviation of the displacement that they state. Approach is off in proportion to the square of spacing over
-/// contact radius, whose square is in proportion to the approach: by the same length at any load.
-LawError mesh_error(const ModelFit& fit, const Samples& samples, const std::vector<double>& response);
+/// deviation of each that they state (off_by_mesh_errors). Approach is off in proportion to the square of
+/// spacing over contact radius, whose square is in proportion to the approach: by the same length at any
+/// load.
+std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
+                                  const std::vector<double>& response);
+
+/// Root of the sum of squares, of each sample; zeros of `count` where there is none.
+LawError together(const std::vector<LawError>& errors, std::size_t count);
 
 /// One for the mesh, where there is one, and one for each effect of a fit whose reduced law counts: its
 /// accuracy times the largest of what it changes nearby, with the other parameters as they are.

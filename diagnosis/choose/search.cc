@@ -110,6 +110,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
       admissible.push_back(effect.get());
   result.admissible = admissible.size();
   std::set<Effects> tried;
+  bool only_values = false;  // two effects leave noise: a third is only another value of the simulation
   for (std::size_t size = 1; size <= largest_set; ++size) {
     // Sets to fit, each with the smaller fit it grows from.
     std::vector<std::pair<Effects, const ModelFit*>> sets;
@@ -127,6 +128,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
       for (const Effect* effect : admissible) {
         Effects set = fit.explanation->effects();
         if (std::find(set.begin(), set.end(), effect) != set.end()) continue;
+        if (only_values && !effect->is_another_value()) continue;
         set.push_back(effect);
         add(set, &fit);
       }
@@ -149,7 +151,7 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
     if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something)
       break;
     // Three effects are looked for only where two leave structure.
-    if (size >= 2 && is_noise(result.candidates.front().fit)) break;
+    only_values = size >= 2 && is_noise(result.candidates.front().fit);
   }
   refit_within_larger(result, problem, laws);
   return result;

@@ -74,9 +74,9 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
 /// The last steps, on all samples and with the covariance there.
 ModelFit finished(const FitProblem& problem, const ModelFit& fit);
 
-/// The same explanation with the displacement of finite elements off by its standard deviation. Expects a
-/// correction.
-std::shared_ptr<const Explanation> off_by_mesh_error(const ModelFit& fit);
+/// The same explanation with finite elements off by one of the standard deviations that they state: of the
+/// displacement or friction, and of the lateral stiffness where that is stated. Expects a correction.
+std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit);
 
 /// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
 /// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.

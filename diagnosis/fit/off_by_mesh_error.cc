@@ -1,28 +1,43 @@
-// The fit with its finite elements off by their own error.
+// The fit with its finite elements off by what they state of their own error.
 #include "diagnosis/fit/model_fit.h"
 
 namespace asperity {
+namespace {
 
-std::shared_ptr<const Explanation> off_by_mesh_error(const ModelFit& fit) {
-  class OffByError : public BranchCorrection {
-   public:
-    explicit OffByError(std::shared_ptr<const BranchCorrection> exact) : exact_(std::move(exact)) {}
-    double displacement(const Sample& sample, double force) const override {
-      return exact_->displacement(sample, force) + exact_->error();
-    }
-    double limit_factor(double force) const override {
-      return exact_->limit_factor(force) * (1 + exact_->error());
-    }
-    double stiffness_factor(double force) const override { return exact_->stiffness_factor(force); }
-    std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
-      return exact_->contact_for(reduced);
-    }
-    double error() const override { return exact_->error(); }
+class OffByError : public BranchCorrection {
+ public:
+  enum class Of { response, stiffness };
+  OffByError(std::shared_ptr<const BranchCorrection> exact, Of of)
+      : exact_(std::move(exact)),
+        error_(of == Of::response ? exact_->error() : 0.0),
+        stiffness_error_(of == Of::stiffness ? exact_->stiffness_error() : 0.0) {}
+  double displacement(const Sample& sample, double force) const override {
+    return exact_->displacement(sample, force) + error_;
+  }
+  double limit_factor(double force) const override { return exact_->limit_factor(force) * (1 + error_); }
+  double stiffness_factor(double force) const override {
+    return exact_->stiffness_factor(force) * (1 + stiffness_error_);
+  }
+  std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
+    return exact_->contact_for(reduced);
+  }
+  double error() const override { return exact_->error(); }
+  double stiffness_error() const override { return exact_->stiffness_error(); }
 
-   private:
-    std::shared_ptr<const BranchCorrection> exact_;
-  };
-  return fit.explanation->with(std::make_shared<OffByError>(fit.explanation->correction()));
+ private:
+  std::shared_ptr<const BranchCorrection> exact_;
+  double error_, stiffness_error_;
+};
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit) {
+  const auto& exact = fit.explanation->correction();
+  std::vector<std::shared_ptr<const Explanation>> off{
+      fit.explanation->with(std::make_shared<OffByError>(exact, OffByError::Of::response))};
+  if (exact->stiffness_error() > 0)
+    off.push_back(fit.explanation->with(std::make_shared<OffByError>(exact, OffByError::Of::stiffness)));
+  return off;
 }
 
 }  // namespace asperity

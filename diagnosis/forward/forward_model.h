@@ -51,7 +51,8 @@ struct SolvedSlide {
   double friction = 0;           ///< steady lateral force [N]
   double friction_error = 0;     ///< its standard deviation, as stated: along the path, of mesh and steps [N]
   double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
-  std::string source;            ///< where it can be looked up
+  double lateral_stiffness_error = 0;  ///< its standard deviation, as stated [N/m]
+  std::string source;                  ///< where it can be looked up
 };
 
 /// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.

@@ -43,11 +43,12 @@ class Factors {
 class FrictionDifference : public BranchCorrection {
  public:
   Factors limit, stiffness;
-  double relative_error = 0;
+  double relative_error = 0, relative_stiffness_error = 0;
 
   double limit_factor(double force) const override { return limit.at(force); }
   double stiffness_factor(double force) const override { return stiffness.at(force); }
   double error() const override { return relative_error; }
+  double stiffness_error() const override { return relative_stiffness_error; }
 };
 
 /// Samples of one load.
@@ -192,10 +193,12 @@ std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector
   auto difference = std::make_shared<FrictionDifference>();
   difference->limit = limit_factors(slides, reduced);
   for (const SolvedSlide& slide : slides) {
-    if (slide.lateral_stiffness > 0)
-      difference->stiffness.add(
-          slide.normal_force,
-          slide.lateral_stiffness / lateral_stiffness(reduced.experiment, slide.normal_force));
+    if (!(slide.lateral_stiffness > 0)) continue;
+    difference->relative_stiffness_error = std::max(difference->relative_stiffness_error,
+                                                    slide.lateral_stiffness_error / slide.lateral_stiffness);
+    difference->stiffness.add(
+        slide.normal_force,
+        slide.lateral_stiffness / lateral_stiffness(reduced.experiment, slide.normal_force));
   }
   difference->relative_error = friction_error(slides);
   return difference;

@@ -71,6 +71,8 @@ class BranchCorrection {
   /// Standard deviation of the finite elements' own answer, of mesh and load steps, at any force: of the
   /// displacement under normal load [m], of friction in sliding as a part of it [-].
   virtual double error() const = 0;
+  /// The same of the lateral stiffness, as a part of it [-].
+  virtual double stiffness_error() const { return 0; }
 };
 
 /// Under normal load.
