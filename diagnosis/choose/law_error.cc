@@ -62,9 +62,44 @@ LawError largest_nearby(const Samples& samples, const LawError& error) {
   return largest;
 }
 
+/// All samples that count, with what one solution is off by along them.
+MatrixXd shapes_of_whole(const Samples& samples, const std::vector<std::size_t>& members) {
+  std::vector<double> loads;
+  for (const std::size_t i : members)
+    loads.push_back(std::max(std::abs(samples.list[i].normal_force), std::abs(samples.list[i].response)));
+  const std::vector<double> places = loads.empty() ? loads : relative(loads);
+  MatrixXd shapes = MatrixXd::Ones(static_cast<Eigen::Index>(members.size()), places.empty() ? 1 : 2);
+  for (std::size_t i = 0; i < places.size(); ++i) shapes(static_cast<Eigen::Index>(i), 1) = places[i] - 0.5;
+  return shapes;
+}
+
+/// Takes off the columns of B, each as much as is likely of a coefficient of unit variance, by reweighting.
+/// Returns what the coefficients add to the cost.
+double fitted_off(const MatrixXd& B, VectorXd& residual) {
+  VectorXd m = VectorXd::Zero(B.cols()), left = residual;
+  MatrixXd H;
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds; ++round) {
+    VectorXd weight = VectorXd::Ones(B.rows());
+    for (Eigen::Index row = 0; row < B.rows(); ++row)
+      if (std::abs(left[row]) > huber_bend) weight[row] = huber_bend / std::abs(left[row]);
+    const MatrixXd W = weight.asDiagonal() * B;
+    H = MatrixXd::Identity(B.cols(), B.cols());
+    H.noalias() += B.transpose() * W;
+    m = H.llt().solve(W.transpose() * residual);
+    left = residual - B * m;
+  }
+  residual = left;
+  const MatrixXd L = H.llt().matrixL();
+  return 2 * L.diagonal().array().log().sum() + m.squaredNorm();
+}
+
 }  // namespace
 
 LawErrors::LawErrors(const Samples& samples) {
+  for (std::size_t i = 0; i < samples.list.size(); ++i)
+    if (samples.list[i].counts) whole_.samples.push_back(i);
+  whole_.shapes = shapes_of_whole(samples, whole_.samples);
   std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> members;
   for (std::size_t r = 0; r < samples.runs.size(); ++r)
     for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
@@ -105,44 +140,31 @@ LawErrors::LawErrors(const Samples& samples) {
 }
 
 double LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
-                       const std::vector<LawError>& errors) const {
+                       const ModelErrors& errors) const {
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
   double own = 0;
-  for (const Group& group : groups_) {
+  const auto take_off = [&](const Group& group, const std::vector<LawError>& of) {
     const auto rows = static_cast<Eigen::Index>(group.samples.size()), columns = group.shapes.cols();
-    const auto count = static_cast<Eigen::Index>(errors.size());
-    if (count == 0) break;
+    const auto count = static_cast<Eigen::Index>(of.size());
+    if (count == 0 || rows == 0) return;
     MatrixXd B(rows, columns * count);
     for (Eigen::Index e = 0; e < count; ++e)
       for (Eigen::Index row = 0; row < rows; ++row)
         B.row(row).segment(e * columns, columns) =
-            errors[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] *
+            of[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] *
             group.shapes.row(row);
     filter.whiten(group.samples, B);
     VectorXd part(rows);
     for (Eigen::Index row = 0; row < rows; ++row)
       part[row] = r[filter.place(group.samples[static_cast<std::size_t>(row)])];
-    // Coefficients of least cost, by reweighting.
-    VectorXd m = VectorXd::Zero(B.cols()), left = part;
-    MatrixXd H;
-    constexpr int rounds = 6;
-    for (int round = 0; round < rounds; ++round) {
-      VectorXd weight = VectorXd::Ones(rows);
-      for (Eigen::Index row = 0; row < rows; ++row)
-        if (std::abs(left[row]) > huber_bend) weight[row] = huber_bend / std::abs(left[row]);
-      const MatrixXd W = weight.asDiagonal() * B;
-      H = MatrixXd::Identity(B.cols(), B.cols());
-      H.noalias() += B.transpose() * W;
-      m = H.llt().solve(W.transpose() * part);
-      left = part - B * m;
-    }
-    const MatrixXd L = H.llt().matrixL();
-    own += 2 * L.diagonal().array().log().sum() + m.squaredNorm();
+    own += fitted_off(B, part);
     for (Eigen::Index row = 0; row < rows; ++row)
-      r[filter.place(group.samples[static_cast<std::size_t>(row)])] = left[row];
-  }
+      r[filter.place(group.samples[static_cast<std::size_t>(row)])] = part[row];
+  };
+  take_off(whole_, errors.of_mesh);
+  for (const Group& group : groups_) take_off(group, errors.of_laws);
   double sum = own;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
@@ -155,7 +177,7 @@ std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
     const auto off = asperity::simulate(explanation->mechanics(fit.values), samples);
     LawError error(response.size());
     for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = samples.list[i].counts ? std::abs(off[i] - response[i]) : 0.0;
+      error[i] = samples.list[i].counts ? off[i] - response[i] : 0.0;
     errors.push_back(std::move(error));
   }
   return errors;
@@ -168,12 +190,12 @@ LawError together(const std::vector<LawError>& errors, std::size_t count) {
   return all;
 }
 
-std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
   const Samples& samples = problem.samples;
   const auto& effects = fit.explanation->effects();
   const auto with = fit.simulate(samples);
-  std::vector<LawError> errors;
-  if (fit.explanation->correction()) errors = mesh_errors(fit, samples, with);
+  ModelErrors errors;
+  if (fit.explanation->correction()) errors.of_mesh = mesh_errors(fit, samples, with);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
   for (std::size_t i = 0; i < with.size(); ++i)
@@ -202,13 +224,15 @@ std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit,
     for (std::size_t i = 0; i < error.size(); ++i)
       error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
                             std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
-    errors.push_back(std::move(error));
+    errors.of_laws.push_back(std::move(error));
   }
   return errors;
 }
 
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
-  return together(law_errors(problem, fit, baseline), problem.samples.list.size());
+  const ModelErrors errors = law_errors(problem, fit, baseline);
+  const std::size_t count = problem.samples.list.size();
+  return together({together(errors.of_mesh, count), together(errors.of_laws, count)}, count);
 }
 
 double accuracy_of(const FitProblem& problem, const ModelFit& fit) {

@@ -14,10 +14,16 @@
 
 namespace asperity {
 
-/// Standard deviation of one effect's law, of each sample.
+/// Standard deviation of one effect's law, of each sample; signed where all samples are off together.
 using LawError = std::vector<double>;
 
-/// What mesh and load steps of finite elements may be off by, as a part of the response: one standard
+/// What an explanation may be off by.
+struct ModelErrors {
+  std::vector<LawError> of_mesh;  ///< of one solution, by the same part everywhere or straight in the load
+  std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
+};
+
+/// What mesh and load steps of finite elements may be off by, as a part of the response, signed: one standard
 /// deviation of each that they state (off_by_mesh_errors). Approach is off in proportion to the square of
 /// spacing over contact radius, whose square is in proportion to the approach: by the same length at any
 /// load.
@@ -29,7 +35,7 @@ LawError together(const std::vector<LawError>& errors, std::size_t count);
 
 /// One for the mesh, where there is one, and one for each effect of a fit whose reduced law counts: its
 /// accuracy times the largest of what it changes nearby, with the other parameters as they are.
-std::vector<LawError> law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
+ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 /// Of all effects together.
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 
@@ -41,7 +47,7 @@ class LawErrors {
   /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's
   /// own, and the log determinant of its covariance over that of the noise.
   double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
-              const std::vector<LawError>& errors) const;
+              const ModelErrors& errors) const;
 
  private:
   /// Samples whose errors share coefficients, with the cosines there.
@@ -50,6 +56,7 @@ class LawErrors {
     Eigen::MatrixXd shapes;  ///< sqrt(w_k) phi_k, a row for each sample
   };
   std::vector<Group> groups_;
+  Group whole_;  ///< all samples, with a constant and a straight line in the load
 };
 
 /// What the least exact law of a set may be off by, relative.

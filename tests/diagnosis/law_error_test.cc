@@ -27,7 +27,7 @@ struct Made {
       white.push_back(normal(random)), error.push_back(5);  // a law off by five deviations
   }
   double cost(const std::vector<double>& residual, const std::vector<LawError>& errors) const {
-    return LawErrors(samples).cost(samples, noise, residual, errors);
+    return LawErrors(samples).cost(samples, noise, residual, {{}, errors});
   }
 };
 
@@ -57,6 +57,20 @@ TEST(LawError_behaviour, takes_up_what_varies_slowly_within_it_and_no_more) {
   EXPECT_GT(m.cost(slow, {}), noise + 2000);
   EXPECT_GT(m.cost(fast, {m.error}), noise + 2000);
   EXPECT_GT(m.cost(far, {m.error}), noise + 500);
+}
+
+/// One solution is off by the same part everywhere, and not up in one segment and down in the other.
+TEST(LawError_behaviour, of_one_solution_is_shared_by_all_segments) {
+  const Made m;
+  auto same = m.white, opposed = m.white;
+  for (std::size_t i = 0; i < 400; ++i) same[i] += 5, opposed[i] += i < 200 ? 5 : -5;
+  const auto by_mesh = [&](const std::vector<double>& residual) {
+    return LawErrors(m.samples).cost(m.samples, m.noise, residual, {{m.error}, {}});
+  };
+  const double noise = by_mesh(m.white);
+  EXPECT_LT(by_mesh(same), noise + 10);
+  EXPECT_GT(by_mesh(opposed), noise + 1000);
+  EXPECT_LT(m.cost(opposed, {m.error}), m.cost(m.white, {m.error}) + 100);
 }
 
 }  // namespace
