@@ -220,7 +220,9 @@ std::string what_is_left(const Diagnosis& d) {
   if (d.rows_are_points_of_a_curve)
     return ": the rows are points of a curve that was fitted, which it goes through.";
   if (d.improved.chi2_reduced >= largest_of_noise)
-    return ", more than noise, but no more than laws of this kind are off by.";
+    return d.simulation.by_finite_elements
+               ? ", more than noise, but no more than mesh and laws of this kind are off by."
+               : ", more than noise, but no more than laws of this kind are off by.";
   return ", which is noise.";
 }
 

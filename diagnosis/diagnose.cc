@@ -88,8 +88,8 @@ class Diagnoser {
 
   /// The residual before physics is added, beyond what a solution of the case may be off by.
   ScanResult scan_of_baseline(const Scanner& scanner) const {
-    return scanner.scan(problem_.baseline_residual,
-                        problem_.correction ? law_error(problem_, baseline_, baseline_) : LawError{});
+    return problem_.correction ? remaining(problem_, baseline_, scanner, baseline_)
+                               : scanner.scan(problem_.baseline_residual, LawError{});
   }
 
   /// The noise anew from what a fit leaves: where it is near what differences between neighbours show, and
@@ -183,7 +183,10 @@ class Diagnoser {
   void judge(const Scanner& scanner) {
     const JudgedSet& chosen = judged_.list.front();
     const ScanResult left = remaining(problem_, baseline_, scanner, chosen.fit);
-    const double chi2 = chosen.fit.cost / static_cast<double>(std::max<std::size_t>(1, chosen.fit.count));
+    const double chi2 =
+        problem_.correction
+            ? chosen.candidate->chi2(problem_)
+            : chosen.fit.cost / static_cast<double>(std::max<std::size_t>(1, chosen.fit.count));
     const bool clean =
         !problem_.noise.is_absolute || (left.p_value > significance && chi2 < largest_of_noise);
     const double gained = (baseline_held_out_.cost - chosen.held_out.cost) /

@@ -22,15 +22,8 @@ constexpr double least_part = 0.03, least_part_of_incomplete = 0.1;
 constexpr double part_of_rest = 0.5;
 constexpr std::size_t most_judged = 6;
 
-double chi2_of(const ModelFit& fit) {
-  return fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count));
-}
-
-/// Mismatch above noise; of a case of finite elements above what its mesh may be off by as well, which the
-/// cost of every set allows for.
 double excess(const FitProblem& problem, const Candidate& candidate) {
-  const double cost = problem.correction ? candidate.cost : candidate.fit.cost;
-  return std::max(0.0, cost - static_cast<double>(candidate.fit.count));
+  return std::max(0.0, candidate.left(problem) - static_cast<double>(candidate.fit.count));
 }
 
 /// A layer on the surface, of asperities or a film: real ones follow its published laws to some per cent,
@@ -55,12 +48,12 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
 /// back that is either large or more than the laws of the others may be off by.
 bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
                          const Candidate& candidate) {
-  const auto leaves_noise = [&](const ModelFit& fit) {
-    return chi2_of(fit) < largest_of_noise &&
-           remaining(problem, search.alone.fit, scanner, fit).p_value > significance;
+  const auto leaves_noise = [&](const Candidate& of) {
+    return of.chi2(problem) < largest_of_noise &&
+           remaining(problem, search.alone.fit, scanner, of.fit).p_value > significance;
   };
   const auto& effects = candidate.fit.explanation->effects();
-  const bool complete = effects.size() > 1 && leaves_noise(candidate.fit);
+  const bool complete = effects.size() > 1 && leaves_noise(candidate);
   for (std::size_t k = 0; k < effects.size(); ++k) {
     Effects without = effects;
     without.erase(without.begin() + static_cast<long>(k));
@@ -76,7 +69,7 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
     const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
                           candidate.score > smaller->score + plain_evidence;
-    const bool is_unsure = !is_plain && leaves_noise(smaller->fit);
+    const bool is_unsure = !is_plain && leaves_noise(*smaller);
     if (complete && gained < least_part * whole && (is_unsure || has_layer(without))) return false;
   }
   return true;
@@ -86,7 +79,13 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
 
 ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
                      const ModelFit& fit) {
-  return scanner.scan(fit.residual(problem.samples), law_error(problem, fit, baseline));
+  const std::vector<double> residual = fit.residual(problem.samples);
+  const LawError tolerated = law_error(problem, fit, baseline);
+  if (!problem.correction) return scanner.scan(residual, tolerated);
+  const auto of_mesh = mesh_errors(fit, problem.samples, fit.simulate(problem.samples));
+  const LawErrors errors(problem.samples);
+  return scanner.scan(errors.without_mesh_error(problem.samples, problem.noise, residual, of_mesh),
+                      tolerated);
 }
 
 bool JudgedSet::is_part_of(const JudgedSet& other) const {

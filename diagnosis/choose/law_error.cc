@@ -73,25 +73,48 @@ MatrixXd shapes_of_whole(const Samples& samples, const std::vector<std::size_t>&
   return shapes;
 }
 
-/// Takes off the columns of B, each as much as is likely of a coefficient of unit variance, by reweighting.
-/// Returns what the coefficients add to the cost.
-double fitted_off(const MatrixXd& B, VectorXd& residual) {
-  VectorXd m = VectorXd::Zero(B.cols()), left = residual;
+/// What is likely of the columns of B, with coefficients of unit variance, by reweighting.
+struct TakenOff {
+  VectorXd coefficients, left;
+  double cost = 0;  ///< what the coefficients add to the cost
+};
+TakenOff taken_off(const MatrixXd& B, const VectorXd& residual) {
+  TakenOff t{VectorXd::Zero(B.cols()), residual};
   MatrixXd H;
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
     VectorXd weight = VectorXd::Ones(B.rows());
     for (Eigen::Index row = 0; row < B.rows(); ++row)
-      if (std::abs(left[row]) > huber_bend) weight[row] = huber_bend / std::abs(left[row]);
+      if (std::abs(t.left[row]) > huber_bend) weight[row] = huber_bend / std::abs(t.left[row]);
     const MatrixXd W = weight.asDiagonal() * B;
     H = MatrixXd::Identity(B.cols(), B.cols());
     H.noalias() += B.transpose() * W;
-    m = H.llt().solve(W.transpose() * residual);
-    left = residual - B * m;
+    t.coefficients = H.llt().solve(W.transpose() * residual);
+    t.left = residual - B * t.coefficients;
   }
-  residual = left;
   const MatrixXd L = H.llt().matrixL();
-  return 2 * L.diagonal().array().log().sum() + m.squaredNorm();
+  t.cost = 2 * L.diagonal().array().log().sum() + t.coefficients.squaredNorm();
+  return t;
+}
+
+/// A column for each error and shape; a row for each sample.
+MatrixXd columns_of(const std::vector<std::size_t>& samples, const MatrixXd& shapes,
+                    const std::vector<LawError>& errors) {
+  const Eigen::Index columns = shapes.cols();
+  MatrixXd B(static_cast<Eigen::Index>(samples.size()), columns * static_cast<Eigen::Index>(errors.size()));
+  for (std::size_t e = 0; e < errors.size(); ++e)
+    for (std::size_t row = 0; row < samples.size(); ++row)
+      B.row(static_cast<Eigen::Index>(row)).segment(static_cast<Eigen::Index>(e) * columns, columns) =
+          errors[e][samples[row]] * shapes.row(static_cast<Eigen::Index>(row));
+  return B;
+}
+
+/// Of the whitened residual, at these samples.
+VectorXd part_of(const VectorXd& white, const NoiseFilter& filter, const std::vector<std::size_t>& samples) {
+  VectorXd part(static_cast<Eigen::Index>(samples.size()));
+  for (std::size_t row = 0; row < samples.size(); ++row)
+    part[static_cast<Eigen::Index>(row)] = white[filter.place(samples[row])];
+  return part;
 }
 
 }  // namespace
@@ -146,28 +169,37 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
   double own = 0;
   const auto take_off = [&](const Group& group, const std::vector<LawError>& of) {
-    const auto rows = static_cast<Eigen::Index>(group.samples.size()), columns = group.shapes.cols();
-    const auto count = static_cast<Eigen::Index>(of.size());
-    if (count == 0 || rows == 0) return;
-    MatrixXd B(rows, columns * count);
-    for (Eigen::Index e = 0; e < count; ++e)
-      for (Eigen::Index row = 0; row < rows; ++row)
-        B.row(row).segment(e * columns, columns) =
-            of[static_cast<std::size_t>(e)][group.samples[static_cast<std::size_t>(row)]] *
-            group.shapes.row(row);
+    if (of.empty() || group.samples.empty()) return;
+    MatrixXd B = columns_of(group.samples, group.shapes, of);
     filter.whiten(group.samples, B);
-    VectorXd part(rows);
-    for (Eigen::Index row = 0; row < rows; ++row)
-      part[row] = r[filter.place(group.samples[static_cast<std::size_t>(row)])];
-    own += fitted_off(B, part);
-    for (Eigen::Index row = 0; row < rows; ++row)
-      r[filter.place(group.samples[static_cast<std::size_t>(row)])] = part[row];
+    const TakenOff t = taken_off(B, part_of(r, filter, group.samples));
+    own += t.cost;
+    for (std::size_t row = 0; row < group.samples.size(); ++row)
+      r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
   take_off(whole_, errors.of_mesh);
   for (const Group& group : groups_) take_off(group, errors.of_laws);
   double sum = own;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
+std::vector<double> LawErrors::without_mesh_error(const Samples& samples, const Noise& noise,
+                                                  std::vector<double> residual,
+                                                  const std::vector<LawError>& of_mesh) const {
+  if (of_mesh.empty() || whole_.samples.empty()) return residual;
+  constexpr double most = 2;  // standard deviations
+  const NoiseFilter filter(samples, noise.sd, noise.shared);
+  const std::vector<double> white = filter.whitened(residual);
+  const MatrixXd B = columns_of(whole_.samples, whole_.shapes, of_mesh);
+  MatrixXd whitened = B;
+  filter.whiten(whole_.samples, whitened);
+  const VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
+  const VectorXd likely = taken_off(whitened, part_of(r, filter, whole_.samples)).coefficients;
+  const VectorXd off = B * likely.cwiseMax(-most).cwiseMin(most);
+  for (std::size_t row = 0; row < whole_.samples.size(); ++row)
+    residual[whole_.samples[row]] -= off[static_cast<Eigen::Index>(row)];
+  return residual;
 }
 
 std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,

@@ -48,6 +48,10 @@ class LawErrors {
   /// own, and the log determinant of its covariance over that of the noise.
   double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
               const ModelErrors& errors) const;
+  /// The residual without what is likely of the mesh's error, of at most two standard deviations.
+  std::vector<double> without_mesh_error(const Samples& samples, const Noise& noise,
+                                         std::vector<double> residual,
+                                         const std::vector<LawError>& of_mesh) const;
 
  private:
   /// Samples whose errors share coefficients, with the cosines there.

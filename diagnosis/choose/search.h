@@ -2,6 +2,7 @@
 // whose members do little alone), each set with what leaving one of its members out again would cost.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "diagnosis/fit/model_fit.h"
@@ -15,6 +16,14 @@ struct Candidate {
   /// [-].
   double score =
       0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
+
+  /// -2 log likelihood of what is left: of a case of finite elements beyond what its mesh may be off by,
+  /// which the cost of every set allows for.
+  double left(const FitProblem& problem) const { return problem.correction ? cost : fit.cost; }
+  /// The same for each sample [-].
+  double chi2(const FitProblem& problem) const {
+    return left(problem) / static_cast<double>(std::max<std::size_t>(1, fit.count));
+  }
 };
 
 /// All sets, and how much they explain.
