@@ -18,7 +18,7 @@ struct Candidate {
       0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 
   /// -2 log likelihood of what is left: of a case of finite elements beyond what its mesh may be off by,
-  /// which the cost of every set allows for.
+  /// which the cost of every set allows for [-].
   double left(const FitProblem& problem) const { return problem.correction ? cost : fit.cost; }
   /// The same for each sample [-].
   double chi2(const FitProblem& problem) const {

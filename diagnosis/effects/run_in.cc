@@ -29,20 +29,15 @@ class RunIn : public Effect {
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     // A change that hardly fades would stand for a friction that the case says wrongly.
     const double longest = (e.by_finite_elements ? 3 : 10) * e.cycles;
-    return {{"change",
-             "",
-             "relative change of mu at the beginning against the steady value",
-             -0.95,
-             10,
-             false,
-             {-0.2, 0.2}},
-            {"cycles",
-             "",
-             "over which the change fades",
-             0.1,
-             longest,
-             true,
-             {0.1 * e.cycles, 0.4 * e.cycles}}};
+    return {
+        {"change",
+         "",
+         "relative change of mu at the beginning against the steady value",
+         -0.95,
+         10,
+         false,
+         {-0.2, 0.2}},
+        {"cycles", "", "over which the change fades", 0.1, longest, true, {0.1 * e.cycles, 0.4 * e.cycles}}};
   }
   EntersBy enters_by(const Experiment& e) const override {
     return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "diagnosis/recording/recording.h"
 #include "core/json_entries.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity {
 

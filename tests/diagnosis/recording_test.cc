@@ -184,7 +184,7 @@ TEST(Recording_behaviour, refuses_a_simulation_outside_its_folder_and_entries_th
   EXPECT_IN("name it on the command line (--case)", said(R"("case": "/etc/case.prm")"));
   EXPECT_IN("name it on the command line (--study)", said(R"("study": "runs/../../other")"));
   EXPECT_IN("not a path below", said(R"("case": "")"));
-  EXPECT_IN("no entry 'normal'", said(R"("case": "case.prm", "normal": "hertz")"));
+  EXPECT_IN("there is no 'normal'", said(R"("case": "case.prm", "normal": "hertz")"));
   EXPECT_IN("no entry of a case", said(R"("case": "case.prm", "parameters": {"sliding_friction": 0.3})"));
   EXPECT_IN("taken as given so far",
             said(R"("case": "case.prm", "parameters": {"Interface/Friction coefficient": )"
