@@ -22,7 +22,8 @@ void check_keys(const Json& object, const std::vector<std::string>& known, const
 /// "particle/", empty at the top.
 std::string text_of(const Json& object, const char* key, const std::string& otherwise,
                     const std::string& file, const std::string& path = "");
-/// In the file's unit. Throws InputError for what is no finite number. name: of the entry, as "quantities/mu/value".
+/// In the file's unit. Throws InputError for what is no finite number. name: of the entry, as
+/// "quantities/mu/value".
 double finite_number(const Json& value, const std::string& name, const std::string& file);
 /// A plain SI number or a text with its unit ("8.5 um"), in SI. Throws InputError as finite_number() does.
 double quantity_of(const Json& value, Dimension dimension, const std::string& name, const std::string& file);
