@@ -184,7 +184,7 @@ class Diagnoser {
     const JudgedSet& chosen = judged_.list.front();
     const ScanResult left = remaining(problem_, baseline_, scanner, chosen.fit);
     const double chi2 =
-        problem_.correction
+        has_shared_error(problem_)
             ? chosen.candidate->chi2(problem_)
             : chosen.fit.cost / static_cast<double>(std::max<std::size_t>(1, chosen.fit.count));
     const bool clean =

@@ -81,7 +81,7 @@ ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const 
                      const ModelFit& fit) {
   const std::vector<double> residual = fit.residual(problem.samples);
   const LawError tolerated = law_error(problem, fit, baseline);
-  if (!problem.correction) return scanner.scan(residual, tolerated);
+  if (!has_shared_error(problem)) return scanner.scan(residual, tolerated);
   const auto of_mesh = mesh_errors(fit, problem.samples, fit.simulate(problem.samples));
   const LawErrors errors(problem.samples);
   return scanner.scan(errors.without_mesh_error(problem.samples, problem.noise, residual, of_mesh),

@@ -227,7 +227,8 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   const auto& effects = fit.explanation->effects();
   const auto with = fit.simulate(samples);
   ModelErrors errors;
-  if (fit.explanation->correction()) errors.of_mesh = mesh_errors(fit, samples, with);
+  if (fit.explanation->correction())
+    (has_shared_error(problem) ? errors.of_mesh : errors.of_laws) = mesh_errors(fit, samples, with);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
   for (std::size_t i = 0; i < with.size(); ++i)

@@ -23,6 +23,12 @@ struct ModelErrors {
   std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
 };
 
+/// Whether finite elements are off by one factor at all samples, as friction is that is slid at a few loads.
+/// The approach of a contact that is pressed is off by another part at each load, as its mesh resolves it.
+inline bool has_shared_error(const FitProblem& problem) {
+  return problem.correction && problem.experiment.mode == Motion::sliding;
+}
+
 /// What mesh and load steps of finite elements may be off by, as a part of the response, signed: one standard
 /// deviation of each that they state (off_by_mesh_errors). Approach is off in proportion to the square of
 /// spacing over contact radius, whose square is in proportion to the approach: by the same length at any

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "diagnosis/choose/law_error.h"
 #include "diagnosis/fit/model_fit.h"
 
 namespace asperity {
@@ -17,9 +18,9 @@ struct Candidate {
   double score =
       0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 
-  /// -2 log likelihood of what is left: of a case of finite elements beyond what its mesh may be off by,
-  /// which the cost of every set allows for [-].
-  double left(const FitProblem& problem) const { return problem.correction ? cost : fit.cost; }
+  /// -2 log likelihood of what is left: of a case that was slid beyond what its mesh may be off by, which the
+  /// cost of every set allows for [-].
+  double left(const FitProblem& problem) const { return has_shared_error(problem) ? cost : fit.cost; }
   /// The same for each sample [-].
   double chi2(const FitProblem& problem) const {
     return left(problem) / static_cast<double>(std::max<std::size_t>(1, fit.count));
