@@ -217,6 +217,17 @@ TEST(SolvedSliding_behaviour, attraction_beside_another_local_friction) {
   expect_found(d, "Interface/Attraction force", 35 * uN, 0.05);
 }
 
+/// Two effects leave next to noise here, and the case's friction is still looked at beside them.
+TEST(SolvedSliding_behaviour, another_local_friction_beside_attraction_and_a_compliant_mount) {
+  constexpr double compliance = 1e-4;
+  SlidingStandIn stand_in;
+  const Diagnosis d =
+      diagnosed_by(looped([](double f) { return 0.315 * (f + 35 * uN); }, 1, compliance), stand_in);
+  ASSERT_EQ(d.left_out.size(), 3u) << d.in_words;
+  expect_found(d, "Interface/Friction coefficient", 0.315, 0.01);
+  expect_found(d, "Interface/Attraction force", 35 * uN, 0.05);
+}
+
 TEST(SolvedSliding_behaviour, attraction_over_the_case_s_range_gets_the_work_that_presses_so) {
   constexpr double work = 0.06;
   for (const double of_case : {0.0, 0.15}) {
