@@ -148,10 +148,12 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
   };
   const double noise = rolling_noise * peak.normal_force * peak.pressure_radius;
   if (const auto sliding = steady_sliding(records)) {
-    // Friction beyond the law's slope in the pressure comes from attraction; a limit that no longer grows
-    // with the pressure is proportional to the area.
+    // Friction beyond the law's slope in the pressure of load and attraction force comes from attraction
+    // across the contact; a limit that no longer grows with the pressure is proportional to the area.
     const auto law = make_friction_law(input.interface);
-    const double by_load = law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope : 0.0;
+    const double pressed = 1 + input.interface.attraction_force / peak.normal_force,
+                 by_load =
+                     law ? law->initial_limit(std::numeric_limits<double>::infinity()).slope * pressed : 0.0;
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
     add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
   }
