@@ -100,6 +100,7 @@ void run_diagnose(const DiagnoseArguments& arguments) {
   if (!of.file.empty()) {
     FiniteElementModelOptions how;
     how.solver = solver_program();
+    let_threads_sleep();
     how.folder = output / "solves";
     how.earlier = of.earlier;
     how.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -1,5 +1,6 @@
 #include "app/driven_case.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/printed.h"
@@ -11,7 +12,21 @@ void set_entry(Settings& settings, const std::string& path, const std::string& v
   override_setting(settings, {path.substr(0, slash), path.substr(slash + 1), value, "diagnosis"});
 }
 
+namespace {
+
+bool gives(const Settings& settings, const std::string& path) {
+  return std::any_of(settings.begin(), settings.end(),
+                     [&](const Setting& setting) { return setting.path() == path; });
+}
+
+}  // namespace
+
 void drive(Settings& settings, const LoadingProtocol& protocol) {
+  // Of a sphere at 34 approaches of first yield it leaves 0.15 % more of the approach than the default
+  // of a case, in half of the time: less than a mesh of twelve cells over the contact radius does.
+  constexpr const char* enough_for_a_recording = "0.02";
+  if (!gives(settings, "Experiment/Load step error"))
+    set_entry(settings, "Experiment/Load step error", enough_for_a_recording);
   const bool by_force = !(protocol.approach > 0);
   set_entry(settings, "Experiment/Control", by_force ? "force" : "displacement");
   set_entry(settings, "Experiment/Normal load", printed("%.6g N", by_force ? protocol.largest_force : 0.0));

@@ -28,9 +28,24 @@ double yield_stress(const BodyInput& body) {
   return yield != body.parameters.end() ? yield->second : std::numeric_limits<double>::infinity();
 }
 
+/// Fewer steps say nothing of a curve.
+constexpr std::size_t least_steps = 3;
+
+constexpr const char* at_the_rim = "the contact came to the edge of the finely meshed region";
+
+/// Steps before the contact came to the edge of the finely meshed region: all, where it did not.
+std::size_t steps_within_region(const History& history) {
+  const auto& rim = history.reaches_rim;
+  return static_cast<std::size_t>(
+      std::find_if(rim.begin(), rim.end(), [](double reached) { return reached > 0; }) - rim.begin());
+}
+
 /// Its friction is NaN where the contact did not slip as a whole on its path.
 SolvedSlide slide_of(const fs::path& folder, double normal_force) {
   const SolvedCase solved = read_solved_case(folder);
+  if (steps_within_region(solved.history) < solved.history.size())
+    throw WorkError("'" + folder.string() + "': " + at_the_rim +
+                    "; give the case a larger Mesh/Contact region");
   const EffectiveNumber friction = solved.effective("sliding_friction"),
                         stiffness = solved.effective("lateral_stiffness");
   SolvedSlide slide;
@@ -46,8 +61,16 @@ SolvedSlide slide_of(const fs::path& folder, double normal_force) {
 SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {
   const SolvedCase solved = read_solved_case(folder);
   SolvedResponse response;
-  response.displacement = solved.history.normal_displacement;
-  response.force = solved.history.normal_force;
+  const std::size_t steps = steps_within_region(solved.history);
+  const bool is_at_rim = steps < solved.history.size();
+  if (is_at_rim && steps < least_steps)
+    throw WorkError("'" + folder.string() + "': " + at_the_rim +
+                    "; give the case a larger Mesh/Contact region");
+  const auto within = [&](const std::vector<double>& column) {
+    return std::vector<double>(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(steps));
+  };
+  response.displacement = within(solved.history.normal_displacement);
+  response.force = within(solved.history.normal_force);
   const auto peak = std::max_element(response.force.begin(), response.force.end());
   response.peak = static_cast<std::size_t>(peak - response.force.begin());
   response.displacement_error = solved.effective("approach_from_first_touch").sd;
@@ -57,7 +80,7 @@ SolvedResponse response_of(const fs::path& folder, const std::string& ended_earl
         "' does not state the error of its approach, without which a mismatch cannot be told from "
         "the mesh's; solve it with this version");
   response.source = folder.string();
-  response.ended_early = ended_early;
+  response.ended_early = is_at_rim && ended_early.empty() ? at_the_rim : ended_early;
   return response;
 }
 
@@ -65,11 +88,12 @@ SolvedResponse response_of(const fs::path& folder, const std::string& ended_earl
 std::size_t steps_in(const fs::path& folder) {
   return fs::exists(folder / "history.csv") ? read_history(folder / "history.csv").size() : 0;
 }
-/// Fewer steps say nothing of a curve.
-constexpr std::size_t least_steps = 3;
 
 std::string why_enough(const EnoughOfIt& enough, const fs::path& folder) {
-  return enough && steps_in(folder) >= least_steps ? enough(response_of(folder, "it goes on")) : "";
+  if (!enough || steps_in(folder) < least_steps) return "";
+  const History history = read_history(folder / "history.csv");
+  return steps_within_region(history) < history.size() ? at_the_rim
+                                                       : enough(response_of(folder, "it goes on"));
 }
 
 }  // namespace
@@ -225,6 +249,8 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     if (!each.ended_early.empty() && steps_in(folder) < least_steps)
       throw WorkError("'" + folder + "' was stopped before it said anything: " + each.ended_early);
     responses.push_back(response_of(folder, each.ended_early));
+    if (changes.empty() && responses.back().ended_early == at_the_rim)
+      throw WorkError("'" + folder + "': " + at_the_rim + "; give the case a larger Mesh/Contact region");
     responses.back().is_out_of_time = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
   }
   return responses;

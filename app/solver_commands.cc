@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -18,11 +19,17 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void go_on_as_solver(char** argv) {
   const fs::path program = solver_program();
+  let_threads_sleep();
   ::execv(program.c_str(), argv);
   throw WorkError("cannot start '" + program.string() + "': " + std::generic_category().message(errno));
 }
 
 }  // namespace
+
+void let_threads_sleep() {
+  constexpr int unless_set = 0;
+  ::setenv("OMP_WAIT_POLICY", "passive", unless_set);
+}
 
 fs::path solver_program() {
   constexpr auto name = "asperity-solver";

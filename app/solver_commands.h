@@ -29,6 +29,11 @@ inline constexpr SolverCommand characterise{
 inline constexpr SolverCommand report{"report", "Write report.html for a solved case or a study"};
 }  // namespace solver_commands
 
+/// For programs that are started from now on: OpenMP threads that wait for the others sleep, unless the
+/// environment says otherwise. Spinning threads of several solvers on the same cores keep each other from
+/// working (two on two cores took five times as long), and alone sleeping is no slower.
+void let_threads_sleep();
+
 /// asperity-solver beside this program, or in ../libexec/asperity. Throws WorkError where it is in neither.
 std::filesystem::path solver_program();
 

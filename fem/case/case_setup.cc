@@ -165,9 +165,24 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
                    "Mesh/Interface spacing leaves out");
 }
 
+/// Radius that a smooth contact has at most [m]: Hertz', or where a body yields that of a mean pressure of
+/// two yield stresses. A sphere that is indented until all below it flows carries 2.84 of them, less where
+/// the contact is wide (Jackson & Green 2005); under a given approach its contact is 1.41 times Hertz' at
+/// most, with the edge level with the plane far off.
+double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
+  constexpr double mean_pressure = 2;  // of the yield stress
+  const double yield =
+      std::min(make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress);
+  double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
+  if (input.experiment.control == ExperimentInput::Control::displacement)
+    flowing = std::min(flowing, std::sqrt(2.0) * setup.hertz_radius);
+  return std::max(setup.hertz_radius, flowing);
+}
+
 /// Half width of the finely meshed square [m]; throws InputError where no mesh has it.
 double contact_region(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double R = input.radius;
+  const double largest_region = 0.5 * meshing::BodyMap::cap_fraction * R;
   double region = input.mesh.contact_region;
   if (region == 0) {
     // Asperities three RMS heights high still touch where smooth surfaces would be that far apart; attraction
@@ -176,8 +191,10 @@ double contact_region(const CaseInput& input, const CaseSetup& setup, double spa
         std::hypot(3 * std::hypot(setup.roughness[0].scales.rms, setup.roughness[1].scales.rms),
                    attraction_reach(input.interface));
     region = hertz_reach(setup.hertz_radius, R, reach) + 2 * spacing;
+    // How far a body flows is an estimate: a mesh that holds Hertz' contact is not refused for it.
+    const double flows_to = hertz_reach(largest_contact_radius(input, setup), R, reach) + 2 * spacing;
+    region = std::max(region, std::min(flows_to, largest_region));
   }
-  const double largest_region = 0.5 * meshing::BodyMap::cap_fraction * R;
   if (region > largest_region) {
     const auto [found, allowed] = quantities_apart(region, largest_region, Dimension::length);
     throw InputError(input.file + ": the contact region of " + found + " is more than " + allowed +

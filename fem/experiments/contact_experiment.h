@@ -58,6 +58,8 @@ class ContactExperiment {
   void write_result();
   /// Recommends a number of load steps where their error exceeds that of the mesh.
   void say_load_steps() const;
+  /// Once, where the contact has come to the edge of the finely meshed region.
+  void say_rim() const;
   void measure_stiffness();
   bool speaks() const { return rank_ == 0; }
   Provenance provenance() const;

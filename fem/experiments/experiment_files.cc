@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/atomic_file.h"
+#include "core/quantity.h"
 #include "fem/experiments/contact_experiment.h"
 #include "fem/output/added_column.h"
 #include "fem/output/checkpoint.h"
@@ -79,7 +80,17 @@ HistoryRow ContactExperiment::record(const BodyEnergies& energies, const History
   return r;
 }
 
+void ContactExperiment::say_rim() const {
+  const std::size_t steps = records_.size();
+  if (!(records_.back().reaches_rim > 0) || (steps > 1 && records_[steps - 2].reaches_rim > 0)) return;
+  say("the contact has come to the edge of the finely meshed region of ±" +
+      format_quantity(setup_.system.mesh.sizes.region_particle, Dimension::length) +
+      ", beyond which nothing touches: it is too stiff and too small from here on; solve again with a larger "
+      "Mesh/Contact region");
+}
+
 void ContactExperiment::write_step() {
+  say_rim();
   Checkpoint c;
   c.provenance = provenance();
   c.records = records_;

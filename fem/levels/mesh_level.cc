@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.h"
 
@@ -73,31 +74,41 @@ void MeshLevel::make_batches() {
   }
 }
 
+std::vector<int> MeshLevel::slabs_of_batches(int slabs) const {
+  std::vector<double> place(batches_.size(), 0);
+  for (const auto& cell : dofs_->active_cell_iterators())
+    if (cell->is_locally_owned()) {
+      const int batch = place_of_cell_[cell->active_cell_index()] / lanes;
+      place[batch] += cell->center()[0] / batches_[batch].count;
+    }
+  std::vector<int> order(batches_.size()), slab(batches_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place[a] < place[b]; });
+  for (std::size_t rank = 0; rank < order.size(); ++rank)
+    slab[order[rank]] = static_cast<int>(rank * static_cast<std::size_t>(slabs) / order.size());
+  return slab;
+}
+
 void MeshLevel::make_thread_runs() {
-  const int count = static_cast<int>(batches_.size());
-  const int runs = count < 200 ? 1 : omp_get_max_threads();
+  constexpr std::size_t worth_threads = 200;
+  const int runs = batches_.size() < worth_threads ? 1 : omp_get_max_threads();
+  const std::vector<int> run_of_batch = slabs_of_batches(runs);
+  // A node belongs to the first run that touches it; what another run has at it waits.
   std::vector<int> run_of_node(partitioner_->locally_owned_size() / 3 + partitioner_->n_ghost_indices() / 3,
-                               -1);
-  constexpr int shared = -2;
-  const auto run_of_batch = [&](int b) { return static_cast<int>(static_cast<long>(b) * runs / count); };
-  for (int b = 0; b < count; ++b)
+                               runs);
+  for (std::size_t b = 0; b < batches_.size(); ++b)
     for (const auto& nodes : batches_[b].node)
-      for (const int node : nodes) {
-        int& run = run_of_node[node];
-        if (run == -1)
-          run = run_of_batch(b);
-        else if (run != run_of_batch(b))
-          run = shared;
-      }
+      for (const int node : nodes) run_of_node[node] = std::min(run_of_node[node], run_of_batch[b]);
+  const auto waits = [&](std::size_t b) {
+    for (const auto& nodes : batches_[b].node)
+      for (const int node : nodes)
+        if (run_of_node[node] != run_of_batch[b]) return true;
+    return false;
+  };
   run_start_.assign(1, 0);
   for (int run = 0; run < runs; ++run) {
-    for (int b = 0; b < count; ++b) {
-      if (run_of_batch(b) != run) continue;
-      bool meets = false;
-      for (const auto& nodes : batches_[b].node)
-        for (const int node : nodes) meets = meets || run_of_node[node] == shared;
-      (meets ? meeting_batches_ : run_batches_).push_back(b);
-    }
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+      if (run_of_batch[b] == run) (waits(b) ? meeting_batches_ : run_batches_).push_back(static_cast<int>(b));
     run_start_.push_back(static_cast<int>(run_batches_.size()));
   }
 }

@@ -160,6 +160,8 @@ class MeshLevel {
   void make_batches();
   using Cell = dealii::DoFHandler<3>::active_cell_iterator;
   void add_to_batch(const Cell& cell, int index);
+  /// Slab along x of each batch, all with as many batches: few of them meet.
+  std::vector<int> slabs_of_batches(int slabs) const;
   void make_thread_runs();
   void collect_interfaces();
 

@@ -260,5 +260,25 @@ TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
   refused(" --case " + (folder.path / "none.prm").string(), "none.prm");
 }
 
+TEST(DiagnoseCase_behaviour, a_case_whose_contact_outgrows_its_region_is_refused_with_the_remedy) {
+  const TemporaryFolder folder;
+  const Hertz bodies{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  const auto recording = recorded(folder, loaded(60e-9, [&](double d) { return bodies.force(d); }));
+  const double radius = bodies.contact_radius(bodies.force(60e-9));
+  const auto file = folder.write(
+      "case.prm", smooth_case() +
+                      "subsection Particle\n set Yield stress = 500 MPa\nend\n"
+                      "subsection Experiment\n set Load steps = 5\nend\n" +
+                      printed("subsection Mesh\n set Contact region = %.4g nm\n", 1.02e9 * radius) +
+                      printed(" set Interface spacing = %.4g nm\n set Layers = 2\nend\n", 1e9 * radius / 5));
+  const Outcome outcome = call("diagnose " + recording.string() + " --case " + file.string() + " --output " +
+                               (folder.path / "diagnosis").string());
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(
+      outcome.output.find("edge of the finely meshed region; give the case a larger Mesh/Contact region"),
+      std::string::npos)
+      << outcome.output;
+}
+
 }  // namespace
 }  // namespace asperity
