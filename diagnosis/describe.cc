@@ -68,6 +68,15 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   return list;
 }
 
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit) {
+  for (const DiagnosedEffect& effect : described_effects(problem, fit, 1))
+    for (const EffectParameter& admissible : effect_of(effect.id).parameters(problem.experiment))
+      for (const DiagnosedParameter& p : effect.parameters)
+        if (p.name == admissible.name && p.low <= admissible.no_effect && admissible.no_effect <= p.high)
+          return true;
+  return false;
+}
+
 FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
                       const HeldOut& held_out) {
   FitQuality q;

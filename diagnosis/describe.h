@@ -12,6 +12,9 @@ namespace asperity {
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
                                                double probability);
 
+/// Whether an interval that described_effects() gives holds the value with which there is no effect.
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit);
+
 /// Numbers of a residual in the fit's unit, and of what was held out.
 FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
                       const HeldOut& held_out);

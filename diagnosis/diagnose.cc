@@ -36,40 +36,34 @@ class Diagnoser {
 
   Diagnosis run() {
     say("locating the mismatch");
-    auto scanner_of_noise =
-        std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+    auto scanner_of_noise = new_scanner();
     const IsNoise is_noise = [&](const ModelFit& fit) {
       return remaining(problem_, baseline_, *scanner_of_noise, fit).p_value > significance;
     };
     search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
     // The residual of the best explanation is the best estimate of the noise.
-    const bool explains =
-        !search_.candidates.empty() && search_.candidates.front().score > search_.alone.score;
-    if (explains && learns_noise_from(search_.candidates.front().fit)) {
+    if (search_.explains() && learns_noise_from(search_.candidates.front().fit)) {
       rescore(search_, problem_);
       baseline_ = search_.alone.fit;
-      scanner_of_noise =
-          std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+      scanner_of_noise = new_scanner();
     }
     const Blocks blocks = blocks_of(problem_.samples);
     if (mapping_) {
       confirm(*scanner_of_noise, blocks);
-      scanner_of_noise =
-          std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+      scanner_of_noise = new_scanner();
     }
     ScanResult before = scan_of_baseline(*scanner_of_noise);
-    bool seems_noise = !problem_.noise.is_absolute || before.p_value > significance;
+    bool seems_noise = !problem_.noise.is_absolute || is_noise_as_known(before);
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
-    judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_);
+    judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_,
+                          [&](const ModelFit& fit) { return is_described_as_no_effect(problem_, fit); });
     if (judged_.list.empty() && !seems_noise) seems_noise = is_noise_that_neighbours_share(before);
     describe_common(before);
     if (!judged_.list.empty())
       judge(*scanner_of_noise);
-    else if (seems_noise)
-      nothing_named(Verdict::no_mismatch, {}, {});
     else
-      nothing_named(Verdict::unexplained, before.regions, before.regions);
+      nothing_named(seems_noise ? Verdict::no_mismatch : Verdict::unexplained, before.regions);
     describe_rows();
     if (mapping_) describe_simulation();
     for (auto& effect : effects_without_data(problem_.experiment))
@@ -86,10 +80,21 @@ class Diagnoser {
     if (options_.progress) options_.progress(what);
   }
 
+  std::unique_ptr<Scanner> new_scanner() const {
+    return std::make_unique<Scanner>(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
+  }
+
   /// The residual before physics is added, beyond what a solution of the case may be off by.
   ScanResult scan_of_baseline(const Scanner& scanner) const {
     return problem_.correction ? remaining(problem_, baseline_, scanner, baseline_)
                                : scanner.scan(problem_.baseline_residual, LawError{});
+  }
+
+  /// Steady waves look like noise that neighbours share, but for their size.
+  bool is_noise_as_known(const ScanResult& before) const {
+    return before.p_value > significance &&
+           (problem_.correction ||
+            chi2_reduced(problem_.samples, problem_.baseline_residual, problem_.noise) < largest_of_noise);
   }
 
   /// The noise anew from what a fit leaves: where it is near what differences between neighbours show, and
@@ -99,8 +104,7 @@ class Diagnoser {
     const std::vector<double> residual = fit.residual(problem_.samples);
     if (prepared_.learn_noise(residual)) return true;
     if (!prepared_.learn_noise(residual, most_off)) return false;
-    const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
-    if (remaining(problem_, baseline_, scanner, fit).p_value > significance && is_all_noise(residual))
+    if (remaining(problem_, baseline_, *new_scanner(), fit).p_value > significance && is_all_noise(residual))
       return true;
     problem_.noise = kept;
     return false;
@@ -118,9 +122,8 @@ class Diagnoser {
     const Noise kept = problem_.noise;
     const auto& residual = problem_.baseline_residual;
     if (!prepared_.learn_noise(residual, most_off)) return false;
-    const Scanner scanner(problem_.samples, problem_.experiment, problem_.noise, options_.seed);
-    const ScanResult anew = scan_of_baseline(scanner);
-    if (anew.p_value > significance && is_all_noise(residual)) {
+    const ScanResult anew = scan_of_baseline(*new_scanner());
+    if (is_noise_as_known(anew) && is_all_noise(residual)) {
       before = anew;
       baseline_held_out_ =
           predict_held_out(problem_, finished(problem_, baseline_), blocks_of(problem_.samples));
@@ -138,7 +141,7 @@ class Diagnoser {
     std::vector<const Candidate*> survivors;
     for (const JudgedSet& set : screened.list) survivors.push_back(set.candidate);
     mapping_->confirm(search_, problem_, survivors);
-    if (!search_.candidates.empty() && search_.candidates.front().score > search_.alone.score &&
+    if (search_.explains() &&
         prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples)))
       rescore(search_, problem_);
     baseline_ = search_.alone.fit;
@@ -171,11 +174,11 @@ class Diagnoser {
     result_.simulated = simulated_rows(recording_, problem_, baseline_, after);
   }
 
-  void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch,
-                     const std::vector<MismatchRegion>& remaining) {
+  void nothing_named(Verdict verdict, const std::vector<MismatchRegion>& mismatch) {
     result_.verdict = verdict;
-    result_.mismatch = mismatch;
-    result_.remaining = remaining;
+    result_.mismatch.clear();
+    if (verdict != Verdict::no_mismatch) result_.mismatch = mismatch;
+    result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
     compare(baseline_);
   }
@@ -193,7 +196,7 @@ class Diagnoser {
                           std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
     if (!clean &&
         gained < part_that_counts[std::min<std::size_t>(3, chosen.fit.explanation->effects().size())]) {
-      nothing_named(Verdict::unexplained, result_.mismatch, result_.mismatch);
+      nothing_named(Verdict::unexplained, std::vector<MismatchRegion>(result_.mismatch));
       result_.remarks.push_back("the nearest of the catalogue, " + chosen.fit.explanation->name() +
                                 ", takes away only part of the mismatch and is not named");
       return;

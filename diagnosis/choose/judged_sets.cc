@@ -97,7 +97,8 @@ bool JudgedSet::is_part_of(const JudgedSet& other) const {
 }
 
 JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
-                       const Blocks& blocks, const HeldOut& baseline_held_out) {
+                       const Blocks& blocks, const HeldOut& baseline_held_out,
+                       const std::function<bool(const ModelFit&)>& is_no_effect) {
   JudgedSets judged;
   for (const auto& candidate : search.candidates) {
     if (judged.list.size() == most_judged) break;
@@ -109,7 +110,7 @@ JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, co
       judged.stopped.push_back(candidate.fit.explanation->name() + " (" + parameter + ")");
       continue;
     }
-    if (set.fit.holds_no_effect(search.overdispersion)) continue;
+    if (set.fit.holds_no_effect(search.overdispersion) || (is_no_effect && is_no_effect(set.fit))) continue;
     set.held_out = predict_held_out(problem, set.fit, blocks);
     if (!set.held_out.consistent)
       judged.inconsistent.push_back(candidate.fit.explanation->name());

@@ -2,6 +2,7 @@
 // everywhere, and data kept out of the fit are predicted better than by the simulation alone.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ struct JudgedSets {
       stopped;  ///< would fit best with a parameter beyond its bounds: "NAME (PARAMETER)"
 };
 
+/// is_no_effect: whether what would be said of a fit holds "no effect"; null: its own interval decides.
 JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
-                       const Blocks& blocks, const HeldOut& baseline_held_out);
+                       const Blocks& blocks, const HeldOut& baseline_held_out,
+                       const std::function<bool(const ModelFit&)>& is_no_effect = nullptr);
 
 }  // namespace asperity

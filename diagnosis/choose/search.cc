@@ -62,35 +62,40 @@ std::vector<const Candidate*> best_of_size(const SearchResult& result, std::size
   return list;
 }
 
-/// Smaller sets once more, each from where a good larger one that holds it stands: where responses jump, a
-/// fit may have ended in another valley, and what only led out of that one would be named.
+/// Smaller sets, each from where a good larger one that holds it stands: those that were fitted once more,
+/// for where responses jump a fit may have ended in another valley, and what only led out of that one would
+/// be named; and those whose members were too poor alone to be tried together.
 void refit_within_larger(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
   constexpr std::size_t most_larger = 4;
   constexpr int iterations = 30;
   constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
   for (std::size_t size = largest_set; size > 1; --size) {
-    // A smaller set, and the larger fit it is taken from.
-    std::vector<std::pair<Candidate*, const ModelFit*>> pairs;
+    std::vector<std::pair<Effects, const ModelFit*>> sets;  // and the larger fit that each is taken from
     std::vector<ModelFit> larger_fits;
     for (const auto* larger : best_of_size(result, size, most_larger)) larger_fits.push_back(larger->fit);
     for (const ModelFit& larger : larger_fits)
-      for (Candidate& smaller : result.candidates) {
-        const auto &have = larger.explanation->effects(), &own = smaller.fit.explanation->effects();
-        if (own.size() + 1 == have.size() && std::all_of(own.begin(), own.end(), [&](const Effect* effect) {
-              return std::find(have.begin(), have.end(), effect) != have.end();
-            }))
-          pairs.emplace_back(&smaller, &larger);
+      for (const Effect* left_out : larger.explanation->effects()) {
+        Effects fewer = larger.explanation->effects();
+        fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
+        if (Explanation::compatible(fewer)) sets.emplace_back(std::move(fewer), &larger);
       }
-    std::vector<Candidate> found(pairs.size());
+    std::vector<Candidate> found(sets.size());
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const ModelFit start =
-          pairs[i].second->only(problem, pairs[i].first->fit.explanation->effects(), result.alone.fit);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const ModelFit start = sets[i].second->only(problem, sets[i].first, result.alone.fit);
       found[i].fit = refitted(problem, start, problem.samples, false, iterations);
       found[i].cost = cost_of_explanation(problem, laws, found[i].fit, result.alone.fit);
     }
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (found[i].cost < pairs[i].first->cost - another_valley) *pairs[i].first = found[i];
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const auto same =
+          std::find_if(result.candidates.begin(), result.candidates.end(), [&](const auto& other) {
+            return other.fit.explanation->effects() == found[i].fit.explanation->effects();
+          });
+      if (same == result.candidates.end())
+        result.candidates.push_back(found[i]);
+      else if (found[i].cost < same->cost - another_valley)
+        *same = found[i];
+    }
   }
   score_all(result, problem.experiment);
 }

@@ -34,6 +34,9 @@ struct SearchResult {
   std::size_t admissible = 0;         ///< effects that these data could show
   double overdispersion =
       1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered [-]
+
+  /// Whether a set is better than none.
+  bool explains() const { return !candidates.empty() && candidates.front().score > alone.score; }
 };
 
 /// True if the residual of an explanation is noise.

@@ -285,8 +285,7 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
 
 void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProblem& problem,
                                       const Candidate& candidate, const Confirmation& answer) {
-  const bool any = !search.candidates.empty() && search.candidates.front().score > search.alone.score;
-  const ModelFit& best = any ? search.candidates.front().fit : search.alone.fit;
+  const ModelFit& best = search.explains() ? search.candidates.front().fit : search.alone.fit;
   const double worse = worse_on_part(problem, answer.part, candidate.fit, best, search.overdispersion);
   const bool excluded = worse > excluded_by_part;
   if (!excluded) is_incomplete_ = true;
