@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/fit/snaps.h"
 #include "diagnosis/recording/median.h"
 
 namespace asperity {
@@ -130,6 +131,7 @@ std::vector<double> FitProblem::residual(const Samples& samples, const std::vect
   std::vector<double> r(simulated.size());
   for (std::size_t i = 0; i < r.size(); ++i)
     r[i] = samples.list[i].counts ? samples.list[i].response - simulated[i] : 0.0;
+  forgive_a_sample_at_snaps(samples, simulated, r);
   return r;
 }
 

@@ -76,6 +76,19 @@ TEST(DiagnoseAdded_analytic, noise_that_neighbours_share_is_learned_from_the_bes
   }
 }
 
+TEST(DiagnoseAdded_analytic, a_ripple_that_looks_like_shared_noise_is_not_called_noise) {
+  // Light that the sample reflects: 40 uN along 20 nm, with 15 uN of noise.
+  constexpr double twice_pi = 6.283185307179586;
+  const auto rippled = [] {
+    return [](double d, int) { return hertz(d) + 40 * uN * std::sin(twice_pi * d / (20 * nm)); };
+  };
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Diagnosis d = diagnose(indentation(rippled, 1, 15 * uN, 0.5, 0.7, seed));
+    EXPECT_NE(d.verdict, Verdict::no_mismatch) << seed << " " << diagnosis_json(d);
+    EXPECT_NE(d.verdict, Verdict::explained) << seed << " " << diagnosis_json(d);
+  }
+}
+
 TEST(DiagnoseAdded_analytic, a_small_effect_of_the_instrument_that_is_plain_is_named_beside_a_large_one) {
   // A zero error of 0.4 nm: 1.2 % of the force beside the radius' 30 %, but twenty times the noise.
   const auto shifted = [] { return [](double d, int) { return 0.7 * hertz(d - 0.4 * nm); }; };

@@ -1,0 +1,58 @@
+#include "diagnosis/fit/snaps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+/// A step of the simulated response that is a snap: a part of the whole range, and so many times the steps
+/// beside it.
+constexpr double part_of_range = 0.02, times_neighbours = 5;
+
+class Run {
+ public:
+  Run(const SampleRun& run, const std::vector<double>& simulated) : run_(run), simulated_(simulated) {
+    const auto [least, most] = std::minmax_element(simulated.begin() + static_cast<std::ptrdiff_t>(run.begin),
+                                                   simulated.begin() + static_cast<std::ptrdiff_t>(run.end));
+    range_ = *most - *least;
+  }
+  /// Whether the response snaps between sample i and the next.
+  bool snaps_after(std::size_t i) const {
+    const double here = step(i);
+    if (!(here > part_of_range * range_)) return false;
+    const double before = i > run_.begin ? step(i - 1) : 0, after = i + 2 < run_.end ? step(i + 1) : 0;
+    return here > times_neighbours * std::max(before, after);
+  }
+
+ private:
+  double step(std::size_t i) const { return std::abs(simulated_[i + 1] - simulated_[i]); }
+
+  const SampleRun& run_;
+  const std::vector<double>& simulated_;
+  double range_;
+};
+
+}  // namespace
+
+void forgive_a_sample_at_snaps(const Samples& samples, const std::vector<double>& simulated,
+                               std::vector<double>& residual) {
+  for (const SampleRun& run : samples.runs) {
+    const bool is_normal = run.table < samples.response_channels.size() &&
+                           samples.response_channels[run.table].rfind("normal_", 0) == 0;
+    if (!is_normal || run.independent_rows || run.end < run.begin + 2) continue;
+    const Run response(run, simulated);
+    for (std::size_t i = run.begin; i + 1 < run.end; ++i) {
+      if (!response.snaps_after(i)) continue;
+      const double snap = simulated[i + 1] - simulated[i];
+      const auto take_nearer = [&](std::size_t at, double to_other_side) {
+        if (samples.list[at].counts && std::abs(residual[at] + to_other_side) < std::abs(residual[at]))
+          residual[at] += to_other_side;
+      };
+      take_nearer(i, -snap);
+      take_nearer(i + 1, snap);
+    }
+  }
+}
+
+}  // namespace asperity
