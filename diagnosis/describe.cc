@@ -69,11 +69,15 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
 }
 
 bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit) {
-  for (const DiagnosedEffect& effect : described_effects(problem, fit, 1))
-    for (const EffectParameter& admissible : effect_of(effect.id).parameters(problem.experiment))
+  for (const DiagnosedEffect& effect : described_effects(problem, fit, 1)) {
+    const Effect& of = effect_of(effect.id);
+    // The case's own value is one among others: its interval holds a mesh error that the evidence knows.
+    if (of.is_another_value()) continue;
+    for (const EffectParameter& admissible : of.parameters(problem.experiment))
       for (const DiagnosedParameter& p : effect.parameters)
         if (p.name == admissible.name && p.low <= admissible.no_effect && admissible.no_effect <= p.high)
           return true;
+  }
   return false;
 }
 

@@ -52,7 +52,7 @@ TEST(ThreadRuns_analytic, no_two_threads_write_a_node_and_few_batches_wait) {
                                               static_cast<double>(level.batches().size()) / (threads - 1));
   }
   omp_set_num_threads(before);
-  EXPECT_TRUE((test::Verified{"Threads", "cell batches that wait for each further thread",
+  EXPECT_TRUE((test::Verified{"Meshes", "cell batches that wait for each further thread",
                               "batches in slabs of equal number"}
                    .below(100 * most_waiting, 15, "%")));
 }
