@@ -10,6 +10,7 @@
 #include "core/json_text.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "results/energy_balance.h"
+#include "results/region_edge.h"
 
 namespace asperity {
 namespace {
@@ -40,6 +41,8 @@ void add_to_groups(CaseCollection& collection, const std::string& label,
     }
     collection.remarks.push_back(solved.folder.string() + ": " + open_energy_words(solved));
   }
+  if (const std::string outgrown = region_edge_words(solved); !outgrown.empty())
+    collection.remarks.push_back(solved.folder.string() + ": " + outgrown);
   NormalNumbers numbers = normal_numbers(solved.history, solved.hertz());
   for (auto& group : collection.groups) {
     if (!is_of_group(group, values, solved)) continue;

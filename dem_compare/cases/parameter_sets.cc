@@ -7,6 +7,7 @@
 #include "core/joined.h"
 #include "dem_compare/cases/case_collection.h"
 #include "results/energy_balance.h"
+#include "results/region_edge.h"
 
 namespace asperity {
 namespace {
@@ -129,6 +130,8 @@ class Collector {
     if (is_energy_flagged(solved))
       remark(name + ": " + open_energy_words(solved) + (is_energy_refused(solved) ? "; left out" : ""));
     if (is_energy_refused(solved)) return;
+    if (const std::string outgrown = region_edge_words(solved); !outgrown.empty())
+      remark(name + ": " + outgrown);
     if (!solved.lists_physical_entries()) ++unlisted_;
     ContactInputs inputs = contact_inputs(solved);
     for (auto& set : found_.sets)

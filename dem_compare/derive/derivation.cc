@@ -12,6 +12,7 @@
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/shear_moduli.h"
 #include "results/energy_balance.h"
+#include "results/region_edge.h"
 
 namespace asperity {
 namespace {
@@ -100,8 +101,8 @@ Derivation derive_parameters(const ParameterSet& set) {
   for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(set);
   for (const auto& solved : set.cases)
-    if (is_energy_flagged(solved))
-      record["in_doubt"].push_back(solved.folder.string() + ": " + open_energy_words(solved));
+    for (const std::string& doubt : {open_energy_words(solved), region_edge_words(solved)})
+      if (!doubt.empty()) record["in_doubt"].push_back(solved.folder.string() + ": " + doubt);
   for (const LawFindings& law : derivation.laws) record[name_of(law.motion())] = law.details;
   return derivation;
 }

@@ -70,5 +70,19 @@ TEST(EnergyBalance_analytic, just_beyond_a_limit_is_written_so_that_it_can_be_se
             std::string::npos);
 }
 
+TEST(RegionEdge_behaviour, a_contact_that_outgrew_its_mesh_is_said_by_derive_and_compare) {
+  const test::TemporaryFolder root;
+  const fs::path folder = write_open(root.path / "a", "0.001");
+  EXPECT_FALSE(any_has(collect_parameter_sets({folder}).remarks, "edge of the finely meshed region"));
+  write_file_atomically(folder / "result.json",
+                        R"({"format": "asperity-result/1", "experiment": "sliding", "effective": {},
+                            "balance": {"energy": 0.001}, "mesh": {"contact_reaches_rim": true}})");
+  const ParameterSets found = collect_parameter_sets({folder});
+  EXPECT_TRUE(any_has(found.remarks, "edge of the finely meshed region"));
+  EXPECT_EQ(derive_parameters(found.sets.front()).parameters.derivation["in_doubt"].size(), 1u);
+  EXPECT_TRUE(
+      any_has(compare_with_hertz(collect_cases({folder}), 0.05).remarks, "larger Mesh/Contact region"));
+}
+
 }  // namespace
 }  // namespace asperity
