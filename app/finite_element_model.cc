@@ -33,6 +33,11 @@ constexpr std::size_t least_steps = 3;
 
 constexpr const char* at_the_rim = "the contact came to the edge of the finely meshed region";
 
+[[noreturn]] void refuse_outgrown(const fs::path& folder) {
+  throw WorkError("'" + folder.string() + "': " + at_the_rim +
+                  "; give the case a larger Mesh/Contact region");
+}
+
 /// Steps before the contact came to the edge of the finely meshed region: all, where it did not.
 std::size_t steps_within_region(const History& history) {
   const auto& rim = history.reaches_rim;
@@ -43,9 +48,7 @@ std::size_t steps_within_region(const History& history) {
 /// Its friction is NaN where the contact did not slip as a whole on its path.
 SolvedSlide slide_of(const fs::path& folder, double normal_force) {
   const SolvedCase solved = read_solved_case(folder);
-  if (steps_within_region(solved.history) < solved.history.size())
-    throw WorkError("'" + folder.string() + "': " + at_the_rim +
-                    "; give the case a larger Mesh/Contact region");
+  if (steps_within_region(solved.history) < solved.history.size()) refuse_outgrown(folder);
   const EffectiveNumber friction = solved.effective("sliding_friction"),
                         stiffness = solved.effective("lateral_stiffness");
   SolvedSlide slide;
@@ -63,9 +66,7 @@ SolvedResponse response_of(const fs::path& folder, const std::string& ended_earl
   SolvedResponse response;
   const std::size_t steps = steps_within_region(solved.history);
   const bool is_at_rim = steps < solved.history.size();
-  if (is_at_rim && steps < least_steps)
-    throw WorkError("'" + folder.string() + "': " + at_the_rim +
-                    "; give the case a larger Mesh/Contact region");
+  if (is_at_rim && steps < least_steps) refuse_outgrown(folder);
   const auto within = [&](const std::vector<double>& column) {
     return std::vector<double>(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(steps));
   };
@@ -249,8 +250,7 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     if (!each.ended_early.empty() && steps_in(folder) < least_steps)
       throw WorkError("'" + folder + "' was stopped before it said anything: " + each.ended_early);
     responses.push_back(response_of(folder, each.ended_early));
-    if (changes.empty() && responses.back().ended_early == at_the_rim)
-      throw WorkError("'" + folder + "': " + at_the_rim + "; give the case a larger Mesh/Contact region");
+    if (changes.empty() && responses.back().ended_early == at_the_rim) refuse_outgrown(folder);
     responses.back().is_out_of_time = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
   }
   return responses;

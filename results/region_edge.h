@@ -11,8 +11,7 @@ namespace asperity {
 inline std::string region_edge_words(const SolvedCase& solved) {
   if (!solved.finished() || !solved.result->reaches_rim) return "";
   return "its contact came to the edge of the finely meshed region, beyond which nothing touches: it is too "
-         "stiff "
-         "and too small at its largest load; solve it again with a larger Mesh/Contact region";
+         "small and too soft at its largest load; solve it again with a larger Mesh/Contact region";
 }
 
 }  // namespace asperity

@@ -1,7 +1,6 @@
 // Residuals where a simulated contact snaps in or off.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "diagnosis/recording/samples.h"

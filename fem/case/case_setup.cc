@@ -167,15 +167,15 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
 
 /// Radius that a smooth contact has at most [m]: Hertz', or where a body yields that of a mean pressure of
 /// two yield stresses. A sphere that is indented until all below it flows carries 2.84 of them, less where
-/// the contact is wide (Jackson & Green 2005); under a given approach its contact is 1.41 times Hertz' at
-/// most, with the edge level with the plane far off.
+/// the contact is wide (Jackson & Green 2005). Under a given approach its contact is 1.49 times Hertz' at 650
+/// approaches of first yield, where the edge piles up (axisymmetric finite elements of another program).
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
-  constexpr double mean_pressure = 2;  // of the yield stress
+  constexpr double mean_pressure = 2, piled_up = 1.5;  // of the yield stress, of Hertz' radius
   const double yield =
       std::min(make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress);
   double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
   if (input.experiment.control == ExperimentInput::Control::displacement)
-    flowing = std::min(flowing, std::sqrt(2.0) * setup.hertz_radius);
+    flowing = std::min(flowing, piled_up * setup.hertz_radius);
   return std::max(setup.hertz_radius, flowing);
 }
 

@@ -85,7 +85,7 @@ void ContactExperiment::say_rim() const {
   if (!(records_.back().reaches_rim > 0) || (steps > 1 && records_[steps - 2].reaches_rim > 0)) return;
   say("the contact has come to the edge of the finely meshed region of ±" +
       format_quantity(setup_.system.mesh.sizes.region_particle, Dimension::length) +
-      ", beyond which nothing touches: it is too stiff and too small from here on; solve again with a larger "
+      ", beyond which nothing touches: it is too small and too soft from here on; solve again with a larger "
       "Mesh/Contact region");
 }
 

@@ -43,15 +43,21 @@ TEST(MeshedRegion_other_code, holds_the_contact_of_a_sphere_that_flows) {
   double outermost = 0;
   for (const char* poisson : {"0.17", "0.25", "0.3"}) {
     FlowingSphere sphere(std::stod(poisson));
-    const auto force = table.numbers(std::string("F/Fc_nu") + poisson),
+    const auto depth = table.numbers("w/wc"), force = table.numbers(std::string("F/Fc_nu") + poisson),
                area = table.numbers(std::string("A/Ac_nu") + poisson);
     for (std::size_t i = 0; i < force.size(); ++i) {
       const double radius = std::sqrt(area[i]) * sphere.radius_at_yield;
       constexpr double shallow = 0.15;  // of the sphere's radius: beyond, small strain ends
       if (!std::isfinite(radius) || radius > shallow * sphere.input.radius) continue;
-      sphere.input.experiment.normal_load = force[i] * sphere.force_at_yield;
-      const auto& sizes = fem::set_up_sizes(sphere.input).system.mesh.sizes;
-      outermost = std::max(outermost, (radius + sizes.spacing_particle) / sizes.region_particle);
+      auto& experiment = sphere.input.experiment;
+      experiment.normal_load = force[i] * sphere.force_at_yield;
+      experiment.normal_approach =
+          depth[i] * sphere.radius_at_yield * sphere.radius_at_yield / sphere.input.radius;
+      for (const auto control : {ExperimentInput::Control::force, ExperimentInput::Control::displacement}) {
+        experiment.control = control;
+        const auto sizes = fem::set_up_sizes(sphere.input).system.mesh.sizes;
+        outermost = std::max(outermost, (radius + sizes.spacing_particle) / sizes.region_particle);
+      }
     }
   }
   EXPECT_TRUE((test::Verified{"Meshes", "radius of a flowing contact and a cell over the meshed region's",
