@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "core/error.h"
 #include "core/printed.h"
+#include "core/topography_spec.h"
 
 namespace asperity {
 
@@ -17,6 +19,20 @@ namespace {
 bool gives(const Settings& settings, const std::string& path) {
   return std::any_of(settings.begin(), settings.end(),
                      [&](const Setting& setting) { return setting.path() == path; });
+}
+
+/// The substrate's generated surface, scaled.
+void scale_substrate(Settings& settings, double rms) {
+  constexpr const char* entry = "Substrate/Topography";
+  const auto given = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& setting) { return setting.path() == entry; });
+  const TopographySpec surface = given == settings.end() ? TopographySpec() : TopographySpec(given->value);
+  if (!surface.generator())
+    throw InputError(std::string(entry) + " is no generated surface, whose RMS roughness could follow the "
+                                          "recording; make it generated(rms=...)");
+  GeneratorParameters scaled = *surface.generator();
+  scaled.spectrum.rms = rms;
+  set_entry(settings, entry, rms > 0 ? scaled.text() : "smooth");
 }
 
 }  // namespace
@@ -40,6 +56,7 @@ void drive(Settings& settings, const LoadingProtocol& protocol) {
 }
 
 void drive(Settings& settings, const SlidingProtocol& protocol) {
+  if (protocol.substrate_rms) scale_substrate(settings, *protocol.substrate_rms);
   set_entry(settings, "Experiment/Type", "sliding");
   set_entry(settings, "Experiment/Control", "force");
   set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.normal_force));

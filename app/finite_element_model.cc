@@ -28,6 +28,11 @@ double yield_stress(const BodyInput& body) {
   return yield != body.parameters.end() ? yield->second : std::numeric_limits<double>::infinity();
 }
 
+double rms_of_generated(const BodyInput& body) {
+  const GeneratorParameters* generated = body.topography.generator();
+  return generated ? generated->spectrum.rms : 0;
+}
+
 /// Fewer steps say nothing of a curve.
 constexpr std::size_t least_steps = 3;
 
@@ -46,15 +51,16 @@ std::size_t steps_within_region(const History& history) {
 }
 
 /// Its friction is NaN where the contact did not slip as a whole on its path.
-SolvedSlide slide_of(const fs::path& folder, double normal_force) {
+SolvedSlide slide_of(const fs::path& folder, const SlidingProtocol& protocol) {
   const SolvedCase solved = read_solved_case(folder);
   if (steps_within_region(solved.history) < solved.history.size()) refuse_outgrown(folder);
   const EffectiveNumber friction = solved.effective("sliding_friction"),
                         stiffness = solved.effective("lateral_stiffness");
   SolvedSlide slide;
-  slide.normal_force = normal_force;
-  slide.friction = friction.value * normal_force;
-  slide.friction_error = friction.sd * normal_force;
+  slide.normal_force = protocol.normal_force;
+  slide.substrate_rms = protocol.substrate_rms;
+  slide.friction = friction.value * slide.normal_force;
+  slide.friction_error = friction.sd * slide.normal_force;
   slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
   slide.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
   slide.source = folder.string();
@@ -137,7 +143,8 @@ SimulatedBodies FiniteElementModel::bodies() const {
           given_of_interface("Friction coefficient"),
           given_of_interface("Adhesion range"),
           input_.interface.work_of_adhesion,
-          input_.interface.attraction_force};
+          input_.interface.attraction_force,
+          rms_of_generated(input_.substrate)};
 }
 
 Study FiniteElementModel::empty_study() const {
@@ -267,8 +274,9 @@ std::vector<SolvedSlide> FiniteElementModel::slide(const std::vector<CaseChange>
       return std::isfinite(slides[i].friction) && std::isfinite(slides[i].friction_error);
     };
     if (is_steady()) continue;
-    slides[i] =
-        slide_once(changes, {{protocols[i].normal_force, longer * protocols[i].path}}, must_end).front();
+    SlidingProtocol further = protocols[i];
+    further.path *= longer;
+    slides[i] = slide_once(changes, {further}, must_end).front();
     if (!is_steady())
       throw WorkError("'" + slides[i].source +
                       "' states no sliding friction: the contact did not slip as a whole on its path");
@@ -293,7 +301,7 @@ std::vector<SolvedSlide> FiniteElementModel::slide_once(const std::vector<CaseCh
   }
   std::vector<SolvedSlide> slides;
   for (std::size_t i = 0; i < asked.size(); ++i)
-    slides.push_back(slide_of(asked[i].folder, protocols[i].normal_force));
+    slides.push_back(slide_of(asked[i].folder, protocols[i]));
   return slides;
 }
 

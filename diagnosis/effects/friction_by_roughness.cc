@@ -19,7 +19,7 @@ class FrictionByRoughness : public Effect {
         EffectKind::contact,
         {Motion::sliding},
         {"sliding_friction"},
-        {"sliding_law"},
+        {"sliding_law", "coefficient"},
         1};
     return d;
   }
@@ -28,6 +28,14 @@ class FrictionByRoughness : public Effect {
     const double mu = e.largest_response / e.largest_force, slope = mu / e.roughest;
     return {{"smooth_friction", "", "b, of a smooth substrate", 1e-3 * mu, 10 * mu, true, {0.3 * mu, mu}},
             {"slope", "1/m", "c", -10 * slope, 10 * slope, false, {-0.3 * slope, 0.3 * slope}}};
+  }
+  /// Local friction, of each recorded surface its own.
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.case_rms > 0 ? EntersBy::finite_elements : EntersBy::reduced_law_only;
+  }
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    if (!(e.case_rms > 0)) return {};
+    return {{"Interface/Friction coefficient", std::max(0.0, p[0] + p[1] * e.case_rms), ""}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double b = p[0], c = p[1];

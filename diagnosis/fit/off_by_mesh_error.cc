@@ -14,9 +14,11 @@ class OffByError : public BranchCorrection {
   double displacement(const Sample& sample, double force) const override {
     return exact_->displacement(sample, force) + error_;
   }
-  double limit_factor(double force) const override { return exact_->limit_factor(force) * (1 + error_); }
-  double stiffness_factor(double force) const override {
-    return exact_->stiffness_factor(force) * (1 + stiffness_error_);
+  double limit_factor(const Sample& sample) const override {
+    return exact_->limit_factor(sample) * (1 + error_);
+  }
+  double stiffness_factor(const Sample& sample) const override {
+    return exact_->stiffness_factor(sample) * (1 + stiffness_error_);
   }
   std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
     return exact_->contact_for(reduced);

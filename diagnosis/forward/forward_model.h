@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,11 +44,14 @@ struct SolvedResponse {
 struct SlidingProtocol {
   double normal_force = 0;  ///< [N]
   double path = 0;          ///< path length [m]
+  /// RMS roughness that the substrate's generated surface is scaled to [m]; none: as the case has it.
+  std::optional<double> substrate_rms;
 };
 
 /// What one slid case says, once the whole contact slips.
 struct SolvedSlide {
   double normal_force = 0;       ///< [N]
+  std::optional<double> substrate_rms;  ///< as asked for [m]
   double friction = 0;           ///< steady lateral force [N]
   double friction_error = 0;     ///< its standard deviation, as stated: along the path, of mesh and steps [N]
   double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
@@ -71,6 +75,7 @@ struct SimulatedBodies {
   double adhesion_range = 0;        ///< [m]; 0: the case gives none
   double work_of_adhesion = 0;      ///< on approach [J/m^2]
   double attraction_force = 0;      ///< beyond the contact [N]
+  double substrate_rms = 0;         ///< of a generated substrate [m]; 0: it is smooth or a scan
 };
 
 /// A simulation that is solved anew for each set of changes.

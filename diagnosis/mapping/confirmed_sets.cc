@@ -99,19 +99,24 @@ double loaded_displacement(const FitProblem& problem, const ModelFit& fit, doubl
 
 }  // namespace
 
+std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experiment, const ModelFit& fit) {
+  std::vector<CaseChange> changes;
+  const auto& effects = fit.explanation->effects();
+  const auto values = fit.values_of_effects();
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    for (auto& change : effects[e]->case_changes(experiment, values[e])) changes.push_back(std::move(change));
+  return changes;
+}
+
 SolvedCaseMapping::Trial SolvedCaseMapping::trial_of(const FitProblem& problem, const ModelFit& fit,
                                                      double largest_force) {
   Trial trial;
   trial.effects = fit.explanation->effects();
-  const auto& parameters = fit.explanation->parameters();
-  for (std::size_t e = 0; e < trial.effects.size(); ++e) {
-    std::size_t first = 0;
-    while (first < parameters.size() && parameters[first].effect != static_cast<int>(e)) ++first;
-    const double* values = fit.values.data() + first;
-    for (auto& change : trial.effects[e]->case_changes(problem.experiment, values))
-      trial.changes.push_back(std::move(change));
-    trial.opening = std::max(trial.opening, trial.effects[e]->opening_distance(problem.experiment, values));
-  }
+  trial.changes = changes_of(problem.experiment, fit);
+  const auto values = fit.values_of_effects();
+  for (std::size_t e = 0; e < trial.effects.size(); ++e)
+    trial.opening =
+        std::max(trial.opening, trial.effects[e]->opening_distance(problem.experiment, values[e]));
   constexpr double a_little_further = 1.03;
   if (trial.opening > 0) trial.approach = a_little_further * loaded_displacement(problem, fit, largest_force);
   return trial;
@@ -166,7 +171,7 @@ SolvedCaseMapping::SolvedSet SolvedCaseMapping::solved_set(const FitProblem& pro
                                                            bool may_begin_again) {
   const Mechanics reduced = reduced_law(problem, fit);
   if (is_of_sliding_) {
-    const auto slid = slide(trial_of(problem, fit, 0).changes, false);
+    const auto slid = slide(problem.experiment, &fit);
     return {friction_difference_to(slid, reduced),
             {Confirmation::complete, problem.samples, {}},
             slid.front().source};

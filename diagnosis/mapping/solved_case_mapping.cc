@@ -66,9 +66,11 @@ void take(RecordedBody& recorded, const ElasticBody& of_case, const std::string&
   recorded.poissons_ratio = of_case.poisson_ratio;
 }
 
-/// A case has one particle on one surface.
-void refuse_several_surfaces(const Recording& recording) {
-  for (const char* channel : {"radius", "rms_roughness", "humidity"}) {
+/// A case has one particle, and one surface unless its RMS roughness can follow the recording.
+void refuse_several_surfaces(const Recording& recording, double substrate_rms) {
+  std::vector<const char*> fixed{"radius", "humidity"};
+  if (!(substrate_rms > 0)) fixed.push_back("rms_roughness");
+  for (const char* channel : fixed) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const auto& table : recording.tables) {
       if (!table.has(channel)) continue;
@@ -81,7 +83,10 @@ void refuse_several_surfaces(const Recording& recording) {
     if (most - least > rounding * std::abs(most))
       throw InputError(
           std::string("the recording varies ") + channel +
-          ", and a case has one; diagnose each part with a case of its own, or leave out --case");
+          ", and a case has one; diagnose each part with a case of its own, " +
+          (channel == std::string("rms_roughness") ? "give it Substrate/Topography = generated(...), which follows, "
+                                                   : "") +
+          "or leave out --case");
   }
 }
 
@@ -112,7 +117,7 @@ Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
   const SimulatedBodies bodies = model_.bodies();
   Recording changed = recording;
   if (is_of_sliding_) {
-    refuse_several_surfaces(recording);
+    refuse_several_surfaces(recording, bodies.substrate_rms);
     take_friction(changed.simulation, bodies.friction_coefficient, remarks_);
   }
   take(changed.particle, bodies.particle, "particle", remarks_);
@@ -183,10 +188,15 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.case_adhesion_range = bodies.adhesion_range;
   problem.experiment.case_work_of_adhesion = bodies.work_of_adhesion;
   problem.experiment.case_attraction_force = bodies.attraction_force;
+  problem.experiment.case_rms = bodies.substrate_rms;
   const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
   if (is_of_sliding_) {
     slides_ = sliding_protocols_of(problem, bodies.is_smooth);
-    const auto slid = slide({}, true);
+    if (slides_.front().substrate_rms)
+      remarks_.push_back(
+          "the recording is of several surfaces: the case is solved with its substrate scaled to the RMS "
+          "roughness of each, spectrum and seed as they are");
+    const auto slid = slide(problem.experiment, nullptr);
     before_ = slid.front().source;
     error_ = friction_error(slid);
     problem.correction = friction_difference_to(slid, alone);
@@ -199,14 +209,26 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.correction = difference_to(solved, protocols_, alone, error_);
 }
 
-std::vector<SolvedSlide> SolvedCaseMapping::slide(const std::vector<CaseChange>& changes, bool must_end) {
-  std::string loads;
-  for (const SlidingProtocol& protocol : slides_)
-    loads += (loads.empty() ? "" : ", ") + format_quantity(protocol.normal_force, Dimension::force);
-  say("sliding the case, " + in_words(changes) + ", under " + loads);
-  const auto slid = model_.slide(changes, slides_, must_end);
-  solves_ += static_cast<int>(slid.size());
-  return slid;
+std::vector<SolvedSlide> SolvedCaseMapping::slide(const Experiment& experiment, const ModelFit* fit) {
+  std::vector<SolvedSlide> all;
+  for (std::size_t from = 0, to = 0; from < slides_.size(); from = to) {
+    const std::optional<double> rms = slides_[from].substrate_rms;
+    Experiment of_surface = experiment;
+    if (rms) of_surface.case_rms = *rms;
+    std::string loads;
+    std::vector<SlidingProtocol> protocols;
+    for (; to < slides_.size() && slides_[to].substrate_rms == rms; ++to) {
+      protocols.push_back(slides_[to]);
+      loads += (loads.empty() ? "" : ", ") + format_quantity(slides_[to].normal_force, Dimension::force);
+    }
+    const auto changes = fit ? changes_of(of_surface, *fit) : std::vector<CaseChange>();
+    say("sliding the case, " + in_words(changes) +
+        (rms ? ", on " + format_quantity(*rms, Dimension::length) + " RMS" : "") + ", under " + loads);
+    const auto slid = model_.slide(changes, protocols, !fit);
+    all.insert(all.end(), slid.begin(), slid.end());
+  }
+  solves_ += static_cast<int>(all.size());
+  return all;
 }
 
 void SolvedCaseMapping::widen_untested(const FitProblem& problem,

@@ -77,7 +77,9 @@ class SolvedCaseMapping {
   };
   SolvedSet solved_set(const FitProblem& problem, const ModelFit& fit, const std::vector<double>& expected,
                        bool may_begin_again);
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes, bool must_end);
+  /// Slides each of the recorded surfaces with the changes that the fit has on it; null: with none.
+  std::vector<SolvedSlide> slide(const Experiment& experiment, const ModelFit* fit);
+  static std::vector<CaseChange> changes_of(const Experiment& experiment, const ModelFit& fit);
   /// One solution for each of the recording's protocols.
   std::vector<SolvedResponse> solve(const FitProblem& problem, const Trial& trial, const EnoughOfIt& enough);
   /// What a solution in progress is watched for.

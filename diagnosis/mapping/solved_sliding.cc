@@ -40,15 +40,39 @@ class Factors {
   std::vector<std::pair<double, double>> points_;
 };
 
+/// The factors of one surface.
+struct SurfaceFactors {
+  std::optional<double> rms;  ///< none: the only one
+  Factors limit, stiffness;
+};
+
 class FrictionDifference : public BranchCorrection {
  public:
-  Factors limit, stiffness;
+  std::vector<SurfaceFactors> surfaces;  ///< the smoothest first
   double relative_error = 0, relative_stiffness_error = 0;
 
-  double limit_factor(double force) const override { return limit.at(force); }
-  double stiffness_factor(double force) const override { return stiffness.at(force); }
+  double limit_factor(const Sample& sample) const override { return at(sample, &SurfaceFactors::limit); }
+  double stiffness_factor(const Sample& sample) const override {
+    return at(sample, &SurfaceFactors::stiffness);
+  }
   double error() const override { return relative_error; }
   double stiffness_error() const override { return relative_stiffness_error; }
+
+ private:
+  /// Straight in the RMS roughness between two surfaces.
+  double at(const Sample& sample, Factors SurfaceFactors::* of) const {
+    const double force = sample.normal_force, rms = sample.rms_roughness;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      const SurfaceFactors& rougher = surfaces[i];
+      if (i + 1 < surfaces.size() && rms > *rougher.rms) continue;
+      const double there = (rougher.*of).at(force);
+      if (i == 0 || rms >= *rougher.rms) return there;
+      const SurfaceFactors& smoother = surfaces[i - 1];
+      const double share = (rms - *smoother.rms) / (*rougher.rms - *smoother.rms);
+      return (1 - share) * (smoother.*of).at(force) + share * there;
+    }
+    return 1;
+  }
 };
 
 /// Samples of one load.
@@ -57,12 +81,33 @@ struct RecordedLoad {
   double friction = 0;      ///< largest lateral force, of either direction [N]
 };
 
+bool is_of_surface(const Sample& sample, double rms) {
+  constexpr double rounding = 1e-3;
+  return std::abs(sample.rms_roughness - rms) <= rounding * rms;
+}
+
+/// Roughness of each surface that was slid on, the smoothest first; of a single one, none.
+std::vector<std::optional<double>> recorded_surfaces(const Samples& samples) {
+  std::vector<double> all;
+  for (const Sample& s : samples.list) all.push_back(s.rms_roughness);
+  std::sort(all.begin(), all.end());
+  std::vector<std::optional<double>> different;
+  for (std::size_t i = 0; i < samples.list.size(); ++i) {
+    Sample here;
+    here.rms_roughness = all[i];
+    if (different.empty() || !is_of_surface(here, *different.back())) different.push_back(all[i]);
+  }
+  if (different.size() == 1) different.front().reset();
+  return different;
+}
+
 /// Groups of recorded loads within 5 %, the largest first.
-std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest) {
+std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest,
+                                         const std::optional<double>& rms) {
   constexpr double pressed = 0.02;  // of the largest force
   std::vector<std::pair<double, double>> forces;
   for (const Sample& s : samples.list)
-    if (s.counts && s.normal_force > pressed * largest)
+    if (s.counts && s.normal_force > pressed * largest && (!rms || is_of_surface(s, *rms)))
       forces.push_back({s.normal_force, std::abs(s.response)});
   std::sort(forces.rbegin(), forces.rend());
   std::vector<RecordedLoad> loads;
@@ -79,11 +124,12 @@ std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest)
 }
 
 /// The fully developed friction of a law [N].
-double steady_friction(const Mechanics& law, double normal_force) {
+double steady_friction(const Mechanics& law, const SolvedSlide& slide, double normal_force) {
   Samples samples;
   samples.list.resize(1);
   samples.list.front().normal_force = normal_force;
   samples.list.front().radius = law.experiment.radius;
+  samples.list.front().rms_roughness = slide.substrate_rms.value_or(0);
   SampleRun run;
   run.end = 1;
   run.independent_rows = true;
@@ -127,12 +173,12 @@ class InterpolatedDifference {
   Eigen::VectorXd shares_;
 };
 
-/// What the law's friction is to be multiplied by.
+/// What the law's friction is to be multiplied by on one surface.
 Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& reduced) {
   InterpolatedDifference difference;
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const SolvedSlide& slide : slides) {
-    difference.add(slide.normal_force, slide.friction - steady_friction(reduced, slide.normal_force));
+    difference.add(slide.normal_force, slide.friction - steady_friction(reduced, slide, slide.normal_force));
     least = std::min(least, slide.normal_force), most = std::max(most, slide.normal_force);
   }
   Factors factors;
@@ -142,7 +188,7 @@ Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& r
   const int count = most > least ? parts : 0;
   for (int i = 0; i <= count; ++i) {
     const double force = count == 0 ? most : least * std::pow(most / least, static_cast<double>(i) / parts),
-                 by_law = steady_friction(reduced, force);
+                 by_law = steady_friction(reduced, slides.front(), force);
     if (by_law > 0) factors.add(force, 1 + difference.at(force) / by_law);
   }
   return factors;
@@ -154,11 +200,10 @@ double lateral_stiffness(const Experiment& e, double normal_force) {
 
 }  // namespace
 
-std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, bool is_smooth) {
-  const Experiment& e = problem.experiment;
-  std::vector<RecordedLoad> loads = recorded_loads(problem.samples, e.largest_force);
-  if (loads.empty())
-    throw InputError("no sample of the recording slides under a load, so that no case can be solved for it");
+namespace {
+
+/// Those that are solved, of one surface.
+std::vector<RecordedLoad> chosen_loads(std::vector<RecordedLoad> loads) {
   if (loads.size() > most_loads) {
     const double middle = std::sqrt(loads.front().normal_force * loads.back().normal_force);
     const auto distance = [&](const RecordedLoad& load) {
@@ -168,16 +213,26 @@ std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, boo
         loads.begin(), loads.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
     loads = {loads.front(), *nearest, loads.back()};
   }
+  return loads;
+}
+
+}  // namespace
+
+std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, bool is_smooth) {
+  const Experiment& e = problem.experiment;
   // Mindlin (1949): gross slip begins at a path of 3 mu f/(16 G* a) = 1.5 mu f/k_l.
   constexpr double of_onset = 4, of_radius = 1;
   std::vector<SlidingProtocol> protocols;
-  for (const RecordedLoad& load : loads) {
-    const double force = load.normal_force, friction = std::max(e.case_friction * force, load.friction);
-    double path = of_onset * 1.5 * friction / lateral_stiffness(e, force);
-    // Asperities that climb and fall average out over a path that renews them.
-    if (!is_smooth) path = std::max(path, of_radius * e.hertz().contact_radius(force));
-    protocols.push_back({force, path});
-  }
+  for (const auto& rms : recorded_surfaces(problem.samples))
+    for (const RecordedLoad& load : chosen_loads(recorded_loads(problem.samples, e.largest_force, rms))) {
+      const double force = load.normal_force, friction = std::max(e.case_friction * force, load.friction);
+      double path = of_onset * 1.5 * friction / lateral_stiffness(e, force);
+      // Asperities that climb and fall average out over a path that renews them.
+      if (!is_smooth) path = std::max(path, of_radius * e.hertz().contact_radius(force));
+      protocols.push_back({force, path, rms});
+    }
+  if (protocols.empty())
+    throw InputError("no sample of the recording slides under a load, so that no case can be solved for it");
   return protocols;
 }
 
@@ -191,14 +246,20 @@ double friction_error(const std::vector<SolvedSlide>& slides) {
 std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector<SolvedSlide>& slides,
                                                                const Mechanics& reduced) {
   auto difference = std::make_shared<FrictionDifference>();
-  difference->limit = limit_factors(slides, reduced);
-  for (const SolvedSlide& slide : slides) {
-    if (!(slide.lateral_stiffness > 0)) continue;
-    difference->relative_stiffness_error = std::max(difference->relative_stiffness_error,
-                                                    slide.lateral_stiffness_error / slide.lateral_stiffness);
-    difference->stiffness.add(
-        slide.normal_force,
-        slide.lateral_stiffness / lateral_stiffness(reduced.experiment, slide.normal_force));
+  for (std::size_t from = 0, to = 0; from < slides.size(); from = to) {
+    while (to < slides.size() && slides[to].substrate_rms == slides[from].substrate_rms) ++to;
+    const std::vector<SolvedSlide> of_surface(slides.begin() + static_cast<std::ptrdiff_t>(from),
+                                              slides.begin() + static_cast<std::ptrdiff_t>(to));
+    SurfaceFactors factors{slides[from].substrate_rms, limit_factors(of_surface, reduced), {}};
+    for (const SolvedSlide& slide : of_surface) {
+      if (!(slide.lateral_stiffness > 0)) continue;
+      difference->relative_stiffness_error = std::max(
+          difference->relative_stiffness_error, slide.lateral_stiffness_error / slide.lateral_stiffness);
+      factors.stiffness.add(
+          slide.normal_force,
+          slide.lateral_stiffness / lateral_stiffness(reduced.experiment, slide.normal_force));
+    }
+    difference->surfaces.push_back(std::move(factors));
   }
   difference->relative_error = friction_error(slides);
   return difference;

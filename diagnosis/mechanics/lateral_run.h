@@ -84,11 +84,11 @@ class LateralRun {
     for (auto& change : lateral_.coefficient_changes) coefficient = change(coefficient, state);
     double most = lateral_limit(mechanics_, sample, coefficient, at_substrate);
     for (auto& change : lateral_.limit_changes) most = change(most, state);
-    if (lateral_.correction) most *= lateral_.correction->limit_factor(state.normal_force);
+    if (lateral_.correction) most *= lateral_.correction->limit_factor(sample);
     return std::max(0.0, most);
   }
   double stiffness_at(const SlipState& state) const {
-    const double factor = lateral_.correction ? lateral_.correction->stiffness_factor(state.normal_force) : 1;
+    const double factor = lateral_.correction ? lateral_.correction->stiffness_factor(*state.sample) : 1;
     return factor * 8 * sliding_modulus_ * state.contact_radius;
   }
   double addition(const Sample& sample) const {

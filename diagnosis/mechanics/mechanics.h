@@ -62,9 +62,10 @@ class BranchCorrection {
   virtual ~BranchCorrection() = default;
   /// [m]
   virtual double displacement(const Sample&, double) const { return 0; }
-  /// On the limit of the lateral force, and on the lateral stiffness, at a normal force [N]; [-].
-  virtual double limit_factor(double) const { return 1; }
-  virtual double stiffness_factor(double) const { return 1; }
+  /// On the limit of the lateral force, and on the lateral stiffness, at a sample's normal force and surface
+  /// [-].
+  virtual double limit_factor(const Sample&) const { return 1; }
+  virtual double stiffness_factor(const Sample&) const { return 1; }
   /// The contact itself, where what finite elements say is a force at its displacement, as of a contact that
   /// attracts; null: it stays the reduced law.
   virtual std::shared_ptr<const NormalContact> contact_for(const NormalContact&) const { return nullptr; }

@@ -50,6 +50,9 @@ struct Experiment {
   double case_adhesion_range = 0;    ///< of its attraction [m]; 0: it gives none
   double case_work_of_adhesion = 0;  ///< its own [J/m^2]
   double case_attraction_force = 0;  ///< its attraction beyond the contact [N]
+  /// RMS roughness of its substrate where that is generated, or of the recorded surface that it is solved
+  /// with [m]; 0: smooth or a scan.
+  double case_rms = 0;
 
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
