@@ -28,8 +28,9 @@ void scale_substrate(Settings& settings, double rms) {
                                   [&](const Setting& setting) { return setting.path() == entry; });
   const TopographySpec surface = given == settings.end() ? TopographySpec() : TopographySpec(given->value);
   if (!surface.generator())
-    throw InputError(std::string(entry) + " is no generated surface, whose RMS roughness could follow the "
-                                          "recording; make it generated(rms=...)");
+    throw InputError(std::string(entry) +
+                     " is no generated surface, whose RMS roughness could follow the "
+                     "recording; make it generated(rms=...)");
   GeneratorParameters scaled = *surface.generator();
   scaled.spectrum.rms = rms;
   set_entry(settings, entry, rms > 0 ? scaled.text() : "smooth");

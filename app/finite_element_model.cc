@@ -9,6 +9,7 @@
 #include "app/case_file.h"
 #include "app/driven_case.h"
 #include "app/inputs_hash.h"
+#include "app/solved_motion.h"
 #include "app/study_runner.h"
 #include "app/study_summary.h"
 #include "core/error.h"
@@ -16,7 +17,6 @@
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/interface/adhesion_law.h"
-#include "results/solved_case.h"
 
 namespace asperity {
 namespace {
@@ -33,71 +33,13 @@ double rms_of_generated(const BodyInput& body) {
   return generated ? generated->spectrum.rms : 0;
 }
 
-/// Fewer steps say nothing of a curve.
-constexpr std::size_t least_steps = 3;
-
-constexpr const char* at_the_rim = "the contact came to the edge of the finely meshed region";
-
-[[noreturn]] void refuse_outgrown(const fs::path& folder) {
-  throw WorkError("'" + folder.string() + "': " + at_the_rim +
-                  "; give the case a larger Mesh/Contact region");
-}
-
-/// Steps before the contact came to the edge of the finely meshed region: all, where it did not.
-std::size_t steps_within_region(const History& history) {
-  const auto& rim = history.reaches_rim;
-  return static_cast<std::size_t>(
-      std::find_if(rim.begin(), rim.end(), [](double reached) { return reached > 0; }) - rim.begin());
-}
-
-/// Its friction is NaN where the contact did not slip as a whole on its path.
-SolvedSlide slide_of(const fs::path& folder, const SlidingProtocol& protocol) {
-  const SolvedCase solved = read_solved_case(folder);
-  if (steps_within_region(solved.history) < solved.history.size()) refuse_outgrown(folder);
-  const EffectiveNumber friction = solved.effective("sliding_friction"),
-                        stiffness = solved.effective("lateral_stiffness");
-  SolvedSlide slide;
-  slide.normal_force = protocol.normal_force;
-  slide.substrate_rms = protocol.substrate_rms;
-  slide.friction = friction.value * slide.normal_force;
-  slide.friction_error = friction.sd * slide.normal_force;
-  slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
-  slide.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
-  slide.source = folder.string();
-  return slide;
-}
-
-SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {
-  const SolvedCase solved = read_solved_case(folder);
-  SolvedResponse response;
-  const std::size_t steps = steps_within_region(solved.history);
-  const bool is_at_rim = steps < solved.history.size();
-  if (is_at_rim && steps < least_steps) refuse_outgrown(folder);
-  const auto within = [&](const std::vector<double>& column) {
-    return std::vector<double>(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(steps));
-  };
-  response.displacement = within(solved.history.normal_displacement);
-  response.force = within(solved.history.normal_force);
-  const auto peak = std::max_element(response.force.begin(), response.force.end());
-  response.peak = static_cast<std::size_t>(peak - response.force.begin());
-  response.displacement_error = solved.effective("approach_from_first_touch").sd;
-  if (ended_early.empty() && !std::isfinite(response.displacement_error))
-    throw WorkError(
-        "'" + folder.string() +
-        "' does not state the error of its approach, without which a mismatch cannot be told from "
-        "the mesh's; solve it with this version");
-  response.source = folder.string();
-  response.ended_early = is_at_rim && ended_early.empty() ? at_the_rim : ended_early;
-  return response;
-}
-
 /// Accepted steps of a case that is being solved or was broken off.
 std::size_t steps_in(const fs::path& folder) {
   return fs::exists(folder / "history.csv") ? read_history(folder / "history.csv").size() : 0;
 }
 
 std::string why_enough(const EnoughOfIt& enough, const fs::path& folder) {
-  if (!enough || steps_in(folder) < least_steps) return "";
+  if (!enough || steps_in(folder) < least_steps_of_curve) return "";
   const History history = read_history(folder / "history.csv");
   return steps_within_region(history) < history.size() ? at_the_rim
                                                        : enough(response_of(folder, "it goes on"));
@@ -254,7 +196,7 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     if (done.state != CaseProgress::State::done && each.ended_early.empty())
       // No WorkError: a stop ends the diagnosis, where a case that fails is left out of it.
       throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
-    if (!each.ended_early.empty() && steps_in(folder) < least_steps)
+    if (!each.ended_early.empty() && steps_in(folder) < least_steps_of_curve)
       throw WorkError("'" + folder + "' was stopped before it said anything: " + each.ended_early);
     responses.push_back(response_of(folder, each.ended_early));
     if (changes.empty() && responses.back().ended_early == at_the_rim) refuse_outgrown(folder);
@@ -300,8 +242,7 @@ std::vector<SolvedSlide> FiniteElementModel::slide_once(const std::vector<CaseCh
     throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
   }
   std::vector<SolvedSlide> slides;
-  for (std::size_t i = 0; i < asked.size(); ++i)
-    slides.push_back(slide_of(asked[i].folder, protocols[i]));
+  for (std::size_t i = 0; i < asked.size(); ++i) slides.push_back(slide_of(asked[i].folder, protocols[i]));
   return slides;
 }
 

@@ -23,7 +23,7 @@ namespace {
 struct SolveArguments {
   std::string file, output;
   std::vector<std::string> overrides;
-  bool resume = false, overwrite = false, check = false;
+  bool resume = false, overwrite = false, check = false, verbose = false;
 };
 
 void say(const std::string& line) {
@@ -57,6 +57,7 @@ void run_solve(const SolveArguments& arguments) {
     options.inputs_sha256 = now.provenance.inputs_sha256;
     options.before_writing = [&] { claim_folder(now, start); };
     options.progress = say;
+    options.says_iterations = arguments.verbose;
     naming_lines_of_scans(settings, input, [&] { solve_case(input, options); });
   });
 }
@@ -84,6 +85,8 @@ void add_solve_command(CLI::App& app) {
   command->add_flag(
       "--check", arguments->check,
       "Read the case and its scans and refuse what would be refused before meshing; solve and write nothing");
+  command->add_flag("--verbose", arguments->verbose,
+                    "Say each Newton step and each update of the contact tractions as well");
   command->add_flag_callback(
       "--help-case",
       [] {

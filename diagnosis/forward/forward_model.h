@@ -50,9 +50,9 @@ struct SlidingProtocol {
 
 /// What one slid case says, once the whole contact slips.
 struct SolvedSlide {
-  double normal_force = 0;       ///< [N]
+  double normal_force = 0;              ///< [N]
   std::optional<double> substrate_rms;  ///< as asked for [m]
-  double friction = 0;           ///< steady lateral force [N]
+  double friction = 0;                  ///< steady lateral force [N]
   double friction_error = 0;     ///< its standard deviation, as stated: along the path, of mesh and steps [N]
   double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
   double lateral_stiffness_error = 0;  ///< its standard deviation, as stated [N/m]

@@ -99,15 +99,6 @@ double loaded_displacement(const FitProblem& problem, const ModelFit& fit, doubl
 
 }  // namespace
 
-std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experiment, const ModelFit& fit) {
-  std::vector<CaseChange> changes;
-  const auto& effects = fit.explanation->effects();
-  const auto values = fit.values_of_effects();
-  for (std::size_t e = 0; e < effects.size(); ++e)
-    for (auto& change : effects[e]->case_changes(experiment, values[e])) changes.push_back(std::move(change));
-  return changes;
-}
-
 SolvedCaseMapping::Trial SolvedCaseMapping::trial_of(const FitProblem& problem, const ModelFit& fit,
                                                      double largest_force) {
   Trial trial;

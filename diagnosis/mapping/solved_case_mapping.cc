@@ -81,12 +81,12 @@ void refuse_several_surfaces(const Recording& recording, double substrate_rms) {
     }
     constexpr double rounding = 1e-3;
     if (most - least > rounding * std::abs(most))
-      throw InputError(
-          std::string("the recording varies ") + channel +
-          ", and a case has one; diagnose each part with a case of its own, " +
-          (channel == std::string("rms_roughness") ? "give it Substrate/Topography = generated(...), which follows, "
-                                                   : "") +
-          "or leave out --case");
+      throw InputError(std::string("the recording varies ") + channel +
+                       ", and a case has one; diagnose each part with a case of its own, " +
+                       (channel == std::string("rms_roughness")
+                            ? "give it Substrate/Topography = generated(...), which follows, "
+                            : "") +
+                       "or leave out --case");
   }
 }
 
@@ -207,6 +207,15 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   before_ = solved.front().source;
   error_ = solved.front().displacement_error;
   problem.correction = difference_to(solved, protocols_, alone, error_);
+}
+
+std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experiment, const ModelFit& fit) {
+  std::vector<CaseChange> changes;
+  const auto& effects = fit.explanation->effects();
+  const auto values = fit.values_of_effects();
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    for (auto& change : effects[e]->case_changes(experiment, values[e])) changes.push_back(std::move(change));
+  return changes;
 }
 
 std::vector<SolvedSlide> SolvedCaseMapping::slide(const Experiment& experiment, const ModelFit* fit) {

@@ -60,7 +60,7 @@ class FrictionDifference : public BranchCorrection {
 
  private:
   /// Straight in the RMS roughness between two surfaces.
-  double at(const Sample& sample, Factors SurfaceFactors::* of) const {
+  double at(const Sample& sample, Factors SurfaceFactors::*of) const {
     const double force = sample.normal_force, rms = sample.rms_roughness;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       const SurfaceFactors& rougher = surfaces[i];

@@ -3,8 +3,8 @@
 //   T(f; p) = T_reduced(f; p) [1 + D(f)/T_reduced(f; p_k)],  D = T_FE(f; p_k) - T_reduced(f; p_k),
 //   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
 // D as a share of load, contact area and a force between these loads, the ratio straight in ln f (output
-// space mapping, Echeverría & Hemker 2005). Where the recording varies the roughness of the substrate, each surface
-// is solved, and what lies between two of them is straight in their RMS roughness. SI units.
+// space mapping, Echeverría & Hemker 2005). Where the recording varies the roughness of the substrate, each
+// surface is solved, and what lies between two of them is straight in their RMS roughness. SI units.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@
 
 namespace asperity {
 
-/// Three of the recorded loads of each surface at most, the largest first, each with a path on which a contact of this local
-/// friction slips as a whole. Throws InputError where nothing is pressed.
+/// Three of the recorded loads of each surface at most, the largest first, each with a path on which a
+/// contact of this local friction slips as a whole. Throws InputError where nothing is pressed.
 std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, bool is_smooth);
 
 /// Largest part by which a slide's friction is off, as stated [-].

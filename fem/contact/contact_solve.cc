@@ -1,6 +1,8 @@
 // One solve of ContactSolver: Newton steps for fixed multipliers within updates of these.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/error.h"
 #include "fem/contact/contact_solver.h"
@@ -40,6 +42,11 @@ struct ContactSolver::Iteration {
   Vector<double> residual, direction;
   double error = 0;  ///< unbalanced force as evaluated last, relative
   LineSearch search;
+  /// Changes by the last two updates, updates in a row that changed no less than the one before the last, and
+  /// the share of a change that an update takes on.
+  double last_change = std::numeric_limits<double>::infinity(), change_before = last_change;
+  int stalls = 0;
+  double share = 1;
   bool closed = false;  ///< whether another update of the multipliers would change less than the tolerances
   SolveReport report;
 };
@@ -201,11 +208,19 @@ double ContactSolver::force_of(const InterfaceTractions::Change& change) const {
 }
 
 void ContactSolver::update_multipliers(Iteration& at) {
+  // Large friction on slopes couples pressure and shear: a row may then stick after one update and slip after
+  // the next, for ever. Half of the change meets in between.
+  constexpr double progress = 0.9, half = 0.5;
+  constexpr int patience = 3;
+  const double change = at.report.penetration;
+  at.stalls = change < progress * at.change_before ? 0 : at.stalls + 1;
+  at.change_before = std::exchange(at.last_change, change);
+  if (at.stalls >= patience) at.share = half;
   // The update doubles the traction that the penalty carried, so that sticking rows would slip in the next
   // evaluation.
   if (tractions_.has_friction()) tractions_.hold_sticking();
   system_.follow_slopes(at.state.displacement);
-  tractions_.update_multipliers(at.state);
+  tractions_.update_multipliers(at.state, at.share);
   tractions_.update_limits(at.state);
   // The first steps' stick and slip that called for the secant have been found by now.
   if (at.pace == Pace::quick) slip_stiffness_ = SlipStiffness::tangent;

@@ -154,10 +154,11 @@ void InterfaceTractions::hold_sticking() {
   for (std::size_t r = 0; r < shear_.size(); ++r) held_[r] = !shear_[r].slips;
 }
 
-void InterfaceTractions::update_multipliers(ContactState& state) const {
-  state.multiplier = pressure_;
+void InterfaceTractions::update_multipliers(ContactState& state, double share) const {
+  const auto move = [share](double& from, double to) { from = share < 1 ? from + share * (to - from) : to; };
+  for (std::size_t r = 0; r < pressure_.size(); ++r) move(state.multiplier[r], pressure_[r]);
   for (std::size_t r = 0; r < shear_.size(); ++r)
-    for (int c = 0; c < 2; ++c) state.shear[c][r] = shear_[r].traction[c];
+    for (int c = 0; c < 2; ++c) move(state.shear[c][r], shear_[r].traction[c]);
 }
 
 InterfaceTractions::Change InterfaceTractions::change(const ContactState& state) const {

@@ -50,8 +50,9 @@ class InterfaceTractions {
   void release() { held_.clear(); }
   /// Evaluates all rows at a state with the given gaps [m].
   void evaluate(const ContactState& state, const std::vector<double>& gaps);
-  /// Makes the evaluated tractions the multipliers; `change` is to be asked before.
-  void update_multipliers(ContactState& state) const;
+  /// Moves the multipliers to the evaluated tractions, by a share of the way [-]; `change` is to be asked
+  /// before.
+  void update_multipliers(ContactState& state, double share = 1) const;
 
   /// How far an update would go.
   struct Change {

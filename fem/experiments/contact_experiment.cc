@@ -63,6 +63,7 @@ void ContactExperiment::start() {
   solver_options.friction = make_friction_law(input_.interface);
   solver_options.adhesion = make_adhesion_laws(input_.interface);
   solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
+  if (options_.says_iterations && speaks()) solver_->log = options_.progress;
   state_ = solver_->first_touch();
   state_.motion = program_.front().motion;
   const HexMeshQuality quality = hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh);

@@ -14,6 +14,7 @@ struct SolveOptions {
   std::function<void()>
       before_writing;  ///< called by the first rank once the case is meshed, before the first file is written
   std::function<void(const std::string&)> progress;  ///< one line per accepted step
+  bool says_iterations = false;  ///< progress: a line per Newton step and per update of the tractions as well
 };
 
 }  // namespace asperity

@@ -13,7 +13,8 @@ namespace {
 constexpr double nano = 1e-9, micro = 1e-6;
 
 TEST(DrivenCase_behaviour, the_generated_substrate_is_scaled_and_keeps_spectrum_and_seed) {
-  Settings settings{{"Substrate", "Topography", "generated(rms=1.5 nm, rolloff=200 nm, cutoff=72 nm, seed=7)", ""}};
+  Settings settings{
+      {"Substrate", "Topography", "generated(rms=1.5 nm, rolloff=200 nm, cutoff=72 nm, seed=7)", ""}};
   drive(settings, SlidingProtocol{100 * micro, 200 * nano, 2.7 * nano});
   const TopographySpec scaled(settings.front().value);
   ASSERT_NE(scaled.generator(), nullptr);

@@ -1,5 +1,5 @@
-// A recording of several surfaces whose simulation is a case: a stand-in for finite elements, whose attraction
-// falls with the roughness, which no reduced law here says.
+// A recording of several surfaces whose simulation is a case: a stand-in for finite elements, whose
+// attraction falls with the roughness, which no reduced law here says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,8 @@ class RoughStandIn : public ForwardModel {
       s.normal_force = protocol.normal_force;
       s.substrate_rms = protocol.substrate_rms;
       const Hertz hertz{reduced_modulus(bodies().particle, bodies().substrate), bodies().radius};
-      const double area = M_PI * std::pow(hertz.contact_radius(s.normal_force), 2) * std::exp(-rms / (2 * nm));
+      const double area =
+          M_PI * std::pow(hertz.contact_radius(s.normal_force), 2) * std::exp(-rms / (2 * nm));
       s.friction = mu * (s.normal_force + left_of(attraction, rms)) + strength * area;
       s.friction_error = 0.005 * s.friction;
       s.source = "stand-in";
@@ -66,7 +67,8 @@ class RoughStandIn : public ForwardModel {
 };
 
 /// Steady friction on each surface, both ways; noise of 0.2 uN.
-Recording recorded(const std::vector<double>& surfaces, const std::function<double(double, double)>& friction) {
+Recording recorded(const std::vector<double>& surfaces,
+                   const std::function<double(double, double)>& friction) {
   Recording r;
   r.mode = Motion::sliding;
   r.particle = test::borosilicate();

@@ -1,0 +1,64 @@
+#include "app/solved_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+
+namespace asperity {
+
+namespace fs = std::filesystem;
+
+void refuse_outgrown(const fs::path& folder) {
+  throw WorkError("'" + folder.string() + "': " + at_the_rim +
+                  "; give the case a larger Mesh/Contact region");
+}
+
+std::size_t steps_within_region(const History& history) {
+  const auto& rim = history.reaches_rim;
+  return static_cast<std::size_t>(
+      std::find_if(rim.begin(), rim.end(), [](double reached) { return reached > 0; }) - rim.begin());
+}
+
+SolvedSlide slide_of(const fs::path& folder, const SlidingProtocol& protocol) {
+  const SolvedCase solved = read_solved_case(folder);
+  if (steps_within_region(solved.history) < solved.history.size()) refuse_outgrown(folder);
+  const EffectiveNumber friction = solved.effective("sliding_friction"),
+                        stiffness = solved.effective("lateral_stiffness");
+  SolvedSlide slide;
+  slide.normal_force = protocol.normal_force;
+  slide.substrate_rms = protocol.substrate_rms;
+  slide.friction = friction.value * slide.normal_force;
+  slide.friction_error = friction.sd * slide.normal_force;
+  slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
+  slide.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
+  slide.source = folder.string();
+  return slide;
+}
+
+SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {
+  const SolvedCase solved = read_solved_case(folder);
+  SolvedResponse response;
+  const std::size_t steps = steps_within_region(solved.history);
+  const bool is_at_rim = steps < solved.history.size();
+  if (is_at_rim && steps < least_steps_of_curve) refuse_outgrown(folder);
+  const auto within = [&](const std::vector<double>& column) {
+    return std::vector<double>(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(steps));
+  };
+  response.displacement = within(solved.history.normal_displacement);
+  response.force = within(solved.history.normal_force);
+  const auto peak = std::max_element(response.force.begin(), response.force.end());
+  response.peak = static_cast<std::size_t>(peak - response.force.begin());
+  response.displacement_error = solved.effective("approach_from_first_touch").sd;
+  if (ended_early.empty() && !std::isfinite(response.displacement_error))
+    throw WorkError(
+        "'" + folder.string() +
+        "' does not state the error of its approach, without which a mismatch cannot be told from "
+        "the mesh's; solve it with this version");
+  response.source = folder.string();
+  response.ended_early = is_at_rim && ended_early.empty() ? at_the_rim : ended_early;
+  return response;
+}
+
+}  // namespace asperity

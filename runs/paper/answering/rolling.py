@@ -1,0 +1,83 @@
+"""Rolling over three wafers: how much of it bonds can make that the pull-off allows, and what the lines have in common."""
+
+from answering import chart, program
+from answering.answer import Answer
+
+RADIUS = 8.5e-6
+LOADS = (100, 300, 600, 900, 1200, 1500, 1800, 2200, 2600, 3000)  # [uN], of the recordings
+
+
+def lines():
+    """Wafer -> (rms [nm], slope, force at no load [uN], standard deviation of a row [uN])."""
+    found = {}
+    for row in program.published("surfaces.csv"):
+        slope, sd, offset = (float(row[key]) for key in ("rolling_r", "rolling_r_sd", "rolling_r_offset [uN]"))
+        mean = sum(LOADS) / len(LOADS)
+        spread = sum((load - mean)**2 for load in LOADS)
+        found[row["surface"]] = (float(row["rms [nm]"]), slope, slope * offset, sd * (2 * spread)**0.5)
+    return found
+
+
+def points(found):
+    return [(name, load, slope * load + force, sd) for name, (_, slope, force, sd) in found.items() for load in LOADS for _ in range(2)]
+
+
+def least_squares(rows, columns, weights, values):
+    """Normal equations of a few unknowns; each of `columns` maps a row to a number. Returns values and chi-square."""
+    n = len(columns)
+    matrix = [[sum(w * a(r) * b(r) for r, w in zip(rows, weights)) for b in columns] + [sum(w * a(r) * v for r, w, v in zip(rows, weights, values))] for a in columns]
+    for i in range(n):
+        matrix[i] = [x / matrix[i][i] for x in matrix[i]]
+        for k in range(n):
+            if k != i:
+                matrix[k] = [x - matrix[k][i] * y for x, y in zip(matrix[k], matrix[i])]
+    found = [row[n] for row in matrix]
+    return found, sum(w * (v - sum(f * c(r) for f, c in zip(found, columns)))**2 for r, w, v in zip(rows, weights, values))
+
+
+def reduced(found):
+    """Chi-square a row of one friction and one force; of a friction for each wafer and one adhesion; of a friction for each and one force, with what the last found."""
+    rows = points(found)
+    weights, values = [1 / sd**2 for *_, sd in rows], [value for _, _, value, _ in rows]
+    slopes = [lambda r, name=name: r[1] if r[0] == name else 0.0 for name in found]
+
+    def force(_):
+        return 1.0
+
+    _, one = least_squares(rows, [lambda r: r[1], force], weights, values)
+    fitted, each = least_squares(rows, slopes + [force], weights, values)
+    adhesion = min(least_squares(rows, [lambda r, name=name, h=h: r[1] + h if r[0] == name else 0.0 for name in found], weights, values)[1]
+                   for h in range(0, 4000, 20))
+    return one / (len(rows) - 2), adhesion / (len(rows) - 4), each / (len(rows) - 4), fitted
+
+
+def figure(found, one_force):
+    series = []
+    for (name, (rms, slope, force, sd)), fitted in zip(found.items(), one_force):
+        series.append((chart.RECORDED, "", [(load, slope * load + force, sd) for load in LOADS]))
+        series.append((chart.AFTER, "{:g} nm".format(rms), [(load, fitted * load + one_force[-1], 0) for load in LOADS]))
+    return chart.drawn("Rolling: a friction for each wafer and one force", ("normal force [uN]", "lateral force [uN]"), series)
+
+
+def answer(asperity, folder, _minutes):
+    solved = {values["Contact"]: effective for values, effective in program.studied(asperity, "rolling_bonds.prm", folder)}
+    found = lines()
+    one, adhesion, each, fitted = reduced(found)
+    moment = {name: (of["rolling_dissipation"]["value"], of["rolling_dissipation"]["sd"]) for name, of in solved.items()}
+    rows, shares = [], []
+    for rms, slope, force, _ in found.values():
+        wafer = moment["{:g} nm".format(rms)]
+        simulated = (wafer[0] + moment["diamond"][0]) / (2 * RADIUS) / program.MICRO
+        recorded = slope * 100 + force
+        shares.append(simulated / recorded)
+        rows.append(["{:g} nm".format(rms), "{:.2f} ± {:.2f}".format(*(v * 1e12 for v in wafer)), "{:.3f}".format(simulated), "{:.2f}".format(recorded), "{:.2f}".format(force)])
+    bonds = max(shares)
+    sentences = ["With bonds as strong as the pull-off forces allow, and all of their work lost, both contacts together resist at 100 uN with {:.0%} to {:.0%} of what was recorded: "
+                 "adhesion hysteresis, slip and yielding of this contact do not make the force that is left at no load.".format(min(shares), bonds),
+                 "Three lines with one friction and one force have chi-square {:.3g} a row, a friction for each wafer and one adhesion {:.3g}, a friction for each and one force that does "
+                 "not depend on the load {:.2g}: {:.2f} uN on all three wafers.".format(one, adhesion, each, fitted[-1]),
+                 "A force that is the same on three wafers and without load belongs to what they share: the diamond's contact, a film of water that both carry along, or the instrument."]
+    return Answer("rolling", "Rolling: the friction falls with roughness, and a force is left at no load", "unexplained by the contact" if bonds < 0.5 else "ambiguous", sentences,
+                  ["wafer", "moment solved at 100 uN [pN m]", "force of both contacts [uN]", "recorded at 100 uN [uN]", "recorded at no load [uN]"], rows, figure(found, fitted),
+                  "Rolling on three wafers, with one force that does not depend on the load",
+                  "spheres of two radii: the force of a contact's moment falls with the radius, an instrument's does not; and the indenter led back without a sphere.")
