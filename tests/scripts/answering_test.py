@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Tests of runs/paper/answers: fits of forces that are known, the chart, and the page, without solving anything."""
+
+import pathlib
+import sys
+import unittest
+from xml.etree import ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "runs/paper"))
+
+from answering import chart, program, pull_off, rolling  # noqa: E402
+from answering.answer import Answer  # noqa: E402
+
+
+def cases(force_of, rolloff="1.5 um", reach="1 nm"):
+    """Two realisations 4 % apart at two works of adhesion, as a study gives them."""
+    found = []
+    for rms in (0.3, 1.5, 2.7):
+        for work in (60, 120):
+            for factor in (0.98, 1.02):
+                values = {"Surface": "{:g} nm / {}".format(rms, rolloff), "Work of adhesion": "{} mJ/m^2".format(work), "Adhesion range": reach}
+                found.append((values, {"pull_off_force": {"value": factor * force_of(rms, work) * 1e-6, "sd": 0}}))
+    return found
+
+
+class PullOff(unittest.TestCase):
+    def setUp(self):
+        self.law = lambda rms, work: 4 * (work / 77)**(1 + 0.1 * rms) / (1 + rms)
+        self.surfaces = pull_off.hypotheses(cases(self.law))["1.5 um", "1 nm"]
+
+    def test_forces_between_two_works_are_a_power_of_the_work(self):
+        for rms in (0.3, 1.5, 2.7):
+            force, error = self.surfaces.force(rms, 90)
+            self.assertAlmostEqual(force, self.law(rms, 90), places=6)
+            self.assertAlmostEqual(error / force, 0.02, places=6)
+
+    def test_the_work_that_made_the_forces_is_found_and_met_by_what_was_kept_out(self):
+        measured = {rms: (self.law(rms, 85), 0.1) for rms in (0.3, 1.5, 2.7)}
+        work, low, high = self.surfaces.fitted(measured)
+        self.assertAlmostEqual(work, 85, delta=0.5)
+        self.assertTrue(low < 85 < high)
+        alone, held_out = self.surfaces.held_out(measured)
+        self.assertAlmostEqual(alone, 85, delta=0.01)
+        self.assertLess(held_out, 1e-6)
+
+    def test_forces_that_fall_otherwise_are_not_met(self):
+        measured = {0.3: (3.2, 0.1), 1.5: (3.0, 0.1), 2.7: (2.8, 0.1)}
+        self.assertGreater(self.surfaces.chi2(measured, self.surfaces.fitted(measured)[0]), pull_off.POSSIBLE)
+
+
+class Rolling(unittest.TestCase):
+    def test_the_published_lines_with_one_force_that_knows_no_load(self):
+        # As the search of `diagnose` found for the same lines: 0.61 uN, chi-square 0.26 a row.
+        one, adhesion, each, fitted = rolling.reduced(rolling.lines())
+        self.assertAlmostEqual(fitted[-1], 0.61, delta=0.005)
+        self.assertAlmostEqual(each, 0.26, delta=0.005)
+        self.assertLess(each, adhesion)
+        self.assertLess(adhesion, one)
+
+
+class Page(unittest.TestCase):
+    def test_a_chart_is_well_formed_and_its_points_are_inside(self):
+        series = [(chart.RECORDED, "", [(0.3, 3.2, 0.3), (2.7, 1.9, 0.3)]), (chart.AFTER, "a <b> & c", [(0.3, 3, 0.0), (2.7, 2, 0.0)])]
+        for logarithmic in (False, True):
+            svg = ElementTree.fromstring(chart.drawn("A & B", ("x", "y"), series, logarithmic))
+            circles = [(float(c.get("cx")), float(c.get("cy"))) for c in svg.iter("{http://www.w3.org/2000/svg}circle")]
+            self.assertGreaterEqual(len(circles), 2)
+            for x, y in circles[-2:]:
+                self.assertTrue(chart.LEFT <= x <= chart.WIDTH - chart.RIGHT and 0 <= y <= chart.HEIGHT - chart.BOTTOM)
+
+    def test_ticks_are_round_and_within(self):
+        ticks = chart.Axis([0, 113], 0, 100).ticks()
+        self.assertEqual(ticks, [0, 20, 40, 60, 80, 100])
+
+    def test_an_answer_says_its_verdict_first_and_has_its_table(self):
+        page = Answer("x", "Why?", "ambiguous", ["It may be.", "Or not."], ["a"], [["1"]], "<svg/>", "Both", "more data.").markdown("figures")
+        self.assertEqual(page.splitlines()[2], "**Ambiguous.** It may be.")
+        for part in ("| a |\n| --- |\n| 1 |", "![Both](figures/x.svg)", "What would tell: more data."):
+            self.assertIn(part, page)
+
+    def test_means_of_realisations_have_the_error_of_the_mean(self):
+        mean, error = program.mean_and_error([1.0, 2.0, 3.0])
+        self.assertEqual(mean, 2.0)
+        self.assertAlmostEqual(error, 3**-0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
