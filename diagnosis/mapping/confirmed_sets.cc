@@ -242,6 +242,8 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
       if (!candidate || !is_excluded(*candidate)) want(fewer);
     }
   }
+  // The best by reduced laws, even where a member changes little: finite elements may say otherwise.
+  if (search.explains()) want(search.candidates.front().fit.explanation->effects());
   for (const auto& candidate : search.candidates) {
     const Effects& effects = candidate.fit.explanation->effects();
     const bool helps = effects.size() == 1 && candidate.score > search.alone.score + worth_solving;
