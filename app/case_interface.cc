@@ -13,7 +13,8 @@ void add_interface(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       "Interface", "Work of adhesion", [](CaseInput& c) -> double& { return c.interface.work_of_adhesion; },
       Dimension::surface_energy, not_negative, "0 J/m^2", "",
-      "Work of adhesion on approach: work per area of attraction as the surfaces close; 0: no adhesion."));
+      "Work of adhesion on approach: work per area of attraction as the surfaces close; 0: they do not "
+      "attract before they touch."));
   entries.push_back(quantity(
       "Interface", "Work of adhesion on separation",
       [](CaseInput& c) -> double& { return c.interface.work_of_separation; }, Dimension::surface_energy,

@@ -23,7 +23,7 @@ struct BodyInput {
 /// Laws at a point of the interface.
 struct InterfaceInput {
   LawValues parameters;  ///< of the laws of friction and adhesion; one that is left out has its default
-  double work_of_adhesion = 0;    ///< on approach [J/m^2]; 0: no adhesion
+  double work_of_adhesion = 0;    ///< on approach [J/m^2]; 0: what approaches does not attract
   double work_of_separation = 0;  ///< on separation of surfaces that were in contact [J/m^2]; 0: the same
   std::string adhesion_law = "dugdale";
   /// Attraction beyond the contact, which presses whatever the gap, so that it acts like more load [N].

@@ -55,7 +55,6 @@ AdhesionWork work_of_adhesion(const InterfaceInput& input) {
                        "adhesion and Work of adhesion on separation");
     return declared(law.name, input.parameters).own_work(with_defaults(law.parameters, input.parameters));
   }
-  if (input.work_of_adhesion == 0) return {};
   return {input.work_of_adhesion,
           input.work_of_separation == 0 ? input.work_of_adhesion : input.work_of_separation};
 }

@@ -92,4 +92,18 @@ TEST(Retract_analytic, bonds_that_open_by_more_work_than_they_gave_lose_the_diff
   EXPECT_TRUE(verified("energy left open", "balance").below(100 * open, 1, "%"));
 }
 
+TEST(Retract_behaviour, what_attracts_on_separation_alone_attracts_where_it_has_touched_and_not_before) {
+  const test::TemporaryFolder folder;
+  CaseInput input = drawn_back(0.02);
+  input.interface.work_of_adhesion = 0;
+  const auto force = run(input, folder.path).numbers("normal_force [N]");
+  const double unit = 2 * M_PI * input.radius * input.interface.work_of_separation;
+  const auto peak = std::max_element(force.begin(), force.end());
+  EXPECT_GE(*std::min_element(force.begin(), peak), 0);
+  const double pulled = -*std::min_element(peak, force.end());
+  // Less than the whole sphere would attract with (Derjaguin 1934).
+  EXPECT_GT(pulled, 0.1 * unit);
+  EXPECT_LT(pulled, unit);
+}
+
 }  // namespace

@@ -70,7 +70,7 @@ class Page(unittest.TestCase):
                 self.assertTrue(chart.LEFT <= x <= chart.WIDTH - chart.RIGHT and 0 <= y <= chart.HEIGHT - chart.BOTTOM)
 
     def test_ticks_are_round_and_within(self):
-        ticks = chart.Axis([0, 113], 0, 100).ticks()
+        ticks = chart.Axis([0, 105], 0, 100).ticks()
         self.assertEqual(ticks, [0, 20, 40, 60, 80, 100])
 
     def test_an_answer_says_its_verdict_first_and_has_its_table(self):

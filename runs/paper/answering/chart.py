@@ -20,7 +20,7 @@ class Axis:
             self.start, self.end = log10(min(values) / 1.25), log10(max(values) * 1.25)
         else:
             self.start = min(0, min(values)) if from_zero else min(values)
-            self.end = max(values) + 0.06 * (max(values) - self.start)
+            self.end = max(values) + 0.1 * (max(values) - self.start)
 
     def at(self, value):
         place = log10(value) if self.logarithmic else value

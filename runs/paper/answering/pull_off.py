@@ -73,7 +73,9 @@ def figure(measured, before, best, work, alone):
 
 def answer(asperity, folder, _minutes):
     measured = {float(row["rms [nm]"]): (float(row["pull_off [uN]"]), float(row["pull_off_sd [uN]"])) for row in program.published("surfaces.csv")}
-    all_of = hypotheses(program.studied(asperity, "pull_off.prm", folder))
+    cases = program.studied(asperity, "pull_off.prm", folder)
+    all_of = hypotheses(cases)
+    realisations = len(cases) // len({tuple(sorted(values.items())) for values, _ in cases})
     rows, fits = [], {}
     for (rolloff, reach), surfaces in all_of.items():
         work, low, high = surfaces.fitted(measured)
@@ -99,7 +101,7 @@ def answer(asperity, folder, _minutes):
     else:
         verdict = "unexplained"
         said.append("None of these spectra and ranges meets the three forces within their errors; nearest is roll-off {} with range {}, {:.2g}.".format(*best, chi2 / 2))
-    said.append("Forces are means over five realisations, with the standard deviation of that mean beside the measured one; the work is fitted as a power law through 60 and 120 mJ/m2.")
+    said.append("Forces are means over {} realisations, with the standard deviation of that mean beside the measured one; the work is fitted as a power law through 60 and 120 mJ/m2.".format(realisations))
     return Answer("pull_off", "Pull-off falls with roughness: 3.2, 2.7 and 1.9 uN", verdict, said,
                   ["roll-off", "range of attraction", "work of adhesion [mJ/m2]", "forces at 0.3, 1.5, 2.7 nm [uN]", "chi-square, fitted", "etched wafers kept out"],
                   rows, figure(measured, before, all_of[best], work, alone), "Pull-off forces of three wafers, before and after",

@@ -72,8 +72,8 @@ def answer(asperity, folder, _minutes):
         shares.append(simulated / recorded)
         rows.append(["{:g} nm".format(rms), "{:.2f} ± {:.2f}".format(*(v * 1e12 for v in wafer)), "{:.3f}".format(simulated), "{:.2f}".format(recorded), "{:.2f}".format(force)])
     bonds = max(shares)
-    sentences = ["With bonds as strong as the pull-off forces allow, and all of their work lost, both contacts together resist at 100 uN with {:.0%} to {:.0%} of what was recorded: "
-                 "adhesion hysteresis, slip and yielding of this contact do not make the force that is left at no load.".format(min(shares), bonds),
+    sentences = ["With bonds as strong as the pull-off forces allow, and all of their work lost, both contacts together resist at 100 uN with {:.0f} to {:.0f} % of what was recorded: "
+                 "adhesion hysteresis, slip and yielding of this contact do not make the force that is left at no load.".format(100 * min(shares), 100 * bonds),
                  "Three lines with one friction and one force have chi-square {:.3g} a row, a friction for each wafer and one adhesion {:.3g}, a friction for each and one force that does "
                  "not depend on the load {:.2g}: {:.2f} uN on all three wafers.".format(one, adhesion, each, fitted[-1]),
                  "A force that is the same on three wafers and without load belongs to what they share: the diamond's contact, a film of water that both carry along, or the instrument."]

@@ -25,12 +25,14 @@ def figure(folder):
     return chart.drawn("Sliding on three wafers", ("normal force [uN]", "lateral force [uN]"), series)
 
 
-def rows_of(said):
-    rows = []
+def local_friction(said, surfaces):
+    """Of each surface: what was found, as a row of the table; empty where friction by roughness was not left out."""
     for effect in said["left_out"]:
-        for name, p in effect["parameters"].items():
-            rows.append(["`" + effect["effect"] + "`", effect["equation"], name, interval(p["value"], *p["ci95"]) + " " + p["unit"], "yes" if effect["case_entries"] else "no"])
-    return rows
+        if effect["effect"] == "friction_by_roughness":
+            b, c = (effect["parameters"][name]["value"] for name in ("smooth_friction", "slope"))
+            published = {float(row["rms [nm]"]): row["sliding_friction"] for row in program.published("surfaces.csv")}
+            return [["{:g} nm".format(rms), published[rms], "{:.2f}".format(b + c * rms * program.NANO)] for rms in surfaces]
+    return []
 
 
 def answer(asperity, folder, minutes):
@@ -39,6 +41,12 @@ def answer(asperity, folder, minutes):
     names = " and ".join("`{}`".format(effect["effect"]) for effect in said["left_out"])
     sentences = ["The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness and a local friction of 0.3; it parts from the three lines "
                  "with chi-square {:.3g} a row.".format(before["chi2_reduced"])]
+    work = said["forward_model"].get("corrected", {}).get("Interface/Work of adhesion")
+    if work:
+        sentences.append("One work of adhesion serves all three wafers: {} mJ/m2 over a range of 1 nm (95 %).".format(interval(1e3 * work["value"], *(1e3 * v for v in work["ci95"]), "{:.0f}")))
+    for region in said["remaining"][:1]:
+        sentences.append("Structure remains: {:.0%} of what is left is between {:.3g} and {:.3g} uN of {}.".format(
+            region["share"], region["from"] / program.MICRO, region["to"] / program.MICRO, region["variable"].replace("_", " ")) if region["unit"] == "N" else "Structure remains.")
     others = "; ".join(" and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"])
     if names:
         sentences.append("What was left out is {}: with it the case, solved again, leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
@@ -47,9 +55,9 @@ def answer(asperity, folder, minutes):
         sentences.append("No set of effects that was solved explains it.")
     if others:
         sentences.append("As good or nearly: " + others + ".")
-    sentences.append("{} solutions; friction is off by {:.1%} as stated (mesh, path). One realisation: the scatter between realisations is not in the intervals.".format(
-        said["forward_model"]["solves"], said["forward_model"]["discretisation_error"]["value"]))
+    sentences.append("{} solutions; friction is off by {:.1f} % as stated (mesh, path). One realisation: the scatter between realisations is not in the intervals.".format(
+        said["forward_model"]["solves"], 100 * said["forward_model"]["discretisation_error"]["value"]))
     return Answer("sliding", "Sliding friction rises with roughness: slopes of 0.23, 0.53 and 0.65", said["verdict"].replace("_", " "), sentences,
-                  ["left out", "law", "parameter", "value (95 %)", "entry of the case"], rows_of(said), figure(folder), "Lateral force of three wafers, before and after",
+                  ["RMS", "published slope of the line", "local friction found"], local_friction(said, sorted({row[0] for row in points(folder, "after")})), figure(folder), "Lateral force of three wafers, before and after",
                   "; ".join(other["told_apart_by"] for other in said["alternatives"])
                   or "the same wafers with another sphere radius: attraction then presses by another share, and local friction stays.")
