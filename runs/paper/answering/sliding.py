@@ -3,7 +3,9 @@
 from answering import chart, program
 from answering.answer import Answer, interval
 
-RECORDING, CASE = "sliding_three_wafers", "wafer_etched_1600.prm"
+RECORDING = "sliding_three_wafers"
+# Roll-off of the wafers' spectrum: what the pull-off forces leave, and what the studies of motion took.
+CASES = {"1.5 um": "wafers_of_long_waves.prm", "200 nm": "wafer_etched_1600.prm"}
 
 
 def points(folder, state):
@@ -25,39 +27,50 @@ def figure(folder):
     return chart.drawn("Sliding on three wafers", ("normal force [uN]", "lateral force [uN]"), series)
 
 
-def local_friction(said, surfaces):
-    """Of each surface: what was found, as a row of the table; empty where friction by roughness was not left out."""
+def local_friction(said):
+    """Of each surface: what was found, at the wafers' RMS [nm]; none where friction by roughness was not left out."""
     for effect in said["left_out"]:
         if effect["effect"] == "friction_by_roughness":
             b, c = (effect["parameters"][name]["value"] for name in ("smooth_friction", "slope"))
-            published = {float(row["rms [nm]"]): row["sliding_friction"] for row in program.published("surfaces.csv")}
-            return [["{:g} nm".format(rms), published[rms], "{:.2f}".format(b + c * rms * program.NANO)] for rms in surfaces]
-    return []
+            return ", ".join("{:.2f}".format(b + c * float(row["rms [nm]"]) * program.NANO) for row in program.published("surfaces.csv"))
+    return "-"
+
+
+def work_of_adhesion(said):
+    work = said["forward_model"].get("corrected", {}).get("Interface/Work of adhesion")
+    return interval(1e3 * work["value"], *(1e3 * v for v in work["ci95"]), "{:.0f}") if work else "-"
+
+
+def diagnoses(asperity, folder, minutes):
+    return {rolloff: program.diagnosed(asperity, RECORDING, case, folder / rolloff.replace(" ", "_"), minutes) for rolloff, case in CASES.items()}
+
+
+def best_of(all_of):
+    return min(all_of, key=lambda rolloff: all_of[rolloff]["improved"]["held_out_chi2_reduced"])
 
 
 def answer(asperity, folder, minutes):
-    said = program.diagnosed(asperity, RECORDING, CASE, folder, minutes)
+    all_of = diagnoses(asperity, folder, minutes)
+    rolloff = best_of(all_of)
+    said = all_of[rolloff]
     before, after = said["baseline"], said["improved"]
     names = " and ".join("`{}`".format(effect["effect"]) for effect in said["left_out"])
-    sentences = ["The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness and a local friction of 0.3; it parts from the three lines "
-                 "with chi-square {:.3g} a row.".format(before["chi2_reduced"])]
-    work = said["forward_model"].get("corrected", {}).get("Interface/Work of adhesion")
-    if work:
-        sentences.append("One work of adhesion serves all three wafers: {} mJ/m2 over a range of 1 nm (95 %).".format(interval(1e3 * work["value"], *(1e3 * v for v in work["ci95"]), "{:.0f}")))
-    for region in said["remaining"][:1]:
-        sentences.append("Structure remains: {:.0%} of what is left is between {:.3g} and {:.3g} uN of {}.".format(
-            region["share"], region["from"] / program.MICRO, region["to"] / program.MICRO, region["variable"].replace("_", " ")) if region["unit"] == "N" else "Structure remains.")
-    others = "; ".join(" and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"])
+    sentences = ["The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness, a local friction of 0.3 and nothing that attracts; it parts from the three "
+                 "lines with chi-square {:.3g} a row.".format(before["chi2_reduced"])]
     if names:
-        sentences.append("What was left out is {}: with it the case, solved again, leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
-            names, after["chi2_reduced"], after["held_out_chi2_reduced"], before["held_out_chi2_reduced"]))
+        sentences.append("What was left out is {}: solved again with both, with a roll-off of {}, the case leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
+            names, rolloff, after["chi2_reduced"], after["held_out_chi2_reduced"], before["held_out_chi2_reduced"]))
     else:
         sentences.append("No set of effects that was solved explains it.")
+    others = "; ".join(" and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"])
     if others:
         sentences.append("As good or nearly: " + others + ".")
-    sentences.append("{} solutions; friction is off by {:.1f} % as stated (mesh, path). One realisation: the scatter between realisations is not in the intervals.".format(
-        said["forward_model"]["solves"], 100 * said["forward_model"]["discretisation_error"]["value"]))
+    sentences.append("Friction is off by {:.1f} % as stated (mesh, path). One realisation each: the scatter between realisations is not in the intervals.".format(
+        100 * said["forward_model"]["discretisation_error"]["value"]))
+    rows = [[length, of["verdict"].replace("_", " "), local_friction(of), work_of_adhesion(of), "{:.3g} to {:.3g}".format(*(of[state]["held_out_chi2_reduced"] for state in ("baseline", "improved"))),
+             str(of["forward_model"]["solves"])] for length, of in all_of.items()]
     return Answer("sliding", "Sliding friction rises with roughness: slopes of 0.23, 0.53 and 0.65", said["verdict"].replace("_", " "), sentences,
-                  ["RMS", "published slope of the line", "local friction found"], local_friction(said, sorted({row[0] for row in points(folder, "after")})), figure(folder), "Lateral force of three wafers, before and after",
+                  ["roll-off", "answer", "local friction at 0.3, 1.5, 2.7 nm", "work of adhesion over 1 nm [mJ/m2]", "chi-square, kept out", "solutions"], rows,
+                  figure(folder / rolloff.replace(" ", "_")), "Lateral force of three wafers, before and after",
                   "; ".join(other["told_apart_by"] for other in said["alternatives"])
                   or "the same wafers with another sphere radius: attraction then presses by another share, and local friction stays.")

@@ -1,13 +1,14 @@
 """No rolling below 100 uN: whether a contact makes it."""
 
-from answering import program, rolling, sliding
+from answering import rolling, sliding
 from answering.answer import Answer
 
 
 def answer(asperity, folder, minutes):
     of_sliding = folder.parent / "sliding"
-    said = program.diagnosed(asperity, sliding.RECORDING, sliding.CASE, of_sliding, minutes)
-    simulated = sliding.points(of_sliding, "after" if said["left_out"] else "before")
+    all_of = sliding.diagnoses(asperity, of_sliding, minutes)
+    rolloff = sliding.best_of(all_of)
+    simulated = sliding.points(of_sliding / rolloff.replace(" ", "_"), "after" if all_of[rolloff]["left_out"] else "before")
     rows, least = [], float("inf")
     for rms, slope, force, _ in rolling.lines().values():
         load, limit = min((load, value) for surface, load, _, _, value in simulated if surface == rms)
