@@ -7,7 +7,7 @@ from answering.answer import Answer
 def answer(asperity, folder, minutes):
     of_sliding = folder.parent / "sliding"
     all_of = sliding.diagnoses(asperity, of_sliding, minutes)
-    rolloff = sliding.best_of(all_of)
+    rolloff = sliding.OF_PULL_OFF
     simulated = sliding.points(of_sliding / rolloff.replace(" ", "_"), "after" if all_of[rolloff]["left_out"] else "before")
     rows, least = [], float("inf")
     for rms, slope, force, _ in rolling.lines().values():
