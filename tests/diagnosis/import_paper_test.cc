@@ -38,7 +38,7 @@ TEST(PaperRecordings_behaviour, every_folder_reads_and_its_tables_begin_with_whe
           << folder.path();
     ++folders;
   }
-  EXPECT_EQ(folders, 12);
+  EXPECT_EQ(folders, 13);
 }
 
 TEST(PaperRecordings_other_code,
