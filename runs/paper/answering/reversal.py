@@ -26,7 +26,8 @@ def answer(asperity, folder, minutes):
                  "wafers.".format(least, most, measured / 1e3)]
     for effect in said["left_out"]:
         for name, p in effect["parameters"].items():
-            sentences.append("Set against the case, the loop names `{}` ({}): {} {} (95 %).".format(effect["effect"], effect["kind"], interval(p["value"], *p["ci95"]), p["unit"] or name))
+            sentences.append("Set against the case, the loop names `{}` ({}): {} {} (95 %).".format(
+                effect["effect"], effect["kind"], name, (interval(p["value"], *p["ci95"]) + " " + p["unit"]).strip()))
     sentences.append("Chi-square falls from {:.3g} to {:.3g} on samples kept out of the fit.".format(said["baseline"]["held_out_chi2_reduced"], said["improved"]["held_out_chi2_reduced"]))
     return Answer("reversal", "The slope after a reversal is 2.2 kN/m, a tenth of the contact's", said["verdict"].replace("_", " "), sentences,
                   ["wafer", "lateral stiffness solved at 100 uN [kN/m]", "over the recorded slope", "spring in series that makes the slope [kN/m]"], rows,
