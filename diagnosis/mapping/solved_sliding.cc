@@ -40,6 +40,11 @@ class Factors {
   std::vector<std::pair<double, double>> points_;
 };
 
+bool have_same_roughness(double one, double other) {
+  constexpr double rounding = 1e-3;
+  return std::abs(one - other) <= rounding * std::abs(one);
+}
+
 /// The factors of one surface.
 struct SurfaceFactors {
   std::optional<double> rms;  ///< none: the only one
@@ -48,7 +53,7 @@ struct SurfaceFactors {
 
 class FrictionDifference : public BranchCorrection {
  public:
-  std::vector<SurfaceFactors> surfaces;  ///< the smoothest first
+  std::vector<SurfaceFactors> surfaces;
   double relative_error = 0, relative_stiffness_error = 0;
 
   double limit_factor(const Sample& sample) const override { return at(sample, &SurfaceFactors::limit); }
@@ -59,19 +64,11 @@ class FrictionDifference : public BranchCorrection {
   double stiffness_error() const override { return relative_stiffness_error; }
 
  private:
-  /// Straight in the RMS roughness between two surfaces.
   double at(const Sample& sample, Factors SurfaceFactors::*of) const {
-    const double force = sample.normal_force, rms = sample.rms_roughness;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      const SurfaceFactors& rougher = surfaces[i];
-      if (i + 1 < surfaces.size() && rms > *rougher.rms) continue;
-      const double there = (rougher.*of).at(force);
-      if (i == 0 || rms >= *rougher.rms) return there;
-      const SurfaceFactors& smoother = surfaces[i - 1];
-      const double share = (rms - *smoother.rms) / (*rougher.rms - *smoother.rms);
-      return (1 - share) * (smoother.*of).at(force) + share * there;
-    }
-    return 1;
+    const auto own = std::find_if(surfaces.begin(), surfaces.end(), [&](const SurfaceFactors& surface) {
+      return !surface.rms || have_same_roughness(*surface.rms, sample.rms_roughness);
+    });
+    return own == surfaces.end() ? 1 : ((*own).*of).at(sample.normal_force);
   }
 };
 
@@ -81,22 +78,14 @@ struct RecordedLoad {
   double friction = 0;      ///< largest lateral force, of either direction [N]
 };
 
-bool is_of_surface(const Sample& sample, double rms) {
-  constexpr double rounding = 1e-3;
-  return std::abs(sample.rms_roughness - rms) <= rounding * rms;
-}
-
 /// Roughness of each surface that was slid on, the smoothest first; of a single one, none.
 std::vector<std::optional<double>> recorded_surfaces(const Samples& samples) {
   std::vector<double> all;
   for (const Sample& s : samples.list) all.push_back(s.rms_roughness);
   std::sort(all.begin(), all.end());
   std::vector<std::optional<double>> different;
-  for (std::size_t i = 0; i < samples.list.size(); ++i) {
-    Sample here;
-    here.rms_roughness = all[i];
-    if (different.empty() || !is_of_surface(here, *different.back())) different.push_back(all[i]);
-  }
+  for (const double rms : all)
+    if (different.empty() || !have_same_roughness(*different.back(), rms)) different.push_back(rms);
   if (different.size() == 1) different.front().reset();
   return different;
 }
@@ -107,7 +96,8 @@ std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest,
   constexpr double pressed = 0.02;  // of the largest force
   std::vector<std::pair<double, double>> forces;
   for (const Sample& s : samples.list)
-    if (s.counts && s.normal_force > pressed * largest && (!rms || is_of_surface(s, *rms)))
+    if (s.counts && s.normal_force > pressed * largest &&
+        (!rms || have_same_roughness(*rms, s.rms_roughness)))
       forces.push_back({s.normal_force, std::abs(s.response)});
   std::sort(forces.rbegin(), forces.rend());
   std::vector<RecordedLoad> loads;

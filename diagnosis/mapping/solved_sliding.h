@@ -4,7 +4,7 @@
 //   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
 // D as a share of load, contact area and a force between these loads, the ratio straight in ln f (output
 // space mapping, Echeverría & Hemker 2005). Where the recording varies the roughness of the substrate, each
-// surface is solved, and what lies between two of them is straight in their RMS roughness. SI units.
+// surface is solved. SI units.
 #pragma once
 
 #include <memory>

@@ -8,10 +8,16 @@ namespace asperity::fem {
 DiscretisationError::DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus,
                                          double shortest_wave)
     : spacing_(spacing),
+      reduced_modulus_(reduced_modulus),
+      shortest_wave_(shortest_wave),
       resolution_(peak.contact_area > 0 ? peak.contact_perimeter * spacing / peak.contact_area : 0),
       whole_(peak.pressure_radius > 0 ? spacing / peak.pressure_radius : 0),
       wave_(spacing / shortest_wave),
       dent_(reduced_modulus > 0 ? spacing * peak.mean_pressure / reduced_modulus : 0) {}
+
+DiscretisationError DiscretisationError::at(const HistoryRow& row) const {
+  return {row, spacing_, reduced_modulus_, shortest_wave_};
+}
 
 // Hertz at a/h 6 to 18, 41 rough elastic contacts with 8, 4 and 2 spacings in the shortest wave, against
 // boundary elements: what the correction of the edge (contact_area.h) leaves.

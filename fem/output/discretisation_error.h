@@ -17,6 +17,9 @@ class DiscretisationError {
   /// shortest_wave [m] of the surfaces, infinite for smooth ones.
   DiscretisationError(const HistoryRow& peak, double spacing, double reduced_modulus, double shortest_wave);
 
+  /// That of the same mesh at another step, such as that of the largest tension.
+  DiscretisationError at(const HistoryRow& row) const;
+
   double resolution() const { return resolution_; }  ///< kappa [-]
 
   /// Relative to the number itself, from here to spots().
@@ -42,7 +45,7 @@ class DiscretisationError {
   double load_centre() const;
 
  private:
-  double spacing_, resolution_;
+  double spacing_, reduced_modulus_, shortest_wave_, resolution_;
   double whole_;  ///< spacing over the radius of the contact as a whole
   double wave_;   ///< spacing over the shortest wave
   double dent_;   ///< what the mean pressure presses in over a spacing, h p / E* [m]

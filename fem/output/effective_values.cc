@@ -178,7 +178,7 @@ json effective_values(const CaseInput& input, const std::vector<HistoryRow>& rec
   add_yielding(effective, input, peak, records, error);
   add_moving(effective, input, peak, records, error);
   if (work_of_adhesion(input.interface).opening > 0 && least.normal_force < 0)
-    effective.add("pull_off_force", -least.normal_force, "N", {error.pull_off()});
+    effective.add("pull_off_force", -least.normal_force, "N", {error.at(least).pull_off()});
   return effective.values();
 }
 

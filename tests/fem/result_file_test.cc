@@ -17,7 +17,7 @@ constexpr double load = 300e-6, work_of_adhesion = 0.05;
 
 /// A circular contact of this radius at the largest load, moved in torsion at a moment that does not
 /// fluctuate, then drawn off.
-nlohmann::json effective_of(double spacing, double contact_radius) {
+nlohmann::json effective_of(double spacing, double contact_radius, double left_at_pull_off = 1) {
   CaseSetup setup;
   setup.system.mesh.sizes.spacing_particle = spacing;
   setup.reduced_modulus = 53e9;
@@ -39,6 +39,8 @@ nlohmann::json effective_of(double spacing, double contact_radius) {
     records.push_back(peak), records.back().torsion_angle = 1e-3 * k, records.back().torsion_moment = 2e-12;
   records.push_back(records.back());
   records.back().normal_force = -1e-6;
+  records.back().contact_area *= left_at_pull_off * left_at_pull_off;
+  records.back().contact_perimeter *= left_at_pull_off;
   ResultSummary summary;
   summary.stiffness.normal = 3e4;
   summary.stiffness.torsion = 1e-8;
@@ -63,6 +65,17 @@ TEST(ResultFile_analytic, every_effective_value_states_what_the_mesh_leaves_in_d
     EXPECT_GT(relative(quantity), 1e-4) << name;  // a moment that does not fluctuate had 8e-20 N m
     EXPECT_LT(relative(quantity), 1) << name;
   }
+}
+
+/// Of a circle of radius a, kappa = 2 h/a (discretisation_error.h).
+TEST(ResultFile_behaviour, the_error_of_pull_off_is_that_of_the_contact_which_is_left_then) {
+  const auto whole = effective_of(12e-9, 0.33e-6);
+  constexpr double left = 0.125, kappa = 2 * 12e-9 / (left * 0.33e-6);
+  const auto pulled = effective_of(12e-9, 0.33e-6, left);
+  EXPECT_EQ(pulled["contact_area"], whole["contact_area"]);
+  EXPECT_NEAR(relative(pulled["pull_off_force"]), std::hypot(0.02, kappa * std::hypot(0.05, 0.05 * kappa)),
+              1e-12);
+  EXPECT_GT(relative(pulled["pull_off_force"]), 1.5 * relative(whole["pull_off_force"]));
 }
 
 TEST(ResultFile_behaviour, names_are_those_of_the_manual) {
