@@ -20,7 +20,7 @@ def cases(force_of, rolloff="1.5 um", reach="1 nm"):
         for work in (60, 120):
             for factor in (0.98, 1.02):
                 values = {"Surface": "{:g} nm / {}".format(rms, rolloff), "Work of adhesion": "{} mJ/m^2".format(work), "Adhesion range": reach}
-                found.append((values, {"pull_off_force": {"value": factor * force_of(rms, work) * 1e-6, "sd": 0}}))
+                found.append((values, {"pull_off_force": {"value": factor * force_of(rms, work) * 1e-6, "sd": 0.0}}))
     return found
 
 
@@ -36,7 +36,7 @@ class PullOff(unittest.TestCase):
             self.assertAlmostEqual(error / force, 0.02, places=6)
 
     def test_the_work_that_made_the_forces_is_found_and_met_by_what_was_kept_out(self):
-        measured = {rms: (self.law(rms, 85), 0.1) for rms in (0.3, 1.5, 2.7)}
+        measured = {rms: (self.law(rms, 85), 0.1, 0.1) for rms in (0.3, 1.5, 2.7)}
         work, low, high = self.surfaces.fitted(measured)
         self.assertAlmostEqual(work, 85, delta=0.5)
         self.assertTrue(low < 85 < high)
@@ -44,15 +44,20 @@ class PullOff(unittest.TestCase):
         self.assertAlmostEqual(alone, 85, delta=0.01)
         self.assertLess(held_out, 1e-6)
 
+    def test_the_error_of_the_measured_roughness_counts_by_the_slope_of_the_force(self):
+        force, error = self.surfaces.force(1.5, 85)
+        slope = (self.law(2.7, 85) - self.law(0.3, 85)) / 2.4
+        self.assertAlmostEqual(self.surfaces.apart({1.5: (force + 1, 0.3, 0.4)}, 1.5, 85), 1 / (0.3**2 + error**2 + (0.4 * slope)**2)**0.5, places=6)
+
     def test_forces_that_fall_otherwise_are_not_met(self):
-        measured = {0.3: (3.2, 0.1), 1.5: (3.0, 0.1), 2.7: (2.8, 0.1)}
+        measured = {0.3: (3.2, 0.1, 0.01), 1.5: (3.0, 0.1, 0.01), 2.7: (2.8, 0.1, 0.01)}
         self.assertGreater(self.surfaces.chi2(measured, self.surfaces.fitted(measured)[0]), pull_off.POSSIBLE)
 
 
 class Rolling(unittest.TestCase):
     def test_the_published_lines_with_one_force_that_knows_no_load(self):
         # As the search of `diagnose` found for the same lines: 0.61 uN, chi-square 0.26 a row.
-        one, adhesion, each, fitted = rolling.reduced(rolling.lines())
+        one, adhesion, each, fitted = rolling.reduced(rolling.points())
         self.assertAlmostEqual(fitted[-1], 0.61, delta=0.005)
         self.assertAlmostEqual(each, 0.26, delta=0.005)
         self.assertLess(each, adhesion)

@@ -13,23 +13,36 @@ POSSIBLE = 5.99
 
 
 class Surfaces:
-    """Forces of one spectrum and one range on all surfaces, as powers of the work of adhesion [mJ/m^2]."""
+    """Forces of one spectrum and one range on all surfaces, as powers of the work of adhesion [mJ/m^2]; mesh: share by which the mesh is off, by RMS."""
 
-    def __init__(self, forces):
+    def __init__(self, forces, mesh):
         self.of_rms = {}
         for rms, by_work in forces.items():
             (low, at_low), (high, at_high) = sorted((work, program.mean_and_error(values)) for work, values in by_work.items())
             power = math.log(at_high[0] / at_low[0]) / math.log(high / low)
-            self.of_rms[rms] = (low, at_low[0], power, max(at_low[1] / at_low[0], at_high[1] / at_high[0]))
+            self.of_rms[rms] = (low, at_low[0], power, math.hypot(max(at_low[1] / at_low[0], at_high[1] / at_high[0]), mesh[rms]))
 
     def force(self, rms, work):
-        """Mean over realisations and its standard deviation [uN]."""
+        """Mean over realisations and its standard deviation, with the mesh's [uN]."""
         low, at_low, power, share = self.of_rms[rms]
         force = at_low * (work / low)**power
         return force, share * force
 
+    def slope(self, rms, work):
+        """Change with the RMS roughness, between the neighbours [uN/nm]."""
+        near = sorted(self.of_rms)
+        at = near.index(rms)
+        low, high = near[max(0, at - 1)], near[min(len(near) - 1, at + 1)]
+        return (self.force(high, work)[0] - self.force(low, work)[0]) / (high - low)
+
+    def apart(self, measured, rms, work, of_work=0):
+        """Measured less simulated force over their standard deviation: of both forces, of the measured RMS and of the work (of_work: its share)."""
+        value, sd, rms_sd = measured[rms]
+        force, error = self.force(rms, work)
+        return (value - force) / math.hypot(sd, error, self.slope(rms, work) * rms_sd, of_work * self.of_rms[rms][2] * force)
+
     def chi2(self, measured, work):
-        return sum((value - self.force(rms, work)[0])**2 / (sd**2 + self.force(rms, work)[1]**2) for rms, (value, sd) in measured.items())
+        return sum(self.apart(measured, rms, work)**2 for rms in measured)
 
     def fitted(self, measured):
         """Work of adhesion and its 95 % interval."""
@@ -42,29 +55,46 @@ class Surfaces:
     def held_out(self, measured):
         """Work by the smoothest surface alone, and chi-square of the others, each with the error of that work."""
         first = min(measured)
-        value, sd = measured[first]
-        _, at, power, share = self.of_rms[first]
-        work = self.of_rms[first][0] * (value / at)**(1 / power)
-        of_work = math.hypot(sd / value, share) / power
-        total = 0
-        for rms in set(measured) - {first}:
-            force, error = self.force(rms, work)
-            total += (measured[rms][0] - force)**2 / (measured[rms][1]**2 + error**2 + (of_work * self.of_rms[rms][2] * force)**2)
-        return work, total / (len(measured) - 1)
+        value, sd, rms_sd = measured[first]
+        low, at_low, power, share = self.of_rms[first]
+        work = low * (value / at_low)**(1 / power)
+        of_work = math.hypot(sd / value, share, self.slope(first, work) * rms_sd / value) / power
+        return work, sum(self.apart(measured, rms, work, of_work)**2 for rms in measured if rms != first) / (len(measured) - 1)
 
 
 def hypotheses(cases):
-    forces = defaultdict(lambda: defaultdict(lambda: defaultdict(list)))
+    forces, mesh = defaultdict(lambda: defaultdict(lambda: defaultdict(list))), defaultdict(float)
     for values, effective in cases:
         rms, rolloff = values["Surface"].split(" / ")
-        force = effective["pull_off_force"]["value"] / program.MICRO
-        forces[rolloff, values["Adhesion range"]][program.number(rms)][program.number(values["Work of adhesion"])].append(force)
-    return {key: Surfaces(of) for key, of in sorted(forces.items(), key=lambda item: [program.length(name) for name in item[0]])}
+        force = effective["pull_off_force"]
+        forces[rolloff, values["Adhesion range"]][program.number(rms)][program.number(values["Work of adhesion"])].append(force["value"] / program.MICRO)
+        # The largest that a contact of this roughness states, for all of them.
+        mesh[program.number(rms)] = max(mesh[program.number(rms)], force["sd"] / force["value"])
+    return {key: Surfaces(of, mesh) for key, of in sorted(forces.items(), key=lambda item: [program.length(name) for name in item[0]])}
+
+
+def mesh_shares(cases):
+    shares = defaultdict(list)
+    for values, effective in cases:
+        shares[program.number(values["Surface"].split(" / ")[0])].append(effective["pull_off_force"]["sd"] / effective["pull_off_force"]["value"])
+    return [max(shares[rms]) for rms in sorted(shares)]
+
+
+def measured_forces():
+    """RMS [nm] -> pull-off force and its standard deviation [uN], and that of the RMS [nm]."""
+    return {float(row["rms [nm]"]): tuple(float(row[key]) for key in ("pull_off [uN]", "pull_off_sd [uN]", "rms_sd [nm]")) for row in program.published("surfaces.csv")}
+
+
+def possible_rolloffs(asperity, folder):
+    """Those with which some range and work of adhesion meet the forces."""
+    measured = measured_forces()
+    found = hypotheses(program.studied(asperity, "pull_off.prm", folder))
+    return {rolloff for (rolloff, _), surfaces in found.items() if surfaces.chi2(measured, surfaces.fitted(measured)[0]) < POSSIBLE}
 
 
 def figure(measured, before, best, work, alone):
     at = sorted(measured)
-    series = [(chart.RECORDED, "", [(rms, *measured[rms]) for rms in at]),
+    series = [(chart.RECORDED, "", [(rms, *measured[rms][:2]) for rms in at]),
               (chart.BEFORE, "", [(rms, *before.force(rms, OF_THE_STUDIES[2])) for rms in at]),
               (chart.AFTER, "", [(rms, *best.force(rms, work)) for rms in at]),
               (chart.HELD_OUT, "", [(rms, *best.force(rms, alone)) for rms in at[1:]])]
@@ -72,7 +102,7 @@ def figure(measured, before, best, work, alone):
 
 
 def answer(asperity, folder, _minutes):
-    measured = {float(row["rms [nm]"]): (float(row["pull_off [uN]"]), float(row["pull_off_sd [uN]"])) for row in program.published("surfaces.csv")}
+    measured = measured_forces()
     cases = program.studied(asperity, "pull_off.prm", folder)
     all_of = hypotheses(cases)
     realisations = len(cases) // len({tuple(sorted(values.items())) for values, _ in cases})
@@ -101,7 +131,9 @@ def answer(asperity, folder, _minutes):
     else:
         verdict = "unexplained"
         said.append("None of these spectra and ranges meets the three forces within their errors; nearest is roll-off {} with range {}, {:.2g}.".format(*best, chi2 / 2))
-    said.append("Forces are means over {} realisations, with the standard deviation of that mean beside the measured one; the work is fitted as a power law through 60 and 120 mJ/m2.".format(realisations))
+    said.append("Forces are means over {} realisations. Chi-square takes the standard deviations of that mean, of the mesh (the largest that a contact of this roughness states, {}), of the "
+                "measured force and of the measured RMS; forces are a power of the work through 60 and 120 mJ/m2.".format(
+                    realisations, ", ".join("{:.0f} %".format(100 * share) for share in mesh_shares(cases))))
     return Answer("pull_off", "Pull-off falls with roughness: 3.2, 2.7 and 1.9 uN", verdict, said,
                   ["roll-off", "range of attraction", "work of adhesion [mJ/m2]", "forces at 0.3, 1.5, 2.7 nm [uN]", "chi-square, fitted", "etched wafers kept out"],
                   rows, figure(measured, before, all_of[best], work, alone), "Pull-off forces of three wafers, before and after",

@@ -11,22 +11,23 @@ RAILS = (("25", "2.5 nm"), ("45", "3.6 nm"), ("60", "4.8 nm"))
 
 
 def answer(asperity, folder, _minutes):
-    simulated = defaultdict(list)
+    simulated, mesh = defaultdict(list), 0.0
     for values, effective in program.studied(asperity, "rail_torsion.prm", folder):
         simulated[values["Rail"]].append(effective["torsion_moment"]["value"] / (LOAD * RADIUS))
+        mesh = max(mesh, effective["torsion_moment"]["sd"] / effective["torsion_moment"]["value"])
     quoted = {row["quantity"]: row for row in program.published("quoted.csv")}
     measured, sd = (float(quoted["torsion_r"][key]) for key in ("value", "sd"))
     rows, local = [], []
     for angle, rms in RAILS:
         mean, error = program.mean_and_error(simulated[rms])
+        error = math.hypot(error, mesh * mean)
         needed = LOCAL * measured / mean
         of = needed * math.hypot(sd / measured, error / mean)
         local.append((needed, needed * error / mean))
         rows.append([angle + " deg, " + rms, "{:.4f} ± {:.4f}".format(mean, error), "{:.2f} ± {:.2f}".format(needed, of)])
-    weights = [1 / of**2 for _, of in local]
-    mean = sum(value * weight for (value, _), weight in zip(local, weights)) / sum(weights)
-    # The measured torsion is one number for all rails: its error does not average out.
-    error = math.hypot(mean * sd / measured, 1 / math.sqrt(sum(weights)))
+    mean, scatter = (sum(numbers) / len(local) for numbers in zip(*local))
+    # The measured torsion is one number, and the three surfaces are one, scaled: neither error averages out.
+    error = math.hypot(mean * sd / measured, scatter)
     slope = float(quoted["glued_rail_load"]["value"]) / math.cos(math.radians(25))
     glued, of_glued = (float(quoted["glued_rail_force"][key]) / slope for key in ("value", "sd"))
     apart = {name: (friction - mean) / math.hypot(error, of_friction) for name, friction, of_friction in (
@@ -41,7 +42,7 @@ def answer(asperity, folder, _minutes):
                      *(float(quoted["rail_sliding_friction_" + end]["value"]) / mean for end in ("low", "high")), abs(apart["extrapolated"]), glued, of_glued, abs(apart["glued"]))]
     if is_glued and not is_extrapolated:
         sentences.append("No torsion is missing: what does not hold is friction carried over from wafers that were etched to rails that were cut.")
-    sentences.append("Two realisations; their scatter and the measured standard deviation are in the errors, and the mesh (32 nm) with some per cent is not.")
+    sentences.append("Errors are of two realisations, of the mesh ({:.0f} % as stated) and of the measured torsion.".format(100 * mesh))
     return Answer("rail", "Torsion in the rails is seven times too small", verdict, sentences,
                   ["rail", "M/(P r) solved with a local friction of {:g}".format(LOCAL), "local friction that makes the measured torsion"], rows,
                   told_apart_by="sliding along a flank, of a sphere that cannot roll, at three loads: its slope is the local friction and has to be that of the table.")

@@ -22,8 +22,8 @@ def answer(asperity, folder, minutes):
         series = 1 / (1 / measured - 1 / stiffness["value"])
         rows.append([wafer.replace("_", " "), "{:.1f} ± {:.1f}".format(stiffness["value"] / 1e3, stiffness["sd"] / 1e3), "{:.2f}".format(stiffness["value"] / measured), "{:.2f}".format(series / 1e3)])
     least, most = (of(float(row[2]) for row in rows) for of in (min, max))
-    sentences = ["Before anything slips, the solved rough contacts are {:.1f} to {:.1f} times as stiff as the slope of {:.3g} kN/m: asperities do not make it, on any of the "
-                 "wafers.".format(least, most, measured / 1e3)]
+    sentences = ["Before anything slips, the solved rough contacts are {:.1f} to {:.1f} times as stiff as the slope of {:.3g} kN/m: asperities {} it on these wafers.".format(
+        least, most, measured / 1e3, "do not make" if least > 2 else "may make")]
     for effect in said["left_out"]:
         for name, p in effect["parameters"].items():
             sentences.append("Set against the case, the loop names `{}` ({}): {} {} (95 %).".format(

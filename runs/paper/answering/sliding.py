@@ -1,6 +1,6 @@
 """Sliding over three wafers, recorded as one: what the case lacks."""
 
-from answering import chart, program
+from answering import chart, program, pull_off
 from answering.answer import Answer, interval
 
 RECORDING = "sliding_three_wafers"
@@ -55,13 +55,14 @@ def answer(asperity, folder, minutes):
     sentences = ["The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness, a local friction of 0.3 and nothing that attracts; it parts from the three "
                  "lines with chi-square {:.3g} a row.".format(before["chi2_reduced"])]
     if names:
-        sentences.append("What was left out is {}: solved again with both, with a roll-off of {}, the case leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
+        sentences.append("What was left out is {}: solved again so, with a roll-off of {}, the case leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
             names, rolloff, after["chi2_reduced"], after["held_out_chi2_reduced"], before["held_out_chi2_reduced"]))
     else:
         sentences.append("No set of effects that was solved explains it.")
     if shorter["improved"]["held_out_chi2_reduced"] < after["held_out_chi2_reduced"]:
-        sentences.append("With a roll-off of {}, which the pull-off forces exclude, sliding is met better ({:.3g} kept out): the two measurements do not share one spectrum yet. The works of adhesion "
-                         "are in the table; pull-off, below, has its own.".format(OF_THE_STUDIES, shorter["improved"]["held_out_chi2_reduced"]))
+        sentences.append("With a roll-off of {} sliding is met better ({:.3g} kept out).".format(OF_THE_STUDIES, shorter["improved"]["held_out_chi2_reduced"]))
+        if OF_THE_STUDIES not in pull_off.possible_rolloffs(asperity, folder.parent / "pull_off"):
+            sentences.append("The pull-off forces exclude it: the two measurements do not share one spectrum yet. Works of adhesion are in the table; pull-off, below, has its own.")
     others = "; ".join(" and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"])
     if others:
         sentences.append("As good or nearly: " + others + ".")
