@@ -1,9 +1,16 @@
 """Rolling over three wafers: how much of it bonds can make that the pull-off allows, and what the lines have in common."""
 
+import re
+
 from answering import chart, program
 from answering.answer import Answer
 
 RADIUS = 8.5e-6
+
+
+def work_of_bonds():
+    """Work of adhesion on separation of the study [mJ/m2]."""
+    return float(re.search(r"Work of adhesion on separation = (\S+) mJ/m\^2", (program.PAPER / "rolling_bonds.prm").read_text()).group(1))
 
 
 def lines():
@@ -73,8 +80,8 @@ def answer(asperity, folder, _minutes):
         shares.append(simulated / recorded)
         rows.append(["{:g} nm".format(rms), "{:.2f} ± {:.2f}".format(*(v * 1e12 for v in wafer)), "{:.3f}".format(simulated), "{:.2f}".format(recorded), "{:.2f}".format(force)])
     bonds = max(shares)
-    sentences = ["With bonds as strong as the pull-off forces allow, and all of their work lost, both contacts together resist at 100 uN with {:.0f} to {:.0f} % of what was recorded: "
-                 "adhesion hysteresis, slip and yielding of this contact do not make the force that is left at no load.".format(100 * min(shares), 100 * bonds),
+    sentences = ["With bonds that take {:.0f} mJ/m2 to open, as the pull-off forces leave it, and all of that lost, both contacts together resist at 100 uN with {:.0f} to {:.0f} % of what was recorded: "
+                 "adhesion hysteresis, slip and yielding of this contact do not make the force that is left at no load.".format(work_of_bonds(), 100 * min(shares), 100 * bonds),
                  "Three lines with one friction and one force have chi-square {:.3g} a row, a friction for each wafer and one adhesion {:.3g}, a friction for each and one force that does "
                  "not depend on the load {:.2g}: {:.2f} uN on all three wafers.".format(one, adhesion, each, fitted[-1]),
                  "The mesh of 32 nm makes rolling rather too large (verified on finer ones: docs/results_of_the_paper.md); the diamond's contact alone resists with {:.2f} ± {:.2f} pN m. One realisation.".format(
