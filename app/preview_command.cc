@@ -67,8 +67,8 @@ void add_preview_command(CLI::App& app) {
       ->expected(1)
       ->take_all();
   command->footer(
-      "The normal contact of elastic half-spaces with the case's surfaces, without friction, adhesion and "
-      "motion.");
+      "The normal contact of elastic half-spaces with the case's surfaces and their attraction, pressed and "
+      "separated, without friction and motion.");
   command->callback([arguments] { run_preview(*arguments); });
 }
 

@@ -9,6 +9,7 @@
 #include "fem/case/solve_cost.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
+#include "fem/interface/surface_attraction.h"
 #include "fem/materials/hardening.h"
 #include "fem/solve_case.h"
 
@@ -37,7 +38,6 @@ std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
 LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   LeftOutOfPreview left_out;
   if (input.experiment.type != Motion::normal) left_out.motion = input.experiment.type;
-  left_out.adhesion = fem::work_of_adhesion(input.interface).opening > 0;
   left_out.finite_bodies = input.experiment.control == ExperimentInput::Control::displacement;
   return left_out;
 }
@@ -60,14 +60,16 @@ MeshPreview preview_mesh(const CaseInput& input) {
 
 PreviewedCase preview_case(const CaseInput& input, double hardness) {
   PreviewedCase preview;
+  const auto attraction = fem::surface_attraction(input.interface);
   preview.hardness = hardness > 0 ? hardness : tabor_factor * lower_yield_stress(input);
   try {
-    preview.contact = half_space::preview_of_case(input, preview.hardness);
+    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction);
   } catch (const InputError&) {  // a contact of that hardness may be no half-space's where the elastic one is
     if (hardness > 0 || std::isinf(preview.hardness)) throw;
     preview.hardness = std::numeric_limits<double>::infinity();
-    preview.contact = half_space::preview_of_case(input, preview.hardness);
+    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction);
   }
+  preview.work_of_separation = fem::work_of_adhesion(input.interface).opening;
   preview.yielding = yielding_bodies(input);
   preview.left_out = what_is_left_out(input);
   try {

@@ -60,6 +60,38 @@ int cells_for(double half_width, double spacing, int most) {
   return n;
 }
 
+/// The given gap with what has flowed under the hardness removed.
+Field with_imprint(const NormalContact& half_spaces, const NormalContactSolution& pressed, double hardness) {
+  Field gap = half_spaces.gap();
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    if (pressed.pressure[k] >= hardness) gap[k] += std::max(0.0, -pressed.gap[k]);
+  return gap;
+}
+
+/// Presses surfaces that attract each other, and separates them.
+void press_and_separate(const NormalContact& half_spaces, const CaseInput& input,
+                        const CaseContactOptions& options, const NormalContactOptions& how,
+                        CaseContact& contact) {
+  const bool by_force = input.experiment.control == ExperimentInput::Control::force;
+  const Attraction& attraction = *options.attraction;
+  const AdhesiveContact adhesive(half_spaces, attraction);
+  AdhesiveSolution pressed =
+      by_force ? adhesive.at_force(largest_contact_force(input), how)
+               : adhesive.at_approach(contact.first_touch + input.experiment.normal_approach, how);
+  if (!options.with_pull_off) {
+    // pressed alone
+  } else if (std::isinf(how.hardness)) {
+    contact.pull_off = adhesive.pull_off(pressed, how);
+  } else {
+    const NormalContact imprinted(half_spaces.grid(), Boundary::free, half_spaces.modulus(),
+                                  with_imprint(half_spaces, pressed.contact, how.hardness));
+    contact.pull_off = AdhesiveContact(imprinted, attraction).pull_off(pressed, how);
+  }
+  contact.attracting = pressed.contact.force - pressed.force;
+  if (options.with_stiffness) contact.stiffness = adhesive.stiffness(pressed, how);
+  contact.solution = std::move(pressed.contact);
+}
+
 CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const Grid& grid,
                        const CaseContactOptions& options) {
   CaseContact contact;
@@ -70,11 +102,14 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   NormalContactOptions how;
   how.hardness = options.hardness;
   const auto& experiment = input.experiment;
-  contact.solution = experiment.control == ExperimentInput::Control::force
-                         ? half_spaces.at_force(largest_contact_force(input), how)
-                         : half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
+  if (options.attraction)
+    press_and_separate(half_spaces, input, options, how, contact);
+  else if (experiment.control == ExperimentInput::Control::force)
+    contact.solution = half_spaces.at_force(largest_contact_force(input), how);
+  else
+    contact.solution = half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
   contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
-  if (options.with_stiffness && !contact.shape.reaches_edge)
+  if (options.with_stiffness && !options.attraction && !contact.shape.reaches_edge)
     contact.stiffness = half_spaces.stiffness(contact.solution);
   return contact;
 }
@@ -98,15 +133,17 @@ double derived_spacing(const CaseInput& input) {
                   shortest_wave(input) / cells_per_wave);
 }
 
-double derived_half_width(const CaseInput& input) {
+double derived_half_width(const CaseInput& input, double range_of_attraction) {
   const double a = hertz_of(input).contact_radius(largest_load(input));
-  return 1.05 * hertz_reach(a, input.radius, 3 * rms_of_both(input));
+  return 1.05 * hertz_reach(a, input.radius, 3 * rms_of_both(input) + range_of_attraction);
 }
 
 CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& options) {
   constexpr int most_times = 4;
   constexpr double larger = 1.3;
-  double half_width = options.half_width > 0 ? options.half_width : derived_half_width(input);
+  double half_width = options.half_width > 0
+                          ? options.half_width
+                          : derived_half_width(input, options.attraction ? options.attraction->range : 0);
   const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input);
   for (int enlarged = 0;; half_width *= larger) {
     if (half_width > input.radius / 2)
@@ -126,9 +163,11 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
   }
 }
 
-CasePreview preview_of_case(const CaseInput& input, double hardness) {
+CasePreview preview_of_case(const CaseInput& input, double hardness,
+                            const std::optional<Attraction>& attraction) {
   CasePreview preview;
   CaseContactOptions options;
+  options.attraction = attraction;
   preview.fine = contact_of_case(input, options);
   const Grid& grid = preview.fine.grid;
   preview.resolution = grid.dx / shortest_wave(input);
@@ -155,6 +194,11 @@ double CasePreview::error_of_largest_pressure() const {
 }
 double CasePreview::error_of_stiffness() const {
   return relative_difference(fine.stiffness, coarse.stiffness);
+}
+double CasePreview::error_of_pull_off() const {
+  return fine.pull_off && coarse.pull_off && fine.pull_off->force > 0
+             ? relative_difference(fine.pull_off->force, coarse.pull_off->force)
+             : 0;
 }
 double CasePreview::error_of_approach() const { return std::abs(fine.approach() - coarse.approach()); }
 

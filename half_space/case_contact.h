@@ -3,14 +3,15 @@
 //
 // gap(x, y) = R - sqrt(R^2 - r^2) - h_particle(x, y) - h_substrate(x, y): both heights grow out of their
 // material, at the same place (x, y), as in meshing/contact_mesh.h; counted from the mean surfaces, so that
-// the approach is theirs. One E* stands for both elastic bodies. Without friction and adhesion; yielding only
-// by a hardness.
+// the approach is theirs. One E* stands for both elastic bodies. Without friction; yielding only by a
+// hardness, whose imprint is left when the surfaces are separated.
 #pragma once
 
 #include <limits>
 #include <optional>
 
 #include "core/case.h"
+#include "half_space/adhesive_contact.h"
 #include "half_space/contact_shape.h"
 #include "half_space/normal_contact.h"
 
@@ -23,6 +24,8 @@ struct CaseContactOptions {
   int most_cells = 1024;  ///< along a side; the spacing grows where that is too few
   double hardness = std::numeric_limits<double>::infinity();  ///< [Pa]
   bool with_stiffness = true;
+  std::optional<Attraction> attraction;  ///< of the surfaces; none: no adhesion
+  bool with_pull_off = true;             ///< of surfaces that attract each other
 };
 
 struct CaseContact {
@@ -31,10 +34,13 @@ struct CaseContact {
   ContactShape shape;
   double first_touch =
       0;  ///< approach at which the undeformed surfaces touch [m], below 0 where asperities meet first
-  double stiffness = 0;  ///< [N/m]; 0: not asked for
-  int enlarged = 0;      ///< times that the contact reached the edge, and the square was made larger
+  double stiffness = 0;   ///< [N/m] at the beginning of unloading; 0: not asked for
+  int enlarged = 0;       ///< times that the contact reached the edge, and the square was made larger
+  double attracting = 0;  ///< sum of the attraction, which the contact carries beside the load [N]
+  std::optional<PullOff> pull_off;  ///< of surfaces that attract each other
 
-  double approach() const { return solution.approach; }  ///< of the mean surfaces [m]
+  double approach() const { return solution.approach; }         ///< of the mean surfaces [m]
+  double force() const { return solution.force - attracting; }  ///< normal force from outside [N]
 };
 
 /// Gap of the undeformed surfaces in the middle of each cell [m]; `input` as below. Throws ScanError where a
@@ -49,8 +55,8 @@ double shortest_wave(const CaseInput& input);
 double derived_spacing(const CaseInput& input);
 
 /// Half width of a square that holds the contact [m]: where smooth surfaces under Hertz' pressure would be
-/// three RMS heights apart.
-double derived_half_width(const CaseInput& input);
+/// three RMS heights apart, and the range of an attraction more.
+double derived_half_width(const CaseInput& input, double range_of_attraction = 0);
 
 /// The case at its largest load, or at its approach from first touch under control by displacement. Where
 /// contact reaches the edge of the square, it is enlarged. Throws InputError where it still does after four
@@ -71,9 +77,11 @@ struct CasePreview {
   double error_of_largest_pressure() const;
   double error_of_stiffness() const;  ///< relative
   double error_of_approach() const;   ///< [m]
+  double error_of_pull_off() const;   ///< relative; of surfaces that attract each other
 };
 
-/// hardness: of the softer body [Pa], infinite without one.
-CasePreview preview_of_case(const CaseInput& input, double hardness);
+/// hardness: of the softer body [Pa], infinite without one; attraction: of the surfaces, if any.
+CasePreview preview_of_case(const CaseInput& input, double hardness,
+                            const std::optional<Attraction>& attraction = std::nullopt);
 
 }  // namespace asperity::half_space

@@ -52,7 +52,10 @@ class NormalContact {
   /// contact, which no longer changes to first order, whatever has flowed (Oliver & Pharr 1992).
   double stiffness(const NormalContactSolution& solution) const;
 
-  const Grid& grid() const { return levels_.front().compliance.grid(); }
+  const Grid& grid() const { return compliance().grid(); }
+  const Compliance& compliance() const { return levels_.front().compliance; }
+  /// Of the undeformed surfaces [m].
+  const Field& gap() const { return levels_.front().gap; }
   /// E* [Pa].
   double modulus() const { return modulus_; }
 

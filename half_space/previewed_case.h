@@ -30,7 +30,7 @@ struct YieldingBody {
 /// What the case has and half-spaces pressed together have not.
 struct LeftOutOfPreview {
   std::optional<Motion> motion;
-  bool adhesion = false, friction = false;
+  bool friction = false;
   bool finite_bodies = false;  ///< the case is led by its approach, of which their compliance is a part
 };
 
@@ -38,6 +38,7 @@ struct LeftOutOfPreview {
 struct PreviewedCase {
   half_space::CasePreview contact;
   double hardness = std::numeric_limits<double>::infinity();  ///< of `contact.capped` [Pa]; infinite: none
+  double work_of_separation = 0;                              ///< of surfaces that adhere [J/m^2]
   std::optional<MeshPreview> mesh;                            ///< none: refused
   std::string refusal;                                        ///< what `asperity solve` would say
   std::vector<YieldingBody> yielding;

@@ -10,7 +10,7 @@
 #include "core/written_apart.h"
 #include "fem/case/contact_path.h"
 #include "fem/case/solve_cost.h"
-#include "fem/interface/adhesion_law.h"
+#include "fem/interface/surface_attraction.h"
 #include "fem/interface/friction_law.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
@@ -84,15 +84,6 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
 }
 
 }  // namespace
-
-/// Gap at which all but a fiftieth of the work of adhesion has been done [m]; 0 without adhesion.
-double attraction_reach(const InterfaceInput& input) {
-  const auto law = make_adhesion_laws(input).opening;
-  if (!law) return 0;
-  double gap = law->range();
-  while (law->at(0.95 * gap).work < 0.02 * law->at(0).work) gap *= 0.95;
-  return gap;
-}
 
 std::string resolution_text(const MeshedRoughness& roughness, const std::string& body) {
   const auto length = [](double value) { return format_quantity(value, Dimension::length); };

@@ -138,8 +138,10 @@ void ContactExperiment::write_result() {
   const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
     return a.normal_force < b.normal_force;
   });
-  if (speaks()) summary.half_space = half_space_check(input_, setup_, peak);
-  if (summary.half_space) say(half_space_text(*summary.half_space, peak, stiffness_.normal));
+  double tension = 0;
+  for (const auto& row : records_) tension = std::max(tension, -row.normal_force);
+  if (speaks()) summary.half_space = half_space_check(input_, setup_, peak, tension);
+  if (summary.half_space) say(half_space_text(*summary.half_space, peak, stiffness_.normal, tension));
   if (speaks())
     write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say_load_steps();

@@ -2,14 +2,14 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "fem/interface/adhesion_law.h"
+#include "fem/interface/surface_attraction.h"
 
 namespace asperity::fem {
 
 std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
-                                                        const HistoryRow& peak) {
+                                                        const HistoryRow& peak, double tension) {
   if (input.experiment.type != Motion::normal || peak.plastic_volume > 0 || !(peak.normal_force > 0) ||
-      make_adhesion_laws(input.interface).closing || input.interface.attraction_force > 0)
+      input.interface.attraction_force > 0)
     return std::nullopt;
   CaseInput pressed = input;
   pressed.experiment.control = ExperimentInput::Control::force;
@@ -17,7 +17,9 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   half_space::CaseContactOptions options;
   options.half_width = setup.system.mesh.sizes.region_particle;
   options.spacing = setup.system.mesh.sizes.spacing_particle / 2;
-  options.most_cells = 512;
+  options.attraction = surface_attraction(input.interface);
+  options.with_pull_off = tension > 0;
+  options.most_cells = options.attraction ? 256 : 512;  // some two hundred contacts in place of one
   try {
     return half_space::contact_of_case(pressed, options);
   } catch (const InputError&) {  // a contact that goes beyond half the radius, or the scan
@@ -27,7 +29,8 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   }
 }
 
-std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness) {
+std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness,
+                            double tension) {
   const auto number = [](double value) { return format_quantity(value, Dimension::none, 4); };
   const auto pair = [&](const char* what, double half_spaces, double elements, double unit,
                         const char* symbol) {
@@ -37,7 +40,8 @@ std::string half_space_text(const half_space::CaseContact& check, const HistoryR
          pair("area", check.shape.area, peak.contact_area, 1e-12, " um^2, ") +
          pair("largest pressure", check.shape.largest_pressure, peak.max_pressure, 1e9, " GPa, ") +
          pair("approach", check.approach(), peak.mean_plane_approach, 1e-9, " nm, ") +
-         pair("stiffness", check.stiffness, stiffness, 1e3, " kN/m");
+         pair("stiffness", check.stiffness, stiffness, 1e3, " kN/m") +
+         (check.pull_off ? pair(", pull-off force", check.pull_off->force, tension, 1e-6, " uN") : "");
 }
 
 }  // namespace asperity::fem

@@ -12,12 +12,15 @@
 namespace asperity::fem {
 
 /// The same surfaces under the force of the step `peak`, on the square of the mesh's fine region in cells of
-/// half its spacing, 512 along a side at most. None where half-spaces do not solve the same problem: bodies
-/// that have yielded, attraction, motion; or where nothing presses.
+/// half its spacing, 512 along a side at most, or 256 of surfaces that attract each other. None where
+/// half-spaces do not solve the same problem: bodies that have yielded, attraction told as a force, motion;
+/// or where nothing presses. tension: largest of the history [N]; where there is any, the pull-off is solved
+/// too.
 std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
-                                                        const HistoryRow& peak);
+                                                        const HistoryRow& peak, double tension);
 
-/// Both answers in one line. stiffness: of finite elements [N/m].
-std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness);
+/// Both answers in one line. stiffness, tension: of finite elements [N/m], [N].
+std::string half_space_text(const half_space::CaseContact& check, const HistoryRow& peak, double stiffness,
+                            double tension);
 
 }  // namespace asperity::fem

@@ -60,13 +60,15 @@ json resolved_roughness(const MeshedRoughness& r) {
 }
 
 json half_space_numbers(const half_space::CaseContact& contact) {
-  return {{"contact_area", contact.shape.area},
-          {"mean_pressure", contact.shape.mean_pressure},
-          {"max_pressure", contact.shape.largest_pressure},
-          {"approach", contact.approach()},
-          {"first_touch", contact.first_touch},
-          {"normal_stiffness", contact.stiffness},
-          {"spacing", contact.grid.dx}};
+  json numbers{{"contact_area", contact.shape.area},
+               {"mean_pressure", contact.shape.mean_pressure},
+               {"max_pressure", contact.shape.largest_pressure},
+               {"approach", contact.approach()},
+               {"first_touch", contact.first_touch},
+               {"normal_stiffness", contact.stiffness},
+               {"spacing", contact.grid.dx}};
+  if (contact.pull_off) numbers["pull_off_force"] = contact.pull_off->force;
+  return numbers;
 }
 
 /// What names of the result mean.

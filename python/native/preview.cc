@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/case_file.h"
+#include "fem/interface/surface_attraction.h"
 #include "half_space/case_contact.h"
 #include "python/native/native.h"
 
@@ -17,7 +18,9 @@ CasePreview preview(const std::string& file, const std::vector<std::string>& cha
   const Settings settings = read_settings(file, changes);
   const CaseInput input = case_from_settings(settings, file);
   CasePreview found;
-  naming_lines_of_scans(settings, input, [&] { found = half_space::preview_of_case(input, hardness); });
+  naming_lines_of_scans(settings, input, [&] {
+    found = half_space::preview_of_case(input, hardness, fem::surface_attraction(input.interface));
+  });
   return found;
 }
 
@@ -31,7 +34,7 @@ py::array pressure_of(const half_space::CaseContact& contact, const py::object& 
 void add_preview(py::module_& module) {
   py::class_<CasePreview>(module, "Preview", "The normal contact of a case by elastic half-spaces.")
       .def_property_readonly(
-          "force", [](const CasePreview& p) { return p.fine.solution.force; }, "Normal force [N].")
+          "force", [](const CasePreview& p) { return p.fine.force(); }, "Normal force [N].")
       .def_property_readonly(
           "approach", [](const CasePreview& p) { return p.fine.approach() - p.fine.first_touch; },
           "Approach from first touch [m].")
@@ -54,6 +57,14 @@ void add_preview(py::module_& module) {
       .def_property_readonly(
           "largest_pressure_error", [](const CasePreview& p) { return p.error_of_largest_pressure(); },
           "Relative.")
+      .def_property_readonly(
+          "attraction", [](const CasePreview& p) { return p.fine.attracting; },
+          "Of the surfaces, which the contact carries beside the force [N].")
+      .def_property_readonly(
+          "pull_off", [](const CasePreview& p) { return p.fine.pull_off ? p.fine.pull_off->force : 0.0; },
+          "Largest tension on separation [N]; 0 without adhesion.")
+      .def_property_readonly(
+          "pull_off_error", [](const CasePreview& p) { return p.error_of_pull_off(); }, "Relative.")
       .def_property_readonly(
           "spots", [](const CasePreview& p) { return p.fine.shape.spots; }, "Contacts apart from each other.")
       .def_property_readonly(

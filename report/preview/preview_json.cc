@@ -17,7 +17,7 @@ json with_sd(double value, const char* unit, double sd) {
 json numbers_of(const CaseContact& contact, const CasePreview& preview) {
   const auto& shape = contact.shape;
   const double area = preview.error_of_area() * shape.area;
-  return {
+  json numbers = {
       {"contact_area", with_sd(shape.area, "m^2", area)},
       {"mean_pressure", with_sd(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
       {"max_pressure",
@@ -32,7 +32,14 @@ json numbers_of(const CaseContact& contact, const CasePreview& preview) {
        with_sd(shape.centre_x, "m", std::abs(preview.fine.shape.centre_x - preview.coarse.shape.centre_x))},
       {"load_centre_y",
        with_sd(shape.centre_y, "m", std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
-      {"normal_force", with_sd(shape.force, "N", 0)}};
+      {"normal_force", with_sd(contact.force(), "N", 0)}};
+  if (contact.pull_off) {
+    numbers["attraction"] =
+        with_sd(contact.attracting, "N", std::abs(preview.fine.attracting - preview.coarse.attracting));
+    numbers["pull_off_force"] =
+        with_sd(contact.pull_off->force, "N", preview.error_of_pull_off() * contact.pull_off->force);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -44,8 +51,8 @@ std::string preview_json(const CaseInput& input, const PreviewedCase& preview) {
               {"title", input.title},
               {"inputs", {{"case", input.file}, {"entries", input.physical_entries}}},
               {"hertz",
-               {{"contact_radius", hertz.contact_radius(fine.shape.force)},
-                {"approach", hertz.approach(fine.shape.force)},
+               {{"contact_radius", hertz.contact_radius(fine.force())},
+                {"approach", hertz.approach(fine.force())},
                 {"reduced_modulus", hertz.reduced_modulus}}},
               {"grid",
                {{"cells", fine.grid.nx},

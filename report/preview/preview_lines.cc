@@ -54,11 +54,25 @@ void say_yielding(const CaseInput& input, const PreviewedCase& preview, const Sa
     return;
   }
   const auto& capped = *preview.contact.capped;
+  const std::string pull_off = capped.pull_off ? ", pull-off force from its imprint " +
+                                                     quantity(capped.pull_off->force, Dimension::force)
+                                               : "";
   say("with pressures up to a hardness of " + quantity(preview.hardness, Dimension::pressure) + ": area " +
       area_text(capped.shape.area) + ", of which " +
       percent(capped.shape.area_at_bound / capped.shape.area_of_cells) + " carries the hardness, approach " +
       quantity(capped.approach(), Dimension::length) + ", stiffness of unloading " +
-      stiffness_text(capped.stiffness) + " (on one grid, so without an error)");
+      stiffness_text(capped.stiffness) + pull_off + " (on one grid, so without an error)");
+}
+
+void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
+  const CaseContact& contact = preview.contact.fine;
+  if (!contact.pull_off) return;
+  const double unit = M_PI * preview.work_of_separation * input.radius;
+  say("attraction of " + quantity(contact.attracting, Dimension::force) +
+      ", which the contact carries beside the load; pull-off force " +
+      quantity(contact.pull_off->force, Dimension::force) + " (" +
+      percent(preview.contact.error_of_pull_off()) + "; 1.5 to 2 pi w R are " +
+      quantity(1.5 * unit, Dimension::force) + " to " + quantity(2 * unit, Dimension::force) + ")");
 }
 
 void say_mesh(const PreviewedCase& preview, const Say& say) {
@@ -82,7 +96,6 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
   if (left_out.motion)
     sentences.push_back("of " + name_of(*left_out.motion) +
                         " the pressing down is previewed, on the axes of both meshes; the motion is not");
-  if (left_out.adhesion) sentences.push_back("adhesion is left out: it presses as more load does");
   if (left_out.friction) sentences.push_back("friction is left out");
   if (left_out.finite_bodies)
     sentences.push_back(
@@ -97,7 +110,7 @@ std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCa
   const CasePreview& contact = preview.contact;
   const auto& shape = contact.fine.shape;
   const Hertz hertz = hertz_of(input);
-  const double force = shape.force;
+  const double force = contact.fine.force();
   say(grid_text(input, contact.fine));
   say("normal force " + quantity(force, Dimension::force) +
       "; beside each number, how far half as many cells along a side are off, and Hertz' of smooth bodies");
@@ -113,6 +126,7 @@ std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCa
       quantity(shape.largest_pressure, Dimension::pressure) + " (" +
       percent(contact.error_of_largest_pressure()) + "; " +
       quantity(hertz.peak_pressure(force), Dimension::pressure) + ")");
+  say_adhesion(input, preview, say);
   say_yielding(input, preview, say);
   say_mesh(preview, say);
   return lines;

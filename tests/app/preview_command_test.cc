@@ -55,7 +55,7 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
       "nm, rolloff=300 nm, cutoff=100 nm, seed=3)'";
   const Outcome outcome = call(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_CONTAINS(outcome.output, "adhesion is left out");
+  EXPECT_CONTAINS(outcome.output, "pull-off force");
   EXPECT_CONTAINS(outcome.output, "hardness of 2.4 GPa");
   EXPECT_CONTAINS(outcome.output, "asperities do from about");
   const auto said = nlohmann::json::parse(read_file(output / "preview.json"));

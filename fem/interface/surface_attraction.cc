@@ -1,0 +1,24 @@
+#include "fem/interface/surface_attraction.h"
+
+#include "fem/interface/adhesion_law.h"
+
+namespace asperity::fem {
+
+double attraction_reach(const InterfaceInput& input, double left) {
+  const auto law = make_adhesion_laws(input).opening;
+  if (!law) return 0;
+  double gap = law->range();
+  while (law->at(0.95 * gap).work < left * law->at(0).work) gap *= 0.95;
+  return gap;
+}
+
+std::optional<half_space::Attraction> surface_attraction(const InterfaceInput& input) {
+  const AdhesionLaws laws = make_adhesion_laws(input);
+  if (!laws.opening) return std::nullopt;
+  constexpr double left = 0.005;
+  return half_space::Attraction{[law = laws.closing](double gap) { return law->at(gap).stress; },
+                                [law = laws.opening](double gap) { return law->at(gap).stress; },
+                                attraction_reach(input, left)};
+}
+
+}  // namespace asperity::fem
