@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
+#include "half_space/stuck_contact.h"
 #include "surfaces/surface_of_entry.h"
 
 namespace asperity::half_space {
@@ -60,6 +61,15 @@ int cells_for(double half_width, double spacing, int most) {
   return n;
 }
 
+ShearCompliance shear_compliance(const CaseInput& input) {
+  ShearCompliance sum;
+  for (const BodyInput* body : {&input.particle, &input.substrate}) {
+    const double nu = body->poisson_ratio, shear = body->youngs_modulus / (2 * (1 + nu));
+    sum.across += (1 - nu) / shear, sum.along += nu / shear;
+  }
+  return sum;
+}
+
 /// The given gap with what has flowed under the hardness removed.
 Field with_imprint(const NormalContact& half_spaces, const NormalContactSolution& pressed, double hardness) {
   Field gap = half_spaces.gap();
@@ -109,6 +119,11 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   else
     contact.solution = half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
   contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
+  if (options.with_shear_stiffness) {
+    const StuckContact stuck(grid, shear_compliance(input));
+    contact.lateral_stiffness = stuck.lateral_stiffness(contact.solution.pressure);
+    contact.torsion_stiffness = stuck.torsion_stiffness(contact.solution.pressure);
+  }
   if (options.with_stiffness && !options.attraction && !contact.shape.reaches_edge)
     contact.stiffness = half_spaces.stiffness(contact.solution);
   return contact;
@@ -168,6 +183,7 @@ CasePreview preview_of_case(const CaseInput& input, double hardness,
   CasePreview preview;
   CaseContactOptions options;
   options.attraction = attraction;
+  options.with_shear_stiffness = true;
   preview.fine = contact_of_case(input, options);
   const Grid& grid = preview.fine.grid;
   preview.resolution = grid.dx / shortest_wave(input);

@@ -24,6 +24,7 @@ struct CaseContactOptions {
   int most_cells = 1024;  ///< along a side; the spacing grows where that is too few
   double hardness = std::numeric_limits<double>::infinity();  ///< [Pa]
   bool with_stiffness = true;
+  bool with_shear_stiffness = false;
   std::optional<Attraction> attraction;  ///< of the surfaces; none: no adhesion
   bool with_pull_off = true;             ///< of surfaces that attract each other
 };
@@ -34,9 +35,11 @@ struct CaseContact {
   ContactShape shape;
   double first_touch =
       0;  ///< approach at which the undeformed surfaces touch [m], below 0 where asperities meet first
-  double stiffness = 0;   ///< [N/m] at the beginning of unloading; 0: not asked for
-  int enlarged = 0;       ///< times that the contact reached the edge, and the square was made larger
-  double attracting = 0;  ///< sum of the attraction, which the contact carries beside the load [N]
+  double stiffness = 0;          ///< [N/m] at the beginning of unloading; 0: not asked for
+  double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: not asked for
+  double torsion_stiffness = 0;  ///< likewise, about the axis of the sphere [N m]
+  int enlarged = 0;              ///< times that the contact reached the edge, and the square was made larger
+  double attracting = 0;         ///< sum of the attraction, which the contact carries beside the load [N]
   std::optional<PullOff> pull_off;  ///< of surfaces that attract each other
 
   double approach() const { return solution.approach; }         ///< of the mean surfaces [m]

@@ -112,20 +112,28 @@ std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCa
   const Hertz hertz = hertz_of(input);
   const double force = contact.fine.force();
   say(grid_text(input, contact.fine));
+  // Surfaces that attract each other may have to be held apart: smooth ones under a tension are not Hertz'.
+  const bool pressed = force > 0;
+  const auto beside = [&](const std::string& error, const std::string& of_hertz) {
+    return " (" + error + (pressed ? "; " + of_hertz : "") + ")";
+  };
   say("normal force " + quantity(force, Dimension::force) +
-      "; beside each number, how far half as many cells along a side are off, and Hertz' of smooth bodies");
-  say("stiffness " + stiffness_text(contact.fine.stiffness) + " (" + percent(contact.error_of_stiffness()) +
-      "; " + stiffness_text(hertz.normal_stiffness(force)) + ")");
-  say("approach of the mean surfaces " + quantity(contact.fine.approach(), Dimension::length) + " (" +
-      quantity(contact.error_of_approach(), Dimension::length, 2) + "; " +
-      quantity(hertz.approach(force), Dimension::length) + "), from first touch " +
+      "; beside each number, how far half as many cells along a side are off" +
+      (pressed ? ", and Hertz' of smooth bodies" : ""));
+  say("stiffness " + stiffness_text(contact.fine.stiffness) +
+      beside(percent(contact.error_of_stiffness()), stiffness_text(hertz.normal_stiffness(force))));
+  say("approach of the mean surfaces " + quantity(contact.fine.approach(), Dimension::length) +
+      beside(quantity(contact.error_of_approach(), Dimension::length, 2),
+             quantity(hertz.approach(force), Dimension::length)) +
+      ", from first touch " +
       quantity(contact.fine.approach() - contact.fine.first_touch, Dimension::length));
-  say("real contact area " + area_text(shape.area) + " (" + percent(contact.error_of_area()) + "; " +
-      area_text(hertz.contact_area(force)) + ") in " + std::to_string(shape.spots) + " spots");
+  say("real contact area " + area_text(shape.area) +
+      beside(percent(contact.error_of_area()), area_text(hertz.contact_area(force))) + " in " +
+      std::to_string(shape.spots) + " spots");
   say("mean pressure " + quantity(shape.mean_pressure, Dimension::pressure) + ", largest " +
-      quantity(shape.largest_pressure, Dimension::pressure) + " (" +
-      percent(contact.error_of_largest_pressure()) + "; " +
-      quantity(hertz.peak_pressure(force), Dimension::pressure) + ")");
+      quantity(shape.largest_pressure, Dimension::pressure) +
+      beside(percent(contact.error_of_largest_pressure()),
+             quantity(hertz.peak_pressure(force), Dimension::pressure)));
   say_adhesion(input, preview, say);
   say_yielding(input, preview, say);
   say_mesh(preview, say);
