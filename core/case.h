@@ -102,11 +102,9 @@ struct CaseInput {
 };
 
 /// The bodies as if they were smooth and elastic.
+inline ElasticBody elastic_body(const BodyInput& body) { return {body.youngs_modulus, body.poisson_ratio}; }
 inline Hertz hertz_of(const CaseInput& input) {
-  const auto elastic = [](const BodyInput& body) {
-    return ElasticBody{body.youngs_modulus, body.poisson_ratio};
-  };
-  return {reduced_modulus(elastic(input.particle), elastic(input.substrate)), input.radius};
+  return {reduced_modulus(elastic_body(input.particle), elastic_body(input.substrate)), input.radius};
 }
 
 /// What the contact carries at the largest load under control by force [N].

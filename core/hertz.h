@@ -24,14 +24,6 @@ inline double reduced_modulus(const ElasticBody& one, const ElasticBody& other) 
   return 1 / (compliance(one) + compliance(other));
 }
 
-/// G* of the lateral stiffness k_l = 8 G* a [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 (Mindlin 1949).
-inline double reduced_shear_modulus(const ElasticBody& one, const ElasticBody& other) {
-  const auto compliance = [](const ElasticBody& body) {
-    return (2 - body.poisson_ratio) * 2 * (1 + body.poisson_ratio) / body.youngs_modulus;
-  };
-  return 1 / (compliance(one) + compliance(other));
-}
-
 /// Stresses on the axis of symmetry over the peak pressure p0, tension positive (Johnson 1985, eq. 3.45).
 struct AxisStress {
   double radial = 0, axial = 0;  ///< sigma_r/p0 (= sigma_theta/p0), sigma_z/p0

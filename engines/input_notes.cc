@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/printed.h"
+#include "core/shear_moduli.h"
 #include "engines/needed_cases.h"
 #include "engines/text_number.h"
 

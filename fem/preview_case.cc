@@ -35,6 +35,20 @@ std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
   return bodies;
 }
 
+FullSlip full_slip(const fem::FrictionLaw& law, const half_space::CaseContact& contact) {
+  const auto& grid = contact.grid;
+  FullSlip sum;
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const double pressure = contact.solution.pressure[static_cast<std::size_t>(iy) * grid.nx + ix];
+      if (!(pressure > 0)) continue;
+      const double force = law.initial_limit(pressure).stress * grid.cell_area();
+      sum.lateral_force += force;
+      sum.torsion_moment += force * std::hypot(grid.x(ix), grid.y(iy));
+    }
+  return sum;
+}
+
 LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   LeftOutOfPreview left_out;
   if (input.experiment.type != Motion::normal) left_out.motion = input.experiment.type;
@@ -74,7 +88,10 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
   preview.left_out = what_is_left_out(input);
   try {
     preview.mesh = preview_mesh(input);
-    preview.left_out.friction = fem::make_friction_law(input.interface) != nullptr;
+    if (const auto friction = fem::make_friction_law(input.interface)) {
+      preview.slip = full_slip(*friction, preview.contact.fine);
+      preview.coarse_slip = full_slip(*friction, preview.contact.coarse);
+    }
   } catch (const InputError& error) {
     preview.refusal = error.what();
   }

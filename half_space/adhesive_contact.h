@@ -56,7 +56,8 @@ class AdhesiveContact {
   /// On approach, at an approach [m].
   AdhesiveSolution at_approach(double approach, const NormalContactOptions& options = {},
                                double tolerance = 1e-4) const;
-  /// On separation: from `closer`, a state of a larger approach, out to `approach` [m].
+  /// On separation: from `closer`, a state of a larger approach, out to `approach` [m]. Throws InputError
+  /// where that is not farther out.
   AdhesiveSolution separated(const AdhesiveSolution& closer, double approach,
                              const NormalContactOptions& options = {}, double tolerance = 1e-4) const;
 

@@ -125,8 +125,23 @@ class BoundedGradients {
       });
       const double stiffness = sum[0] - (load_.by_force ? sum[1] / sum[2] * along.direction : 0.0);
       if (stiffness > 0 && along.gap > 0) length = along.gap / stiffness;
+    } else if (!load_.by_force) {
+      length = length_of_overlap(length);
     }
     move(length);
+  }
+
+  /// Of a step by the overlap of cells that do not press yet, which are together far stiffer to press than each
+  /// alone; `otherwise` where there are none.
+  double length_of_overlap(double otherwise) {
+    for (std::size_t k = 0; k < cells_; ++k) direction_[k] = p_[k] == 0 ? std::min(0.0, open_[k]) : 0.0;
+    compliance_.apply(direction_, response_);
+    ++s_.convolutions;
+    const auto sum = sums_over<2>(cells_, [&](std::size_t k, auto& sum) {
+      sum[0] += direction_[k] * direction_[k], sum[1] += response_[k] * direction_[k];
+    });
+    std::fill(direction_.begin(), direction_.end(), 0.0);
+    return sum[1] > 0 ? sum[0] / sum[1] : otherwise;
   }
 
   void move(double length) {

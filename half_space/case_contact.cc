@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
+#include "core/shear_moduli.h"
 #include "half_space/stuck_contact.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -64,7 +65,7 @@ int cells_for(double half_width, double spacing, int most) {
 ShearCompliance shear_compliance(const CaseInput& input) {
   ShearCompliance sum;
   for (const BodyInput* body : {&input.particle, &input.substrate}) {
-    const double nu = body->poisson_ratio, shear = body->youngs_modulus / (2 * (1 + nu));
+    const double nu = body->poisson_ratio, shear = shear_modulus(elastic_body(*body));
     sum.across += (1 - nu) / shear, sum.along += nu / shear;
   }
   return sum;

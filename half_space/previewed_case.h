@@ -27,10 +27,15 @@ struct YieldingBody {
   double first_yield = 0;  ///< largest pressure of a smooth contact at which it begins to [Pa]
 };
 
+/// What the contact holds by friction where all of it slips, that has not slipped before.
+struct FullSlip {
+  double lateral_force = 0;   ///< [N]
+  double torsion_moment = 0;  ///< about the axis of the sphere [N m]
+};
+
 /// What the case has and half-spaces pressed together have not.
 struct LeftOutOfPreview {
   std::optional<Motion> motion;
-  bool friction = false;
   bool finite_bodies = false;  ///< the case is led by its approach, of which their compliance is a part
 };
 
@@ -38,9 +43,10 @@ struct LeftOutOfPreview {
 struct PreviewedCase {
   half_space::CasePreview contact;
   double hardness = std::numeric_limits<double>::infinity();  ///< of `contact.capped` [Pa]; infinite: none
-  double work_of_separation = 0;                              ///< of surfaces that adhere [J/m^2]
-  std::optional<MeshPreview> mesh;                            ///< none: refused
-  std::string refusal;                                        ///< what `asperity solve` would say
+  std::optional<FullSlip> slip, coarse_slip;  ///< of contact.fine and .coarse; none: no friction
+  double work_of_separation = 0;              ///< of surfaces that adhere [J/m^2]
+  std::optional<MeshPreview> mesh;            ///< none: refused
+  std::string refusal;                        ///< what `asperity solve` would say
   std::vector<YieldingBody> yielding;
   LeftOutOfPreview left_out;
 };

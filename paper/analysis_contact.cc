@@ -1,7 +1,7 @@
 // Hertz and Mindlin for the paper's pairs (sec. 3.2, 4.2, 4.4).
 
 #include "core/printed.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "paper/analysis.h"
 #include "paper/hertz_collision.h"
 
@@ -33,7 +33,7 @@ void add_plane(std::vector<PaperNumber>& rows, const Published& p, const char* p
       {on + "G*", display::GPa,
        is_silicon ? std::optional<Uncertain>(p.quoted("reduced_shear_modulus", Dimension::pressure))
                   : std::nullopt,
-       Uncertain{sliding_modulus(sphere, other)},
+       Uncertain{reduced_shear_modulus(sphere, other)},
        is_silicon ? "Mindlin's G* has (2 - nu); 11.87 GPa comes out with nu = 0.17 for silicon too" : ""});
   rows.push_back(not_printed(on + "G* with (2 - nu^2)", display::GPa,
                              Uncertain{printed_modulus(sphere, other)}, "as printed; not Mindlin's"));
@@ -53,9 +53,9 @@ void add_plane(std::vector<PaperNumber>& rows, const Published& p, const char* p
                       : ""});
   rows.push_back(not_printed(on + "mean pressure at 3 mN", display::GPa,
                              Uncertain{largest / hertz.contact_area(largest)}));
-  rows.push_back(
-      not_printed(on + "8 G* a at 100 uN", display::N_per_m,
-                  Uncertain{mindlin_factor * sliding_modulus(sphere, other) * hertz.contact_radius(load)}));
+  rows.push_back(not_printed(
+      on + "8 G* a at 100 uN", display::N_per_m,
+      Uncertain{mindlin_factor * reduced_shear_modulus(sphere, other) * hertz.contact_radius(load)}));
   rows.push_back(not_printed(on + "load of first yield, p0 = 1.6 Y", display::mN,
                              Uncertain{hertz.force_at_peak_pressure(tresca * Y)},
                              !is_silicon
@@ -69,7 +69,7 @@ void add_moduli(std::vector<PaperNumber>& rows, const Published& p) {
   const ElasticBody alike{p.body("silicon").elasticity.youngs_modulus, p.particle().elasticity.poisson_ratio};
   rows.push_back({"G* with silicon's nu taken as 0.17", display::GPa,
                   p.quoted("reduced_shear_modulus", Dimension::pressure),
-                  Uncertain{sliding_modulus(p.particle().elasticity, alike)},
+                  Uncertain{reduced_shear_modulus(p.particle().elasticity, alike)},
                   "this is where 11.87 GPa comes from; the authors' published simulation does the same"});
   rows.push_back(not_printed("E* with silicon's nu taken as 0.17", display::GPa,
                              Uncertain{reduced_modulus(p.particle().elasticity, alike)},
@@ -156,7 +156,7 @@ PaperSection sliding_section(const Published& p) {
   auto& rows = section.numbers;
   const double load = p.quoted("loop_load", Dimension::force).value,
                a = p.hertz("silicon").contact_radius(load);
-  const double G = sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity);
+  const double G = reduced_shear_modulus(p.particle().elasticity, p.body("silicon").elasticity);
   const double k_fit = p.quoted("fitted_lateral_stiffness", Dimension::stiffness).value;
   const PublishedSurface& surface = p.surfaces.front();
   const double limit = surface.sliding.value * load;

@@ -1,8 +1,8 @@
 // Torsion in the rails (sec. 3.2.4, 4.7, 4.8).
 
 #include "core/printed.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/hertzian_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "paper/analysis.h"
 #include "paper/friction_series.h"
 
@@ -108,7 +108,7 @@ void add_torsion_stiffness(std::vector<PaperNumber>& rows, const Published& p) {
   const double R = p.radius();
   const double load = p.quoted("loop_load", Dimension::force).value;
   const double a = hertz.contact_radius(load),
-               k = 8 * sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
+               k = 8 * reduced_shear_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
   const double no_slip =
       no_slip_torsion_stiffness(torsion_modulus(p.particle().elasticity, p.body("silicon").elasticity), a);
   rows.push_back(not_printed("k_to = 8 G* a with the lever r", display::Nm_per_rad, Uncertain{k * R * R}));

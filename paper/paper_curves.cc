@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "paper/analysis.h"
 
 namespace asperity {
@@ -39,7 +39,7 @@ double partial_slip_branch(double s, double stiffness, double limit) {
 PaperCurve friction_loop(const Published& p) {
   const double load = p.quoted("loop_load", Dimension::force).value,
                a = p.hertz("silicon").contact_radius(load);
-  const double k = 8 * sliding_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
+  const double k = 8 * reduced_shear_modulus(p.particle().elasticity, p.body("silicon").elasticity) * a;
   const double k_fit = p.quoted("fitted_lateral_stiffness", Dimension::stiffness).value,
                limit = p.surfaces.front().sliding.value * load;
   constexpr double half_way = 1e-6, near_reversal = 30e-9;

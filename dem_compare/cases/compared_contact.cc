@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -27,7 +27,9 @@ ElasticBody elasticity_of(const ContactBody& body, const std::string& file, cons
 
 }  // namespace
 
-double ComparedContact::sliding_modulus() const { return asperity::sliding_modulus(particle, plane); }
+double ComparedContact::reduced_shear_modulus() const {
+  return asperity::reduced_shear_modulus(particle, plane);
+}
 double ComparedContact::torsion_modulus() const { return asperity::torsion_modulus(particle, plane); }
 
 ComparedContact contact_of(const CaseGroup& group) {

@@ -22,8 +22,8 @@ struct ComparedContact {
 
   // Of the bodies, smooth and elastic, whatever a record says.
   Hertz hertz() const { return {reduced_modulus(particle, plane), radius}; }
-  double sliding_modulus() const;  ///< G* [Pa]
-  double torsion_modulus() const;  ///< Gt [Pa]
+  double reduced_shear_modulus() const;  ///< G* [Pa]
+  double torsion_modulus() const;        ///< Gt [Pa]
   const ContactParameters& plate() const { return indenter ? *indenter : *record; }
 };
 

@@ -36,7 +36,7 @@ ContactParameters of_bodies(const ComparedContact& contact) {
     if (contact.friction > 0) p.sliding_friction = constant(contact.friction);
   }
   p.reduced_modulus = constant(contact.hertz().reduced_modulus);
-  p.reduced_shear_modulus = constant(contact.sliding_modulus());
+  p.reduced_shear_modulus = constant(contact.reduced_shear_modulus());
   return with_density(p);
 }
 

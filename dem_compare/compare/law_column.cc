@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "dem_compare/laws/rail_balance.h"
-#include "dem_compare/laws/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -60,7 +60,8 @@ std::vector<LawValue> normal_laws(Quantity quantity, const ComparedContact& cont
 
 /// 8 G* a with `share`, and the engine with that spring.
 LawValue lateral_spring(const std::string& name, double share, const ComparedContact& contact, double load) {
-  const double k = share * mindlin_factor * contact.sliding_modulus() * contact.hertz().contact_radius(load);
+  const double k =
+      share * mindlin_factor * contact.reduced_shear_modulus() * contact.hertz().contact_radius(load);
   LawValue value = law(name, k);
   EngineExperiment experiment = glued(of_bodies(contact), load);
   experiment.substrate.lateral_stiffness = constant(k, LengthScale::contact_radius);
@@ -177,7 +178,7 @@ std::vector<LawValue> torsion_laws(Quantity quantity, const ComparedContact& con
   };
   std::vector<LawValue> laws;
   if (quantity == Quantity::torsion_stiffness) {
-    const double assumed = mindlin_factor * contact.sliding_modulus() * a * r * r;
+    const double assumed = mindlin_factor * contact.reduced_shear_modulus() * a * r * r;
     laws.push_back(with_engine(law("Reissner-Sagoci without slip", no_slip), no_slip, limit));
     laws.push_back(with_engine(law("8 G* a r^2, the paper's assumption", assumed), assumed, limit));
     if (contact.record && contact.record->torsion_stiffness) {

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "core/joined.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
 #include "dem_compare/laws/hertzian_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "results/energy_balance.h"
 #include "results/region_edge.h"
 
@@ -54,7 +54,7 @@ std::vector<std::string> versions_of(const ParameterSet& set) {
 
 /// G* of the materials where no sliding case told one: an engine's laws need it.
 void complete_shear_modulus(const SolvedCase& solved, Derivation& derivation) {
-  const double mindlin = sliding_modulus(solved.particle(), solved.substrate());
+  const double mindlin = reduced_shear_modulus(solved.particle(), solved.substrate());
   LawFindings& sliding = derivation.laws.back();
   auto& modulus = derivation.parameters.reduced_shear_modulus;
   if (modulus) {

@@ -1,7 +1,7 @@
 #include "dem_compare/experiments/from_parameters.h"
 
 #include "core/error.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 
 namespace asperity {
 namespace {

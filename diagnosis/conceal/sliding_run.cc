@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/conceal/sphere.h"
 
 namespace asperity::hidden {
@@ -18,7 +18,7 @@ SlidingRun::SlidingRun(const World& world, const SlidingProgram& program, double
       events_(seed) {
   const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
   radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(load);
-  stiffness_ = 8 * sliding_modulus(sphere, plane) * radius_;
+  stiffness_ = 8 * reduced_shear_modulus(sphere, plane) * radius_;
   if (has("partial_slip")) masing_ = MasingContact(stiffness_, friction_ * load_);
   next_event();
 }

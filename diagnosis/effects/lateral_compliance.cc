@@ -1,5 +1,5 @@
 // Lateral compliance in series with the sliding contact: x = x_contact + C f_l.
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -22,7 +22,7 @@ class LateralCompliance : public Effect {
   bool can_show(const Experiment& e) const override { return e.has_trace; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double a = e.hertz().contact_radius(e.typical_force);
-    const double contact = 1 / (8 * sliding_modulus(e.particle, e.substrate) * a);
+    const double contact = 1 / (8 * reduced_shear_modulus(e.particle, e.substrate) * a);
     const double largest = e.largest_response > 0 ? e.stroke / e.largest_response : 1e4 * contact;
     return {{"compliance",
              "m/N",

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -185,7 +185,7 @@ Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& r
 }
 
 double lateral_stiffness(const Experiment& e, double normal_force) {
-  return 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(normal_force);
+  return 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(normal_force);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/mechanics/lateral_limit.h"
 #include "diagnosis/mechanics/mechanics.h"
 #include "diagnosis/mechanics/scalar_root.h"
@@ -18,7 +18,7 @@ class LateralRun {
       : mechanics_(mechanics),
         lateral_(mechanics_.lateral),
         sliding_modulus_(
-            asperity::sliding_modulus(mechanics.experiment.particle, mechanics.experiment.substrate)) {}
+            asperity::reduced_shear_modulus(mechanics.experiment.particle, mechanics.experiment.substrate)) {}
 
   /// Fully developed motion, one row of a series: lateral force [N].
   double steady(const Sample& sample) {

@@ -2,6 +2,7 @@
 
 #include "core/hertz.h"
 #include "core/printed.h"
+#include "core/shear_moduli.h"
 #include "engines/many_particles/matrix_header.h"
 #include "engines/many_particles/matrix_inputs.h"
 #include "engines/many_particles/time_step.h"

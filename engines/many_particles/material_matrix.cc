@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/printable.h"
+#include "core/shear_moduli.h"
 #include "engines/input_notes.h"
 
 namespace asperity {

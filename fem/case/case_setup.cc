@@ -7,11 +7,12 @@
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
+#include "core/shear_moduli.h"
 #include "core/written_apart.h"
 #include "fem/case/contact_path.h"
 #include "fem/case/solve_cost.h"
-#include "fem/interface/surface_attraction.h"
 #include "fem/interface/friction_law.h"
+#include "fem/interface/surface_attraction.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -46,12 +47,9 @@ Roughness roughness_of(const TopographySpec& spec, double half_width, double spa
   return roughness;
 }
 
-double shear_modulus(const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); }
-
 /// Sum of (2 - nu)/G of both bodies [1/Pa] (Mindlin 1949).
 double lateral_compliance(const CaseInput& input) {
-  return (2 - input.particle.poisson_ratio) / shear_modulus(input.particle) +
-         (2 - input.substrate.poisson_ratio) / shear_modulus(input.substrate);
+  return 1 / reduced_shear_modulus(elastic_body(input.particle), elastic_body(input.substrate));
 }
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick
@@ -61,7 +59,7 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   const double a = setup.hertz_radius, area = M_PI * a * a;
   const auto law = make_friction_law(input.interface);
   const double friction = law ? area * law->initial_limit(setup.largest_contact_force() / area).stress : 0;
-  const double torsion = 1 / shear_modulus(input.particle) + 1 / shear_modulus(input.substrate);
+  const double torsion = 1 / torsion_modulus(elastic_body(input.particle), elastic_body(input.substrate));
   MotionScales scales;
   scales.full_slip_shift = 3 * friction * lateral_compliance(input) / (16 * a);
   scales.full_slip_angle = 0.64 * friction * torsion / (a * a);

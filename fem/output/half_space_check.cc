@@ -19,6 +19,7 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   options.spacing = setup.system.mesh.sizes.spacing_particle / 2;
   options.attraction = surface_attraction(input.interface);
   options.with_pull_off = tension > 0;
+  options.with_shear_stiffness = true;
   options.most_cells = options.attraction ? 256 : 512;  // some two hundred contacts in place of one
   try {
     return half_space::contact_of_case(pressed, options);

@@ -67,6 +67,8 @@ json half_space_numbers(const half_space::CaseContact& contact) {
                {"first_touch", contact.first_touch},
                {"normal_stiffness", contact.stiffness},
                {"spacing", contact.grid.dx}};
+  if (contact.lateral_stiffness > 0) numbers["lateral_stiffness"] = contact.lateral_stiffness;
+  if (contact.torsion_stiffness > 0) numbers["torsion_stiffness"] = contact.torsion_stiffness;
   if (contact.pull_off) numbers["pull_off_force"] = contact.pull_off->force;
   return numbers;
 }

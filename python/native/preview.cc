@@ -58,6 +58,12 @@ void add_preview(py::module_& module) {
           "largest_pressure_error", [](const CasePreview& p) { return p.error_of_largest_pressure(); },
           "Relative.")
       .def_property_readonly(
+          "lateral_stiffness", [](const CasePreview& p) { return p.fine.lateral_stiffness; },
+          "Of what touches, stuck together [N/m].")
+      .def_property_readonly(
+          "torsion_stiffness", [](const CasePreview& p) { return p.fine.torsion_stiffness; },
+          "About the axis of the sphere [N m/rad].")
+      .def_property_readonly(
           "attraction", [](const CasePreview& p) { return p.fine.attracting; },
           "Of the surfaces, which the contact carries beside the force [N].")
       .def_property_readonly(

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/lubkin_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
@@ -86,9 +86,10 @@ Chart friction_loop_chart(const SolvedCase& solved) {
   chart.y_label = "lateral force [µN]";
   const double load = largest(h.normal_force), mu = friction_coefficient(solved);
   if (mu > 0) {
-    const double limit = mu * load, full_slip = 3 * limit /
-                                                (16 * sliding_modulus(solved.particle(), solved.substrate()) *
-                                                 solved.hertz().contact_radius(load));
+    const double limit = mu * load,
+                 full_slip = 3 * limit /
+                             (16 * reduced_shear_modulus(solved.particle(), solved.substrate()) *
+                              solved.hertz().contact_radius(load));
     chart.series.push_back(
         law_series("Mindlin: smooth, elastic", h.lateral_displacement, nm, uN,
                    [&](double x) { return limit * (1 - std::pow(1 - std::min(1.0, x / full_slip), 1.5)); }));

@@ -33,6 +33,15 @@ json numbers_of(const CaseContact& contact, const CasePreview& preview) {
       {"load_centre_y",
        with_sd(shape.centre_y, "m", std::abs(preview.fine.shape.centre_y - preview.coarse.shape.centre_y))},
       {"normal_force", with_sd(contact.force(), "N", 0)}};
+  if (contact.lateral_stiffness > 0) {
+    const auto off = [&](double CaseContact::*number) {
+      return std::abs(preview.fine.*number / (preview.coarse.*number) - 1) * contact.*number;
+    };
+    numbers["lateral_stiffness"] =
+        with_sd(contact.lateral_stiffness, "N/m", off(&CaseContact::lateral_stiffness));
+    numbers["torsion_stiffness"] =
+        with_sd(contact.torsion_stiffness, "N m/rad", off(&CaseContact::torsion_stiffness));
+  }
   if (contact.pull_off) {
     numbers["attraction"] =
         with_sd(contact.attracting, "N", std::abs(preview.fine.attracting - preview.coarse.attracting));
@@ -64,6 +73,13 @@ std::string preview_json(const CaseInput& input, const PreviewedCase& preview) {
                 {"error", fine.solution.error}}},
               {"elastic", numbers_of(fine, preview.contact)},
               {"left_out", left_out_sentences(preview.left_out)}};
+  if (preview.slip) {
+    const FullSlip &slip = *preview.slip, &coarse = *preview.coarse_slip;
+    result["elastic"]["slipping_force"] =
+        with_sd(slip.lateral_force, "N", std::abs(slip.lateral_force - coarse.lateral_force));
+    result["elastic"]["slipping_moment"] =
+        with_sd(slip.torsion_moment, "N m", std::abs(slip.torsion_moment - coarse.torsion_moment));
+  }
   if (preview.contact.capped) {
     const auto& capped = *preview.contact.capped;
     result["capped"] = numbers_of(capped, preview.contact);

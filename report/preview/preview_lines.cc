@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "core/quantity.h"
+#include "core/shear_moduli.h"
 #include "core/wait_text.h"
 #include "report/preview/preview_report.h"
 
@@ -64,6 +65,41 @@ void say_yielding(const CaseInput& input, const PreviewedCase& preview, const Sa
       stiffness_text(capped.stiffness) + pull_off + " (on one grid, so without an error)");
 }
 
+std::string off(double fine, double coarse) { return percent(std::abs(fine - coarse) / fine); }
+
+/// Of smooth bodies that stick together, under a force above 0 (Mindlin 1949; Reissner & Sagoci 1944).
+struct SmoothShear {
+  double lateral, torsion;  ///< [N/m], [N m]
+};
+SmoothShear smooth_shear(const CaseInput& input, double force) {
+  const double a = hertz_of(input).contact_radius(force);
+  const ElasticBody one = elastic_body(input.particle), other = elastic_body(input.substrate);
+  return {mindlin_factor * a * reduced_shear_modulus(one, other),
+          16.0 / 3 * a * a * a * torsion_modulus(one, other)};
+}
+
+void say_shear(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
+  const CaseContact &fine = preview.contact.fine, &coarse = preview.contact.coarse;
+  const double force = fine.force();
+  const auto torsion_text = [](double stiffness) {
+    return quantity(stiffness * 1e9, Dimension::none) + " nN m/rad";
+  };
+  const bool pressed = force > 0;
+  const SmoothShear smooth = pressed ? smooth_shear(input, force) : SmoothShear{};
+  say("stuck together: lateral stiffness " + stiffness_text(fine.lateral_stiffness) + " (" +
+      off(fine.lateral_stiffness, coarse.lateral_stiffness) +
+      (pressed ? "; " + stiffness_text(smooth.lateral) : "") + "), torsion stiffness " +
+      torsion_text(fine.torsion_stiffness) + " (" + off(fine.torsion_stiffness, coarse.torsion_stiffness) +
+      (pressed ? "; " + torsion_text(smooth.torsion) : "") + ")");
+  if (!preview.slip) return;
+  const FullSlip &slip = *preview.slip, &coarse_slip = *preview.coarse_slip;
+  say("slipping all over: lateral force " + quantity(slip.lateral_force, Dimension::force) + " (" +
+      off(slip.lateral_force, coarse_slip.lateral_force) + ")" +
+      (pressed ? ", " + quantity(slip.lateral_force / force, Dimension::none) + " of the normal force" : "") +
+      ", moment about the axis " + quantity(slip.torsion_moment * 1e12, Dimension::none) + " pN m (" +
+      off(slip.torsion_moment, coarse_slip.torsion_moment) + "); what lies between is left out");
+}
+
 void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
   const CaseContact& contact = preview.contact.fine;
   if (!contact.pull_off) return;
@@ -96,7 +132,6 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
   if (left_out.motion)
     sentences.push_back("of " + name_of(*left_out.motion) +
                         " the pressing down is previewed, on the axes of both meshes; the motion is not");
-  if (left_out.friction) sentences.push_back("friction is left out");
   if (left_out.finite_bodies)
     sentences.push_back(
         "the approach is that of half-spaces from first touch: what the finite bodies give way in the case "
@@ -134,6 +169,7 @@ std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCa
       quantity(shape.largest_pressure, Dimension::pressure) +
       beside(percent(contact.error_of_largest_pressure()),
              quantity(hertz.peak_pressure(force), Dimension::pressure)));
+  say_shear(input, preview, say);
   say_adhesion(input, preview, say);
   say_yielding(input, preview, say);
   say_mesh(preview, say);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/atomic_file.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "engines/parameters/contact_parameters.h"
 #include "results/history.h"
 #include "tests/app/called_program.h"
@@ -26,7 +26,7 @@ constexpr double local_friction = 0.3;
 void write_sliding_case(const fs::path& folder, double radius, double load) {
   const ElasticBody glass{71e9, 0.17};
   const Hertz hertz{reduced_modulus(glass, glass), radius};
-  const double stiffness = 8 * sliding_modulus(glass, glass) * hertz.contact_radius(load),
+  const double stiffness = 8 * reduced_shear_modulus(glass, glass) * hertz.contact_radius(load),
                limit = local_friction * load;
   History history;
   const auto add = [&](double force, double position, double resistance) {

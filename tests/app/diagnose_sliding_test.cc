@@ -10,7 +10,7 @@
 #include "core/atomic_file.h"
 #include "core/hertz.h"
 #include "core/printed.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/conceal/masing_contact.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
@@ -51,7 +51,7 @@ std::filesystem::path slid_recording(const TemporaryFolder& folder, const std::v
   std::normal_distribution<double> noise(0, 0.005 * limit(loads.back()));
   double time = 0;
   for (std::size_t run = 0; run < loads.size(); ++run) {
-    const double stiffness = 8 * sliding_modulus(ball_body, plane_body) * radius_under(loads[run]);
+    const double stiffness = 8 * reduced_shear_modulus(ball_body, plane_body) * radius_under(loads[run]);
     hidden::MasingContact contact(stiffness, limit(loads[run]));
     constexpr double stroke = 100e-9;
     constexpr int count = 100;

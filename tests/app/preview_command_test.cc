@@ -51,7 +51,8 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   const std::string arguments =
       "preview " + file.string() + " --output " + output.string() +
       " --set 'Substrate/Yield stress=2 GPa' --set 'Particle/Yield stress=0.8 GPa' --set "
-      "'Interface/Work of adhesion=50 mJ/m^2' --set 'Substrate/Topography=generated(rms=1.5 "
+      "'Interface/Work of adhesion=50 mJ/m^2' --set 'Interface/Adhesion range=1 nm' --set "
+      "'Interface/Friction coefficient=0.3' --set 'Substrate/Topography=generated(rms=1.5 "
       "nm, rolloff=300 nm, cutoff=100 nm, seed=3)'";
   const Outcome outcome = call(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
@@ -63,7 +64,12 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   EXPECT_DOUBLE_EQ(said["capped"]["hardness"]["value"].get<double>(), 2.4e9);
   EXPECT_TRUE(said["capped"]["contact_area"]["sd"].is_null());  // one grid tells no error
   EXPECT_GT(said["elastic"]["contact_area"]["sd"], 0);
-  EXPECT_EQ(said["left_out"].size(), 1u);
+  EXPECT_TRUE(said["left_out"].empty());
+  EXPECT_GT(said["capped"]["pull_off_force"]["value"], said["elastic"]["pull_off_force"]["value"]);
+  const auto elastic = [&](const char* name) { return said["elastic"][name]["value"].get<double>(); };
+  EXPECT_NEAR(elastic("slipping_force") / (0.3 * (elastic("normal_force") + elastic("attraction"))), 1, 1e-6);
+  EXPECT_GT(elastic("slipping_moment"), 0);
+  EXPECT_CONTAINS(outcome.output, "stuck together: lateral stiffness");
   const Outcome harder = call(arguments + " --hardness '3 GPa'");
   EXPECT_EQ(harder.status, 0) << harder.output;
   EXPECT_CONTAINS(harder.output, "hardness of 3 GPa");

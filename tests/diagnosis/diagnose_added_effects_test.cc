@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/hertz.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -144,7 +144,7 @@ TEST(DiagnoseAdded_analytic, stick_slip_of_uneven_events_is_found_in_every_numbe
     double left = 0, spacing = period, x = 0;
     for (int run = 1; run <= runs; ++run) {
       const double load = 100 * uN * run, radius = e.hertz().contact_radius(load);
-      const double spring = 8 * sliding_modulus(e.particle, e.substrate) * radius;
+      const double spring = 8 * reduced_shear_modulus(e.particle, e.substrate) * radius;
       double force = 0;
       for (int half = 0; half < 4; ++half)
         for (int i = 0; i < 150; ++i) {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/error.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
@@ -67,7 +67,7 @@ Recording loops(double compliance,
   for (const double load : {200 * uN, 500 * uN, 1000 * uN}) {
     ++run;
     const double a = std::cbrt(0.75 * load * 8.5e-6 / e.reduced_modulus()), limit = 0.23 * load;
-    const double spring = 1 / (1 / (8 * sliding_modulus(e.particle, e.substrate) * a) + compliance);
+    const double spring = 1 / (1 / (8 * reduced_shear_modulus(e.particle, e.substrate) * a) + compliance);
     double q = 0, x = 0, t = 0;
     for (int cycle = 0; cycle < 3; ++cycle)
       for (const int direction : {1, -1})

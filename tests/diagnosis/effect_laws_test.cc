@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/conceal/rough_layer.h"
 #include "diagnosis/mechanics/scalar_root.h"
@@ -460,7 +460,7 @@ TEST(Simulate_analytic, a_record_that_begins_under_a_force_begins_with_it) {
 TEST(Simulate_analytic, a_compliance_in_series_with_partial_slip_takes_its_part) {
   const Experiment e = test::experiment(Motion::sliding);
   const double load = 1e-3, most = 0.2 * load, C = 2e-6;
-  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
+  const double k = 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
   Mechanics m = assembled(e, "partial_slip", {});
   m.lateral.compliance = C;
   const auto path_to = [&](double q) {
@@ -483,7 +483,7 @@ TEST(Simulate_analytic, a_spring_that_the_load_softens_keeps_its_stretch_and_one
     test::close_run(path, false);
     return simulate(assembled(e, "", {}), path);
   };
-  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
+  const double k = 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
   const auto softer = after(1e-3, 0.5e-3), stiffer = after(1e-3, 2e-3);
   EXPECT_NEAR(softer[5], k * 0.5 * nm, 1e-12);
   EXPECT_NEAR(softer[6], k * 0.5 * nm / std::cbrt(2.0), 1e-12);

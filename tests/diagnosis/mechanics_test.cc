@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/csv.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/jkr.h"
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
 #include "dem_compare/laws/rail_balance.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/strip_contact.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -280,7 +280,7 @@ TEST(Mechanics_other_code, yielding_follows_axisymmetric_finite_elements) {
 TEST(Mechanics_analytic, lateral_stiffness_is_mindlins_with_the_compliance_in_series) {
   const Experiment e = experiment(Motion::sliding);
   const double load = 1e-3, a = e.hertz().contact_radius(load),
-               k = 8 * sliding_modulus(e.particle, e.substrate) * a, C = 3e-5;
+               k = 8 * reduced_shear_modulus(e.particle, e.substrate) * a, C = 3e-5;
   const auto alone = simulate(with(e, {}), lateral_path(load, {0, 1 * nm}, 11));
   const auto soft = simulate(with(e, {{"lateral_compliance", {C}}}), lateral_path(load, {0, 1 * nm}, 11));
   EXPECT_NEAR(alone[10], k * nm, 1e-9 * k * nm);
@@ -314,7 +314,7 @@ TEST(Mechanics_analytic, static_friction_decays_over_its_slip_length) {
   const Samples path = lateral_path(1e-3, {0, 100 * nm}, 10001);
   const auto f = simulate(with(e, {{"static_friction_peak", {1.5, 20 * nm}}}), path);
   EXPECT_NEAR(*std::max_element(f.begin(), f.end()), 0.3e-3, 0.001e-3);
-  const double k = 8 * sliding_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
+  const double k = 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(1e-3);
   const double slipped = 80 * nm - 0.3e-3 / k;  // sliding begins when the spring holds mu_s f_n
   EXPECT_NEAR(f[8000], 0.2e-3 * (1 + 0.5 * std::exp(-slipped / (20 * nm))), 0.001e-3);
 }
@@ -361,7 +361,7 @@ TEST(Mechanics_analytic, a_step_of_speed_jumps_by_a_and_settles_at_a_minus_b) {
 
 TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_and_shear) {
   const Experiment e = experiment(Motion::sliding);
-  const double G = sliding_modulus(e.particle, e.substrate), mu = 0.3;
+  const double G = reduced_shear_modulus(e.particle, e.substrate), mu = 0.3;
   const MindlinDeresiewicz law{G, e.radius, {mu, 0}};
   SlidingHistory history;
   StripContact strips, next;
@@ -381,8 +381,8 @@ TEST(Mechanics_other_code, strips_follow_mindlin_and_deresiewicz_through_load_an
 
 TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
   const Experiment e = experiment(Motion::sliding);
-  const double load = 1e-3, a = e.hertz().contact_radius(load), G = sliding_modulus(e.particle, e.substrate),
-               x = 1.5 * nm;
+  const double load = 1e-3, a = e.hertz().contact_radius(load),
+               G = reduced_shear_modulus(e.particle, e.substrate), x = 1.5 * nm;
   const auto f = simulate(with(e, {{"partial_slip", {}}}), lateral_path(load, {0, x}, 51));
   const double gross = 3 * 0.2 * load / (16 * G * a);
   EXPECT_NEAR(f.back(), 0.2 * load * (1 - std::pow(1 - x / gross, 1.5)), 0.001 * 0.2 * load);

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/error.h"
-#include "dem_compare/laws/shear_moduli.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/conceal/masing_contact.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/mapping/solved_sliding.h"
@@ -29,7 +29,7 @@ const Hertz smooth_contact{reduced_modulus(silica, wafer_of_silicon), sphere_siz
 const std::vector<double> loads_of_test{40 * uN, 80 * uN, 160 * uN, 300 * uN};
 
 double full_stiffness(double load) {
-  return 8 * sliding_modulus(silica, wafer_of_silicon) * smooth_contact.contact_radius(load);
+  return 8 * reduced_shear_modulus(silica, wafer_of_silicon) * smooth_contact.contact_radius(load);
 }
 double contact_area(double load) { return M_PI * std::pow(smooth_contact.contact_radius(load), 2); }
 

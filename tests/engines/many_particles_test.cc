@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/shear_moduli.h"
 #include "engines/engine_input.h"
 #include "engines/many_particles/material_matrix.h"
 #include "engines/many_particles/matrix_header.h"

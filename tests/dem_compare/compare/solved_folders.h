@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/atomic_file.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/hertzian_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "results/history.h"
 
 namespace asperity::test {
@@ -25,7 +25,7 @@ struct SolvedFolder {
 
   Hertz hertz() const { return {reduced_modulus(particle, plane), 8.5e-6}; }
   double lateral_stiffness() const {
-    return stiffness * 8 * sliding_modulus(particle, plane) * hertz().contact_radius(load);
+    return stiffness * 8 * reduced_shear_modulus(particle, plane) * hertz().contact_radius(load);
   }
   double torsion_stiffness() const {
     return stiffness *

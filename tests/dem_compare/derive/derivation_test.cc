@@ -9,8 +9,8 @@
 #include <random>
 
 #include "core/error.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/lubkin_torsion.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "engines/engine_input.h"
 #include "tests/dem_compare/derive/found.h"
 #include "tests/support/temporary_folder.h"
@@ -45,7 +45,7 @@ SolvedCase make_case(const Truth& truth, const std::string& type, double load, i
   const double mu = sliding ? truth.mu : truth.torsion_coefficient,
                offset = sliding ? truth.offset : truth.torsion_offset;
   const double limit = mu * length * (load + offset);
-  const double stiffness = sliding ? 8 * sliding_modulus(glass, silicon) * a
+  const double stiffness = sliding ? 8 * reduced_shear_modulus(glass, silicon) * a
                                    : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
   // Virgin curve: bilinear is enough, the stiffness has tests of its own.
   const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
@@ -226,7 +226,7 @@ TEST(Derivation_analytic, treats_rolling_as_torsion) {
   EXPECT_NEAR(p.rolling_offset->value / truth.torsion_offset, 1, 1e-3);
   EXPECT_FALSE(p.torsion_friction);
   EXPECT_FALSE(p.sliding_friction);
-  EXPECT_NEAR(p.reduced_shear_modulus->value / sliding_modulus(glass, silicon), 1, 1e-12);
+  EXPECT_NEAR(p.reduced_shear_modulus->value / reduced_shear_modulus(glass, silicon), 1, 1e-12);
 }
 
 TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apart) {
@@ -328,12 +328,12 @@ TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_rever
   ParameterSet set;
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   SolvedCase& solved = set.cases.front();
-  const double k = 8 * sliding_modulus(glass, silicon) * hertz.contact_radius(1e-3);
+  const double k = 8 * reduced_shear_modulus(glass, silicon) * hertz.contact_radius(1e-3);
   solved.result->effective = {{"lateral_stiffness", {k, 0.1 * k, "N/m"}}};
   const ContactParameters p = derive_parameters(set).parameters;
   EXPECT_NEAR(p.lateral_stiffness->value / k, 1, 1e-9);
   EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
-  EXPECT_NEAR(p.reduced_shear_modulus->value / sliding_modulus(glass, silicon), 1, 1e-5);
+  EXPECT_NEAR(p.reduced_shear_modulus->value / reduced_shear_modulus(glass, silicon), 1, 1e-5);
   EXPECT_NEAR(p.reduced_shear_modulus->sd / p.reduced_shear_modulus->value, 0.1, 1e-9);
 }
 

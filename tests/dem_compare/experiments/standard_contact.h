@@ -4,8 +4,8 @@
 // pen). SI units.
 #pragma once
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/motion/contact_model.h"
 
 namespace asperity {
@@ -28,7 +28,7 @@ struct StandardContact {
 };
 
 inline ContactModel model_of(const StandardContact& contact) {
-  const double shear = sliding_modulus(contact.particle, contact.plane);
+  const double shear = reduced_shear_modulus(contact.particle, contact.plane);
   const RotationalStiffness stiffness{RotationalStiffness::Kind::tangential_spring, shear};
   const CoulombLimit friction{contact.sliding.coefficient, contact.sliding.adhesion_force};
   ContactModel model;

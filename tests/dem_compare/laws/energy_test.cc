@@ -3,10 +3,10 @@
 
 #include <random>
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/hertz_offset.h"
 #include "dem_compare/laws/mindlin.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
-#include "dem_compare/laws/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr double radius = 8.5e-6, mu = 0.3, load = 1e-4;
 const ElasticBody borosilicate{71e9, 0.17}, silicon{179e9, 0.25};
 const HertzOffset hertz{reduced_modulus(borosilicate, silicon), radius, 0};
-const double shear = sliding_modulus(borosilicate, silicon);
+const double shear = reduced_shear_modulus(borosilicate, silicon);
 
 /// Least value of the work of shear, over mu P delta_gs, along random paths that start unsheared: straight
 /// pieces of load, of shear, or of both. `planar`: shear in any direction of the contact plane.

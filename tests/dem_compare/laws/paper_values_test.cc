@@ -2,10 +2,10 @@
 // diamond, quartz).
 #include <gtest/gtest.h>
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/hertz_offset.h"
 #include "dem_compare/laws/mindlin.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
-#include "dem_compare/laws/shear_moduli.h"
 
 namespace asperity {
 namespace {
@@ -23,7 +23,7 @@ TEST(PaperValues_other_code, moduli_contact_radii_and_approaches_are_those_of_Ta
                            Pair{quartz, 36.5565, 8.2901, 0.2593, 7.912, 0.8058}}) {
     const Hertz hertz{reduced_modulus(borosilicate, pair.plane), radius};
     EXPECT_NEAR(hertz.reduced_modulus / 1e9, pair.normal_modulus, 5.1e-5);
-    EXPECT_NEAR(sliding_modulus(borosilicate, pair.plane) / 1e9, pair.shear_modulus, 5.1e-5);
+    EXPECT_NEAR(reduced_shear_modulus(borosilicate, pair.plane) / 1e9, pair.shear_modulus, 5.1e-5);
     EXPECT_NEAR(hertz.contact_radius(1e-4) * 1e6, pair.radius_100uN, 5.1e-5);
     EXPECT_NEAR(hertz.approach(1e-4) * 1e9, pair.approach_100uN, 1e-3);  // a unit of the last digit
     EXPECT_NEAR(hertz.contact_radius(3e-3) * 1e6, pair.radius_3mN, 5.1e-5);
@@ -35,7 +35,7 @@ TEST(PaperValues_other_code,
   const HertzOffset hertz{reduced_modulus(borosilicate, silicon), radius, 0};
   const NormalState normal = hertz.advance({}, hertz.approach(1e-4));
   const CoulombLimit friction{0.23, 0};
-  const double shear = sliding_modulus(borosilicate, silicon),
+  const double shear = reduced_shear_modulus(borosilicate, silicon),
                k = Mindlin{shear, friction}.stiffness(normal.contact_radius);
   EXPECT_NEAR(k / 2.1645e4, 1, 2e-5);
   EXPECT_NEAR(friction.limit(1e-4) / k * 1e9, 1.063, 5.1e-4);

@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "core/csv.h"
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/adhesive_rolling.h"
 #include "dem_compare/laws/creep_force.h"
 #include "dem_compare/laws/hysteresis_rolling.h"
 #include "dem_compare/laws/plastic_rolling.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/laws/sliding_with_spin.h"
 #include "dem_compare/laws/viscous.h"
 #include "tests/support/shared_files.h"

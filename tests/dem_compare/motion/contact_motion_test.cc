@@ -4,8 +4,8 @@
 
 #include <random>
 
+#include "core/shear_moduli.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
-#include "dem_compare/laws/shear_moduli.h"
 #include "dem_compare/motion/contact_model.h"
 #include "tests/support/verification.h"
 
@@ -214,17 +214,17 @@ ContactModel sample_model() {
   const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
   ContactModel model;
   model.normal = HertzOffset{reduced_modulus(sphere, plane), radius, 3.2e-6};
-  model.sliding = MindlinDeresiewicz{sliding_modulus(sphere, plane), radius, {0.23, 12e-6}};
+  model.sliding = MindlinDeresiewicz{reduced_shear_modulus(sphere, plane), radius, {0.23, 12e-6}};
   model.rolling =
       RollingResistance{7.9e-4,
                         571e-6,
                         LengthScale::particle_radius,
-                        {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
+                        {RotationalStiffness::Kind::tangential_spring, reduced_shear_modulus(sphere, plane)}};
   model.torsion =
       TorsionResistance{0.0056,
                         0,
                         LengthScale::particle_radius,
-                        {RotationalStiffness::Kind::tangential_spring, sliding_modulus(sphere, plane)}};
+                        {RotationalStiffness::Kind::tangential_spring, reduced_shear_modulus(sphere, plane)}};
   return model;
 }
 

@@ -13,14 +13,14 @@ inline double shear_modulus(const ElasticBody& body) {
   return body.youngs_modulus / (2 * (1 + body.poisson_ratio));
 }
 
-/// G* [Pa]
-inline double sliding_modulus(const ElasticBody& one, const ElasticBody& other) {
+/// G* of the lateral stiffness k_l = 8 G* a [Pa].
+inline double reduced_shear_modulus(const ElasticBody& one, const ElasticBody& other) {
   return 1 /
          ((2 - one.poisson_ratio) / shear_modulus(one) + (2 - other.poisson_ratio) / shear_modulus(other));
 }
 /// k_l = 8 G* a, the lateral stiffness without slip (Mindlin 1949).
 inline constexpr double mindlin_factor = 8;
-/// Gt [Pa]
+/// Gt of the torsion stiffness (16/3) Gt a^3 [Pa].
 inline double torsion_modulus(const ElasticBody& one, const ElasticBody& other) {
   return 1 / (1 / shear_modulus(one) + 1 / shear_modulus(other));
 }
