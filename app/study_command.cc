@@ -13,12 +13,14 @@
 #include "app/case_file.h"
 #include "app/solver_commands.h"
 #include "app/study_plan.h"
+#include "app/study_preview.h"
 #include "app/study_runner.h"
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "fem/output/checkpoint.h"
 #include "fem/preview_case.h"
 #include "fem/solve_case.h"
+#include "report/preview/preview_report.h"
 
 namespace asperity {
 namespace {
@@ -28,9 +30,11 @@ namespace fs = std::filesystem;
 struct StudyArguments {
   std::string file, output, solver, only;
   std::vector<std::string> overrides;
-  bool resume = false, overwrite = false, check = false, plan = false, gather = false;
+  bool resume = false, overwrite = false, check = false, plan = false, gather = false, preview = false;
   int parallel = 0;
 };
+
+void say(const std::string& line) { std::cout << line << std::endl; }
 
 /// Chooses the cases whose names contain what a regular expression describes.
 std::function<bool(const std::string&)> names_with(const std::string& expression, const Study& study) {
@@ -62,6 +66,16 @@ void check_cases(const Study& study) {
       throw InputError(std::string(error.what()) + " (case " + item.name + ")");
     }
   }
+}
+
+std::function<std::string(const StudyCase&)> previewing(const Study& study) {
+  return [&study](const StudyCase& item) {
+    const CaseInput input = case_from_settings(item.settings, study.file);
+    std::string preview;
+    naming_lines_of_scans(item.settings, input,
+                          [&] { preview = report::preview_json(input, preview_case(input, 0)); });
+    return preview;
+  };
 }
 
 /// The program that was called; this one may be its solver.
@@ -105,6 +119,7 @@ void run_study(const StudyArguments& arguments) {
   }
   if (arguments.output.empty())
     throw InputError("study needs --output DIR, the folder for the results (or --check)");
+  if (arguments.preview) return preview_study(study, {arguments.output, chosen_name, previewing(study), say});
   if (arguments.plan) return plan_study(study, arguments);
   if (arguments.gather) return gather(study, arguments);
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
@@ -118,7 +133,7 @@ void run_study(const StudyArguments& arguments) {
   options.objection_to_resume = [](const fs::path& folder, const std::string& inputs) {
     return fem::objection_to_resume(folder / "checkpoint", {inputs, build_commit()});
   };
-  options.say = [](const std::string& line) { std::cout << line << std::endl; };
+  options.say = say;
   options.chosen = chosen_name;
   const auto progress = run_study(study, options);
 
@@ -174,6 +189,12 @@ void add_study_command(CLI::App& app) {
       "--plan", arguments->plan,
       "Solve nothing: write each case with its cost, a Snakemake workflow and Slurm jobs into "
       "DIR/plan, for a cluster");
+  command
+      ->add_flag(
+          "--preview", arguments->preview,
+          "Solve each case's normal contact by half-spaces instead, in seconds, into DIR/previews, and "
+          "write means over surfaces; what is solved in DIR corrects them")
+      ->excludes(plan);
   command
       ->add_flag("--gather", arguments->gather,
                  "Solve nothing: collect what other machines solved in DIR into study.csv")

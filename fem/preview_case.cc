@@ -86,6 +86,7 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
   preview.work_of_separation = fem::work_of_adhesion(input.interface).opening;
   preview.yielding = yielding_bodies(input);
   preview.left_out = what_is_left_out(input);
+  preview.left_out.adhesion = attraction && !preview.contact.fine.pull_off;
   try {
     preview.mesh = preview_mesh(input);
     if (const auto friction = fem::make_friction_law(input.interface)) {

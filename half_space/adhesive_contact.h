@@ -20,11 +20,11 @@ namespace asperity::half_space {
 /// Attraction at a gap of 0 or more [m]: [Pa], not negative, and never more at a larger gap.
 using AttractionLaw = std::function<double(double gap)>;
 
-/// Of surfaces that have not touched (closing) and that have (opening); range: the gap beyond which it is
-/// gone, or next to nothing [m].
+/// Of surfaces that have not touched (closing) and that have (opening).
 struct Attraction {
   AttractionLaw closing, opening;
-  double range = 0;
+  double range = 0;  ///< gap beyond which it is gone, or next to nothing [m]
+  double work = 0;   ///< of separation [J/m^2]; for sizes of grids
 };
 
 /// A contact in equilibrium with its attraction.

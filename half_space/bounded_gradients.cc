@@ -131,8 +131,8 @@ class BoundedGradients {
     move(length);
   }
 
-  /// Of a step by the overlap of cells that do not press yet, which are together far stiffer to press than each
-  /// alone; `otherwise` where there are none.
+  /// Of a step by the overlap of cells that do not press yet, which are together far stiffer to press than
+  /// each alone; `otherwise` where there are none.
   double length_of_overlap(double otherwise) {
     for (std::size_t k = 0; k < cells_; ++k) direction_[k] = p_[k] == 0 ? std::min(0.0, open_[k]) : 0.0;
     compliance_.apply(direction_, response_);

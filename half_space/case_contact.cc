@@ -44,10 +44,12 @@ double rms_of_both(const CaseInput& input) {
                     topography_scales(input.substrate.topography).rms);
 }
 
-double largest_load(const CaseInput& input) {
-  return input.experiment.control == ExperimentInput::Control::force
-             ? largest_contact_force(input)
-             : hertz_of(input).force(input.experiment.normal_approach);
+/// What presses, for sizes of grids: attraction as between smooth bodies of small deformation.
+double largest_load(const CaseInput& input, const std::optional<Attraction>& attraction = std::nullopt) {
+  const double load = input.experiment.control == ExperimentInput::Control::force
+                          ? largest_contact_force(input)
+                          : hertz_of(input).force(input.experiment.normal_approach);
+  return load + (attraction ? 2 * M_PI * input.radius * attraction->work : 0);
 }
 
 /// Cells along a side: no fewer than the spacing takes, in numbers that transforms and coarser grids like.
@@ -130,6 +132,13 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   return contact;
 }
 
+/// By the grid that the case would be solved on.
+bool is_resolved(const CaseInput& input, const Attraction& attraction, int most_cells) {
+  const double half_width = derived_half_width(input, attraction);
+  const int n = cells_for(half_width, derived_spacing(input, attraction), most_cells);
+  return 2 * half_width / n <= attraction_zone(input, attraction) / 2;
+}
+
 double relative_difference(double one, double other) { return std::abs(one - other) / std::abs(one); }
 
 }  // namespace
@@ -143,24 +152,31 @@ Field gap_of_case(const CaseInput& input, const Grid& grid) {
   return Surfaces(input, 0.5 * std::max(grid.nx * grid.dx, grid.ny * grid.dy)).gap(grid);
 }
 
-double derived_spacing(const CaseInput& input) {
-  constexpr double cells_per_radius = 24, cells_per_wave = 16;
-  return std::min(hertz_of(input).contact_radius(largest_load(input)) / cells_per_radius,
-                  shortest_wave(input) / cells_per_wave);
+double derived_spacing(const CaseInput& input, const std::optional<Attraction>& attraction) {
+  constexpr double cells_per_radius = 24, cells_per_wave = 16, cells_per_zone = 4;
+  const Hertz hertz = hertz_of(input);
+  double spacing = std::min(hertz.contact_radius(largest_load(input, attraction)) / cells_per_radius,
+                            shortest_wave(input) / cells_per_wave);
+  if (attraction) spacing = std::min(spacing, attraction_zone(input, *attraction) / cells_per_zone);
+  return spacing;
 }
 
-double derived_half_width(const CaseInput& input, double range_of_attraction) {
-  const double a = hertz_of(input).contact_radius(largest_load(input));
-  return 1.05 * hertz_reach(a, input.radius, 3 * rms_of_both(input) + range_of_attraction);
+double attraction_zone(const CaseInput& input, const Attraction& attraction) {
+  const double stress = attraction.opening(0);
+  return M_PI * hertz_of(input).reduced_modulus * attraction.work / (4 * stress * stress);
+}
+
+double derived_half_width(const CaseInput& input, const std::optional<Attraction>& attraction) {
+  const double a = hertz_of(input).contact_radius(largest_load(input, attraction));
+  return 1.05 * hertz_reach(a, input.radius, 3 * rms_of_both(input) + (attraction ? attraction->range : 0));
 }
 
 CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& options) {
   constexpr int most_times = 4;
   constexpr double larger = 1.3;
-  double half_width = options.half_width > 0
-                          ? options.half_width
-                          : derived_half_width(input, options.attraction ? options.attraction->range : 0);
-  const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input);
+  double half_width =
+      options.half_width > 0 ? options.half_width : derived_half_width(input, options.attraction);
+  const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input, options.attraction);
   for (int enlarged = 0;; half_width *= larger) {
     if (half_width > input.radius / 2)
       throw InputError(input.file + ": the contact goes beyond " +
@@ -183,7 +199,7 @@ CasePreview preview_of_case(const CaseInput& input, double hardness,
                             const std::optional<Attraction>& attraction) {
   CasePreview preview;
   CaseContactOptions options;
-  options.attraction = attraction;
+  if (attraction && is_resolved(input, *attraction, options.most_cells)) options.attraction = attraction;
   options.with_shear_stiffness = true;
   preview.fine = contact_of_case(input, options);
   const Grid& grid = preview.fine.grid;

@@ -53,13 +53,24 @@ Field gap_of_case(const CaseInput& input, const Grid& grid);
 /// Of both surfaces [m]; infinite where both are smooth.
 double shortest_wave(const CaseInput& input);
 
+/// Width of the zone at the edge of a contact in which the attraction s acts, pi E* w / (4 s^2) (Dugdale
+/// 1960; Maugis 1992) [m]. Grids of cells wider than half of it do not tell adhesion: the edge sticks to
+/// them.
+double attraction_zone(const CaseInput& input, const Attraction& attraction);
+
+/// Width of the zone at the edge of a contact in which the attraction s acts, pi E* w / (4 s^2) (Dugdale
+/// 1960; Maugis 1992) [m]. Grids of cells wider than half of it do not tell adhesion: the edge sticks to
+/// them.
+double attraction_zone(const CaseInput& input, const Attraction& attraction);
+
 /// Cells that a contact needs: 24 over Hertz' radius, 16 over the shortest wave of either surface, with which
-/// the largest pressure reads some 2 % too small [m].
-double derived_spacing(const CaseInput& input);
+/// the largest pressure reads some 2 % too small; of surfaces that attract each other Hertz' radius under
+/// what smooth ones attract as well, and 4 over the attraction's zone [m].
+double derived_spacing(const CaseInput& input, const std::optional<Attraction>& attraction = std::nullopt);
 
 /// Half width of a square that holds the contact [m]: where smooth surfaces under Hertz' pressure would be
 /// three RMS heights apart, and the range of an attraction more.
-double derived_half_width(const CaseInput& input, double range_of_attraction = 0);
+double derived_half_width(const CaseInput& input, const std::optional<Attraction>& attraction = std::nullopt);
 
 /// The case at its largest load, or at its approach from first touch under control by displacement. Where
 /// contact reaches the edge of the square, it is enlarged. Throws InputError where it still does after four
@@ -83,7 +94,8 @@ struct CasePreview {
   double error_of_pull_off() const;   ///< relative; of surfaces that attract each other
 };
 
-/// hardness: of the softer body [Pa], infinite without one; attraction: of the surfaces, if any.
+/// hardness: of the softer body [Pa], infinite without one; attraction: of the surfaces, if any. Where its
+/// zone is too small for the finest grid it is left out, and there is no pull-off.
 CasePreview preview_of_case(const CaseInput& input, double hardness,
                             const std::optional<Attraction>& attraction = std::nullopt);
 

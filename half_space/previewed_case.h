@@ -36,6 +36,7 @@ struct FullSlip {
 /// What the case has and half-spaces pressed together have not.
 struct LeftOutOfPreview {
   std::optional<Motion> motion;
+  bool adhesion = false;       ///< acts in a zone too small for half-spaces in cells
   bool finite_bodies = false;  ///< the case is led by its approach, of which their compliance is a part
 };
 

@@ -18,7 +18,7 @@ std::optional<half_space::Attraction> surface_attraction(const InterfaceInput& i
   constexpr double left = 0.005;
   return half_space::Attraction{[law = laws.closing](double gap) { return law->at(gap).stress; },
                                 [law = laws.opening](double gap) { return law->at(gap).stress; },
-                                attraction_reach(input, left)};
+                                attraction_reach(input, left), laws.opening->at(0).work};
 }
 
 }  // namespace asperity::fem

@@ -15,9 +15,11 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   pressed.experiment.control = ExperimentInput::Control::force;
   pressed.experiment.normal_load = peak.normal_force;
   half_space::CaseContactOptions options;
+  options.attraction = surface_attraction(input.interface);
   options.half_width = setup.system.mesh.sizes.region_particle;
   options.spacing = setup.system.mesh.sizes.spacing_particle / 2;
-  options.attraction = surface_attraction(input.interface);
+  if (options.attraction && options.spacing > half_space::attraction_zone(input, *options.attraction) / 2)
+    return std::nullopt;
   options.with_pull_off = tension > 0;
   options.with_shear_stiffness = true;
   options.most_cells = options.attraction ? 256 : 512;  // some two hundred contacts in place of one

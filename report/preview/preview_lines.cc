@@ -132,6 +132,11 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
   if (left_out.motion)
     sentences.push_back("of " + name_of(*left_out.motion) +
                         " the pressing down is previewed, on the axes of both meshes; the motion is not");
+  if (left_out.adhesion)
+    sentences.push_back(
+        "adhesion is left out: it acts in a zone at the edge of the contact that is too small for cells, as "
+        "in "
+        "JKR's limit; of smooth bodies the pull-off force is 1.5 pi w R there");
   if (left_out.finite_bodies)
     sentences.push_back(
         "the approach is that of half-spaces from first touch: what the finite bodies give way in the case "

@@ -13,21 +13,21 @@ from answering import chart, program, pull_off, rolling  # noqa: E402
 from answering.answer import Answer  # noqa: E402
 
 
-def cases(force_of, rolloff="1.5 um", reach="1 nm"):
-    """Two realisations 4 % apart at two works of adhesion, as a study gives them."""
-    found = []
+def previews(force_of, rolloff="1.5 um", reach="1 nm"):
+    """Means of forces, known to 2 %, at two works of adhesion, as previews.json gives them."""
+    groups = []
     for rms in (0.3, 1.5, 2.7):
         for work in (60, 120):
-            for factor in (0.98, 1.02):
-                values = {"Surface": "{:g} nm / {}".format(rms, rolloff), "Work of adhesion": "{} mJ/m^2".format(work), "Adhesion range": reach}
-                found.append((values, {"pull_off_force": {"value": factor * force_of(rms, work) * 1e-6, "sd": 0.0}}))
-    return found
+            values = {"Surface": "{:g} nm / {}".format(rms, rolloff), "Work of adhesion": "{} mJ/m^2".format(work), "Adhesion range": reach}
+            force = force_of(rms, work) * 1e-6
+            groups.append({"values": values, "half_spaces": {"pull_off_force": {"with_finite_elements": {"value": force, "sd_of_mean": 0.02 * force}}}})
+    return {"groups": groups}
 
 
 class PullOff(unittest.TestCase):
     def setUp(self):
         self.law = lambda rms, work: 4 * (work / 77)**(1 + 0.1 * rms) / (1 + rms)
-        self.surfaces = pull_off.hypotheses(cases(self.law), {0.3: 0.0, 1.5: 0.0, 2.7: 0.0})["1.5 um", "1 nm"]
+        self.surfaces = pull_off.hypotheses(previews(self.law), 0.0)["1.5 um", "1 nm"]
 
     def test_forces_between_two_works_are_a_power_of_the_work(self):
         for rms in (0.3, 1.5, 2.7):
@@ -52,6 +52,14 @@ class PullOff(unittest.TestCase):
     def test_forces_that_fall_otherwise_are_not_met(self):
         measured = {0.3: (3.2, 0.1, 0.01), 1.5: (3.0, 0.1, 0.01), 2.7: (2.8, 0.1, 0.01)}
         self.assertGreater(self.surfaces.chi2(measured, self.surfaces.fitted(measured)[0]), pull_off.POSSIBLE)
+
+
+    def test_both_methods_are_compared_contact_by_contact(self):
+        of = lambda value: {"pull_off_force": {"value": value}}
+        both = pull_off.BothMethods({"cases": [{"name": "a", "half_spaces": of(1.0)}, {"name": "b", "half_spaces": of(2.0)}, {"name": "c", "half_spaces": of(9.0)}]},
+                                    {"a": {"pull_off_force": {"value": 1.1, "sd": 0.1}}, "b": {"pull_off_force": {"value": 2.0, "sd": 0.1}}})
+        self.assertEqual((both.count, both.within), (2, 2))
+        self.assertAlmostEqual(both.off(), 0.05)
 
 
 class Rolling(unittest.TestCase):

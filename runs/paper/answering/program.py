@@ -28,6 +28,12 @@ def studied(asperity, study, folder):
     return [(case["values"], case["effective"]) for case in cases if case["state"] == "done"]
 
 
+def previewed(asperity, study, folder, realisations):
+    """Cells of a study over many realisations by half-spaces: previews.json; solved cases in the folder correct their means."""
+    run(asperity, "study", PAPER / study, "--preview", "--output", folder, "--set", "Study/Realisations={}".format(realisations))
+    return json.loads((folder / "previews.json").read_text())
+
+
 def table(path):
     """Rows of a CSV file, without its comments; numbers of columns with a unit in the unit that the column says."""
     with open(path, encoding="utf-8") as file:

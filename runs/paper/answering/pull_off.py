@@ -2,6 +2,7 @@
 
 import json
 import math
+import statistics
 from collections import defaultdict
 
 from answering import chart, program
@@ -9,21 +10,22 @@ from answering.answer import Answer, interval
 
 # What the studies of motion took before pull-off was looked at.
 OF_THE_STUDIES = ("200 nm", "1 nm", 77.0)
-# Contacts that are solved on a finer mesh too, 12 nm for 18 nm: what the mesh is off by.
-FINER, RATIO = ("0.3 nm / 500 nm", "1.5 nm / 500 nm", "1.5 nm / 1.5 um", "2.7 nm / 200 nm", "2.7 nm / 500 nm", "2.7 nm / 1.5 um"), 12 / 18
+# Surfaces of each kind by half-spaces, beside the five that finite elements solve.
+REALISATIONS = 20
 # Chi-square of two degrees of freedom that is exceeded once in twenty.
 POSSIBLE = 5.99
 
 
 class Surfaces:
-    """Forces of one spectrum and one range on all surfaces, as powers of the work of adhesion [mJ/m^2]; mesh: share by which the mesh is off, by RMS."""
+    """Forces of one spectrum and one range on all surfaces, as powers of the work of adhesion [mJ/m^2]; forces: mean and its standard deviation by RMS and work;
+    mesh: share by which the mesh is off."""
 
     def __init__(self, forces, mesh):
         self.of_rms = {}
         for rms, by_work in forces.items():
-            (low, at_low), (high, at_high) = sorted((work, program.mean_and_error(values)) for work, values in by_work.items())
+            (low, at_low), (high, at_high) = sorted(by_work.items())
             power = math.log(at_high[0] / at_low[0]) / math.log(high / low)
-            self.of_rms[rms] = (low, at_low[0], power, math.hypot(max(at_low[1] / at_low[0], at_high[1] / at_high[0]), mesh[rms]))
+            self.of_rms[rms] = (low, at_low[0], power, math.hypot(max(at_low[1] / at_low[0], at_high[1] / at_high[0]), mesh))
 
     def force(self, rms, work):
         """Mean over realisations and its standard deviation, with the mesh's [uN]."""
@@ -65,30 +67,42 @@ class Surfaces:
         return work, sum(self.apart(measured, rms, work, of_work)**2 for rms in measured if rms != first) / (len(measured) - 1)
 
 
-def mesh_shares(asperity, folder):
-    """RMS -> share by which the study's mesh is off: the largest over contacts on both meshes, with an error of first order in the spacing."""
-    shares = defaultdict(float)
-    for case in json.loads((folder / "study.json").read_text())["cases"]:
-        values = case["values"]
-        if case["realisation"] != 1 or values["Work of adhesion"] != "120 mJ/m^2" or values["Adhesion range"] != "3 nm" or values["Surface"] not in FINER:
-            continue
-        finer = folder.parent / "pull_off_finer" / case["folder"]
-        if not (finer / "result.json").exists():
-            program.run(asperity, "solve", folder / case["folder"] / "case.prm", "--set", "Mesh/Interface spacing=12 nm", "--output", finer)
-        on_finer = json.loads((finer / "result.json").read_text())["effective"]["pull_off_force"]["value"]
-        share = abs(on_finer / case["effective"]["pull_off_force"]["value"] - 1) / (1 - RATIO)
-        rms = program.number(values["Surface"])
-        shares[rms] = max(shares[rms], share)
-    return shares
+class BothMethods:
+    """Finite elements over half-spaces on the contacts that both have solved."""
+
+    def __init__(self, previews, solved):
+        by_name = {case["name"]: case["half_spaces"] for case in previews["cases"]}
+        pairs = [(effective["pull_off_force"], by_name[name]["pull_off_force"]["value"]) for name, effective in solved.items()]
+        ratios = [elements["value"] / half_spaces for elements, half_spaces in pairs]
+        self.count, self.mean, self.sd = len(ratios), statistics.mean(ratios), statistics.stdev(ratios)
+        self.within = sum(abs(elements["value"] - half_spaces) < 1.96 * elements["sd"] for elements, half_spaces in pairs)
+
+    def off(self):
+        """Share by which one of them is off, alike on all contacts."""
+        return abs(self.mean - 1)
 
 
-def hypotheses(cases, mesh):
-    forces = defaultdict(lambda: defaultdict(lambda: defaultdict(list)))
-    for values, effective in cases:
+def forces_of(previews):
+    """Mean over the surfaces of both methods and its standard deviation [uN], by spectrum and range, RMS and work of adhesion."""
+    forces = defaultdict(lambda: defaultdict(dict))
+    for group in previews["groups"]:
+        values, mean = group["values"], group["half_spaces"]["pull_off_force"]["with_finite_elements"]
         rms, rolloff = values["Surface"].split(" / ")
-        force = effective["pull_off_force"]["value"] / program.MICRO
-        forces[rolloff, values["Adhesion range"]][program.number(rms)][program.number(values["Work of adhesion"])].append(force)
-    return {key: Surfaces(of, mesh) for key, of in sorted(forces.items(), key=lambda item: [program.length(name) for name in item[0]])}
+        forces[rolloff, values["Adhesion range"]][program.number(rms)][program.number(values["Work of adhesion"])] = (mean["value"] / program.MICRO,
+                                                                                                                     mean["sd_of_mean"] / program.MICRO)
+    return forces
+
+
+def hypotheses(previews, mesh):
+    return {key: Surfaces(of, mesh) for key, of in sorted(forces_of(previews).items(), key=lambda item: [program.length(name) for name in item[0]])}
+
+
+def solved_by_both(asperity, folder):
+    """previews.json, and what finite elements say of the first realisations."""
+    program.studied(asperity, "pull_off.prm", folder)
+    previews = program.previewed(asperity, "pull_off.prm", folder, REALISATIONS)
+    cases = json.loads((folder / "study.json").read_text())["cases"]
+    return previews, BothMethods(previews, {case["name"]: case["effective"] for case in cases if case["state"] == "done"})
 
 
 def measured_forces():
@@ -99,7 +113,8 @@ def measured_forces():
 def possible_rolloffs(asperity, folder):
     """Those with which some range and work of adhesion meet the forces."""
     measured = measured_forces()
-    found = hypotheses(program.studied(asperity, "pull_off.prm", folder), mesh_shares(asperity, folder))
+    previews, both = solved_by_both(asperity, folder)
+    found = hypotheses(previews, both.off())
     return {rolloff for (rolloff, _), surfaces in found.items() if surfaces.chi2(measured, surfaces.fitted(measured)[0]) < POSSIBLE}
 
 
@@ -114,10 +129,8 @@ def figure(measured, before, best, work, alone):
 
 def answer(asperity, folder, _minutes):
     measured = measured_forces()
-    cases = program.studied(asperity, "pull_off.prm", folder)
-    mesh = mesh_shares(asperity, folder)
-    all_of = hypotheses(cases, mesh)
-    realisations = len(cases) // len({tuple(sorted(values.items())) for values, _ in cases})
+    previews, both = solved_by_both(asperity, folder)
+    all_of = hypotheses(previews, both.off())
     rows, fits = [], {}
     for (rolloff, reach), surfaces in all_of.items():
         work, low, high = surfaces.fitted(measured)
@@ -143,9 +156,10 @@ def answer(asperity, folder, _minutes):
     else:
         verdict = "unexplained"
         said.append("None of these spectra and ranges meets the three forces within their errors; nearest is roll-off {} with range {}, {:.2g}.".format(*best, chi2 / 2))
-    said.append("Forces are means over {} realisations. Chi-square takes the standard deviations of that mean, of the mesh ({}; six contacts on 12 nm for 18 nm), of the "
-                "measured force and of the measured RMS; forces are a power of the work through 60 and 120 mJ/m2.".format(
-                    realisations, ", ".join("{:.0f} % at {:g} nm".format(100 * mesh[rms], rms) for rms in sorted(mesh))))
+    said.append("Forces are means over {} surfaces of each kind by half-spaces, times what finite elements differ from them on the first five (double sampling). On the {} contacts "
+                "that both solved, finite elements are {:.3f} of half-spaces in the mean and scatter by {:.1f} %; {} of them lie within 1.96 standard deviations that their mesh "
+                "states. Chi-square takes the standard deviations of that mean, of the measured force and of the measured RMS, and the mean difference of both methods; "
+                "forces are a power of the work through 60 and 120 mJ/m2.".format(REALISATIONS, both.count, both.mean, 100 * both.sd, both.within))
     return Answer("pull_off", "Pull-off falls with roughness: 3.2, 2.7 and 1.9 uN", verdict, said,
                   ["roll-off", "range of attraction", "work of adhesion [mJ/m2]", "forces at 0.3, 1.5, 2.7 nm [uN]", "chi-square, fitted", "etched wafers kept out"],
                   rows, figure(measured, before, all_of[best], work, alone), "Pull-off forces of three wafers, before and after",
