@@ -7,12 +7,14 @@
 #include <memory>
 #include <thread>
 
+#include "app/case_previews.h"
 #include "app/characterise_plan.h"
 #include "app/characterise_request.h"
 #include "app/commands.h"
 #include "app/scanned_surface.h"
 #include "app/solver_commands.h"
 #include "app/study_folders.h"
+#include "app/study_preview.h"
 #include "app/study_runner.h"
 #include "core/atomic_file.h"
 #include "core/build_commit.h"
@@ -186,6 +188,18 @@ void write_study(const CharacterisePlan& plan, const fs::path& file, bool overwr
   write_file_atomically(file, text);
 }
 
+/// Normal load alone on more surfaces, by half-spaces.
+void preview_more_surfaces(const CharacterisePlan& plan, const fs::path& output) {
+  if (plan.rung.by_half_spaces == 0) return;
+  write_file_atomically(output / "previews.prm", preview_text(plan));
+  const Study study = read_study(output / "previews.prm");
+  const std::string pressed = plan.motions.front().label;
+  const auto is_pressed = [pressed](const std::string& name) {
+    return name.find(pressed) != std::string::npos;
+  };
+  preview_study(study, {output / "study", is_pressed, previews_of_cases(study), say});
+}
+
 void run_characterise(const CharacteriseArguments& arguments) {
   const Prepared work = prepared(arguments);
   for (const auto& sentence : work.sentences) say(sentence);
@@ -196,6 +210,7 @@ void run_characterise(const CharacteriseArguments& arguments) {
   write_study(work.plan, output / "study.prm", arguments.overwrite);
   const Study study = read_study(output / "study.prm");
   const bool all_solved = solve(study, output / "study", arguments.overwrite);
+  preview_more_surfaces(work.plan, output);
   write_answer(arguments, work, study, output / "study");
   if (!all_solved)
     throw WorkError(

@@ -135,7 +135,10 @@ double seconds_of(const CharacterisePlan& plan, const PlannedMotion& motion) {
 /// More surfaces under normal load alone, as the time allows: scatter over the surface is what their numbers
 /// are known to.
 void add_pressed(CharacterisePlan& plan, double time) {
-  constexpr int most_pressed = 10;
+  constexpr int most_pressed = 10, by_half_spaces = 40;
+  constexpr double seconds_a_surface = 3;
+  plan.rung.by_half_spaces = by_half_spaces;
+  plan.seconds += by_half_spaces * seconds_a_surface * static_cast<double>(plan.loads.size()) / 2;
   const double each = seconds_of(plan, plan.motions.front());
   while (plan.rung.pressed < most_pressed && plan.seconds + each <= time) {
     ++plan.rung.pressed;
@@ -179,6 +182,7 @@ std::string rung_text(const Rung& rung) {
          std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
          (rung.pressed > rung.realisations ? " (" + std::to_string(rung.pressed) + " under normal load alone)"
                                            : "") +
+         (rung.by_half_spaces > 0 ? " and " + std::to_string(rung.by_half_spaces) + " by half-spaces" : "") +
          printed(", at least %g cells over the contact radius", rung.cells_per_radius);
 }
 
@@ -214,6 +218,12 @@ std::string study_text(const CharacterisePlan& plan) {
     text += "  subsection Realisations of variants\n    set " + plan.motions.front().label + " = " +
             std::to_string(plan.rung.pressed) + "\n  end\n";
   return text + "end\n" + format_settings(plan.base);
+}
+
+std::string preview_text(const CharacterisePlan& plan) {
+  CharacterisePlan more = plan;
+  more.rung.pressed = plan.rung.by_half_spaces;
+  return study_text(more);
 }
 
 std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan) {

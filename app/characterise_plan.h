@@ -18,6 +18,7 @@ struct Rung {
   double waves = 0;  ///< roll-off of the spectrum over the shortest wave, at least [-]
   int loads = 1, realisations = 1;
   int pressed = 1;  ///< realisations under normal load alone, which cost least and tell the stiffnesses
+  int by_half_spaces = 0;  ///< of these and more by half-spaces, which correct what few of them tell
 };
 
 /// One way of motion with its entries, solved at each load and for each realisation.
@@ -47,6 +48,9 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
 
 /// The study file of the plan, for `asperity study`.
 std::string study_text(const CharacterisePlan& plan);
+/// The same with as many surfaces under normal load alone as half-spaces solve, for `asperity study
+/// --preview`.
+std::string preview_text(const CharacterisePlan& plan);
 
 /// What will be done, what will not be known, and how long it takes, in sentences.
 std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan);

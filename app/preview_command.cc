@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/case_file.h"
+#include "app/case_previews.h"
 #include "app/solver_commands.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -51,6 +52,16 @@ void run_preview(const PreviewArguments& arguments) {
 }
 
 }  // namespace
+
+std::function<std::string(const StudyCase&)> previews_of_cases(const Study& study) {
+  return [&study](const StudyCase& item) {
+    const CaseInput input = case_from_settings(item.settings, study.file);
+    std::string preview;
+    naming_lines_of_scans(item.settings, input,
+                          [&] { preview = report::preview_json(input, preview_case(input, 0)); });
+    return preview;
+  };
+}
 
 void add_preview_command(CLI::App& app) {
   const auto arguments = std::make_shared<PreviewArguments>();

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/case_file.h"
+#include "app/case_previews.h"
 #include "app/solver_commands.h"
 #include "app/study_plan.h"
 #include "app/study_preview.h"
@@ -20,7 +21,6 @@
 #include "fem/output/checkpoint.h"
 #include "fem/preview_case.h"
 #include "fem/solve_case.h"
-#include "report/preview/preview_report.h"
 
 namespace asperity {
 namespace {
@@ -68,16 +68,6 @@ void check_cases(const Study& study) {
   }
 }
 
-std::function<std::string(const StudyCase&)> previewing(const Study& study) {
-  return [&study](const StudyCase& item) {
-    const CaseInput input = case_from_settings(item.settings, study.file);
-    std::string preview;
-    naming_lines_of_scans(item.settings, input,
-                          [&] { preview = report::preview_json(input, preview_case(input, 0)); });
-    return preview;
-  };
-}
-
 /// The program that was called; this one may be its solver.
 fs::path called_program() {
   const fs::path self = fs::read_symlink("/proc/self/exe");
@@ -119,7 +109,8 @@ void run_study(const StudyArguments& arguments) {
   }
   if (arguments.output.empty())
     throw InputError("study needs --output DIR, the folder for the results (or --check)");
-  if (arguments.preview) return preview_study(study, {arguments.output, chosen_name, previewing(study), say});
+  if (arguments.preview)
+    return preview_study(study, {arguments.output, chosen_name, previews_of_cases(study), say});
   if (arguments.plan) return plan_study(study, arguments);
   if (arguments.gather) return gather(study, arguments);
   if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;

@@ -149,6 +149,7 @@ Json summary_of(const Study& study, const std::vector<std::optional<Json>>& prev
     cases.push_back({{"name", item.name},
                      {"values", values_of(study, item)},
                      {"realisation", item.realisation},
+                     {"inputs_sha256", (*previews[i])["inputs_sha256"]},
                      {"half_spaces", numbers}});
     const auto solved = read_case_result(output / item.name / "result.json");
     for (const auto& [name, number] : numbers.items()) {

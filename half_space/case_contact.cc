@@ -199,7 +199,11 @@ CasePreview preview_of_case(const CaseInput& input, double hardness,
                             const std::optional<Attraction>& attraction) {
   CasePreview preview;
   CaseContactOptions options;
-  if (attraction && is_resolved(input, *attraction, options.most_cells)) options.attraction = attraction;
+  constexpr int most_cells_with_attraction = 512;  // separation takes some two hundred contacts
+  if (attraction && is_resolved(input, *attraction, most_cells_with_attraction)) {
+    options.attraction = attraction;
+    options.most_cells = most_cells_with_attraction;
+  }
   options.with_shear_stiffness = true;
   preview.fine = contact_of_case(input, options);
   const Grid& grid = preview.fine.grid;
@@ -212,7 +216,7 @@ CasePreview preview_of_case(const CaseInput& input, double hardness,
   if (hardness < preview.fine.shape.largest_pressure) {
     options.hardness = hardness;
     options.spacing = grid.dx;
-    options.most_cells = CaseContactOptions().most_cells;
+    options.most_cells = grid.nx;
     preview.capped = contact_of_case(input, options);
   }
   return preview;

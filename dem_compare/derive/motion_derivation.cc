@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/cases/half_space_surfaces.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/derive/rolling_stiffness.h"
 #include "dem_compare/numbers/statistics.h"
@@ -76,6 +77,7 @@ std::vector<CaseNumber> probed_when_pressed(const ParameterSet& set, const Motio
     probed.push_back({*std::max_element(forces.begin(), forces.end()), realisation_of(solved),
                       solved.interface_spacing(), number.value, number.sd});
   }
+  for (const auto& number : by_half_spaces(set, mode.stiffness_key)) probed.push_back(number);
   return probed;
 }
 

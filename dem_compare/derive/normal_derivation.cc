@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "dem_compare/cases/half_space_surfaces.h"
 #include "dem_compare/cases/normal_numbers.h"
 #include "dem_compare/derive/elastoplastic_derivation.h"
 #include "dem_compare/numbers/statistics.h"
@@ -152,6 +153,7 @@ void derive_normal_stiffness(const ParameterSet& set, Derivation& derivation, La
   std::vector<CaseNumber> all;
   for (const auto& solved : set.cases)
     if (const auto number = stiffness_of(solved)) all.push_back(*number);
+  for (const auto& number : by_half_spaces(set, "normal_stiffness")) all.push_back(number);
   if (all.empty()) return findings.open.push_back({About::normal_stiffness});
   P& parameters = derivation.parameters;
   const std::vector<CaseNumber> used = counted_of(all);
@@ -205,6 +207,7 @@ void derive_pull_off(const ParameterSet& set, Derivation& derivation, LawFinding
     pulls.push_back(-least);
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }
+  for (const auto& number : by_half_spaces(set, "pull_off_force")) pulls.push_back(number.value);
   if (pulls.empty()) {
     if (adhesive) findings.open.push_back({About::pull_off});
     return;

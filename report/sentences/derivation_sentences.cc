@@ -24,7 +24,7 @@ const std::map<From, const char*>& origin_templates() {
       {From::yielded, "material yielded"},
       {From::thornton_ning_fit, "Thornton & Ning (1998) fitted to loading and unloading"},
       {From::luding_fit, "Luding (2008) fitted to loading and unloading"},
-      {From::pull, "largest pull while unloading; the loads are those reached before, {} cases"},
+      {From::pull, "largest pull while unloading; the loads are those reached before, {} contacts"},
       {From::smooth_growth, "of a smooth contact it grows as a^{}, not as a"},
       {From::lateral_stiffness, "k_l = 8 G* a fitted, a Hertz' with E* of this file"},
       {From::dissipation_per_length,

@@ -161,21 +161,26 @@ std::string source_words(const std::vector<CaseNumber>& all) {
 }
 
 std::string extent_words(const std::vector<CaseNumber>& numbers) {
-  std::set<std::string> realisations, spacings;
+  std::set<std::string> realisations, spacings, by_half_spaces;
   double low = numbers.front().load, high = low;
+  std::size_t cases = 0;
   for (const auto& number : numbers) {
-    realisations.insert(number.realisation);
+    (number.by_half_spaces ? by_half_spaces : realisations).insert(number.realisation);
+    cases += !number.by_half_spaces;
     if (std::isfinite(number.spacing)) spacings.insert(length_text(number.spacing));
     low = std::min(low, number.load), high = std::max(high, number.load);
   }
   const auto counted = [](std::size_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
   };
-  return say(
-      "{}, load {}{}, {}{}",
-      {counted(numbers.size(), "case"), force_text(low),
-       same_load(low, high) ? "" : " to " + force_text(high), counted(realisations.size(), "realisation"),
-       spacings.empty() ? "" : ", spacing " + joined({spacings.begin(), spacings.end()}, " and ")});
+  return say("{}, load {}{}, {}{}{}",
+             {counted(cases, "case"), force_text(low), same_load(low, high) ? "" : " to " + force_text(high),
+              counted(realisations.size(), "realisation"),
+              spacings.empty() ? "" : ", spacing " + joined({spacings.begin(), spacings.end()}, " and "),
+              by_half_spaces.empty()
+                  ? ""
+                  : ", and " + counted(by_half_spaces.size(), "surface") +
+                        " more by half-spaces, corrected by what finite elements differ from them"});
 }
 
 }  // namespace asperity::report

@@ -1,0 +1,120 @@
+#include "dem_compare/cases/half_space_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "dem_compare/numbers/statistics.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Solved cases of one cell of a study's matrix, with what half-spaces say of the same.
+struct Cell {
+  fs::path previews;
+  std::string values;  ///< of the study's axes
+  std::vector<std::string> solved;
+  std::vector<double> elements, half_spaces, relative_sds;
+  double load = 0, spacing = 0;  ///< of the first solved case
+};
+
+json cases_in(const fs::path& file) {
+  const json all = json::parse(read_file(file), nullptr, false);
+  if (!all.is_object() || all.value("format", "") != "asperity-previews/1" || !all.contains("cases") ||
+      !all["cases"].is_array())
+    throw InputError(file.string() +
+                     " holds no previews of a study; 'asperity study --preview' writes it anew");
+  return all["cases"];
+}
+
+/// NaN where the case does not state it.
+double number_of(const json& previewed, const std::string& key) {
+  const auto numbers = previewed.find("half_spaces");
+  if (numbers == previewed.end() || !numbers->contains(key)) return std::nan("");
+  const json& number = (*numbers)[key];
+  return number.contains("value") && number["value"].is_number() ? number["value"].get<double>()
+                                                                 : std::nan("");
+}
+
+void require_same_inputs(const json& previewed, const SolvedCase& solved, const fs::path& file) {
+  const std::string solved_inputs = solved.result->document.value("inputs_sha256", ""),
+                    here = previewed.value("inputs_sha256", "");
+  if (!solved_inputs.empty() && solved_inputs != here)
+    throw InputError(file.string() + ": its case " + solved.folder.filename().string() +
+                     " is of other inputs than the solved one; 'asperity study --preview' previews it anew");
+}
+
+/// Cells with a preview of a solved case.
+std::vector<Cell> cells_of(const ParameterSet& set, const std::string& key,
+                           std::map<fs::path, json>& previews) {
+  std::vector<Cell> cells;
+  for (const auto& solved : set.cases) {
+    const EffectiveNumber number = solved.effective(key);
+    if (solved.motion() != Motion::normal || !(number.value > 0) || solved.history.size() == 0) continue;
+    const fs::path file = solved.folder.parent_path() / "previews.json";
+    if (!fs::is_regular_file(file)) continue;
+    if (!previews.count(file)) previews[file] = cases_in(file);
+    for (const json& previewed : previews[file]) {
+      if (previewed.value("name", "") != solved.folder.filename().string()) continue;
+      const double by_half_spaces = number_of(previewed, key);
+      if (!(by_half_spaces > 0)) break;
+      require_same_inputs(previewed, solved, file);
+      const std::string values = previewed.value("values", json::object()).dump();
+      auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& other) {
+        return other.previews == file && other.values == values;
+      });
+      if (cell == cells.end()) {
+        const auto& forces = solved.history.normal_force;
+        cell = cells.insert(cell, {file,
+                                   values,
+                                   {},
+                                   {},
+                                   {},
+                                   {},
+                                   *std::max_element(forces.begin(), forces.end()),
+                                   solved.interface_spacing()});
+      }
+      cell->solved.push_back(solved.folder.filename().string());
+      cell->elements.push_back(number.value);
+      cell->half_spaces.push_back(by_half_spaces);
+      if (std::isfinite(number.sd)) cell->relative_sds.push_back(number.sd / number.value);
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& key) {
+  std::map<fs::path, json> previews;
+  std::vector<CaseNumber> numbers;
+  for (const Cell& cell : cells_of(set, key, previews)) {
+    if (cell.elements.size() < 2) continue;
+    const double mean = scatter_of(cell.elements).mean, ratio = mean / scatter_of(cell.half_spaces).mean;
+    std::vector<double> left;
+    for (std::size_t i = 0; i < cell.elements.size(); ++i)
+      left.push_back(cell.elements[i] - ratio * cell.half_spaces[i]);
+    const double of_ratio = scatter_of(left).standard_error / mean,
+                 of_cases = cell.relative_sds.empty() ? 0 : scatter_of(cell.relative_sds).mean;
+    for (const json& previewed : previews[cell.previews]) {
+      const double value = ratio * number_of(previewed, key);
+      const bool is_solved =
+          std::find(cell.solved.begin(), cell.solved.end(), previewed.value("name", "")) != cell.solved.end();
+      if (is_solved || !(value > 0) || previewed.value("values", json::object()).dump() != cell.values)
+        continue;
+      numbers.push_back({cell.load, "surface " + std::to_string(previewed.value("realisation", 0)),
+                         cell.spacing, value, std::hypot(of_ratio, of_cases) * value, true});
+    }
+  }
+  return numbers;
+}
+
+}  // namespace asperity

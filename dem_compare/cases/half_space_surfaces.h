@@ -1,0 +1,20 @@
+// Surfaces of a study that half-spaces alone have solved (`asperity study --preview`), as numbers beside the
+// solved cases: corrected by how much finite elements differ from half-spaces on the surfaces that both
+// solved (ratio estimate by double sampling; Cochran 1977, Sampling Techniques, section 12.8). They tell the
+// mean over surfaces, to which a few solved cases are too few.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/parameter_sets.h"
+
+namespace asperity {
+
+/// Of one number of `effective` of the pressed cases of a set, such as "normal_stiffness"; none where fewer
+/// than two surfaces were solved by both. The sd of each is that of the solved cases and of the ratio. Throws
+/// InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.
+std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& key);
+
+}  // namespace asperity

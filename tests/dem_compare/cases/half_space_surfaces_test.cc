@@ -1,0 +1,89 @@
+// Surfaces that half-spaces alone have solved, beside solved cases.
+#include "dem_compare/cases/half_space_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/error.h"
+#include "dem_compare/derive/derivation.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using test::TemporaryFolder;
+
+/// Two of five surfaces of each of two loads are solved; finite elements are 1.1 and 1.2 of half-spaces.
+class HalfSpaceSurfaces_analytic : public testing::Test {
+ protected:
+  HalfSpaceSurfaces_analytic() {
+    json cases = json::array();
+    for (const double load : {1e-5, 2e-5})
+      for (int r = 1; r <= 5; ++r) {
+        const std::string name = (load < 1.5e-5 ? "10_uN-r" : "20_uN-r") + std::to_string(r);
+        const double stiffness = value(load, r);
+        cases.push_back({{"name", name},
+                         {"values", {{"Normal load", load < 1.5e-5 ? "10 uN" : "20 uN"}}},
+                         {"realisation", r},
+                         {"inputs_sha256", "inputs of " + name},
+                         {"half_spaces", {{"normal_stiffness", {{"value", stiffness}, {"unit", "N/m"}}}}}});
+        if (r <= 2) add_solved(name, load, (r == 1 ? 1.1 : 1.2) * stiffness);
+      }
+    file =
+        folder.write("study/previews.json", json{{"format", "asperity-previews/1"}, {"cases", cases}}.dump());
+  }
+  static double value(double load, int r) { return load * 1e8 * (1 + 0.1 * r); }
+
+  void add_solved(const std::string& name, double load, double stiffness) {
+    SolvedCase solved;
+    solved.folder = folder.path / "study" / name;
+    solved.history.normal_force = {0.5 * load, load};
+    CaseResult result;
+    result.experiment = "normal";
+    result.effective = {{"normal_stiffness", {stiffness, 0.01 * stiffness, "N/m"}}};
+    result.document["inputs_sha256"] = "inputs of " + name;
+    result.interface_spacing = 1e-8;
+    solved.result = result;
+    set.cases.push_back(solved);
+  }
+
+  TemporaryFolder folder;
+  std::filesystem::path file;
+  ParameterSet set;
+};
+
+TEST_F(HalfSpaceSurfaces_analytic, stand_for_the_unsolved_times_the_ratio_of_the_solved) {
+  const auto numbers = by_half_spaces(set, "normal_stiffness");
+  ASSERT_EQ(numbers.size(), 6u);
+  for (const auto& number : numbers) {
+    const int r = std::stoi(number.realisation.substr(number.realisation.find(' ')));
+    EXPECT_GE(r, 3);
+    const double h1 = value(number.load, 1), h2 = value(number.load, 2),
+                 ratio = (1.1 * h1 + 1.2 * h2) / (h1 + h2), mean = 0.5 * (1.1 * h1 + 1.2 * h2);
+    EXPECT_NEAR(number.value / (ratio * value(number.load, r)), 1, 1e-12);
+    const double left = 1.1 * h1 - ratio * h1;  // and as much below for the other
+    EXPECT_NEAR(number.sd / number.value, std::hypot(0.01, std::abs(left) / mean), 1e-9);
+    EXPECT_TRUE(number.by_half_spaces);
+    EXPECT_EQ(number.spacing, 1e-8);
+  }
+  EXPECT_TRUE(by_half_spaces(set, "torsion_stiffness").empty());
+}
+
+TEST_F(HalfSpaceSurfaces_analytic, take_two_solved_surfaces_and_previews_of_the_same_inputs) {
+  ParameterSet one = set;
+  one.cases.erase(one.cases.begin() + 1);
+  EXPECT_EQ(by_half_spaces(one, "normal_stiffness").size(), 3u);  // of the other load alone
+  set.cases.front().result->document["inputs_sha256"] = "others";
+  EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError);
+  folder.write("study/previews.json", "{\"format\": \"asperity-previews/1\"}");
+  EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError);
+  std::filesystem::remove(file);
+  EXPECT_TRUE(by_half_spaces(set, "normal_stiffness").empty());
+}
+
+}  // namespace
+}  // namespace asperity
