@@ -10,6 +10,7 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "app/inputs_hash.h"
 #include "core/atomic_file.h"
 #include "core/csv.h"
+#include "core/double_sampling.h"
 #include "core/error.h"
 #include "core/output_folder.h"
 #include "results/case_result.h"
@@ -91,31 +93,23 @@ std::vector<std::optional<Json>> previews_of(const Study& study, const StudyPrev
   return previews;
 }
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-double variance_of(const std::vector<double>& values) {
-  const double mean = mean_of(values);
-  double sum = 0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return sum / static_cast<double>(values.size() - 1);
-}
-
 /// One number of one cell of the matrix, over its realisations.
 struct Quantity {
   std::string unit;
   std::vector<double> all, half_spaces, elements;
 
   Json json() const {
-    Json object{{"value", mean_of(all)}, {"unit", unit}, {"count", all.size()}};
-    if (all.size() > 1) object["realisation_sd"] = std::sqrt(variance_of(all));
-    if (elements.size() < 2 || mean_of(half_spaces) == 0) return object;
-    const MeanOverSurfaces mean = mean_by_double_sampling(all, half_spaces, elements);
+    double mean = 0, squares = 0;
+    const auto count = static_cast<double>(all.size());
+    for (const double value : all) mean += value / count;
+    for (const double value : all) squares += (value - mean) * (value - mean);
+    Json object{{"value", mean}, {"unit", unit}, {"count", all.size()}};
+    if (all.size() > 1) object["realisation_sd"] = std::sqrt(squares / (count - 1));
+    if (elements.size() < 2 || std::accumulate(half_spaces.begin(), half_spaces.end(), 0.0) == 0)
+      return object;
+    const SampledMean both = mean_by_double_sampling(all, half_spaces, elements);
     object["with_finite_elements"] = {
-        {"value", mean.value}, {"sd_of_mean", mean.sd}, {"count", elements.size()}};
+        {"value", both.value}, {"sd_of_mean", both.sd}, {"count", elements.size()}};
     return object;
   }
 };
@@ -207,20 +201,6 @@ std::string csv_of(const Study& study, const Json& groups) {
 }
 
 }  // namespace
-
-MeanOverSurfaces mean_by_double_sampling(const std::vector<double>& all,
-                                         const std::vector<double>& half_spaces,
-                                         const std::vector<double>& elements) {
-  const double over_solved = half_spaces.empty() ? 0 : mean_of(half_spaces);
-  if (all.size() < 2 || elements.size() < 2 || half_spaces.size() != elements.size() || over_solved == 0)
-    throw InputError("a mean by double sampling needs two surfaces or more that both methods solved");
-  const double ratio = mean_of(elements) / over_solved;
-  std::vector<double> left(elements.size());
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] = elements[i] - ratio * half_spaces[i];
-  return {ratio * mean_of(all),
-          std::sqrt(variance_of(left) / static_cast<double>(left.size()) +
-                    ratio * ratio * variance_of(all) / static_cast<double>(all.size()))};
-}
 
 void preview_study(const Study& study, const StudyPreviewOptions& options) {
   make_folder(options.output);

@@ -1,31 +1,14 @@
 // A study by half-spaces: each case's normal contact in seconds, so that hundreds of surfaces can be had
-// beside the few that finite elements solve.
-//
-// Where some realisations of a cell of the matrix are solved as well, the mean over all is that of the
-// half-spaces times how much the solved ones differ from them: a ratio estimate by double sampling (Cochran
-// 1977, Sampling Techniques, section 12.8). Its error is that of the ratio over the solved ones and that of
-// the half-spaces' mean over all.
+// beside the few that finite elements solve, which correct their mean (core/double_sampling.h).
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "app/study.h"
 
 namespace asperity {
-
-/// A mean over realisations and its standard deviation.
-struct MeanOverSurfaces {
-  double value = 0, sd = 0;
-};
-
-/// all: by half-spaces, of every realisation; half_spaces, elements: of those that are solved as well, in the
-/// same order. Throws InputError for fewer than two of either, or where half-spaces give 0 in the mean.
-MeanOverSurfaces mean_by_double_sampling(const std::vector<double>& all,
-                                         const std::vector<double>& half_spaces,
-                                         const std::vector<double>& elements);
 
 /// How it is done.
 struct StudyPreviewOptions {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/atomic_file.h"
+#include "core/double_sampling.h"
 #include "core/error.h"
 #include "dem_compare/numbers/statistics.h"
 
@@ -98,14 +99,11 @@ std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::strin
   std::vector<CaseNumber> numbers;
   for (const Cell& cell : cells_of(set, key, previews)) {
     if (cell.elements.size() < 2) continue;
-    const double mean = scatter_of(cell.elements).mean, ratio = mean / scatter_of(cell.half_spaces).mean;
-    std::vector<double> left;
-    for (std::size_t i = 0; i < cell.elements.size(); ++i)
-      left.push_back(cell.elements[i] - ratio * cell.half_spaces[i]);
-    const double of_ratio = scatter_of(left).standard_error / mean,
+    const MethodRatio both = method_ratio(cell.half_spaces, cell.elements);
+    const double of_ratio = both.sd / scatter_of(cell.elements).mean,
                  of_cases = cell.relative_sds.empty() ? 0 : scatter_of(cell.relative_sds).mean;
     for (const json& previewed : previews[cell.previews]) {
-      const double value = ratio * number_of(previewed, key);
+      const double value = both.ratio * number_of(previewed, key);
       const bool is_solved =
           std::find(cell.solved.begin(), cell.solved.end(), previewed.value("name", "")) != cell.solved.end();
       if (is_solved || !(value > 0) || previewed.value("values", json::object()).dump() != cell.values)

@@ -1,6 +1,6 @@
 // Surfaces of a study that half-spaces alone have solved (`asperity study --preview`), as numbers beside the
 // solved cases: corrected by how much finite elements differ from half-spaces on the surfaces that both
-// solved (ratio estimate by double sampling; Cochran 1977, Sampling Techniques, section 12.8). They tell the
+// solved (core/double_sampling.h). They tell the
 // mean over surfaces, to which a few solved cases are too few.
 #pragma once
 

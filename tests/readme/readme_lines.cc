@@ -56,8 +56,8 @@ ReadmeGroup paper() {
         "2 of 2 chosen cases done", "output/paper/study.csv"},
        {"build/asperity study runs/paper/pull_off.prm --preview --output pull_off --set "
         "\"Study/Realisations=20\"",
-        " --only '60_mJ_m_2-3_nm-0.3_nm_500_nm-r[12]$'", "two of its 720 surfaces", "2 of 720 cases previewed",
-        "pull_off/previews.csv"},
+        " --only '60_mJ_m_2-3_nm-0.3_nm_500_nm-r[12]$'", "two of its 720 surfaces",
+        "2 of 720 cases previewed", "pull_off/previews.csv"},
        {"build/asperity compare output/paper", "", "of the two cases solved", "Hertz",
         "output/paper/comparison.html"},
        {"build/asperity compare output/paper --parameters runs/paper/parameters_silicon.json --engine lammps",
