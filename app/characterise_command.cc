@@ -188,16 +188,14 @@ void write_study(const CharacterisePlan& plan, const fs::path& file, bool overwr
   write_file_atomically(file, text);
 }
 
-/// Normal load alone on more surfaces, by half-spaces.
+/// More surfaces by half-spaces, which `derive` takes along.
 void preview_more_surfaces(const CharacterisePlan& plan, const fs::path& output) {
-  if (plan.rung.by_half_spaces == 0) return;
-  write_file_atomically(output / "previews.prm", preview_text(plan));
+  const std::string text = preview_text(plan);
+  if (text.empty()) return;
+  write_file_atomically(output / "previews.prm", text);
   const Study study = read_study(output / "previews.prm");
-  const std::string pressed = plan.motions.front().label;
-  const auto is_pressed = [pressed](const std::string& name) {
-    return name.find(pressed) != std::string::npos;
-  };
-  preview_study(study, {output / "study", is_pressed, previews_of_cases(study), say});
+  const auto every = [](const std::string&) { return true; };
+  preview_study(study, {output / "study", every, previews_of_cases(study), say});
 }
 
 void run_characterise(const CharacteriseArguments& arguments) {

@@ -135,15 +135,25 @@ double seconds_of(const CharacterisePlan& plan, const PlannedMotion& motion) {
 /// More surfaces under normal load alone, as the time allows: scatter over the surface is what their numbers
 /// are known to.
 void add_pressed(CharacterisePlan& plan, double time) {
-  constexpr int most_pressed = 10, by_half_spaces = 40;
-  constexpr double seconds_a_surface = 3;
-  plan.rung.by_half_spaces = by_half_spaces;
-  plan.seconds += by_half_spaces * seconds_a_surface * static_cast<double>(plan.loads.size()) / 2;
+  constexpr int most_pressed = 10;
   const double each = seconds_of(plan, plan.motions.front());
   while (plan.rung.pressed < most_pressed && plan.seconds + each <= time) {
     ++plan.rung.pressed;
     plan.seconds += each;
     plan.cases += static_cast<int>(plan.loads.size());
+  }
+}
+
+/// Surfaces by half-spaces: of normal load for the stiffnesses, and of torsion for its moment where all
+/// slips.
+void add_half_spaces(CharacterisePlan& plan, bool adhesive) {
+  const double seconds_a_surface = adhesive ? 1.5 : 0.15;  // two at a time; attraction takes a separation
+  for (PlannedMotion& motion : plan.motions) {
+    if (motion.label == "normal")
+      motion.half_space_surfaces = adhesive ? 40 : 200;
+    else if (motion.label.rfind("torsion", 0) == 0)
+      motion.half_space_surfaces = adhesive ? 10 : 60;
+    plan.seconds += motion.half_space_surfaces * seconds_a_surface * static_cast<double>(plan.loads.size());
   }
 }
 
@@ -170,19 +180,11 @@ CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, c
   return plan;
 }
 
-std::string variant_line(const PlannedMotion& motion) {
-  std::string line = "    set " + motion.label + " = ";
-  for (std::size_t i = 0; i < motion.settings.size(); ++i)
-    line += (i == 0 ? "" : "; ") + motion.settings[i].path() + " = " + motion.settings[i].value;
-  return line + "\n";
-}
-
 std::string rung_text(const Rung& rung) {
   return std::to_string(rung.loads) + (rung.loads == 1 ? " load, " : " loads, ") +
          std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
          (rung.pressed > rung.realisations ? " (" + std::to_string(rung.pressed) + " under normal load alone)"
                                            : "") +
-         (rung.by_half_spaces > 0 ? " and " + std::to_string(rung.by_half_spaces) + " by half-spaces" : "") +
          printed(", at least %g cells over the contact radius", rung.cells_per_radius);
 }
 
@@ -199,31 +201,11 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
     }
     plan = dearer;
   }
-  if (!request.quick && plan.rung.realisations > 1) add_pressed(plan, request.time);
+  if (!request.quick && plan.rung.realisations > 1) {
+    add_half_spaces(plan, request.adhesion.has_value());
+    add_pressed(plan, request.time);
+  }
   return plan;
-}
-
-std::string study_text(const CharacterisePlan& plan) {
-  std::string loads;
-  for (const double load : plan.loads) loads += (loads.empty() ? "" : ", ") + text_of(load, Dimension::force);
-  std::string text =
-      "# Written by asperity characterise; asperity study solves it.\nset Title = Characterisation\n"
-      "subsection Study\n  set Realisations = " +
-      std::to_string(plan.rung.realisations) +
-      "\n  subsection Vary\n    set Experiment/Normal load = " + loads +
-      "\n  end\n  set Name of variants = Motion\n  subsection Variants\n";
-  for (const auto& motion : plan.motions) text += variant_line(motion);
-  text += "  end\n";
-  if (plan.rung.pressed > plan.rung.realisations)
-    text += "  subsection Realisations of variants\n    set " + plan.motions.front().label + " = " +
-            std::to_string(plan.rung.pressed) + "\n  end\n";
-  return text + "end\n" + format_settings(plan.base);
-}
-
-std::string preview_text(const CharacterisePlan& plan) {
-  CharacterisePlan more = plan;
-  more.rung.pressed = plan.rung.by_half_spaces;
-  return study_text(more);
 }
 
 std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan) {
@@ -235,6 +217,10 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
                       " cases by finite elements: normal load, sliding, rolling and torsion at " + loads +
                       "; " + rung_text(plan.rung) + ", nodes every " +
                       format_quantity(plan.spacing, Dimension::length));
+  if (plan.motions.front().half_space_surfaces > 0)
+    sentences.push_back(
+        std::to_string(plan.motions.front().half_space_surfaces) +
+        " surfaces by half-spaces, which tell the mean of stiffnesses and of the torsion moment");
   sentences.push_back("about " + wait_text(plan.seconds) + " on two cores, to a factor of two");
   if (plan.seconds > request.time)
     sentences.push_back("that is more than the " + wait_text(request.time) +

@@ -18,13 +18,13 @@ struct Rung {
   double waves = 0;  ///< roll-off of the spectrum over the shortest wave, at least [-]
   int loads = 1, realisations = 1;
   int pressed = 1;  ///< realisations under normal load alone, which cost least and tell the stiffnesses
-  int by_half_spaces = 0;  ///< of these and more by half-spaces, which correct what few of them tell
 };
 
 /// One way of motion with its entries, solved at each load and for each realisation.
 struct PlannedMotion {
-  std::string label;  ///< "rolling", "sliding, local friction 0.1"
-  Settings settings;  ///< entries of the case file
+  std::string label;            ///< "rolling", "sliding, local friction 0.1"
+  Settings settings;            ///< entries of the case file
+  int half_space_surfaces = 0;  ///< realisations by half-spaces, which tell what few solved ones do not
 };
 
 struct CharacterisePlan {
@@ -48,8 +48,8 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
 
 /// The study file of the plan, for `asperity study`.
 std::string study_text(const CharacterisePlan& plan);
-/// The same with as many surfaces under normal load alone as half-spaces solve, for `asperity study
-/// --preview`.
+/// The motions that half-spaces tell something of, on as many surfaces as they solve, for `asperity study
+/// --preview`; empty where there are none. Its cases have the names of the plan's.
 std::string preview_text(const CharacterisePlan& plan);
 
 /// What will be done, what will not be known, and how long it takes, in sentences.

@@ -24,7 +24,7 @@ struct Cell {
   std::string values;  ///< of the study's axes
   std::vector<std::string> solved;
   std::vector<double> elements, half_spaces, relative_sds;
-  double load = 0, spacing = 0;  ///< of the first solved case
+  double load, spacing;  ///< of the first solved case
 };
 
 json cases_in(const fs::path& file) {
@@ -37,10 +37,10 @@ json cases_in(const fs::path& file) {
 }
 
 /// NaN where the case does not state it.
-double number_of(const json& previewed, const std::string& key) {
+double number_of(const json& previewed, const std::string& name) {
   const auto numbers = previewed.find("half_spaces");
-  if (numbers == previewed.end() || !numbers->contains(key)) return std::nan("");
-  const json& number = (*numbers)[key];
+  if (numbers == previewed.end() || !numbers->contains(name)) return std::nan("");
+  const json& number = (*numbers)[name];
   return number.contains("value") && number["value"].is_number() ? number["value"].get<double>()
                                                                  : std::nan("");
 }
@@ -54,35 +54,25 @@ void require_same_inputs(const json& previewed, const SolvedCase& solved, const 
 }
 
 /// Cells with a preview of a solved case.
-std::vector<Cell> cells_of(const ParameterSet& set, const std::string& key,
+std::vector<Cell> cells_of(const std::vector<SolvedNumber>& numbers, const std::string& name,
                            std::map<fs::path, json>& previews) {
   std::vector<Cell> cells;
-  for (const auto& solved : set.cases) {
-    const EffectiveNumber number = solved.effective(key);
-    if (solved.motion() != Motion::normal || !(number.value > 0) || solved.history.size() == 0) continue;
+  for (const SolvedNumber& number : numbers) {
+    const SolvedCase& solved = *number.solved;
     const fs::path file = solved.folder.parent_path() / "previews.json";
     if (!fs::is_regular_file(file)) continue;
     if (!previews.count(file)) previews[file] = cases_in(file);
     for (const json& previewed : previews[file]) {
       if (previewed.value("name", "") != solved.folder.filename().string()) continue;
-      const double by_half_spaces = number_of(previewed, key);
+      const double by_half_spaces = number_of(previewed, name);
       if (!(by_half_spaces > 0)) break;
       require_same_inputs(previewed, solved, file);
       const std::string values = previewed.value("values", json::object()).dump();
       auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& other) {
         return other.previews == file && other.values == values;
       });
-      if (cell == cells.end()) {
-        const auto& forces = solved.history.normal_force;
-        cell = cells.insert(cell, {file,
-                                   values,
-                                   {},
-                                   {},
-                                   {},
-                                   {},
-                                   *std::max_element(forces.begin(), forces.end()),
-                                   solved.interface_spacing()});
-      }
+      if (cell == cells.end())
+        cell = cells.insert(cell, {file, values, {}, {}, {}, {}, number.load, solved.interface_spacing()});
       cell->solved.push_back(solved.folder.filename().string());
       cell->elements.push_back(number.value);
       cell->half_spaces.push_back(by_half_spaces);
@@ -94,16 +84,16 @@ std::vector<Cell> cells_of(const ParameterSet& set, const std::string& key,
 
 }  // namespace
 
-std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& key) {
+std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, const std::string& name) {
   std::map<fs::path, json> previews;
   std::vector<CaseNumber> numbers;
-  for (const Cell& cell : cells_of(set, key, previews)) {
+  for (const Cell& cell : cells_of(solved, name, previews)) {
     if (cell.elements.size() < 2) continue;
     const MethodRatio both = method_ratio(cell.half_spaces, cell.elements);
     const double of_ratio = both.sd / scatter_of(cell.elements).mean,
                  of_cases = cell.relative_sds.empty() ? 0 : scatter_of(cell.relative_sds).mean;
     for (const json& previewed : previews[cell.previews]) {
-      const double value = both.ratio * number_of(previewed, key);
+      const double value = both.ratio * number_of(previewed, name);
       const bool is_solved =
           std::find(cell.solved.begin(), cell.solved.end(), previewed.value("name", "")) != cell.solved.end();
       if (is_solved || !(value > 0) || previewed.value("values", json::object()).dump() != cell.values)
@@ -113,6 +103,17 @@ std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::strin
     }
   }
   return numbers;
+}
+
+std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& name) {
+  std::vector<SolvedNumber> numbers;
+  for (const auto& solved : set.cases) {
+    const EffectiveNumber number = solved.effective(name);
+    if (solved.motion() != Motion::normal || !(number.value > 0) || solved.history.size() == 0) continue;
+    const auto& forces = solved.history.normal_force;
+    numbers.push_back({&solved, *std::max_element(forces.begin(), forces.end()), number.value, number.sd});
+  }
+  return by_half_spaces(numbers, name);
 }
 
 }  // namespace asperity

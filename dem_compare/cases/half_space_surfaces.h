@@ -12,9 +12,19 @@
 
 namespace asperity {
 
-/// Of one number of `effective` of the pressed cases of a set, such as "normal_stiffness"; none where fewer
-/// than two surfaces were solved by both. The sd of each is that of the solved cases and of the ratio. Throws
-/// InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.
-std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& key);
+/// A number of a solved case.
+struct SolvedNumber {
+  const SolvedCase* solved = nullptr;
+  double load = 0;           ///< [N]
+  double value = 0, sd = 0;  ///< of the case, in the number's unit; sd NaN where it is not known
+};
+
+/// Surfaces beside the solved cases, none where fewer than two of a load were solved by both. name: of the
+/// number in previews.json. The sd of each is that of the solved cases and of the ratio. Throws InputError
+/// for a previews.json that cannot be read or is of other inputs than the cases beside it.
+std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, const std::string& name);
+
+/// Of a number of `effective` of the pressed cases of a set, such as "normal_stiffness", under the same name.
+std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& name);
 
 }  // namespace asperity

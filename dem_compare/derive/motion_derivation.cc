@@ -184,6 +184,16 @@ nlohmann::ordered_json moved_case_json(const MotionCase& item) {
           {"drift", item.moving.first.drift}};
 }
 
+/// Of torsion, whose moment where all slips is that of the pressures; none of the others.
+std::vector<CaseNumber> resistances_by_half_spaces(const std::vector<const MotionCase*>& used,
+                                                   const MotionMode& mode) {
+  if (&mode != &torsion_mode()) return {};
+  std::vector<SolvedNumber> numbers;
+  for (const MotionCase* item : used)
+    numbers.push_back({item->solved, item->load, item->resistance().value, item->resistance().sd});
+  return by_half_spaces(numbers, "slipping_moment");
+}
+
 void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
   ContactParameters& parameters = derivation.parameters;
@@ -201,6 +211,11 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
     findings.points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation,
                                parameters.particle.radius, parameters.contact_radius(all[i].load)});
     findings.details["resistance"].push_back(moved_case_json(*steady[i]));
+  }
+  for (const auto& number : resistances_by_half_spaces(used, mode)) {
+    all.push_back(number);
+    findings.points.push_back({number.load, number.value, number.sd, number.realisation,
+                               parameters.particle.radius, parameters.contact_radius(number.load)});
   }
   find_resistances(used, findings);
   find_short_paths(used, findings);
