@@ -184,14 +184,19 @@ nlohmann::ordered_json moved_case_json(const MotionCase& item) {
           {"drift", item.moving.first.drift}};
 }
 
-/// Of torsion, whose moment where all slips is that of the pressures; none of the others.
-std::vector<CaseNumber> resistances_by_half_spaces(const std::vector<const MotionCase*>& used,
-                                                   const MotionMode& mode) {
-  if (&mode != &torsion_mode()) return {};
-  std::vector<SolvedNumber> numbers;
+/// Of torsion, whose moment where all slips is that of the pressures: more surfaces, as numbers and as points
+/// of the fit.
+void add_half_spaces(const std::vector<const MotionCase*>& used, const ContactParameters& parameters,
+                     LawFindings& findings, std::vector<CaseNumber>& all) {
+  if (findings.mode != &torsion_mode()) return;
+  std::vector<SolvedNumber> solved;
   for (const MotionCase* item : used)
-    numbers.push_back({item->solved, item->load, item->resistance().value, item->resistance().sd});
-  return by_half_spaces(numbers, "slipping_moment");
+    solved.push_back({item->solved, item->load, item->resistance().value, item->resistance().sd});
+  for (const auto& number : by_half_spaces(solved, "slipping_moment")) {
+    all.push_back(number);
+    findings.points.push_back({number.load, number.value, number.sd, number.realisation,
+                               parameters.particle.radius, parameters.contact_radius(number.load)});
+  }
 }
 
 void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
@@ -212,11 +217,7 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
                                parameters.particle.radius, parameters.contact_radius(all[i].load)});
     findings.details["resistance"].push_back(moved_case_json(*steady[i]));
   }
-  for (const auto& number : resistances_by_half_spaces(used, mode)) {
-    all.push_back(number);
-    findings.points.push_back({number.load, number.value, number.sd, number.realisation,
-                               parameters.particle.radius, parameters.contact_radius(number.load)});
-  }
+  add_half_spaces(used, parameters, findings, all);
   find_resistances(used, findings);
   find_short_paths(used, findings);
 
