@@ -159,11 +159,11 @@ PullOff AdhesiveContact::pull_off(const AdhesiveSolution& pressed,
     if (best.contact.approach + step >= pressed.contact.approach) closer = pressed;
   }
   // Outwards until it has fallen.
-  for (AdhesiveSolution last = best; last.force <= past_the_largest * std::min(best.force, 0.0);) {
+  AdhesiveSolution last = best;
+  while (last.attracting > 0 && (last.force > 0 || last.force <= past_the_largest * best.force)) {
     AdhesiveSolution next = at(last, last.contact.approach - step);
     if (next.force < best.force) closer = last, best = next;
     last = std::move(next);
-    if (last.attracting == 0) break;
   }
   for (int n = 0; n < most_halvings; ++n) {
     step *= 0.5;

@@ -91,17 +91,18 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
   AdhesiveSolution pressed =
       by_force ? adhesive.at_force(largest_contact_force(input), how)
                : adhesive.at_approach(contact.first_touch + input.experiment.normal_approach, how);
-  if (!options.with_pull_off) {
-    // pressed alone
-  } else if (std::isinf(how.hardness)) {
-    contact.pull_off = adhesive.pull_off(pressed, how);
+  contact.attracting = pressed.contact.force - pressed.force;
+  const auto separate = [&](const AdhesiveContact& from) {
+    if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how);
+    if (options.with_stiffness) contact.stiffness = from.stiffness(pressed, how);
+  };
+  if (std::isinf(how.hardness)) {
+    separate(adhesive);
   } else {
     const NormalContact imprinted(half_spaces.grid(), Boundary::free, half_spaces.modulus(),
                                   with_imprint(half_spaces, pressed.contact, how.hardness));
-    contact.pull_off = AdhesiveContact(imprinted, attraction).pull_off(pressed, how);
+    separate(AdhesiveContact(imprinted, attraction));
   }
-  contact.attracting = pressed.contact.force - pressed.force;
-  if (options.with_stiffness) contact.stiffness = adhesive.stiffness(pressed, how);
   contact.solution = std::move(pressed.contact);
 }
 
@@ -121,6 +122,12 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
     contact.solution = half_spaces.at_force(largest_contact_force(input), how);
   else
     contact.solution = half_spaces.at_approach(contact.first_touch + experiment.normal_approach, how);
+  // An attraction that is told as a force acts like more load, and opens nothing by itself (DMT).
+  if (const double force = input.interface.attraction_force;
+      force > 0 && experiment.control == ExperimentInput::Control::force) {
+    contact.attracting += force;
+    if (!options.attraction) contact.pull_off = PullOff{force, contact.first_touch, 0};
+  }
   contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
   if (options.with_shear_stiffness) {
     const StuckContact stuck(grid, shear_compliance(input));
@@ -182,7 +189,8 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
       throw InputError(input.file + ": the contact goes beyond " +
                        format_quantity(input.radius / 2, Dimension::length) +
                        " from the axis, half the Radius, where bodies are no half-spaces; lower the load");
-    const bool carries = options.hardness * 4 * half_width * half_width > largest_load(input);
+    const bool carries =
+        options.hardness * 4 * half_width * half_width > largest_load(input, options.attraction);
     if (!carries && input.experiment.control == ExperimentInput::Control::force) continue;
     const int n = cells_for(half_width, spacing, options.most_cells);
     CaseContact contact = contact_on(input, Surfaces(input, half_width), square_grid(half_width, n), options);

@@ -106,9 +106,11 @@ void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Sa
   const double unit = M_PI * preview.work_of_separation * input.radius;
   say("attraction of " + quantity(contact.attracting, Dimension::force) +
       ", which the contact carries beside the load; pull-off force " +
-      quantity(contact.pull_off->force, Dimension::force) + " (" +
-      percent(preview.contact.error_of_pull_off()) + "; 1.5 to 2 pi w R are " +
-      quantity(1.5 * unit, Dimension::force) + " to " + quantity(2 * unit, Dimension::force) + ")");
+      quantity(contact.pull_off->force, Dimension::force) +
+      (unit > 0
+           ? " (" + percent(preview.contact.error_of_pull_off()) + "; 1.5 to 2 pi w R are " +
+                 quantity(1.5 * unit, Dimension::force) + " to " + quantity(2 * unit, Dimension::force) + ")"
+           : ", as the case says"));
 }
 
 void say_mesh(const PreviewedCase& preview, const Say& say) {

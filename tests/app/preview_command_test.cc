@@ -75,6 +75,28 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   EXPECT_CONTAINS(harder.output, "hardness of 3 GPa");
 }
 
+TEST(Preview_behaviour, an_attraction_told_as_a_force_is_carried_beside_the_load) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const Outcome outcome = call("preview " + file.string() + " --set 'Interface/Attraction force=0.5 mN'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "normal force 1 mN;");
+  EXPECT_CONTAINS(outcome.output,
+                  "attraction of 500 uN, which the contact carries beside the load; pull-off force 500 uN");
+}
+
+TEST(Preview_behaviour, says_of_adhesion_in_too_small_a_zone_that_it_is_left_out) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const Outcome outcome =
+      call("preview " + file.string() +
+           " --set 'Particle/Young modulus=10 MPa' --set 'Interface/Work of adhesion=100 mJ/m^2' --set "
+           "'Interface/Adhesion range=1 nm' --set 'Experiment/Normal load=1 uN'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "adhesion is left out");
+  EXPECT_EQ(outcome.output.find("pull-off force 1"), std::string::npos);
+}
+
 TEST(Preview_behaviour, says_what_solve_would_refuse_and_refuses_what_cannot_be_meant) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case());
