@@ -12,6 +12,7 @@
 #include "fem/interface/surface_attraction.h"
 #include "fem/materials/hardening.h"
 #include "fem/solve_case.h"
+#include "half_space/partial_slip.h"
 
 namespace asperity {
 namespace {
@@ -47,6 +48,23 @@ FullSlip full_slip(const fem::FrictionLaw& law, const half_space::CaseContact& c
       sum.torsion_moment += force * std::hypot(grid.x(ix), grid.y(iy));
     }
   return sum;
+}
+
+/// From rest to twice the shift by which what sticks would hold as much as full slip.
+std::vector<SlipPoint> partial_slip(const CaseInput& input, const fem::FrictionLaw& law,
+                                    const half_space::CaseContact& contact, double full_slip) {
+  half_space::Field limit = contact.solution.pressure;
+  for (double& value : limit) value = value > 0 ? law.initial_limit(value).stress : 0;
+  const half_space::StuckContact stuck(contact.grid, half_space::shear_compliance(input));
+  const half_space::PartialSlip slip(stuck, std::move(limit));
+  half_space::SlipState state = slip.at_rest();
+  std::vector<SlipPoint> points;
+  for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0}) {
+    const double shift = share * full_slip / contact.lateral_stiffness;
+    state = slip.shifted(state, shift, 0);
+    points.push_back({shift, state.force_x, state.slipping});
+  }
+  return points;
 }
 
 LeftOutOfPreview what_is_left_out(const CaseInput& input) {
@@ -92,6 +110,9 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
     if (const auto friction = fem::make_friction_law(input.interface)) {
       preview.slip = full_slip(*friction, preview.contact.fine);
       preview.coarse_slip = full_slip(*friction, preview.contact.coarse);
+      if (input.experiment.type == Motion::sliding && preview.coarse_slip->lateral_force > 0)
+        preview.partial_slip =
+            partial_slip(input, *friction, preview.contact.coarse, preview.coarse_slip->lateral_force);
     }
   } catch (const InputError& error) {
     preview.refusal = error.what();

@@ -8,7 +8,6 @@
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "core/shear_moduli.h"
-#include "half_space/stuck_contact.h"
 #include "surfaces/surface_of_entry.h"
 
 namespace asperity::half_space {
@@ -62,15 +61,6 @@ int cells_for(double half_width, double spacing, int most) {
     if (cells * spacing >= 2 * half_width) break;
   }
   return n;
-}
-
-ShearCompliance shear_compliance(const CaseInput& input) {
-  ShearCompliance sum;
-  for (const BodyInput* body : {&input.particle, &input.substrate}) {
-    const double nu = body->poisson_ratio, shear = shear_modulus(elastic_body(*body));
-    sum.across += (1 - nu) / shear, sum.along += nu / shear;
-  }
-  return sum;
 }
 
 /// The given gap with what has flowed under the hardness removed.
@@ -149,6 +139,15 @@ bool is_resolved(const CaseInput& input, const Attraction& attraction, int most_
 double relative_difference(double one, double other) { return std::abs(one - other) / std::abs(one); }
 
 }  // namespace
+
+ShearCompliance shear_compliance(const CaseInput& input) {
+  ShearCompliance sum;
+  for (const BodyInput* body : {&input.particle, &input.substrate}) {
+    const double nu = body->poisson_ratio, shear = shear_modulus(elastic_body(*body));
+    sum.across += (1 - nu) / shear, sum.along += nu / shear;
+  }
+  return sum;
+}
 
 double shortest_wave(const CaseInput& input) {
   return std::min(topography_scales(input.particle.topography).shortest_wave,

@@ -14,6 +14,7 @@
 #include "half_space/adhesive_contact.h"
 #include "half_space/contact_shape.h"
 #include "half_space/normal_contact.h"
+#include "half_space/stuck_contact.h"
 
 namespace asperity::half_space {
 
@@ -49,6 +50,9 @@ struct CaseContact {
 /// Gap of the undeformed surfaces in the middle of each cell [m]; `input` as below. Throws ScanError where a
 /// scan is smaller than the grid.
 Field gap_of_case(const CaseInput& input, const Grid& grid);
+
+/// Of both bodies together.
+ShearCompliance shear_compliance(const CaseInput& input);
 
 /// Of both surfaces [m]; infinite where both are smooth.
 double shortest_wave(const CaseInput& input);

@@ -33,6 +33,12 @@ struct FullSlip {
   double torsion_moment = 0;  ///< about the axis of the sphere [N m]
 };
 
+/// What it holds when it is shifted from rest, as far as this.
+struct SlipPoint {
+  double shift = 0, force = 0;  ///< [m], [N]
+  double slipping = 0;          ///< share of the touching cells [-]
+};
+
 /// What the case has and half-spaces pressed together have not.
 struct LeftOutOfPreview {
   std::optional<Motion> motion;
@@ -45,6 +51,7 @@ struct PreviewedCase {
   half_space::CasePreview contact;
   double hardness = std::numeric_limits<double>::infinity();  ///< of `contact.capped` [Pa]; infinite: none
   std::optional<FullSlip> slip, coarse_slip;  ///< of contact.fine and .coarse; none: no friction
+  std::vector<SlipPoint> partial_slip;        ///< of contact.coarse, in a case that slides
   double work_of_separation = 0;              ///< of surfaces that adhere [J/m^2]
   std::optional<MeshPreview> mesh;            ///< none: refused
   std::string refusal;                        ///< what `asperity solve` would say

@@ -29,11 +29,6 @@ KernelSpectrum even_spectrum(const Grid& grid, const ShearCompliance& c, bool al
 
 }  // namespace
 
-/// Of each cell, along x and along y.
-struct StuckContact::Shears {
-  Field x, y;
-};
-
 StuckContact::StuckContact(const Grid& grid, const ShearCompliance& compliance)
     : xx_(grid, even_spectrum(grid, checked(compliance), true)),
       yy_(grid, even_spectrum(grid, compliance, false)),
@@ -57,7 +52,7 @@ void StuckContact::apply(const Shears& traction, Shears& shift) const {
 
 /// Tractions by which what touches has the given shifts: conjugate gradients, whose error in the work is the
 /// square of the residual's.
-StuckContact::Shears StuckContact::solve(const Field& pressure, const Shears& shift) const {
+Shears StuckContact::solve(const Field& pressure, const Shears& shift) const {
   constexpr int most = 1000;
   constexpr double enough = 1e-3;
   const std::size_t cells = pressure.size();

@@ -16,6 +16,11 @@ struct ShearCompliance {
   double along = 0;   ///< sum of nu/G [1/Pa]
 };
 
+/// Of each cell, along x and along y.
+struct Shears {
+  Field x, y;
+};
+
 class StuckContact {
  public:
   /// Throws InputError for compliances that are not finite or not above 0 (along: not negative).
@@ -27,10 +32,12 @@ class StuckContact {
   /// Moment over the angle of twist about the axis through the grid's middle [N m].
   double torsion_stiffness(const Field& pressure) const;
 
- private:
-  struct Shears;
-  Shears solve(const Field& pressure, const Shears& shift) const;
+  /// Shift [m] of each cell by the tractions [Pa] of all.
   void apply(const Shears& traction, Shears& shift) const;
+  const Grid& grid() const { return xx_.grid(); }
+
+ private:
+  Shears solve(const Field& pressure, const Shears& shift) const;
 
   Convolution xx_, yy_, xy_;
 };

@@ -80,6 +80,9 @@ std::string preview_json(const CaseInput& input, const PreviewedCase& preview) {
     result["elastic"]["slipping_moment"] =
         with_sd(slip.torsion_moment, "N m", std::abs(slip.torsion_moment - coarse.torsion_moment));
   }
+  for (const SlipPoint& point : preview.partial_slip)
+    result["partial_slip"].push_back(
+        {{"shift", point.shift}, {"lateral_force", point.force}, {"slipping", point.slipping}});
   if (preview.contact.capped) {
     const auto& capped = *preview.contact.capped;
     result["capped"] = numbers_of(capped, preview.contact);

@@ -97,7 +97,10 @@ void say_shear(const CaseInput& input, const PreviewedCase& preview, const Say& 
       off(slip.lateral_force, coarse_slip.lateral_force) + ")" +
       (pressed ? ", " + quantity(slip.lateral_force / force, Dimension::none) + " of the normal force" : "") +
       ", moment about the axis " + quantity(slip.torsion_moment * 1e12, Dimension::none) + " pN m (" +
-      off(slip.torsion_moment, coarse_slip.torsion_moment) + "); what lies between is left out");
+      off(slip.torsion_moment, coarse_slip.torsion_moment) + ")");
+  for (const SlipPoint& point : preview.partial_slip)
+    say("shifted by " + quantity(point.shift, Dimension::length) + ": lateral force " +
+        quantity(point.force, Dimension::force) + ", " + percent(point.slipping) + " of what touches slips");
 }
 
 void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Say& say) {

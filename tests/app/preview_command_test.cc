@@ -75,6 +75,24 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   EXPECT_CONTAINS(harder.output, "hardness of 3 GPa");
 }
 
+TEST(Preview_analytic, a_smooth_case_that_slides_slips_as_Mindlin_found) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "preview";
+  const Outcome outcome = call("preview " + file.string() + " --output " + output.string() +
+                               " --set Experiment/Type=sliding --set 'Interface/Friction coefficient=0.3'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
+  const double full = 0.3e-3, stiffness = said["elastic"]["lateral_stiffness"]["value"];
+  ASSERT_EQ(said["partial_slip"].size(), 7u);
+  for (const auto& point : said["partial_slip"]) {
+    const double share = point["shift"].get<double>() * stiffness / (1.5 * full);
+    EXPECT_NEAR(point["lateral_force"].get<double>() / full, 1 - std::pow(std::max(0.0, 1 - share), 1.5),
+                0.01);
+  }
+  EXPECT_EQ(said["partial_slip"].back()["slipping"], 1);
+}
+
 TEST(Preview_behaviour, an_attraction_told_as_a_force_is_carried_beside_the_load) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case());
