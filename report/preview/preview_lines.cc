@@ -100,7 +100,8 @@ void say_shear(const CaseInput& input, const PreviewedCase& preview, const Say& 
       off(slip.torsion_moment, coarse_slip.torsion_moment) + ")");
   for (const SlipPoint& point : preview.partial_slip)
     say("shifted by " + quantity(point.shift, Dimension::length) + ": lateral force " +
-        quantity(point.force, Dimension::force) + ", " + percent(point.slipping) + " of what touches slips");
+        quantity(point.force, Dimension::force) + ", " + quantity(100 * point.slipping, Dimension::none) +
+        " % of what touches slips");
 }
 
 void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
