@@ -45,7 +45,9 @@ std::string remark_of(const CharacterisedNumber& number, double accuracy) {
     remarks.push_back(printed("follows the local friction of %.3g that went in", number.local_friction) +
                       (number.input_is_known ? "" : ", a guess"));
   const double relative = number.relative_half_width();
-  if (std::isfinite(relative))
+  if (relative >= 1)
+    remarks.emplace_back("not told from 0, which its interval holds");
+  else if (std::isfinite(relative))
     remarks.push_back(printed("±%.2g %%", 100 * relative) +
                       (relative <= accuracy ? "" : printed(", more than the %.3g %% asked", 100 * accuracy)));
   if (!number.holds_scatter) remarks.emplace_back("without the scatter over the surface");
