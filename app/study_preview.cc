@@ -30,11 +30,20 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr std::size_t every_so_many = 20;  ///< cases a line of progress
 
-/// The preview of these inputs that an earlier run has left; nothing where there is none.
+/// Whether each number is one, with a unit; one that is not known is null.
+bool holds_numbers(const Json& numbers) {
+  return numbers.is_object() && std::all_of(numbers.begin(), numbers.end(), [](const Json& number) {
+           return number.is_object() && number.contains("value") && number.contains("unit") &&
+                  (number["value"].is_number() || number["value"].is_null()) && number["unit"].is_string();
+         });
+}
+
+/// The preview of these inputs that an earlier run has left; nothing where there is none, or a damaged one.
 std::optional<Json> earlier_preview(const fs::path& file, const std::string& inputs) {
   if (!fs::is_regular_file(file)) return std::nullopt;
   const Json found = Json::parse(read_file(file), nullptr, false);
-  if (!found.is_object() || !found.contains("elastic") || found.value("inputs_sha256", "") != inputs)
+  if (!found.is_object() || !found.contains("elastic") || !holds_numbers(found["elastic"]) ||
+      !found.contains("inputs_sha256") || found["inputs_sha256"] != inputs)
     return std::nullopt;
   return found;
 }
@@ -128,9 +137,20 @@ Json values_of(const Study& study, const StudyCase& item) {
   return object;
 }
 
-/// Of all cases; what solved ones say goes beside it.
-Json summary_of(const Study& study, const std::vector<std::optional<Json>>& previews,
-                const fs::path& output) {
+/// The result in a case's folder, if it is of these inputs; one of others is counted.
+std::optional<CaseResult> solved_case(const fs::path& folder, const std::string& inputs, int& others) {
+  if (!fs::is_regular_file(folder / "result.json")) return std::nullopt;
+  auto solved = read_case_result(folder / "result.json");
+  const auto said = solved ? solved->document.find("inputs_sha256") : Json::iterator();
+  if (!solved || said == solved->document.end() || *said == inputs) return solved;
+  ++others;
+  return std::nullopt;
+}
+
+/// Of all cases; what solved ones say goes beside it. others: solved cases of other inputs, which do not
+/// count.
+Json summary_of(const Study& study, const std::vector<std::optional<Json>>& previews, const fs::path& output,
+                int& others) {
   std::vector<std::pair<std::size_t, Quantities>> groups;  // first case of each
   std::map<std::vector<std::string>, std::size_t> group_of;
   Json cases = Json::array();
@@ -145,8 +165,9 @@ Json summary_of(const Study& study, const std::vector<std::optional<Json>>& prev
                      {"realisation", item.realisation},
                      {"inputs_sha256", (*previews[i])["inputs_sha256"]},
                      {"half_spaces", numbers}});
-    const auto solved = read_case_result(output / item.name / "result.json");
+    const auto solved = solved_case(output / item.name, (*previews[i])["inputs_sha256"], others);
     for (const auto& [name, number] : numbers.items()) {
+      if (!number["value"].is_number()) continue;
       Quantity& quantity = named(groups[found->second].second, name);
       quantity.unit = number["unit"];
       quantity.all.push_back(number["value"]);
@@ -206,7 +227,11 @@ void preview_study(const Study& study, const StudyPreviewOptions& options) {
   make_folder(options.output);
   make_folder(options.output / "previews");
   const auto previews = previews_of(study, options);
-  const Json summary = summary_of(study, previews, options.output);
+  int others = 0;
+  const Json summary = summary_of(study, previews, options.output, others);
+  if (others > 0 && options.say)
+    options.say(std::to_string(others) + " solved cases in " + options.output.string() +
+                " are of other inputs than their previews, and do not count");
   write_file_atomically(options.output / "previews.json", summary.dump(1) + "\n");
   write_file_atomically(options.output / "previews.csv", csv_of(study, summary["groups"]));
   if (options.say)

@@ -27,10 +27,20 @@ struct Cell {
   double load, spacing;  ///< of the first solved case
 };
 
+bool is_preview(const json& previewed) {
+  const auto has = [&](const char* name, bool (json::*is)() const noexcept) {
+    return previewed.contains(name) && (previewed[name].*is)();
+  };
+  return previewed.is_object() && has("name", &json::is_string) && has("inputs_sha256", &json::is_string) &&
+         has("values", &json::is_object) && has("realisation", &json::is_number_integer) &&
+         has("half_spaces", &json::is_object);
+}
+
 json cases_in(const fs::path& file) {
   const json all = json::parse(read_file(file), nullptr, false);
-  if (!all.is_object() || all.value("format", "") != "asperity-previews/1" || !all.contains("cases") ||
-      !all["cases"].is_array())
+  if (!all.is_object() || !all.contains("format") || all["format"] != "asperity-previews/1" ||
+      !all.contains("cases") || !all["cases"].is_array() ||
+      !std::all_of(all["cases"].begin(), all["cases"].end(), is_preview))
     throw InputError(file.string() +
                      " holds no previews of a study; 'asperity study --preview' writes it anew");
   return all["cases"];
@@ -38,16 +48,16 @@ json cases_in(const fs::path& file) {
 
 /// NaN where the case does not state it.
 double number_of(const json& previewed, const std::string& name) {
-  const auto numbers = previewed.find("half_spaces");
-  if (numbers == previewed.end() || !numbers->contains(name)) return std::nan("");
-  const json& number = (*numbers)[name];
+  const json& numbers = previewed["half_spaces"];
+  if (!numbers.contains(name)) return std::nan("");
+  const json& number = numbers[name];
   return number.contains("value") && number["value"].is_number() ? number["value"].get<double>()
                                                                  : std::nan("");
 }
 
 void require_same_inputs(const json& previewed, const SolvedCase& solved, const fs::path& file) {
   const std::string solved_inputs = solved.result->document.value("inputs_sha256", ""),
-                    here = previewed.value("inputs_sha256", "");
+                    here = previewed["inputs_sha256"];
   if (!solved_inputs.empty() && solved_inputs != here)
     throw InputError(file.string() + ": its case " + solved.folder.filename().string() +
                      " is of other inputs than the solved one; 'asperity study --preview' previews it anew");
@@ -63,11 +73,11 @@ std::vector<Cell> cells_of(const std::vector<SolvedNumber>& numbers, const std::
     if (!fs::is_regular_file(file)) continue;
     if (!previews.count(file)) previews[file] = cases_in(file);
     for (const json& previewed : previews[file]) {
-      if (previewed.value("name", "") != solved.folder.filename().string()) continue;
+      if (previewed["name"] != solved.folder.filename().string()) continue;
       const double by_half_spaces = number_of(previewed, name);
       if (!(by_half_spaces > 0)) break;
       require_same_inputs(previewed, solved, file);
-      const std::string values = previewed.value("values", json::object()).dump();
+      const std::string values = previewed["values"].dump();
       auto cell = std::find_if(cells.begin(), cells.end(), [&](const Cell& other) {
         return other.previews == file && other.values == values;
       });
@@ -95,10 +105,9 @@ std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, 
     for (const json& previewed : previews[cell.previews]) {
       const double value = both.ratio * number_of(previewed, name);
       const bool is_solved =
-          std::find(cell.solved.begin(), cell.solved.end(), previewed.value("name", "")) != cell.solved.end();
-      if (is_solved || !(value > 0) || previewed.value("values", json::object()).dump() != cell.values)
-        continue;
-      numbers.push_back({cell.load, "surface " + std::to_string(previewed.value("realisation", 0)),
+          std::find(cell.solved.begin(), cell.solved.end(), previewed["name"]) != cell.solved.end();
+      if (is_solved || !(value > 0) || previewed["values"].dump() != cell.values) continue;
+      numbers.push_back({cell.load, "surface " + std::to_string(previewed["realisation"].get<int>()),
                          cell.spacing, value, std::hypot(of_ratio, of_cases) * value, true});
     }
   }

@@ -74,9 +74,11 @@ TEST_F(StudyPreview_behaviour, writes_means_over_surfaces_and_keeps_what_is_ther
   // Other inputs under the same name, and a file that was cut off, are not taken for this study's.
   EXPECT_EQ(preview(" --set 'Particle/Young modulus=60 GPa'").status, 0);
   EXPECT_NE(std::filesystem::last_write_time(output / "previews/20_uN-r1.json"), kept);
-  write_file_atomically(output / "previews/20_uN-r1.json", "{\"elastic\": ");
-  EXPECT_EQ(preview(" --set 'Particle/Young modulus=60 GPa'").status, 0);
-  EXPECT_EQ(summary()["cases"].size(), 6u);
+  for (const char* damaged : {"{\"elastic\": ", "{\"elastic\": [1]}", "7"}) {
+    write_file_atomically(output / "previews/20_uN-r1.json", damaged);
+    EXPECT_EQ(preview(" --set 'Particle/Young modulus=60 GPa'").status, 0) << damaged;
+    EXPECT_EQ(summary()["cases"].size(), 6u);
+  }
 }
 
 TEST_F(StudyPreview_behaviour, solved_cases_correct_the_means) {
@@ -98,6 +100,13 @@ TEST_F(StudyPreview_behaviour, solved_cases_correct_the_means) {
   ASSERT_EQ(preview().status, 0);
   const auto both = summary()["groups"][0]["half_spaces"]["normal_stiffness"]["with_finite_elements"];
   EXPECT_EQ(both["count"], 2);
+  // Solved cases of other inputs do not count, and are said.
+  const auto others = preview(" --set 'Particle/Young modulus=60 GPa'");
+  EXPECT_EQ(others.status, 0);
+  EXPECT_EQ(others.output.find("do not count"), std::string::npos);  // these results do not say of which
+  write_file_atomically(output / "20_uN-r1/result.json",
+                        "{\"format\": \"asperity-result/1\", \"inputs_sha256\": \"0\", \"effective\": {}}");
+  EXPECT_NE(preview().output.find("1 solved cases in"), std::string::npos);
   EXPECT_NEAR(both["value"].get<double>() / (1.1 * (all[0] + all[1] + all[2]) / 3), 1, 1e-9);
 }
 

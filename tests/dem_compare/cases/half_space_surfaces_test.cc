@@ -79,8 +79,13 @@ TEST_F(HalfSpaceSurfaces_analytic, take_two_solved_surfaces_and_previews_of_the_
   EXPECT_EQ(by_half_spaces(one, "normal_stiffness").size(), 3u);  // of the other load alone
   set.cases.front().result->document["inputs_sha256"] = "others";
   EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError);
-  folder.write("study/previews.json", "{\"format\": \"asperity-previews/1\"}");
-  EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError);
+  for (const char* damaged :
+       {"{\"format\": \"asperity-previews/1\"}", "[1, 2]", "{\"format\": 3, \"cases\": []}",
+        "{\"format\": \"asperity-previews/1\", \"cases\": [7]}",
+        "{\"format\": \"asperity-previews/1\", \"cases\": [{\"name\": 4}]}", "{\"format\": "}) {
+    folder.write("study/previews.json", damaged);
+    EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError) << damaged;
+  }
   std::filesystem::remove(file);
   EXPECT_TRUE(by_half_spaces(set, "normal_stiffness").empty());
 }
