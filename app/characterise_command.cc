@@ -188,14 +188,20 @@ void write_study(const CharacterisePlan& plan, const fs::path& file, bool overwr
   write_file_atomically(file, text);
 }
 
-/// More surfaces by half-spaces, which `derive` takes along.
+/// More surfaces by half-spaces, which `derive` takes along. Where they fail, what is solved still counts.
 void preview_more_surfaces(const CharacterisePlan& plan, const fs::path& output) {
   const std::string text = preview_text(plan);
   if (text.empty()) return;
   write_file_atomically(output / "previews.prm", text);
   const Study study = read_study(output / "previews.prm");
   const auto every = [](const std::string&) { return true; };
-  preview_study(study, {output / "study", every, previews_of_cases(study), say});
+  try {
+    preview_study(study, {output / "study", every, previews_of_cases(study), say});
+  } catch (const InputError& error) {
+    say(std::string("no surfaces by half-spaces: ") + error.what());
+  } catch (const WorkError& error) {
+    say(std::string("no surfaces by half-spaces: ") + error.what());
+  }
 }
 
 void run_characterise(const CharacteriseArguments& arguments) {

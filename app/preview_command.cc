@@ -78,8 +78,9 @@ void add_preview_command(CLI::App& app) {
       ->expected(1)
       ->take_all();
   command->footer(
-      "The normal contact of elastic half-spaces with the case's surfaces and their attraction, pressed and "
-      "separated, without friction and motion.");
+      "Elastic half-spaces with the case's surfaces, attraction and friction: pressed, separated, stuck "
+      "together "
+      "and shifted; without rolling, and without what shear does to the gap.");
   command->callback([arguments] { run_preview(*arguments); });
 }
 

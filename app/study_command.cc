@@ -109,11 +109,12 @@ void run_study(const StudyArguments& arguments) {
   }
   if (arguments.output.empty())
     throw InputError("study needs --output DIR, the folder for the results (or --check)");
+  if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   if (arguments.preview)
-    return preview_study(study, {arguments.output, chosen_name, previews_of_cases(study), say});
+    return preview_study(
+        study, {arguments.output, chosen_name, previews_of_cases(study), say, study.parallel_cases});
   if (arguments.plan) return plan_study(study, arguments);
   if (arguments.gather) return gather(study, arguments);
-  if (arguments.parallel > 0) study.parallel_cases = arguments.parallel;
   StudyRunOptions options;
   options.output = arguments.output;
   options.resume = arguments.resume;

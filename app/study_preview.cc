@@ -54,9 +54,9 @@ Json previewed(const StudyCase& item, const StudyPreviewOptions& options, const 
   return preview;
 }
 
-/// Calls work(0) to work(count - 1), on as many threads as there are cores, one for each call. Throws what
-/// the first call that throws does, once all threads have ended.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+/// Calls work(0) to work(count - 1), so many at the same time on a thread each. Throws what the first call
+/// that throws does, once all threads have ended.
+void side_by_side(std::size_t count, std::size_t at_a_time, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex guard;
@@ -71,8 +71,7 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
       }
   };
   std::vector<std::thread> threads;
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  for (std::size_t n = 0; n < std::min(cores, count); ++n) threads.emplace_back(run);
+  for (std::size_t n = 0; n < std::min(at_a_time, count); ++n) threads.emplace_back(run);
   for (auto& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
@@ -82,7 +81,9 @@ std::vector<std::optional<Json>> previews_of(const Study& study, const StudyPrev
   std::vector<std::optional<Json>> previews(study.cases.size());
   std::mutex guard;
   std::size_t done = 0;
-  on_all_cores(study.cases.size(), [&](std::size_t i) {
+  const std::size_t at_a_time = options.parallel > 0 ? static_cast<std::size_t>(options.parallel)
+                                                     : std::max(1u, std::thread::hardware_concurrency());
+  side_by_side(study.cases.size(), at_a_time, [&](std::size_t i) {
     const StudyCase& item = study.cases[i];
     const fs::path file = options.output / "previews" / (item.name + ".json");
     const std::string inputs = inputs_sha256(item.settings, study.file);

@@ -17,6 +17,7 @@ struct StudyPreviewOptions {
   /// A case's preview.json. Called by several threads at once.
   std::function<std::string(const StudyCase&)> preview;
   std::function<void(const std::string&)> say;
+  int parallel = 0;  ///< cases at the same time; 0: as many as the machine has cores
 };
 
 /// Previews the chosen cases into DIR/previews/CASE.json, but those that are there of the same inputs, and

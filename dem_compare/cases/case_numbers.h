@@ -10,10 +10,11 @@ namespace asperity {
 
 /// A number of one case, in its unit.
 struct CaseNumber {
-  double load = 0;              ///< [N]
-  std::string realisation;      ///< the same for the same surfaces
-  double spacing = 0;           ///< of the interface mesh [m]; NaN if it is not known
-  double value = 0, sd = 0;     ///< sd of the case alone
+  double load = 0;           ///< [N]
+  std::string realisation;   ///< the same for the same surfaces
+  double spacing = 0;        ///< of the interface mesh [m]; NaN if it is not known
+  double value = 0, sd = 0;  ///< sd of the case alone
+  double shared_sd = 0;      ///< the part of sd that others of the same load share: it does not average out
   bool by_half_spaces = false;  ///< no case was solved: half_space_surfaces.h
 };
 

@@ -108,7 +108,8 @@ std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, 
           std::find(cell.solved.begin(), cell.solved.end(), previewed["name"]) != cell.solved.end();
       if (is_solved || !(value > 0) || previewed["values"].dump() != cell.values) continue;
       numbers.push_back({cell.load, "surface " + std::to_string(previewed["realisation"].get<int>()),
-                         cell.spacing, value, std::hypot(of_ratio, of_cases) * value, true});
+                         cell.spacing, value, std::hypot(of_ratio, of_cases) * value, of_ratio * value,
+                         true});
     }
   }
   return numbers;

@@ -20,8 +20,8 @@ struct SolvedNumber {
 };
 
 /// Surfaces beside the solved cases, none where fewer than two of a load were solved by both. name: of the
-/// number in previews.json. The sd of each is that of the solved cases and of the ratio. Throws InputError
-/// for a previews.json that cannot be read or is of other inputs than the cases beside it.
+/// number in previews.json. The sd of each is that of the solved cases and of the ratio, which all share.
+/// Throws InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.
 std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, const std::string& name);
 
 /// Of a number of `effective` of the pressed cases of a set, such as "normal_stiffness", under the same name.

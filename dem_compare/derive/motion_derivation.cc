@@ -186,17 +186,20 @@ nlohmann::ordered_json moved_case_json(const MotionCase& item) {
 
 /// Of torsion, whose moment where all slips is that of the pressures: more surfaces, as numbers and as points
 /// of the fit.
-void add_half_spaces(const std::vector<const MotionCase*>& used, const ContactParameters& parameters,
-                     LawFindings& findings, std::vector<CaseNumber>& all) {
-  if (findings.mode != &torsion_mode()) return;
+double add_half_spaces(const std::vector<const MotionCase*>& used, const ContactParameters& parameters,
+                       LawFindings& findings, std::vector<CaseNumber>& all) {
+  if (findings.mode != &torsion_mode()) return 0;
+  double shared = 0;
   std::vector<SolvedNumber> solved;
   for (const MotionCase* item : used)
     solved.push_back({item->solved, item->load, item->resistance().value, item->resistance().sd});
   for (const auto& number : by_half_spaces(solved, "slipping_moment")) {
     all.push_back(number);
+    shared = std::max(shared, number.shared_sd / number.value);
     findings.points.push_back({number.load, number.value, number.sd, number.realisation,
                                parameters.particle.radius, parameters.contact_radius(number.load)});
   }
+  return shared;
 }
 
 void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
@@ -217,7 +220,7 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
                                parameters.particle.radius, parameters.contact_radius(all[i].load)});
     findings.details["resistance"].push_back(moved_case_json(*steady[i]));
   }
-  add_half_spaces(used, parameters, findings, all);
+  const double shared = add_half_spaces(used, parameters, findings, all);
   find_resistances(used, findings);
   find_short_paths(used, findings);
 
@@ -246,7 +249,7 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
   find_test_of_law(law, findings);
   find_scatter_and_mesh(all, Derived::resistance, findings);
   friction.value = law.coefficient;
-  friction.sd = law.coefficient_sd();
+  friction.sd = std::hypot(law.coefficient_sd(), shared * law.coefficient);
   offset.value = law.offset;
   if (law.has_offset) offset.sd = law.offset_sd();
   friction.load_range = offset.load_range = law.loads;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/error.h"
 #include "dem_compare/cases/half_space_surfaces.h"
@@ -207,15 +208,23 @@ void derive_pull_off(const ParameterSet& set, Derivation& derivation, LawFinding
     pulls.push_back(-least);
     loads.low = std::min(loads.low, largest), loads.high = std::max(loads.high, largest);
   }
-  for (const auto& number : by_half_spaces(set, "pull_off_force")) pulls.push_back(number.value);
+  // Of a surface that is drawn off from several loads the mean: half-spaces give it the same force each time.
+  std::map<std::string, std::vector<double>> of_surface;
+  double shared = 0;
+  for (const auto& number : by_half_spaces(set, "pull_off_force")) {
+    of_surface[number.realisation].push_back(number.value);
+    shared = std::max(shared, number.shared_sd / number.value);
+  }
+  for (const auto& [surface, values] : of_surface) pulls.push_back(scatter_of(values).mean);
   if (pulls.empty()) {
     if (adhesive) findings.open.push_back({About::pull_off});
     return;
   }
   const Scatter pull = scatter_of(pulls);
-  derivation.parameters.pull_off_force = EffectiveQuantity{pull.mean, pull.standard_error, loads};
+  const double sd = std::hypot(pull.standard_error, shared * pull.mean);
+  derivation.parameters.pull_off_force = EffectiveQuantity{pull.mean, sd, loads};
   derivation.origin_of(&P::pull_off_force) = {{From::pull, static_cast<double>(pull.count)}};
-  findings.found.push_back(PullOffFact{{pull.mean, pull.standard_error}});
+  findings.found.push_back(PullOffFact{{pull.mean, sd}});
 }
 
 }  // namespace

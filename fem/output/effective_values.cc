@@ -168,12 +168,8 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
     add("torsion_moment", *torsion, "N m", error.torsion(), 0);
 }
 
-}  // namespace
-
-namespace {
-
-/// Relative. Where half-spaces have solved the same separation, the mesh is off by the difference; on 180
-/// rough contacts it was 1 % and scattered by 1 to 7 % (docs/fuchs_2014.md).
+/// Relative. Where half-spaces have solved the same separation, the mesh is off by the difference, and by 2 %
+/// as on smooth contacts: on 180 rough ones finer half-spaces were within 1.96 times that in 98 %.
 double error_of_pull_off(double tension, const DiscretisationError& left, const ResultSummary& summary) {
   const double stated = left.pull_off();
   if (!summary.half_space || !summary.half_space->pull_off) return stated;

@@ -101,7 +101,7 @@ void say_shear(const CaseInput& input, const PreviewedCase& preview, const Say& 
   for (const SlipPoint& point : preview.partial_slip)
     say("shifted by " + quantity(point.shift, Dimension::length) + ": lateral force " +
         quantity(point.force, Dimension::force) + ", " + quantity(100 * point.slipping, Dimension::none) +
-        " % of what touches slips");
+        " % of what touches slips (on half as many cells, without an error)");
 }
 
 void say_adhesion(const CaseInput& input, const PreviewedCase& preview, const Say& say) {

@@ -110,7 +110,7 @@ struct InWords {
                     : ""});
   }
   std::string operator()(const MisfitFact& f) const {
-    return say("misfit of the law: {} (root mean square of {} cases)",
+    return say("misfit of the law: {} (root mean square of {} contacts)",
                {share_text(f.misfit), std::to_string(f.cases)});
   }
   std::string operator()(const LocalFrictionFact& f) const {

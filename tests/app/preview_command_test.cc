@@ -5,6 +5,8 @@
 
 #include "core/atomic_file.h"
 #include "core/hertz.h"
+#include "core/shear_moduli.h"
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "tests/app/called_program.h"
 #include "tests/app/smooth_case.h"
 #include "tests/support/temporary_folder.h"
@@ -83,7 +85,16 @@ TEST(Preview_analytic, a_smooth_case_that_slides_slips_as_Mindlin_found) {
                                " --set Experiment/Type=sliding --set 'Interface/Friction coefficient=0.3'");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
-  const double full = 0.3e-3, stiffness = said["elastic"]["lateral_stiffness"]["value"];
+  const ElasticBody particle{71e9, 0.17}, substrate{179e9, 0.25};
+  const double full = 0.3e-3, stiffness = said["elastic"]["lateral_stiffness"]["value"],
+               a = Hertz{reduced_modulus(particle, substrate), 8.5e-6}.contact_radius(1e-3);
+  // Mindlin (1949), Reissner & Sagoci (1944), and Hertz' pressure about its middle.
+  EXPECT_NEAR(stiffness / (mindlin_factor * a * reduced_shear_modulus(particle, substrate)), 1, 0.01);
+  EXPECT_NEAR(said["elastic"]["torsion_stiffness"]["value"].get<double>() /
+                  (16.0 / 3 * a * a * a * torsion_modulus(particle, substrate)),
+              1, 0.02);
+  EXPECT_NEAR(said["elastic"]["slipping_moment"]["value"].get<double>() / (3 * M_PI / 16 * full * a), 1,
+              0.005);
   ASSERT_EQ(said["partial_slip"].size(), 7u);
   for (const auto& point : said["partial_slip"]) {
     const double share = point["shift"].get<double>() * stiffness / (1.5 * full);
@@ -91,6 +102,22 @@ TEST(Preview_analytic, a_smooth_case_that_slides_slips_as_Mindlin_found) {
                 0.01);
   }
   EXPECT_EQ(said["partial_slip"].back()["slipping"], 1);
+}
+
+TEST(Preview_analytic, smooth_bodies_that_adhere_part_under_the_force_of_Maugis) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "preview";
+  const Outcome outcome = call(
+      "preview " + file.string() + " --output " + output.string() +
+      " --set 'Experiment/Normal load=10 uN' --set 'Interface/Adhesion law=dugdale' --set 'Interface/Work of "
+      "adhesion=100 mJ/m^2' --set 'Interface/Adhesion range=1 nm'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
+  const MaugisDugdale maugis{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6, 0.1, 0.1 / 1e-9};
+  EXPECT_NEAR(said["elastic"]["pull_off_force"]["value"].get<double>() / maugis.pull_off_force(), 1, 0.01);
+  EXPECT_NEAR(said["elastic"]["approach"]["value"].get<double>() / maugis.approach(10e-6), 1, 0.01);
+  EXPECT_NEAR(said["elastic"]["normal_force"]["value"].get<double>() / 10e-6, 1, 1e-6);
 }
 
 TEST(Preview_behaviour, an_attraction_told_as_a_force_is_carried_beside_the_load) {

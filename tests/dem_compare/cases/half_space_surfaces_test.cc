@@ -67,6 +67,7 @@ TEST_F(HalfSpaceSurfaces_analytic, stand_for_the_unsolved_times_the_ratio_of_the
     EXPECT_NEAR(number.value / (ratio * value(number.load, r)), 1, 1e-12);
     const double left = 1.1 * h1 - ratio * h1;  // and as much below for the other
     EXPECT_NEAR(number.sd / number.value, std::hypot(0.01, std::abs(left) / mean), 1e-9);
+    EXPECT_NEAR(number.shared_sd / number.value, std::abs(left) / mean, 1e-9);
     EXPECT_TRUE(number.by_half_spaces);
     EXPECT_EQ(number.spacing, 1e-8);
   }
