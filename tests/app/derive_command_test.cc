@@ -60,6 +60,66 @@ void write_sliding_case(const fs::path& folder, double radius, double load) {
                                                     .dump());
 }
 
+/// A smooth elastic contact, pressed and drawn off, whose stated stiffness and pull-off force are given.
+void write_normal_case(const fs::path& folder, double load, double stiffness, double pull_off) {
+  const ElasticBody glass{71e9, 0.17};
+  const Hertz hertz{reduced_modulus(glass, glass), 8.5e-6};
+  History history;
+  for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0, 0.5, 0.0}) {
+    for (const auto& column : history_columns())
+      if (column.always) (history.*column.values).push_back(0);
+    history.normal_force.back() = share > 0 ? share * load : -pull_off;
+    history.normal_displacement.back() = hertz.approach(share * load);
+    history.contact_radius.back() = hertz.contact_radius(share * load);
+  }
+  fs::create_directories(folder);
+  write_file_atomically(folder / "history.csv", format_history(history));
+  const nlohmann::json glass_json{
+      {"youngs_modulus", 71e9}, {"poissons_ratio", 0.17}, {"topography", "smooth"}};
+  const nlohmann::json effective{{"normal_stiffness", {{"value", stiffness}, {"unit", "N/m"}, {"sd", 0}}},
+                                 {"pull_off_force", {{"value", pull_off}, {"unit", "N"}, {"sd", 0}}}};
+  write_file_atomically(
+      folder / "result.json",
+      nlohmann::json{{"format", "asperity-result/1"},
+                     {"experiment", "normal"},
+                     {"inputs", {{"particle", glass_json}, {"substrate", glass_json}, {"radius", 8.5e-6}}},
+                     {"effective", effective},
+                     {"mesh", {{"interface_spacing", 2e-8}}},
+                     {"versions", {{"asperity", "0.1.0"}}}}
+          .dump());
+}
+
+TEST(DeriveCommand_analytic, takes_surfaces_along_that_half_spaces_alone_have_solved) {
+  const TemporaryFolder folder;
+  constexpr double load = 1e-4, stiffness = 2e4, pull_off = 1e-6, both = 1.1;
+  nlohmann::json cases = nlohmann::json::array();
+  for (int r = 1; r <= 5; ++r) {
+    const std::string name = "100_uN-r" + std::to_string(r);
+    const double of_surface = r <= 2 ? 1 : 2;  // in the mean of five 1.6
+    cases.push_back({{"name", name},
+                     {"values", nlohmann::json::object()},
+                     {"realisation", r},
+                     {"inputs_sha256", ""},
+                     {"half_spaces",
+                      {{"normal_stiffness", {{"value", of_surface * stiffness}, {"unit", "N/m"}}},
+                       {"pull_off_force", {{"value", of_surface * pull_off}, {"unit", "N"}}}}}});
+    if (r <= 2) write_normal_case(folder.path / "study" / name, load, both * stiffness, both * pull_off);
+  }
+  folder.write("study/previews.json",
+               nlohmann::json{{"format", "asperity-previews/1"}, {"cases", cases}}.dump());
+  const fs::path file = folder.path / "parameters.json";
+  const Outcome outcome = call("derive " + (folder.path / "study").string() + " --output " + file.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const ContactParameters parameters = read_contact_parameters(file);
+  ASSERT_TRUE(parameters.normal_stiffness && parameters.pull_off_force);
+  EXPECT_NEAR(parameters.pull_off_force->value / (both * 1.6 * pull_off), 1, 1e-6);
+  // One of the two solved smooth contacts, which are the same, and three surfaces twice as stiff, in the
+  // logarithm.
+  EXPECT_NEAR(parameters.normal_stiffness->value / (both * stiffness * std::pow(2, 0.75)), 1, 1e-6);
+  EXPECT_NE(parameters.normal_stiffness->provenance.find("3 surfaces more by half-spaces"), std::string::npos)
+      << parameters.normal_stiffness->provenance;
+}
+
 TEST(DeriveCommand_analytic, writes_parameters_with_uncertainty_loads_and_provenance) {
   const TemporaryFolder folder;
   for (const double load : {1e-4, 3e-4, 1e-3})
