@@ -62,7 +62,8 @@ void add_conceal_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--setting", arguments->setting,
                       "one_load, ramp_only: experiments in which some effects are not distinguishable; "
-                      "long_hold, small_loops: in which one looks like another");
+                      "long_hold, small_loops: in which one looks like another; other_code: yielding and "
+                      "roughness by other codes' solutions");
   command->add_option("--from-case", arguments->from_case,
                       "Take the history of this solved case as truth (modes normal and sliding); --effect "
                       "then only says what it shows");

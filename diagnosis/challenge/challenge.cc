@@ -12,6 +12,7 @@
 #include "core/joined.h"
 #include "core/json_text.h"
 #include "core/printed.h"
+#include "diagnosis/challenge/nominal_case.h"
 #include "diagnosis/diagnose.h"
 
 namespace asperity {
@@ -33,7 +34,25 @@ std::optional<ChallengeScore> earlier_score(const fs::path& folder, const std::s
   }
 }
 
-ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
+/// As a user would have it; a case's friction is what the recording guesses, or what it really is.
+Diagnosis diagnose_item(const ChallengeItem& item, Recording recording, const Truth& truth,
+                        const fs::path& folder, const ChallengeOptions& options) {
+  if (!item.simulation) return diagnose(recording);
+  fs::path file = item.simulation->file;
+  if (file.empty()) {
+    file = folder / "case.prm";
+    if (item.knows_friction)
+      recording.simulation.parameters["sliding_friction"].value = truth.coefficients.at("sliding_friction");
+    write_file_atomically(file, nominal_case(recording));
+  }
+  // The case is the simulation, with a friction of its own.
+  recording.simulation_is_given = false;
+  recording.simulation = {};
+  write_recording(recording, folder);
+  return options.diagnose_by_case(read_recording(folder), file, item.simulation->entries, folder / "solves");
+}
+
+ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder, const ChallengeOptions& options) {
   const auto began = std::chrono::steady_clock::now();
   const ConcealedRecording concealed = conceal(item);
   write_concealed(concealed, folder);
@@ -41,7 +60,7 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
   try {
     // Read back: what is diagnosed is what a user would have.
     const Recording recording = read_recording(folder);
-    const Diagnosis diagnosis = diagnose(recording);
+    const Diagnosis diagnosis = diagnose_item(item, recording, concealed.truth, folder, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     write_file_atomically(folder / "diagnosis.json", diagnosis_json(diagnosis));
     score = score_of(item, {recording, concealed.truth}, diagnosis);
@@ -50,7 +69,7 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
   } catch (const std::exception& error) {
     score.name = item.name, score.family = item.family, score.mode = name_of(item.options.mode),
     score.noise = item.options.noise;
-    score.truth = item.options.effects;
+    score.truth = item.right_answer();
     score.verdict = "failed";
     score.failure = error.what();
   }
@@ -59,13 +78,20 @@ ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
-  std::vector<ChallengeItem> items = challenge_matrix(options.quick, options.seed);
+std::vector<ChallengeItem> items_of(const ChallengeOptions& options) {
+  std::vector<ChallengeItem> items = options.diagnose_by_case
+                                         ? case_challenge_matrix(options.quick, options.seed)
+                                         : challenge_matrix(options.quick, options.seed);
   items.erase(
       std::remove_if(items.begin(), items.end(),
                      [&](const auto& item) { return item.name.find(options.only) == std::string::npos; }),
       items.end());
   if (items.empty()) throw InputError("no recording of the challenge has '" + options.only + "' in its name");
+  return items;
+}
+
+std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
+  const std::vector<ChallengeItem> items = items_of(options);
   std::vector<ChallengeScore> scores(items.size());
   std::atomic<std::size_t> next{0}, done{0};
   std::mutex talking;
@@ -73,7 +99,7 @@ std::vector<ChallengeScore> run_challenge(const ChallengeOptions& options) {
     for (std::size_t i = next++; i < items.size(); i = next++) {
       const fs::path folder = options.output / items[i].name;
       const auto earlier = earlier_score(folder, options.program);
-      scores[i] = earlier ? *earlier : new_score(items[i], folder);
+      scores[i] = earlier ? *earlier : new_score(items[i], folder, options);
       if (!earlier)
         write_file_atomically(
             folder / score_file,

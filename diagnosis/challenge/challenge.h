@@ -20,7 +20,15 @@ struct ChallengeOptions {
   int jobs = 1;         ///< recordings diagnosed side by side
   std::string program;  ///< changes when the program does: scores of another program are made anew
   std::function<void(const std::string&)> progress;
+  /// Diagnoses a recording against a case of finite elements, with entries that replace the case's; keeps
+  /// what it solves in `folder`. None: the simulation is reduced laws, and the matrix another one.
+  std::function<Diagnosis(const Recording& recording, const std::filesystem::path& case_file,
+                          const std::vector<std::string>& entries, const std::filesystem::path& folder)>
+      diagnose_by_case;
 };
+
+/// The matrix that these options ask for. Throws InputError where nothing has `only` in its name.
+std::vector<ChallengeItem> items_of(const ChallengeOptions& options);
 
 /// Folders output/NAME with recording, truth.json, diagnosis.json and score.json; a diagnosis that throws is
 /// scored as a failure.

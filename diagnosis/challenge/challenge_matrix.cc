@@ -95,9 +95,12 @@ class Matrix {
       for (const double noise : levels({0.005, middle_noise, 0.02})) {
         add("finite_elements", solved.mode, solved.effects, noise);
         items_.back().name += "-" + std::string(solved.name);
-        for (const char* name : solved.cases)
-          items_.back().cases.push_back(data_folder("challenge", ASPERITY_CHALLENGE_DATA) / name);
+        for (const char* name : solved.cases) items_.back().cases.push_back(solved_truth(name));
       }
+    for (const char* effect : {"bulk_plasticity", "roughness_compliance"})
+      for (const double noise : levels({0.003, 0.005, middle_noise}))
+        for (int i = 0; i < (quick_ ? 1 : 2); ++i)
+          add("other_code", Motion::normal, {effect}, noise, "other_code");
     return std::move(items_);
   }
 
@@ -133,6 +136,10 @@ class Matrix {
 }  // namespace
 
 std::vector<ChallengeItem> challenge_matrix(bool quick, unsigned seed) { return Matrix(quick, seed).items(); }
+
+std::filesystem::path solved_truth(const std::string& name) {
+  return data_folder("challenge", ASPERITY_CHALLENGE_DATA) / name;
+}
 
 ConcealedRecording conceal(const ChallengeItem& item) {
   return item.cases.empty() ? conceal(item.options) : conceal_cases(item.cases, item.options);

@@ -75,7 +75,7 @@ ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& con
   score.family = item.family;
   score.mode = name_of(item.options.mode);
   score.noise = item.options.noise;
-  score.truth = sorted(item.options.effects);
+  score.truth = sorted(item.right_answer());
   score.named = names_of(diagnosis.left_out);
   score.verdict = name_of(diagnosis.verdict);
   for (const auto& alternative : diagnosis.alternatives)
@@ -84,7 +84,11 @@ ChallengeScore score_of(const ChallengeItem& item, const ConcealedRecording& con
   score.held_out_after = diagnosis.improved.held_out_chi2_reduced;
   score.overlap = location_overlap(concealed.recording, concealed.truth, diagnosis);
   if (!score.names_the_truth()) return score;
-  for (const auto& effect : concealed.truth.effects)
+  std::vector<TrueEffect> effects = concealed.truth.effects;
+  if (const auto friction = concealed.truth.coefficients.find("sliding_friction");
+      friction != concealed.truth.coefficients.end())
+    effects.push_back({"friction_coefficient", true, {{"coefficient", {friction->second, true}}}, ""});
+  for (const auto& effect : effects)
     for (const auto& found : diagnosis.left_out) {
       if (found.id != effect.id) continue;
       for (const auto& parameter : found.parameters) {

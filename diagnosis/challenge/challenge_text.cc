@@ -84,6 +84,8 @@ std::string rates_table(const Scores& scores) {
   text += row("single effects named exactly", percent(rate(scores, family("single"), is_right)), "95 %");
   text += row("effects in histories of finite elements named exactly, or kept clean",
               percent(rate(scores, family("finite_elements"), is_right)), "95 %");
+  text += row("yielding and roughness by other codes' solutions named exactly",
+              percent(rate(scores, family("other_code"), is_right)), "90 %");
   text += row("pairs named exactly", percent(rate(scores, family("pair"), is_right)), "85 %");
   text += row("nulls kept clean", percent(rate(scores, family("null"), is_right)), "97 %");
   text +=
@@ -187,8 +189,8 @@ std::string baseline_table(const Scores& scores) {
       "| held-out reduced chi², median | simulation alone | with the named effects | simulation alone "
       "(baselines' blocks) | sparse regression | Gaussian process |\n"
       "| --- | --- | --- | --- | --- | --- |\n";
-  for (const char* name :
-       {"single", "finite_elements", "pair", "null", out_of_catalogue, "decoy", "indistinguishable"}) {
+  for (const char* name : {"single", "finite_elements", "other_code", "pair", "null", out_of_catalogue,
+                           "decoy", "indistinguishable"}) {
     std::vector<double> before, after, alone, sparse, process;
     for (const auto& score : scores) {
       if (score.family != name || !score.failure.empty()) continue;

@@ -46,10 +46,19 @@ void check(const ConcealOptions& options) {
     throw InputError(
         "the noise must be at least 0 and below 1, relative to the largest response; write --noise 0.01 for "
         "1 %");
-  const std::vector<std::string> settings{"", "one_load", "ramp_only", "long_hold", "small_loops"};
+  const std::vector<std::string> settings{"",          "one_load",    "ramp_only",
+                                          "long_hold", "small_loops", hidden::by_other_code};
   if (std::find(settings.begin(), settings.end(), options.setting) == settings.end())
     throw InputError("there is no setting '" + options.setting +
-                     "'; there are one_load, ramp_only, long_hold and small_loops");
+                     "'; there are one_load, ramp_only, long_hold, small_loops and other_code");
+  const auto is_hidden = [&](const char* effect) {
+    return std::find(options.effects.begin(), options.effects.end(), effect) != options.effects.end();
+  };
+  if (options.setting == hidden::by_other_code && !is_hidden("bulk_plasticity") &&
+      !is_hidden("roughness_compliance"))
+    throw InputError(
+        "setting other_code has the effects bulk_plasticity and roughness_compliance by another code's "
+        "solution, and neither is concealed; add one, or leave the setting out");
 }
 
 /// Effects that are not distinguishable from those concealed by these data.

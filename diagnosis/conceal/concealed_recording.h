@@ -17,7 +17,8 @@ struct ConcealOptions {
   double noise = 0.01;               ///< standard deviation of a sample over the largest response [-]
   unsigned seed = 1;
   /// "one_load", "ramp_only": experiments in which some effects are not distinguishable; "long_hold",
-  /// "small_loops": those in which one looks like another.
+  /// "small_loops": those in which one looks like another; "other_code": yielding and roughness of a normal
+  /// contact by finite elements and half-spaces that are not those of the diagnosis.
   std::string setting;
 };
 

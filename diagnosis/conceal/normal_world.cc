@@ -4,106 +4,13 @@
 #include <memory>
 
 #include "core/hertz.h"
+#include "diagnosis/conceal/normal_program.h"
 #include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/conceal/other_code_truth.h"
 #include "diagnosis/conceal/world.h"
 
 namespace asperity::hidden {
 namespace {
-
-struct NormalProgram {
-  std::vector<double> loads;  ///< of an elastic sphere at the end of each run's path [N]
-  double off_contact = 0;     ///< path before touch, over the largest approach
-  double load_time = 10, hold_time = 10;
-  int load_samples = 110, hold_samples = 40;
-  bool unloads = true, controls_force = false;
-};
-
-NormalProgram normal_program(const WorldRequest& request, Random& random) {
-  const auto has = [&](const char* id) {
-    return std::find(request.effects.begin(), request.effects.end(), id) != request.effects.end();
-  };
-  NormalProgram program;
-  // Loads at which the physics asked for shows; the others come at any.
-  double largest = between(random, 0.2e-3, 2e-3);
-  if (has("adhesion") || has("adhesion_hysteresis")) largest = between(random, 40e-6, 80e-6);
-  if (has("roughness_compliance")) largest = between(random, 150e-6, 400e-6);
-  if (has("bulk_plasticity")) largest = between(random, 2e-3, 3e-3);
-  program.loads = {largest / 4, largest / 2, largest};
-  program.off_contact = 0.6;
-  program.controls_force =
-      has("creep") ||
-      (!has("adhesion") && !has("adhesion_hysteresis") && !has("baseline_tilt") &&
-       !has("contact_point_offset") && !has("pop_in") && !has("piezo_hysteresis") && request.seed % 3 == 0);
-  if (request.setting == "long_hold") program.controls_force = true;
-  if (has("creep") || request.setting == "long_hold") program.hold_time = 30, program.hold_samples = 90;
-  if (has("creep")) {  // fast up and down, so that what happens in the hold is not half over before it
-    program.load_time = 1;
-    program.loads = {0.7 * largest, 0.85 * largest, largest};
-  }
-  if (request.setting == "ramp_only") {
-    program.loads = {largest};
-    program.controls_force = true;
-    program.unloads = false;
-    program.hold_time = 0, program.hold_samples = 0;
-    program.load_samples = 220;
-  }
-  if (program.controls_force) program.off_contact = 0;
-  return program;
-}
-
-/// Parameters, scaled so that the effect is as large as instruments show it.
-void choose_normal_parameters(World& world, const WorldRequest& request, const NormalProgram& program,
-                              const Sphere& nominal, Random& random) {
-  const double largest = program.loads.back(),
-               depth = nominal.approach_of(nominal.contact_radius_at_force(largest));
-  const double run_time = 2 * program.load_time + program.hold_time;
-  for (const auto& id : request.effects) {
-    if (id == "instrument_compliance")
-      world.hide(id, "implicit series of springs, solved by bisection", "compliance",
-                 between(random, 0.1, 0.4) * depth / largest);
-    else if (id == "contact_point_offset")
-      world.hide(id, "shift of the recorded displacement", "offset",
-                 sign(random) * between(random, 0.08, 0.25) * depth);
-    else if (id == "thermal_drift")
-      world.hide(id, "recorded displacement grows with time", "rate",
-                 (request.setting == "ramp_only" ? 1 : sign(random)) * between(random, 0.08, 0.25) * depth /
-                     run_time);
-    else if (id == "adhesion")
-      world.hide(id, "Maugis 1992", "pull_off_force", between(random, 0.08, 0.2) * largest);
-    else if (id == "effective_radius")
-      world.hide(id, "sphere of another radius (Sneddon 1965)", "radius_ratio",
-                 sign(random) > 0 ? between(random, 1.2, 1.7) : between(random, 0.55, 0.8));
-    else if (id == "bulk_plasticity")
-      world.hide(id, "Kogut & Etsion 2002, unloading of Etsion, Kligerman & Kadin 2005", "yield_stress",
-                 between(random, 0.5e9, 1.0e9));
-    else if (id == "roughness_compliance")
-      world.hide(id, "layer with exponential pressure on rings over a half-space", "roughness_length",
-                 between(random, 0.02, 0.06) * depth, false);
-    else if (id == "creep") {
-      const char* model = "Kelvin element in series, driven through ramps and holds alike";
-      world.hide(id, model, "amplitude", between(random, 0.06, 0.2), false);
-      world.hide(id, model, "time_constant", between(random, 2, 8));
-    } else if (id == "baseline_tilt")
-      world.hide(id, "force grows with the recorded displacement", "slope",
-                 sign(random) * between(random, 0.06, 0.2) * largest / depth);
-    else if (id == "adhesion_hysteresis") {
-      const char* model = "Maugis 1992 with two works of adhesion, edge pinned between them";
-      const double closing = world.hide(id, model, "work_closing",
-                                        between(random, 0.03, 0.06) * largest / (1.5 * pi * nominal.radius));
-      world.hide(id, model, "work_opening", between(random, 3, 6) * closing);
-    } else if (id == "pop_in")
-      world.hide(id, "sudden displacement at a load of its own in each run", "jump",
-                 between(random, 0.06, 0.15) * depth, false);
-    else if (id == "piezo_hysteresis")
-      world.hide(id, "the displacement sensor has another characteristic upwards than downwards", "share",
-                 between(random, 0.04, 0.09), false);
-    else if (id == "thermal_oscillation") {
-      world.hide(id, "sinusoidal shift of the displacement", "amplitude", between(random, 0.03, 0.08) * depth,
-                 false);
-      world.hide(id, "", "period", between(random, 3, 7), false);
-    }
-  }
-}
 
 MaugisDugdale adhesive(const Sphere& sphere, double work) {
   constexpr double distance = 0.3e-9, lennard_jones = 1.03;  // z0 [m]
@@ -118,26 +25,61 @@ MaugisDugdale adhesive_by_pull_off(const Sphere& sphere, double pull_off) {
                            unit / 2.1, unit / 1.4));
 }
 
+/// Makes the law of the contact anew for each run; a layer or a surface, which has no history, only once.
+class ContactLaw {
+ public:
+  /// depth: largest approach [m], at the force `largest` [N].
+  ContactLaw(const World& world, const WorldRequest& request, Sphere sphere, double depth, double largest)
+      : world_(world), by_other_code_(request.setting == by_other_code), sphere_(sphere) {
+    if (world.hides("effective_radius")) sphere_.radius *= world.value("effective_radius", "radius_ratio");
+    const char* rough = "roughness_compliance";
+    if (!world.hides(rough)) return;
+    if (!by_other_code_)
+      rough_ = rough_truth(sphere_, world.value(rough, "roughness_length"), 1.5 * depth);
+    else
+      rough_ = rough_half_spaces(elastic_body(world.recording.particle),
+                                 elastic_body(world.recording.substrate), sphere_.radius,
+                                 {world.value(rough, "rms"), world.value(rough, "rolloff"),
+                                  world.value(rough, "cutoff"), request.seed},
+                                 1.5 * largest);
+  }
+
+  std::shared_ptr<NormalTruth> law() const {
+    if (rough_) return rough_;
+    if (world_.hides("adhesion"))
+      return std::make_shared<AdhesiveTruth>(adhesive_by_pull_off(sphere_, of("adhesion", "pull_off_force")));
+    if (world_.hides("adhesion_hysteresis"))
+      return std::make_shared<HystereticTruth>(adhesive(sphere_, of("adhesion_hysteresis", "work_closing")),
+                                               adhesive(sphere_, of("adhesion_hysteresis", "work_opening")));
+    const double yield_stress = of("bulk_plasticity", "yield_stress");
+    if (yield_stress > 0 && by_other_code_)
+      return std::make_shared<TabledYielding>(sphere_.reduced_modulus, sphere_.radius, yield_stress);
+    if (yield_stress > 0)
+      return std::make_shared<PlasticTruth>(sphere_.reduced_modulus, sphere_.radius, 0.17, yield_stress);
+    if (world_.hides("creep"))
+      return std::make_shared<CreepingTruth>(sphere_, of("creep", "amplitude"), of("creep", "time_constant"));
+    return std::make_shared<ElasticTruth>(sphere_);
+  }
+
+ private:
+  static ElasticBody elastic_body(const RecordedBody& body) {
+    return {body.youngs_modulus, body.poissons_ratio};
+  }
+  double of(const char* id, const char* parameter) const { return world_.value(id, parameter); }
+
+  const World& world_;
+  bool by_other_code_;
+  Sphere sphere_;
+  std::shared_ptr<NormalTruth> rough_;
+};
+
 class NormalRun {
  public:
+  /// law: of the contact with its effects; null: the nominal sphere, without any.
   NormalRun(const World& world, const NormalProgram& program, const Sphere& nominal, double depth,
-            bool with_effects)
-      : world_(world), program_(program), depth_(depth), with_effects_(with_effects), sphere_(nominal) {
-    if (has("effective_radius")) sphere_.radius *= of("effective_radius", "radius_ratio");
-    if (has("adhesion"))
-      law_ = std::make_unique<AdhesiveTruth>(adhesive_by_pull_off(sphere_, of("adhesion", "pull_off_force")));
-    else if (has("adhesion_hysteresis"))
-      law_ = std::make_unique<HystereticTruth>(adhesive(sphere_, of("adhesion_hysteresis", "work_closing")),
-                                               adhesive(sphere_, of("adhesion_hysteresis", "work_opening")));
-    else if (has("bulk_plasticity"))
-      law_ = std::make_unique<PlasticTruth>(sphere_.reduced_modulus, sphere_.radius, 0.17,
-                                            of("bulk_plasticity", "yield_stress"));
-    else if (has("roughness_compliance"))
-      law_ = rough_truth(sphere_, of("roughness_compliance", "roughness_length"), 1.5 * depth);
-    else if (has("creep"))
-      law_ = std::make_unique<CreepingTruth>(sphere_, of("creep", "amplitude"), of("creep", "time_constant"));
-    else
-      law_ = std::make_unique<ElasticTruth>(sphere_);
+            std::shared_ptr<NormalTruth> law)
+      : world_(world), program_(program), depth_(depth), with_effects_(law != nullptr), law_(std::move(law)) {
+    if (!law_) law_ = std::make_shared<ElasticTruth>(nominal);
   }
 
   /// Recorded force at a recorded displacement.
@@ -195,8 +137,7 @@ class NormalRun {
   const NormalProgram& program_;
   double depth_;
   bool with_effects_;
-  Sphere sphere_;
-  std::unique_ptr<NormalTruth> law_;
+  std::shared_ptr<NormalTruth> law_;
   double time_ = 0;
   bool popped_ = false;
 };
@@ -208,10 +149,16 @@ World normal_world(const WorldRequest& request) {
   World world;
   world.recording = paper_bodies(Motion::normal, "concealed normal loading");
   const NormalProgram program = normal_program(request, random);
-  const Sphere nominal{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), world.recording.particle.radius};
+  if (request.setting == by_other_code && request.asks_for("bulk_plasticity"))
+    world.recording.substrate = {"diamond", 1140e9, 0.07, RecordedBody::unknown, 0, RecordedBody::unknown};
+  const RecordedBody &sphere = world.recording.particle, &plane = world.recording.substrate;
+  const Sphere nominal{reduced_modulus({sphere.youngs_modulus, sphere.poissons_ratio},
+                                       {plane.youngs_modulus, plane.poissons_ratio}),
+                       sphere.radius};
   choose_normal_parameters(world, request, program, nominal, random);
   const double deepest = nominal.approach_of(nominal.contact_radius_at_force(program.loads.back()));
 
+  const ContactLaw contact(world, request, nominal, deepest, program.loads.back());
   RecordingTable table;
   table.file = "loading.csv";
   table.control = {program.controls_force ? "normal_force" : "normal_displacement"};
@@ -222,7 +169,8 @@ World normal_world(const WorldRequest& request) {
   int number = 0;
   for (const double load : program.loads) {
     ++number;
-    NormalRun with(world, program, nominal, deepest, true), plain(world, program, nominal, deepest, false);
+    NormalRun with(world, program, nominal, deepest, contact.law()),
+        plain(world, program, nominal, deepest, nullptr);
     const double depth = nominal.approach_of(nominal.contact_radius_at_force(load));
     const double start = program.controls_force ? 0.01 * load : -program.off_contact * deepest,
                  end = program.controls_force ? load : depth;

@@ -69,50 +69,25 @@ double RoughLayer::force(double approach) {
   throw WorkError("the rough layer's pressures did not settle");
 }
 
-namespace {
-
-/// Force against approach tabulated once; the zero of the approach is first touch, a thousandth of the
-/// largest force.
-class RoughTruth : public NormalTruth {
- public:
-  RoughTruth(const Sphere& sphere, double length, double largest_approach) {
-    constexpr double pressure_share = 0.02;  // of E*: asperities of slope 0.05 (Persson 2007)
-    constexpr int rings = 56, points = 500;
-    constexpr double first_touch = 1e-3, room = 1.7;
-    const double largest_force = sphere.force(largest_approach);
-    RoughLayer layer(sphere, length, pressure_share * sphere.reduced_modulus,
-                     room * sphere.contact_radius(largest_approach + 4 * length), rings);
-    const double low = -12 * length, high = largest_approach + 6 * length;
-    double begin = low;
-    for (int i = 0; i <= points; ++i) {
-      const double d = low + (high - low) * i / points, f = layer.force(d);
-      if (f < first_touch * largest_force) begin = d;
-      approach_.push_back(d);
-      force_.push_back(f);
-    }
-    for (double& d : approach_) d -= begin;
+/// Tabulated once; the zero of the approach is first touch, a thousandth of the largest force.
+std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double length, double largest_approach) {
+  std::vector<double> approach, force;
+  constexpr double pressure_share = 0.02;  // of E*: asperities of slope 0.05 (Persson 2007)
+  constexpr int rings = 56, points = 500;
+  constexpr double first_touch = 1e-3, room = 1.7;
+  const double largest_force = sphere.force(largest_approach);
+  RoughLayer layer(sphere, length, pressure_share * sphere.reduced_modulus,
+                   room * sphere.contact_radius(largest_approach + 4 * length), rings);
+  const double low = -12 * length, high = largest_approach + 6 * length;
+  double begin = low;
+  for (int i = 0; i <= points; ++i) {
+    const double d = low + (high - low) * i / points, f = layer.force(d);
+    if (f < first_touch * largest_force) begin = d;
+    approach.push_back(d);
+    force.push_back(f);
   }
-  double force(double approach, double) const override {
-    const auto next = std::upper_bound(approach_.begin(), approach_.end(), approach);
-    if (next == approach_.begin()) return 0;
-    const std::size_t i =
-        std::min<std::size_t>(static_cast<std::size_t>(next - approach_.begin()), approach_.size() - 1);
-    const double t = (approach - approach_[i - 1]) / (approach_[i] - approach_[i - 1]);
-    // F^(2/3) is nearly straight.
-    return std::pow(
-        std::max(0.0, std::pow(force_[i - 1], 2.0 / 3) * (1 - t) + std::pow(force_[i], 2.0 / 3) * t), 1.5);
-  }
-  void take(double, double) override {}
-
- private:
-  std::vector<double> approach_, force_;
-};
-
-}  // namespace
-
-std::unique_ptr<NormalTruth> rough_truth(const Sphere& sphere, double roughness_length,
-                                         double largest_approach) {
-  return std::make_unique<RoughTruth>(sphere, roughness_length, largest_approach);
+  for (double& d : approach) d -= begin;
+  return std::make_unique<TabledContact>(std::move(approach), std::move(force));
 }
 
 }  // namespace asperity::hidden

@@ -31,8 +31,13 @@ struct World {
   double value(const std::string& effect, const std::string& parameter) const;
 };
 
+/// The setting in which a normal contact yields, or is rough, by the solution of another code
+/// (other_code_truth.h).
+inline constexpr const char* by_other_code = "other_code";
+
 /// What to conceal. `setting` "" is the ordinary experiment; others make effects indistinguishable
-/// ("one_load", "ramp_only").
+/// ("one_load", "ramp_only"), "long_hold" and "small_loops"
+/// make one look like another.
 struct WorldRequest {
   Motion mode = Motion::normal;
   std::vector<std::string> effects;

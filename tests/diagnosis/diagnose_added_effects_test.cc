@@ -19,7 +19,7 @@ namespace {
 using test::nm;
 using test::uN;
 
-double hertz(double d) { return d > 0 ? test::experiment(Motion::normal).hertz().force(d) : 0; }
+double force_by_hertz(double d) { return d > 0 ? test::experiment(Motion::normal).hertz().force(d) : 0; }
 
 /// Load and unload to 50 nm in 100 samples each; `make` gives the force of a fresh run at depth and
 /// direction.
@@ -55,7 +55,7 @@ Recording indentation(const std::function<std::function<double(double, int)>()>&
 }
 
 TEST(DiagnoseAdded_analytic, noise_of_which_neighbours_share_half_is_no_mismatch) {
-  const auto elastic = [] { return [](double d, int) { return hertz(d); }; };
+  const auto elastic = [] { return [](double d, int) { return force_by_hertz(d); }; };
   for (const unsigned seed : {1u, 2u, 3u}) {
     const Diagnosis d = diagnose(indentation(elastic, 1, 15 * uN, 0.5, 0.7, seed));
     EXPECT_EQ(d.verdict, Verdict::no_mismatch) << seed << " " << diagnosis_json(d);
@@ -63,7 +63,7 @@ TEST(DiagnoseAdded_analytic, noise_of_which_neighbours_share_half_is_no_mismatch
 }
 
 TEST(DiagnoseAdded_analytic, noise_that_neighbours_share_is_learned_from_the_best_explanation) {
-  const auto flatter = [] { return [](double d, int) { return 1.15 * hertz(d); }; };
+  const auto flatter = [] { return [](double d, int) { return 1.15 * force_by_hertz(d); }; };
   for (const unsigned seed : {1u, 2u, 3u}) {
     const Diagnosis d = diagnose(indentation(flatter, 1, 15 * uN, 0.5, 0.7, seed));
     ASSERT_EQ(d.verdict, Verdict::explained) << seed << " " << diagnosis_json(d);
@@ -80,7 +80,7 @@ TEST(DiagnoseAdded_analytic, a_ripple_that_looks_like_shared_noise_is_not_called
   // Light that the sample reflects: 40 uN along 20 nm, with 15 uN of noise.
   constexpr double twice_pi = 6.283185307179586;
   const auto rippled = [] {
-    return [](double d, int) { return hertz(d) + 40 * uN * std::sin(twice_pi * d / (20 * nm)); };
+    return [](double d, int) { return force_by_hertz(d) + 40 * uN * std::sin(twice_pi * d / (20 * nm)); };
   };
   for (const unsigned seed : {1u, 2u, 3u}) {
     const Diagnosis d = diagnose(indentation(rippled, 1, 15 * uN, 0.5, 0.7, seed));
@@ -91,7 +91,7 @@ TEST(DiagnoseAdded_analytic, a_ripple_that_looks_like_shared_noise_is_not_called
 
 TEST(DiagnoseAdded_analytic, a_small_effect_of_the_instrument_that_is_plain_is_named_beside_a_large_one) {
   // A zero error of 0.4 nm: 1.2 % of the force beside the radius' 30 %, but twenty times the noise.
-  const auto shifted = [] { return [](double d, int) { return 0.7 * hertz(d - 0.4 * nm); }; };
+  const auto shifted = [] { return [](double d, int) { return 0.7 * force_by_hertz(d - 0.4 * nm); }; };
   const Diagnosis d = diagnose(indentation(shifted, 2, 1 * uN, 0, 0, 6));
   ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
   ASSERT_EQ(d.left_out.size(), 2u) << diagnosis_json(d);
@@ -104,8 +104,8 @@ TEST(DiagnoseAdded_analytic, a_small_effect_of_the_instrument_that_is_plain_is_n
 TEST(DiagnoseAdded_analytic, a_burst_at_a_load_is_a_pop_in) {
   const auto bursting = [] {
     return [jump = 0.0](double d, int) mutable {
-      if (hertz(d) > 900 * uN) jump = 4 * nm;
-      return hertz(d - jump);
+      if (force_by_hertz(d) > 900 * uN) jump = 4 * nm;
+      return force_by_hertz(d - jump);
     };
   };
   const Diagnosis d = diagnose(indentation(bursting, 2, 10 * uN, 0, 0, 4));
@@ -117,7 +117,7 @@ TEST(DiagnoseAdded_analytic, a_burst_at_a_load_is_a_pop_in) {
 }
 
 TEST(DiagnoseAdded_analytic, a_sensor_at_the_end_of_its_range_is_clipped) {
-  const auto clipped = [] { return [](double d, int) { return std::min(hertz(d), 1500 * uN); }; };
+  const auto clipped = [] { return [](double d, int) { return std::min(force_by_hertz(d), 1500 * uN); }; };
   const Diagnosis d = diagnose(indentation(clipped, 2, 10 * uN, 0, 0, 5));
   ASSERT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
   ASSERT_EQ(d.left_out.size(), 1u);

@@ -140,7 +140,7 @@ Recording pressed_yielding(double yield, const std::vector<double>& depths = {60
       0.003 * truth.loading_force(depths.back()), depths);
 }
 
-double hertz(double d) { return Hertz{reduced_modulus(glass, wafer), radius}.force(d); }
+double force_of_hertz(double d) { return Hertz{reduced_modulus(glass, wafer), radius}.force(d); }
 Diagnosis diagnosed(const Recording& recording, StandIn* simulation) {
   DiagnoseOptions options;
   options.simulation = simulation;
@@ -156,7 +156,8 @@ bool says(const Diagnosis& d, const std::string& words) {
 TEST(SolvedCase_behaviour, what_the_case_says_is_the_simulation_and_not_the_reduced_law) {
   StandIn stiff;
   stiff.stiffer = 1.06;
-  const Recording recording = pressed([](double d) { return 1.06 * hertz(d); }, 0.003 * hertz(60 * nm));
+  const Recording recording =
+      pressed([](double d) { return 1.06 * force_of_hertz(d); }, 0.003 * force_of_hertz(60 * nm));
   EXPECT_NE(diagnosed(recording, nullptr).verdict, Verdict::no_mismatch);
   const Diagnosis d = diagnosed(recording, &stiff);
   EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
@@ -261,9 +262,9 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
     double low = 0, high = d;
     for (int i = 0; i < 80; ++i) {
       const double middle = 0.5 * (low + high);
-      (middle + compliance * hertz(middle) < d ? low : high) = middle;
+      (middle + compliance * force_of_hertz(middle) < d ? low : high) = middle;
     }
-    return hertz(low);
+    return force_of_hertz(low);
   };
   StandIn slow;
   slow.share_solved = 0.6;
@@ -282,7 +283,7 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
 }
 
 TEST(SolvedCase_behaviour, other_motions_are_refused) {
-  Recording recording = pressed(hertz, 1e-9);
+  Recording recording = pressed(force_of_hertz, 1e-9);
   recording.mode = Motion::rolling;
   StandIn simulation;
   EXPECT_EQ(

@@ -128,7 +128,10 @@ ReadmeGroup recordings() {
            {"build/asperity conceal --effect adhesion --mode normal --noise 0.01 --seed 1 --output concealed",
             "", "", "rows", "concealed/truth.json"},
            {"build/asperity challenge --output challenge", " --quick --only single-rolling",
-            "a few recordings of some 200", "", "challenge/challenge.md"}}};
+            "a few recordings of some 200", "", "challenge/challenge.md"},
+           {"build/asperity challenge --case --output challenge_by_case",
+            " --quick --only single-normal-instrument", "one recording of some 50", "",
+            "challenge_by_case/challenge.md"}}};
 }
 
 }  // namespace
