@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/other_surfaces.h"
 #include "app/solved_cases.h"
 #include "app/study.h"
 #include "app/study_summary.h"
@@ -38,6 +39,10 @@ class FiniteElementModel : public ForwardModel {
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt& enough) override;
+  /// By half-spaces. Throws InputError, WorkError as these do.
+  std::vector<SurfaceChange> on_other_surfaces(double largest_force) override {
+    return changes_on_other_surfaces(input_, largest_force);
+  }
   /// Throws InputError for a change that the case refuses, WorkError where it does not slide as a whole.
   std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
                                  const std::vector<SlidingProtocol>& protocols, bool must_end) override;

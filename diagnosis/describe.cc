@@ -28,12 +28,15 @@ std::string titles(const std::vector<DiagnosedEffect>& effects) {
   return text;
 }
 
-/// What each parameter would be off by if finite elements were off by what they state; in its unit.
+/// What each parameter would be off by if finite elements were off by what they state, or solved on another
+/// surface; in its unit.
 std::vector<double> shifts_by_mesh_errors(const FitProblem& problem, const ModelFit& fit) {
   std::vector<double> shifts(fit.values.size(), 0.0);
   if (!fit.explanation->correction()) return shifts;
   constexpr int steps = 6;
-  for (auto& explanation : off_by_mesh_errors(fit)) {
+  auto explanations = off_by_mesh_errors(fit);
+  for (auto& other : off_by_surfaces(fit)) explanations.push_back(std::move(other));
+  for (auto& explanation : explanations) {
     ModelFit off = fit;
     off.explanation = std::move(explanation);
     off = refitted(problem, off, problem.thin, false, steps);

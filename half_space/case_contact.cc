@@ -202,6 +202,20 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
   }
 }
 
+std::vector<CaseContact> contacts_under(CaseInput input, const std::vector<double>& forces,
+                                        const CaseContactOptions& options) {
+  input.experiment.control = ExperimentInput::Control::force;
+  input.experiment.normal_load = *std::max_element(forces.begin(), forces.end());
+  const Grid grid = contact_of_case(input, options).grid;
+  const Surfaces surfaces(input, 0.5 * grid.nx * grid.dx);
+  std::vector<CaseContact> contacts;
+  for (const double force : forces) {
+    input.experiment.normal_load = force;
+    contacts.push_back(contact_on(input, surfaces, grid, options));
+  }
+  return contacts;
+}
+
 CasePreview preview_of_case(const CaseInput& input, double hardness,
                             const std::optional<Attraction>& attraction) {
   CasePreview preview;

@@ -81,6 +81,11 @@ double derived_half_width(const CaseInput& input, const std::optional<Attraction
 /// times, or where it goes beyond half the radius; ScanError where a scan is smaller than the square.
 CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& options = {});
 
+/// The case under each of these normal forces [N], on the surfaces and cells of the largest, which are made
+/// once. Throws as contact_of_case does.
+std::vector<CaseContact> contacts_under(CaseInput input, const std::vector<double>& forces,
+                                        const CaseContactOptions& options = {});
+
 /// A case at two spacings, one twice the other, whose difference tells the error of the finer (errors of
 /// first order, so that it is rather too large).
 struct CasePreview {

@@ -82,9 +82,9 @@ ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const 
   const std::vector<double> residual = fit.residual(problem.samples);
   const LawError tolerated = law_error(problem, fit, baseline);
   if (!has_shared_error(problem)) return scanner.scan(residual, tolerated);
-  const auto of_mesh = mesh_errors(fit, problem.samples, fit.simulate(problem.samples));
+  const ModelErrors shared = shared_errors(problem, fit, fit.simulate(problem.samples));
   const LawErrors errors(problem.samples);
-  return scanner.scan(errors.without_mesh_error(problem.samples, problem.noise, residual, of_mesh),
+  return scanner.scan(errors.without_shared_error(problem.samples, problem.noise, residual, shared),
                       tolerated);
 }
 

@@ -44,24 +44,6 @@ MatrixXd shapes_along(const std::vector<std::vector<double>>& coordinates, std::
   return shapes / std::sqrt(weights);
 }
 
-/// Largest within a twentieth of each part to either side: errors of a law do not vanish where its
-/// contribution changes sign.
-LawError largest_nearby(const Samples& samples, const LawError& error) {
-  constexpr double reach_of_part = 0.05;
-  LawError largest = error;
-  for (const auto& run : samples.runs) {
-    if (run.independent_rows) continue;
-    for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
-      while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
-      const auto reach = static_cast<std::size_t>(std::ceil(reach_of_part * static_cast<double>(to - from)));
-      for (std::size_t i = from; i < to; ++i)
-        largest[i] = *std::max_element(error.begin() + static_cast<long>(std::max(from + reach, i) - reach),
-                                       error.begin() + static_cast<long>(std::min(to, i + reach + 1)));
-    }
-  }
-  return largest;
-}
-
 /// All samples that count, with what one solution is off by along them.
 MatrixXd shapes_of_whole(const Samples& samples, const std::vector<std::size_t>& members) {
   std::vector<double> loads;
@@ -123,6 +105,7 @@ LawErrors::LawErrors(const Samples& samples) {
   for (std::size_t i = 0; i < samples.list.size(); ++i)
     if (samples.list[i].counts) whole_.samples.push_back(i);
   whole_.shapes = shapes_of_whole(samples, whole_.samples);
+  once_ = {whole_.samples, whole_.shapes.leftCols(1)};
   std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> members;
   for (std::size_t r = 0; r < samples.runs.size(); ++r)
     for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
@@ -178,20 +161,24 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
       r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
   take_off(whole_, errors.of_mesh);
+  take_off(once_, errors.of_surfaces);
   for (const Group& group : groups_) take_off(group, errors.of_laws);
   double sum = own;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-std::vector<double> LawErrors::without_mesh_error(const Samples& samples, const Noise& noise,
-                                                  std::vector<double> residual,
-                                                  const std::vector<LawError>& of_mesh) const {
-  if (of_mesh.empty() || whole_.samples.empty()) return residual;
+std::vector<double> LawErrors::without_shared_error(const Samples& samples, const Noise& noise,
+                                                    std::vector<double> residual,
+                                                    const ModelErrors& errors) const {
+  if ((errors.of_mesh.empty() && errors.of_surfaces.empty()) || whole_.samples.empty()) return residual;
   constexpr double most = 2;  // standard deviations
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   const std::vector<double> white = filter.whitened(residual);
-  const MatrixXd B = columns_of(whole_.samples, whole_.shapes, of_mesh);
+  const MatrixXd of_mesh = columns_of(whole_.samples, whole_.shapes, errors.of_mesh),
+                 of_surfaces = columns_of(once_.samples, once_.shapes, errors.of_surfaces);
+  MatrixXd B(of_mesh.rows(), of_mesh.cols() + of_surfaces.cols());
+  B << of_mesh, of_surfaces;
   MatrixXd whitened = B;
   filter.whiten(whole_.samples, whitened);
   const VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
@@ -200,80 +187,6 @@ std::vector<double> LawErrors::without_mesh_error(const Samples& samples, const 
   for (std::size_t row = 0; row < whole_.samples.size(); ++row)
     residual[whole_.samples[row]] -= off[static_cast<Eigen::Index>(row)];
   return residual;
-}
-
-std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
-                                  const std::vector<double>& response) {
-  std::vector<LawError> errors;
-  for (const auto& explanation : off_by_mesh_errors(fit)) {
-    const auto off = asperity::simulate(explanation->mechanics(fit.values), samples);
-    LawError error(response.size());
-    for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = samples.list[i].counts ? off[i] - response[i] : 0.0;
-    errors.push_back(std::move(error));
-  }
-  return errors;
-}
-
-LawError together(const std::vector<LawError>& errors, std::size_t count) {
-  LawError all(count, 0.0);
-  for (const LawError& error : errors)
-    for (std::size_t i = 0; i < count; ++i) all[i] = std::hypot(all[i], error[i]);
-  return all;
-}
-
-ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
-  const Samples& samples = problem.samples;
-  const auto& effects = fit.explanation->effects();
-  const auto with = fit.simulate(samples);
-  ModelErrors errors;
-  if (fit.explanation->correction())
-    (has_shared_error(problem) ? errors.of_mesh : errors.of_laws) = mesh_errors(fit, samples, with);
-  // What all change together bounds what one does: effects that undo each other lend each other no room.
-  LawError changed(with.size());
-  for (std::size_t i = 0; i < with.size(); ++i)
-    changed[i] = samples.list[i].counts
-                     ? std::abs(samples.list[i].response - problem.baseline_residual[i] - with[i])
-                     : 0.0;
-  changed = largest_nearby(samples, changed);
-  const double largest = *std::max_element(changed.begin(), changed.end());
-  for (const Effect* left_out : effects) {
-    if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
-    std::vector<const Effect*> others;
-    for (const Effect* effect : effects)
-      if (effect != left_out) others.push_back(effect);
-    const ModelFit fewer = fit.only(problem, others, baseline);
-    const auto without = fewer.simulate(samples);
-    // What a coefficient that is calibrated anyway would take over is no contribution.
-    double both = 0, own = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-      if (samples.list[i].counts) both += with[i] * without[i], own += without[i] * without[i];
-    const bool calibrated = !fewer.values.empty() && fewer.explanation->parameters().front().effect < 0;
-    const double scale = calibrated && own > 0 ? both / own : 1;
-    LawError error(with.size());
-    for (std::size_t i = 0; i < error.size(); ++i) error[i] = std::abs(with[i] - scale * without[i]);
-    error = largest_nearby(samples, error);
-    const EffectDescription& law = left_out->description();
-    for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
-                            std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
-    errors.of_laws.push_back(std::move(error));
-  }
-  return errors;
-}
-
-LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
-  const ModelErrors errors = law_errors(problem, fit, baseline);
-  const std::size_t count = problem.samples.list.size();
-  return together({together(errors.of_mesh, count), together(errors.of_laws, count)}, count);
-}
-
-double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
-  double accuracy = 0;
-  for (const Effect* effect : fit.explanation->effects())
-    if (!fit.is_confirmed || effect->enters_by(problem.experiment) != EntersBy::finite_elements)
-      accuracy = std::max(accuracy, effect->description().accuracy);
-  return accuracy;
 }
 
 }  // namespace asperity

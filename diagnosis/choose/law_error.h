@@ -20,13 +20,16 @@ using LawError = std::vector<double>;
 /// What an explanation may be off by.
 struct ModelErrors {
   std::vector<LawError> of_mesh;  ///< of one solution, by the same part everywhere or straight in the load
-  std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
+  std::vector<LawError> of_surfaces;  ///< of one surface, each by the same part everywhere
+  std::vector<LawError> of_laws;      ///< each of its own factor in each run and segment
 };
 
-/// Whether finite elements are off by one factor at all samples, as friction is that is slid at a few loads.
-/// The approach of a contact that is pressed is off by another part at each load, as its mesh resolves it.
+/// Whether finite elements are off by one factor at all samples: as friction is that is slid at a few loads,
+/// and the approach on one surface in place of another. By its mesh the approach of a contact that is pressed
+/// is off by another part at each load.
 inline bool has_shared_error(const FitProblem& problem) {
-  return problem.correction && problem.experiment.mode == Motion::sliding;
+  return problem.correction &&
+         (problem.experiment.mode == Motion::sliding || !problem.correction->surface_errors().empty());
 }
 
 /// What mesh and load steps of finite elements may be off by, as a part of the response, signed: one standard
@@ -35,6 +38,14 @@ inline bool has_shared_error(const FitProblem& problem) {
 /// load.
 std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
                                   const std::vector<double>& response);
+
+/// Likewise of the case's surfaces (off_by_surfaces).
+std::vector<LawError> surface_errors(const ModelFit& fit, const Samples& samples,
+                                     const std::vector<double>& response);
+
+/// What a fit is off by with one factor at all samples: mesh in sliding, and surfaces.
+ModelErrors shared_errors(const FitProblem& problem, const ModelFit& fit,
+                          const std::vector<double>& response);
 
 /// Root of the sum of squares, of each sample; zeros of `count` where there is none.
 LawError together(const std::vector<LawError>& errors, std::size_t count);
@@ -54,10 +65,10 @@ class LawErrors {
   /// own, and the log determinant of its covariance over that of the noise.
   double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
               const ModelErrors& errors) const;
-  /// The residual without what is likely of the mesh's error, of at most two standard deviations.
-  std::vector<double> without_mesh_error(const Samples& samples, const Noise& noise,
-                                         std::vector<double> residual,
-                                         const std::vector<LawError>& of_mesh) const;
+  /// The residual without what is likely of the errors of mesh and surfaces, of at most two standard
+  /// deviations each.
+  std::vector<double> without_shared_error(const Samples& samples, const Noise& noise,
+                                           std::vector<double> residual, const ModelErrors& errors) const;
 
  private:
   /// Samples whose errors share coefficients, with the cosines there.
@@ -67,6 +78,7 @@ class LawErrors {
   };
   std::vector<Group> groups_;
   Group whole_;  ///< all samples, with a constant and a straight line in the load
+  Group once_;   ///< all samples, with a constant
 };
 
 /// What the least exact law of a set may be off by, relative.

@@ -23,11 +23,10 @@ std::unique_ptr<NormalTruth> rough_half_spaces(const ElasticBody& sphere, const 
   input.radius = radius;
   half_space::CaseContactOptions options;
   options.with_stiffness = false;
-  std::vector<double> approach, force;
-  for (int i = 0; i < loads; ++i) {
-    input.experiment.normal_load =
-        largest_force * first_touch * std::pow(most / first_touch, i / (loads - 1.0));
-    const half_space::CaseContact contact = half_space::contact_of_case(input, options);
+  std::vector<double> approach, force, under;
+  for (int i = 0; i < loads; ++i)
+    under.push_back(largest_force * first_touch * std::pow(most / first_touch, i / (loads - 1.0)));
+  for (const auto& contact : half_space::contacts_under(input, under, options)) {
     approach.push_back(contact.approach());
     force.push_back(contact.force());
   }

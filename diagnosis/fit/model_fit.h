@@ -78,6 +78,9 @@ ModelFit finished(const FitProblem& problem, const ModelFit& fit);
 /// displacement or friction, and of the lateral stiffness where that is stated. Expects a correction.
 std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit);
 
+/// The same explanation on each other surface of the case, by one standard deviation. Expects a correction.
+std::vector<std::shared_ptr<const Explanation>> off_by_surfaces(const ModelFit& fit);
+
 /// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
 /// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.
 ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit);

@@ -1,4 +1,4 @@
-// The fit with its finite elements off by what they state of their own error.
+// The fit with its finite elements off by what they state of their own error, or on another surface.
 #include "diagnosis/fit/model_fit.h"
 
 namespace asperity {
@@ -31,7 +31,30 @@ class OffByError : public BranchCorrection {
   double error_, stiffness_error_;
 };
 
+/// The exact one with the displacement of another surface.
+class OnOtherSurface : public BranchCorrection {
+ public:
+  OnOtherSurface(std::shared_ptr<const BranchCorrection> exact, std::size_t surface)
+      : exact_(std::move(exact)), surface_(surface) {}
+  double displacement(const Sample& sample, double force) const override {
+    return exact_->displacement(sample, force) + exact_->surface_errors()[surface_](force);
+  }
+  double error() const override { return exact_->error(); }
+
+ private:
+  std::shared_ptr<const BranchCorrection> exact_;
+  std::size_t surface_;
+};
+
 }  // namespace
+
+std::vector<std::shared_ptr<const Explanation>> off_by_surfaces(const ModelFit& fit) {
+  const auto& exact = fit.explanation->correction();
+  std::vector<std::shared_ptr<const Explanation>> off;
+  for (std::size_t k = 0; k < exact->surface_errors().size(); ++k)
+    off.push_back(fit.explanation->with(std::make_shared<OnOtherSurface>(exact, k)));
+  return off;
+}
 
 std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit) {
   const auto& exact = fit.explanation->correction();

@@ -59,6 +59,13 @@ struct SolvedSlide {
   std::string source;                  ///< where it can be looked up
 };
 
+/// By how much the approach under a force, from first touch on, is another on another realisation of the
+/// case's generated surfaces than on its own.
+struct SurfaceChange {
+  std::vector<double> force;         ///< rising [N]
+  std::vector<double> displacement;  ///< [m]
+};
+
 /// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.
 using EnoughOfIt = std::function<std::string(const SolvedResponse& so_far)>;
 
@@ -90,6 +97,9 @@ class ForwardModel {
   virtual std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                             const std::vector<LoadingProtocol>& protocols,
                                             const EnoughOfIt& enough) = 0;
+  /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
+  /// own. None where no surface is generated.
+  virtual std::vector<SurfaceChange> on_other_surfaces(double) { return {}; }
   /// Slides the case with these changes under each of the protocols, likewise; `must_end`: whatever it takes.
   virtual std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
                                          const std::vector<SlidingProtocol>& protocols, bool must_end) = 0;

@@ -45,6 +45,7 @@ class SolvedDifference : public BranchCorrection {
   std::vector<Branches> of_protocol;
   std::vector<BranchPlace> place;  ///< by Sample::index
   double displacement_error = 0;
+  std::vector<std::function<double(double)>> of_surfaces;
 
   double displacement(const Sample& sample, double force) const override {
     const BranchPlace at = sample.index < place.size() ? place[sample.index] : BranchPlace{};
@@ -52,6 +53,7 @@ class SolvedDifference : public BranchCorrection {
     return (at.unloading ? b.unloading : b.loading).at(force);
   }
   double error() const override { return displacement_error; }
+  const std::vector<std::function<double(double)>>& surface_errors() const override { return of_surfaces; }
 };
 
 /// The reduced law under the forces of a solution.
@@ -198,9 +200,24 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
   return part;
 }
 
-std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
-                                                      const RecordedProtocols& protocols,
-                                                      const Mechanics& reduced, double displacement_error) {
+std::vector<std::function<double(double force)>> surface_errors_of(
+    const std::vector<SurfaceChange>& changes) {
+  std::vector<std::function<double(double)>> errors;
+  const double share = 1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, changes.size())));
+  for (const SurfaceChange& change : changes) {
+    ForceCurve curve;
+    curve.add(0, 0);
+    for (std::size_t i = 0; i < change.force.size(); ++i)
+      curve.add(change.force[i], share * change.displacement[i]);
+    curve.finish();
+    errors.push_back([curve](double force) { return force > 0 ? curve.at(force) : 0.0; });
+  }
+  return errors;
+}
+
+std::shared_ptr<const BranchCorrection> difference_to(
+    const std::vector<SolvedResponse>& solved, const RecordedProtocols& protocols, const Mechanics& reduced,
+    double displacement_error, std::vector<std::function<double(double)>> surface_errors) {
   auto difference = std::make_shared<SolvedDifference>();
   difference->displacement_error = displacement_error;
   for (const SolvedResponse& response : solved) {
@@ -209,6 +226,7 @@ std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedRe
       difference->displacement_error = std::max(difference->displacement_error, response.displacement_error);
   }
   difference->place = protocols.of_sample;
+  difference->of_surfaces = std::move(surface_errors);
   return difference;
 }
 

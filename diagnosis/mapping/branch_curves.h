@@ -5,6 +5,7 @@
 // answer, with instruments around it as around any contact. SI units.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -41,10 +42,15 @@ SolvedReach reach_of(const SolvedResponse& solved);
 Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
                     const std::vector<SolvedResponse>& solved);
 
+/// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: the changes
+/// over the root of their number, none below the first force and as under the last one above it.
+std::vector<std::function<double(double force)>> surface_errors_of(const std::vector<SurfaceChange>& changes);
+
 /// The difference to solutions, one for each protocol, for the reduced law `reduced`: a contact without
-/// instruments. `displacement_error`: of solutions that ended before they could state it [m].
-std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
-                                                      const RecordedProtocols& protocols,
-                                                      const Mechanics& reduced, double displacement_error);
+/// instruments. `displacement_error`: of solutions that ended before they could state it [m];
+/// `surface_errors`: as above.
+std::shared_ptr<const BranchCorrection> difference_to(
+    const std::vector<SolvedResponse>& solved, const RecordedProtocols& protocols, const Mechanics& reduced,
+    double displacement_error, std::vector<std::function<double(double)>> surface_errors = {});
 
 }  // namespace asperity

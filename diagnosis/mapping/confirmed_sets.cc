@@ -129,8 +129,8 @@ std::string SolvedCaseMapping::enough_of(const SolvedResponse& so_far, const Wat
   const std::vector<SolvedResponse> solved(protocols_.list.size(), so_far);
   const Samples part = solved_part(problem.samples, protocols_, solved);
   ModelFit fit = watch.fit;
-  fit.explanation =
-      fit.explanation->with(difference_to(solved, protocols_, reduced_law(problem, fit), error_));
+  fit.explanation = fit.explanation->with(
+      difference_to(solved, protocols_, reduced_law(problem, fit), error_, surface_errors_));
   fit.is_confirmed = true;
   if (watch.may_begin_again && distance(problem, part, fit, watch.expected) > surprising)
     return not_as_expected;

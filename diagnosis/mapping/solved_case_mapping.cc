@@ -206,7 +206,8 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   const auto solved = solve(problem, {}, nullptr);
   before_ = solved.front().source;
   error_ = solved.front().displacement_error;
-  problem.correction = difference_to(solved, protocols_, alone, error_);
+  if (!bodies.is_smooth) solve_on_other_surfaces();
+  problem.correction = difference_to(solved, protocols_, alone, error_, surface_errors_);
 }
 
 std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experiment, const ModelFit& fit) {

@@ -67,7 +67,7 @@ class SolvedCaseMapping {
   std::shared_ptr<const BranchCorrection> correction_by(const std::vector<SolvedResponse>& solved,
                                                         const Trial& trial, const Mechanics& reduced) const {
     return trial.opening > 0 ? attraction_of(solved.front(), reduced, error_)
-                             : difference_to(solved, protocols_, reduced, error_);
+                             : difference_to(solved, protocols_, reduced, error_, surface_errors_);
   }
   /// What the solutions of a set say: the law corrected by them, and how far they came.
   struct SolvedSet {
@@ -90,6 +90,8 @@ class SolvedCaseMapping {
     const std::vector<double>& expected;  ///< response of each sample, as the channel's unit
     bool may_begin_again;                 ///< another solution with better values can follow
   };
+  /// What the approach may be off by because the recorded surface is another realisation.
+  void solve_on_other_surfaces();
   std::string enough_of(const SolvedResponse& so_far, const Watch& watch) const;
   std::set<std::set<const Effect*>> worth_solutions(const SearchResult& search, const FitProblem& problem,
                                                     const std::vector<const Candidate*>& survivors);
@@ -106,8 +108,9 @@ class SolvedCaseMapping {
   };
   ForwardModel& model_;
   std::function<void(const std::string&)> progress_;
-  RecordedProtocols protocols_;          ///< of normal contact
-  std::vector<SlidingProtocol> slides_;  ///< of sliding
+  RecordedProtocols protocols_;                                      ///< of normal contact
+  std::vector<SlidingProtocol> slides_;                              ///< of sliding
+  std::vector<std::function<double(double force)>> surface_errors_;  ///< of normal contact (mechanics.h)
   std::string before_;
   std::vector<Solution> after_;
   double error_ = 0;  ///< of the case as it is: of its approach [m], or of friction as a part of it [-]

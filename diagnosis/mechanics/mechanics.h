@@ -74,6 +74,12 @@ class BranchCorrection {
   virtual double error() const = 0;
   /// The same of the lateral stiffness, as a part of it [-].
   virtual double stiffness_error() const { return 0; }
+  /// What a displacement may be off by because the experiment's surface is another realisation [m], over the
+  /// force [N]: each times a factor of unit variance of its own. Empty: nothing.
+  virtual const std::vector<std::function<double(double force)>>& surface_errors() const {
+    static const std::vector<std::function<double(double)>> none;
+    return none;
+  }
 };
 
 /// Under normal load.

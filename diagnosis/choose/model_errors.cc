@@ -1,0 +1,126 @@
+// What an explanation states of its own errors: mesh, surface, laws.
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/choose/law_error.h"
+
+namespace asperity {
+namespace {
+
+/// Largest within a twentieth of each part to either side: errors of a law do not vanish where its
+/// contribution changes sign.
+LawError largest_nearby(const Samples& samples, const LawError& error) {
+  constexpr double reach_of_part = 0.05;
+  LawError largest = error;
+  for (const auto& run : samples.runs) {
+    if (run.independent_rows) continue;
+    for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+      while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
+      const auto reach = static_cast<std::size_t>(std::ceil(reach_of_part * static_cast<double>(to - from)));
+      for (std::size_t i = from; i < to; ++i)
+        largest[i] = *std::max_element(error.begin() + static_cast<long>(std::max(from + reach, i) - reach),
+                                       error.begin() + static_cast<long>(std::min(to, i + reach + 1)));
+    }
+  }
+  return largest;
+}
+
+/// What the response of a fit changes by with each of these explanations in its place.
+std::vector<LawError> changes_by(const std::vector<std::shared_ptr<const Explanation>>& explanations,
+                                 const ModelFit& fit, const Samples& samples,
+                                 const std::vector<double>& response) {
+  std::vector<LawError> errors;
+  for (const auto& explanation : explanations) {
+    const auto off = asperity::simulate(explanation->mechanics(fit.values), samples);
+    LawError error(response.size());
+    for (std::size_t i = 0; i < error.size(); ++i)
+      error[i] = samples.list[i].counts ? off[i] - response[i] : 0.0;
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
+
+}  // namespace
+
+std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
+                                  const std::vector<double>& response) {
+  return changes_by(off_by_mesh_errors(fit), fit, samples, response);
+}
+
+std::vector<LawError> surface_errors(const ModelFit& fit, const Samples& samples,
+                                     const std::vector<double>& response) {
+  return changes_by(off_by_surfaces(fit), fit, samples, response);
+}
+
+ModelErrors shared_errors(const FitProblem& problem, const ModelFit& fit,
+                          const std::vector<double>& response) {
+  ModelErrors errors;
+  if (!fit.explanation->correction()) return errors;
+  if (problem.experiment.mode == Motion::sliding)
+    errors.of_mesh = mesh_errors(fit, problem.samples, response);
+  errors.of_surfaces = surface_errors(fit, problem.samples, response);
+  return errors;
+}
+
+LawError together(const std::vector<LawError>& errors, std::size_t count) {
+  LawError all(count, 0.0);
+  for (const LawError& error : errors)
+    for (std::size_t i = 0; i < count; ++i) all[i] = std::hypot(all[i], error[i]);
+  return all;
+}
+
+ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+  const Samples& samples = problem.samples;
+  const auto& effects = fit.explanation->effects();
+  const auto with = fit.simulate(samples);
+  ModelErrors errors = shared_errors(problem, fit, with);
+  if (fit.explanation->correction() && problem.experiment.mode != Motion::sliding)
+    errors.of_laws = mesh_errors(fit, samples, with);
+  // What all change together bounds what one does: effects that undo each other lend each other no room.
+  LawError changed(with.size());
+  for (std::size_t i = 0; i < with.size(); ++i)
+    changed[i] = samples.list[i].counts
+                     ? std::abs(samples.list[i].response - problem.baseline_residual[i] - with[i])
+                     : 0.0;
+  changed = largest_nearby(samples, changed);
+  const double largest = *std::max_element(changed.begin(), changed.end());
+  for (const Effect* left_out : effects) {
+    if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
+    std::vector<const Effect*> others;
+    for (const Effect* effect : effects)
+      if (effect != left_out) others.push_back(effect);
+    const ModelFit fewer = fit.only(problem, others, baseline);
+    const auto without = fewer.simulate(samples);
+    // What a coefficient that is calibrated anyway would take over is no contribution.
+    double both = 0, own = 0;
+    for (std::size_t i = 0; i < with.size(); ++i)
+      if (samples.list[i].counts) both += with[i] * without[i], own += without[i] * without[i];
+    const bool calibrated = !fewer.values.empty() && fewer.explanation->parameters().front().effect < 0;
+    const double scale = calibrated && own > 0 ? both / own : 1;
+    LawError error(with.size());
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] = std::abs(with[i] - scale * without[i]);
+    error = largest_nearby(samples, error);
+    const EffectDescription& law = left_out->description();
+    for (std::size_t i = 0; i < error.size(); ++i)
+      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
+                            std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
+    errors.of_laws.push_back(std::move(error));
+  }
+  return errors;
+}
+
+LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+  const ModelErrors errors = law_errors(problem, fit, baseline);
+  const std::size_t count = problem.samples.list.size();
+  return together({together(errors.of_mesh, count), together(errors.of_laws, count)}, count);
+}
+
+double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
+  double accuracy = 0;
+  for (const Effect* effect : fit.explanation->effects())
+    if (!fit.is_confirmed || effect->enters_by(problem.experiment) != EntersBy::finite_elements)
+      accuracy = std::max(accuracy, effect->description().accuracy);
+  return accuracy;
+}
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+// The recorded surface is another than the case's, where that is generated.
+#include <cmath>
+
+#include "core/quantity.h"
+#include "diagnosis/mapping/solved_case_mapping.h"
+
+namespace asperity {
+
+void SolvedCaseMapping::solve_on_other_surfaces() {
+  const double largest = protocols_.list.front().largest_force;
+  const auto changes = model_.on_other_surfaces(largest);
+  if (changes.empty()) return;
+  surface_errors_ = surface_errors_of(changes);
+  double sum = 0;
+  for (const auto& change : changes) sum += std::pow(change.displacement.back(), 2);
+  remarks_.push_back(
+      "the case's surface is one that its spectrum makes, and the recorded one another: by " +
+      std::to_string(changes.size()) + " other seeds the approach under " +
+      format_quantity(largest, Dimension::force) + " differs by " +
+      format_quantity(std::sqrt(sum / static_cast<double>(changes.size())), Dimension::length) +
+      " (half-spaces), which is a part of the evidence; a scan of the recorded place has no such error");
+}
+
+}  // namespace asperity
