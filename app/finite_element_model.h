@@ -40,8 +40,8 @@ class FiniteElementModel : public ForwardModel {
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt& enough) override;
   /// By half-spaces. Throws InputError, WorkError as these do.
-  std::vector<SurfaceChange> on_other_surfaces(double largest_force) override {
-    return changes_on_other_surfaces(input_, largest_force);
+  OtherSurfaces on_other_surfaces(double largest_force) override {
+    return other_surfaces_of(input_, largest_force);
   }
   /// Throws InputError for a change that the case refuses, WorkError where it does not slide as a whole.
   std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,

@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr int surfaces = 16, forces = 6;
+constexpr int surfaces = 16, forces = 8;
 
 /// The same spectrum with another seed; true: it was generated.
 bool reseed(TopographySpec& surface, int realisation) {
@@ -21,12 +21,12 @@ bool reseed(TopographySpec& surface, int realisation) {
 
 /// Approach from first touch on under each force [m].
 std::vector<double> approaches(const CaseInput& input, const std::vector<double>& under) {
-  constexpr double cells_per_wave = 6, cells_per_radius = 6;
+  constexpr double cells_per_wave = 6, cells_per_radius = 24;
   half_space::CaseContactOptions options;
   options.with_stiffness = false;
   options.most_cells = 512;
   options.spacing = std::min(half_space::shortest_wave(input) / cells_per_wave,
-                             hertz_of(input).contact_radius(under.front()) / cells_per_radius);
+                             hertz_of(input).contact_radius(under.back()) / cells_per_radius);
   std::vector<double> list;
   for (const auto& contact : half_space::contacts_under(input, under, options))
     list.push_back(contact.approach() - contact.first_touch);
@@ -35,12 +35,12 @@ std::vector<double> approaches(const CaseInput& input, const std::vector<double>
 
 }  // namespace
 
-std::vector<SurfaceChange> changes_on_other_surfaces(CaseInput input, double largest_force) {
-  std::vector<SurfaceChange> changes;
-  std::vector<double> under;
-  for (int i = 0; i < forces; ++i) under.push_back(largest_force * std::pow(10, 0.4 * (i + 1 - forces)));
-  input.interface.attraction_force = 0;
-  std::vector<double> own;
+OtherSurfaces other_surfaces_of(const CaseInput& input, double largest_force) {
+  constexpr double seen = 2e-3;  // of the largest force
+  OtherSurfaces other_surfaces;
+  std::vector<double> under, own;
+  for (int i = 0; i < forces; ++i) under.push_back(largest_force * std::pow(seen, 1 - i / (forces - 1.0)));
+  double unseen = 0;
   for (int k = 1; k <= surfaces; ++k) {
     CaseInput other = input;
     const bool particle = reseed(other.particle.topography, k),
@@ -48,11 +48,12 @@ std::vector<SurfaceChange> changes_on_other_surfaces(CaseInput input, double lar
     if (!particle && !substrate) return {};
     if (own.empty()) own = approaches(input, under);
     SurfaceChange change{under, approaches(other, under)};
-    for (int i = 0; i < forces; ++i)
-      change.displacement[static_cast<std::size_t>(i)] -= own[static_cast<std::size_t>(i)];
-    changes.push_back(std::move(change));
+    unseen += std::pow(change.displacement.front(), 2) / surfaces;
+    for (std::size_t i = 0; i < own.size(); ++i) change.displacement[i] -= own[i];
+    other_surfaces.changes.push_back(std::move(change));
   }
-  return changes;
+  other_surfaces.unseen = std::sqrt(unseen);
+  return other_surfaces;
 }
 
 }  // namespace asperity

@@ -62,11 +62,6 @@ double shortest_wave(const CaseInput& input);
 /// them.
 double attraction_zone(const CaseInput& input, const Attraction& attraction);
 
-/// Width of the zone at the edge of a contact in which the attraction s acts, pi E* w / (4 s^2) (Dugdale
-/// 1960; Maugis 1992) [m]. Grids of cells wider than half of it do not tell adhesion: the edge sticks to
-/// them.
-double attraction_zone(const CaseInput& input, const Attraction& attraction);
-
 /// Cells that a contact needs: 24 over Hertz' radius, 16 over the shortest wave of either surface, with which
 /// the largest pressure reads some 2 % too small; of surfaces that attract each other Hertz' radius under
 /// what smooth ones attract as well, and 4 over the attraction's zone [m].

@@ -23,8 +23,9 @@ class CaseMatrix {
         for (const double noise : {0.005, 0.01})
           if (noise < 0.01 || mode == Motion::sliding || effect == "thermal_oscillation")
             add(out_of_catalogue, mode, {effect}, {noise});
-    for (const char* effect : {"bulk_plasticity", "roughness_compliance"})
-      add(other_code, Motion::normal, {effect}, {0.003, 0.003, 0.005, 0.005, 0.01, 0.01}, other_code);
+    add(other_code, Motion::normal, {"roughness_compliance"}, {0.003, 0.003, 0.005, 0.005, 0.01, 0.01},
+        other_code);
+    add(other_code, Motion::normal, {"bulk_plasticity"}, {0.003, 0.005, 0.01}, other_code);
     solved_truths();
     for (const char* effect :
          {"instrument_compliance", "contact_point_offset", "thermal_drift", "baseline_tilt",
@@ -73,6 +74,12 @@ class CaseMatrix {
                "cutoff=72 nm, seed=12)");
     items_.back().name += "-of-another-seed";
     items_.back().simulation->entries.push_back("Mesh/Interface spacing=20 nm");
+    for (const double noise : {0.005, 0.01}) {
+      add("null", Motion::normal, {"roughness_compliance"}, {noise}, other_code);
+      items_.back().knows_spectrum = true;
+      items_.back().simulation->entries = {"Mesh/Interface spacing=16 nm"};
+      items_.back().answer = Names{};
+    }
     for (const double noise : {0.003, 0.01}) {
       add("null", Motion::sliding, {"partial_slip"}, {noise});
       items_.back().knows_friction = true;

@@ -34,11 +34,21 @@ std::optional<ChallengeScore> earlier_score(const fs::path& folder, const std::s
   }
 }
 
+/// Another realisation of the spectrum that was concealed.
+std::string another_surface(const Truth& truth) {
+  const auto& spectrum = truth.effects.at(0).parameters;
+  return printed("generated(rms=%.6g m, hurst=0.8, rolloff=%.6g m, cutoff=%.6g m, seed=%u)",
+                 spectrum.at("rms").value, spectrum.at("rolloff").value, spectrum.at("cutoff").value,
+                 truth.seed + 500000);
+}
+
 /// As a user would have it; a case's friction is what the recording guesses, or what it really is.
 Diagnosis diagnose_item(const ChallengeItem& item, Recording recording, const Truth& truth,
                         const fs::path& folder, const ChallengeOptions& options) {
   if (!item.simulation) return diagnose(recording);
   fs::path file = item.simulation->file;
+  std::vector<std::string> entries = item.simulation->entries;
+  if (item.knows_spectrum) entries.push_back("Substrate/Topography=" + another_surface(truth));
   if (file.empty()) {
     file = folder / "case.prm";
     if (item.knows_friction)
@@ -49,7 +59,7 @@ Diagnosis diagnose_item(const ChallengeItem& item, Recording recording, const Tr
   recording.simulation_is_given = false;
   recording.simulation = {};
   write_recording(recording, folder);
-  return options.diagnose_by_case(read_recording(folder), file, item.simulation->entries, folder / "solves");
+  return options.diagnose_by_case(read_recording(folder), file, entries, folder / "solves");
 }
 
 ChallengeScore new_score(const ChallengeItem& item, const fs::path& folder, const ChallengeOptions& options) {

@@ -20,8 +20,8 @@ using LawError = std::vector<double>;
 /// What an explanation may be off by.
 struct ModelErrors {
   std::vector<LawError> of_mesh;  ///< of one solution, by the same part everywhere or straight in the load
-  std::vector<LawError> of_surfaces;  ///< of one surface, each by the same part everywhere
-  std::vector<LawError> of_laws;      ///< each of its own factor in each run and segment
+  std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
+  std::vector<LawError> of_surfaces = {};  ///< of one surface, each by the same part everywhere
 };
 
 /// Whether finite elements are off by one factor at all samples: as friction is that is slid at a few loads,

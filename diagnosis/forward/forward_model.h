@@ -66,6 +66,14 @@ struct SurfaceChange {
   std::vector<double> displacement;  ///< [m]
 };
 
+/// The case on other realisations of its surfaces.
+struct OtherSurfaces {
+  std::vector<SurfaceChange> changes;  ///< of one seed each; none: no surface is generated
+  /// Approach from first touch to where an instrument sees it, root mean square: single asperities bear next
+  /// to nothing [m].
+  double unseen = 0;
+};
+
 /// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.
 using EnoughOfIt = std::function<std::string(const SolvedResponse& so_far)>;
 
@@ -99,7 +107,7 @@ class ForwardModel {
                                             const EnoughOfIt& enough) = 0;
   /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
   /// own. None where no surface is generated.
-  virtual std::vector<SurfaceChange> on_other_surfaces(double) { return {}; }
+  virtual OtherSurfaces on_other_surfaces(double) { return {}; }
   /// Slides the case with these changes under each of the protocols, likewise; `must_end`: whatever it takes.
   virtual std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
                                          const std::vector<SlidingProtocol>& protocols, bool must_end) = 0;

@@ -200,11 +200,11 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
   return part;
 }
 
-std::vector<std::function<double(double force)>> surface_errors_of(
-    const std::vector<SurfaceChange>& changes) {
+std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces) {
   std::vector<std::function<double(double)>> errors;
-  const double share = 1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, changes.size())));
-  for (const SurfaceChange& change : changes) {
+  if (surfaces.changes.empty()) return errors;
+  const double share = 1 / std::sqrt(static_cast<double>(surfaces.changes.size()));
+  for (const SurfaceChange& change : surfaces.changes) {
     ForceCurve curve;
     curve.add(0, 0);
     for (std::size_t i = 0; i < change.force.size(); ++i)
@@ -212,6 +212,7 @@ std::vector<std::function<double(double force)>> surface_errors_of(
     curve.finish();
     errors.push_back([curve](double force) { return force > 0 ? curve.at(force) : 0.0; });
   }
+  errors.push_back([unseen = surfaces.unseen](double) { return unseen; });
   return errors;
 }
 

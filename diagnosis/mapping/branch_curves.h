@@ -43,8 +43,9 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
                     const std::vector<SolvedResponse>& solved);
 
 /// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: the changes
-/// over the root of their number, none below the first force and as under the last one above it.
-std::vector<std::function<double(double force)>> surface_errors_of(const std::vector<SurfaceChange>& changes);
+/// over the root of their number, straight in f^(2/3) between their forces, and what is unseen of the
+/// approach.
+std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces);
 
 /// The difference to solutions, one for each protocol, for the reduced law `reduced`: a contact without
 /// instruments. `displacement_error`: of solutions that ended before they could state it [m];

@@ -8,9 +8,10 @@ namespace asperity {
 
 void SolvedCaseMapping::solve_on_other_surfaces() {
   const double largest = protocols_.list.front().largest_force;
-  const auto changes = model_.on_other_surfaces(largest);
+  const OtherSurfaces surfaces = model_.on_other_surfaces(largest);
+  const auto& changes = surfaces.changes;
   if (changes.empty()) return;
-  surface_errors_ = surface_errors_of(changes);
+  surface_errors_ = surface_errors_of(surfaces);
   double sum = 0;
   for (const auto& change : changes) sum += std::pow(change.displacement.back(), 2);
   remarks_.push_back(

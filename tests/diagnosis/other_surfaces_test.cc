@@ -1,0 +1,160 @@
+// A case on a generated surface: the recorded one is another realisation, by which nothing may be named.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "core/error.h"
+#include "diagnosis/diagnose.h"
+#include "diagnosis/mapping/branch_curves.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+
+/// Approach under a force: Hertz and a layer of asperities of this length [m].
+double rough_approach(double force, double length) {
+  const Hertz smooth = test::experiment(Motion::normal).hertz();
+  const double onset = smooth.force(length);
+  return smooth.approach(force) + length * std::log1p(force / onset);
+}
+
+/// A rough case whose surfaces differ by the length of their layer.
+class RoughCase : public ForwardModel {
+ public:
+  double own = 1.2 * nm;
+  std::vector<double> others;
+
+  SimulatedBodies bodies() const override {
+    const Experiment e = test::experiment(Motion::normal);
+    SimulatedBodies b{e.particle, e.substrate, e.radius};
+    b.is_smooth = false;
+    return b;
+  }
+  std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
+                                    const std::vector<LoadingProtocol>& protocols,
+                                    const EnoughOfIt&) override {
+    if (!changes.empty()) throw WorkError("the steps did not converge");
+    std::vector<SolvedResponse> solved;
+    for (const auto& protocol : protocols) {
+      SolvedResponse r;
+      constexpr int steps = 60;
+      for (int i = 0; i <= steps; ++i) {
+        r.force.push_back(protocol.largest_force * std::pow(static_cast<double>(i) / steps, 2));
+        r.displacement.push_back(rough_approach(r.force.back(), own));
+      }
+      r.peak = steps;
+      r.displacement_error = 0.01 * nm;
+      solved.push_back(r);
+    }
+    return solved;
+  }
+  OtherSurfaces on_other_surfaces(double largest) override {
+    OtherSurfaces surfaces;
+    for (const double length : others) {
+      SurfaceChange change;
+      for (int i = 0; i < 8; ++i) {
+        const double force = largest * std::pow(2e-3, 1 - i / 7.0);
+        change.force.push_back(force);
+        change.displacement.push_back(rough_approach(force, length) - rough_approach(force, own));
+      }
+      surfaces.changes.push_back(change);
+    }
+    surfaces.unseen = 0.3 * nm;
+    return surfaces;
+  }
+  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+                                 bool) override {
+    throw WorkError("this stand-in does not slide");
+  }
+};
+
+/// Pressed and released, on a layer of this length, with a spring in series [m/N].
+Recording recorded_on(double length, double compliance = 0) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "pressed.csv";
+  table.control = {"normal_force"};
+  table.response = "normal_displacement";
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.05 * nm);
+  constexpr double largest = 200 * test::uN;
+  for (int i = 1; i <= 300; ++i) {
+    const double force = largest * (i <= 150 ? i / 150.0 : (301 - i) / 150.0);
+    table.columns["time"].push_back(0.1 * i);
+    table.columns["normal_force"].push_back(force);
+    table.columns["normal_displacement"].push_back(rough_approach(force, length) + compliance * force +
+                                                   noise(random));
+    table.segment.push_back(i <= 150 ? "load" : "unload");
+  }
+  r.tables = {table};
+  return r;
+}
+
+Diagnosis diagnosed_on(const Recording& recording, RoughCase& simulation) {
+  DiagnoseOptions options;
+  options.simulation = &simulation;
+  return diagnose(recording, options);
+}
+
+const std::vector<double> lengths{0.7 * nm,  0.85 * nm, 1.0 * nm,  1.1 * nm,
+                                  1.35 * nm, 1.5 * nm,  1.65 * nm, 1.8 * nm};
+
+TEST(OtherSurfaces_behaviour, another_realisation_is_no_mismatch) {
+  for (const double recorded : {0.9 * nm, 1.45 * nm}) {
+    RoughCase simulation;
+    const Recording recording = recorded_on(recorded);
+    EXPECT_NE(diagnosed_on(recording, simulation).verdict, Verdict::no_mismatch);
+    simulation.others = lengths;
+    const Diagnosis d = diagnosed_on(recording, simulation);
+    EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+    bool is_said = false;
+    for (const auto& remark : d.remarks) is_said |= remark.find("by 8 other seeds") != std::string::npos;
+    EXPECT_TRUE(is_said);
+  }
+}
+
+TEST(OtherSurfaces_behaviour, what_no_realisation_shows_is_still_named) {
+  RoughCase simulation;
+  simulation.others = lengths;
+  const double compliance = 20 * nm / (200 * test::uN);
+  const Diagnosis d = diagnosed_on(recorded_on(1.3 * nm, compliance), simulation);
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "instrument_compliance") << d.in_words;
+  const auto& found = d.left_out[0].parameters[0];
+  EXPECT_LT(found.low, compliance);
+  EXPECT_GT(found.high, compliance);
+  // The interval holds what another surface would make of it.
+  simulation.others.clear();
+  const Diagnosis alone = diagnosed_on(recorded_on(1.2 * nm, compliance), simulation);
+  ASSERT_EQ(alone.left_out.size(), 1u) << alone.in_words;
+  const auto& narrow = alone.left_out[0].parameters[0];
+  EXPECT_GT(found.high - found.low, narrow.high - narrow.low);
+}
+
+TEST(OtherSurfaces_analytic, errors_have_the_second_moment_of_the_changes) {
+  OtherSurfaces surfaces;
+  surfaces.changes = {{{1, 8}, {1e-9, 2e-9}}, {{1, 8}, {-3e-9, 4e-9}}};
+  surfaces.unseen = 5e-10;
+  const auto errors = surface_errors_of(surfaces);
+  ASSERT_EQ(errors.size(), 3u);
+  const auto variance = [&](double force) {
+    return errors[0](force) * errors[0](force) + errors[1](force) * errors[1](force);
+  };
+  EXPECT_NEAR(variance(1), (1 + 9) / 2.0 * 1e-18, 1e-27);
+  EXPECT_NEAR(variance(8), (4 + 16) / 2.0 * 1e-18, 1e-27);
+  EXPECT_NEAR(errors[0](std::pow(2.5, 1.5)) * std::sqrt(2.0), 1.5e-9, 1e-18);  // halfway in f^(2/3)
+  EXPECT_EQ(errors[0](0), 0);
+  EXPECT_EQ(errors[2](0), 5e-10);
+  EXPECT_EQ(errors[2](8), 5e-10);
+  EXPECT_TRUE(surface_errors_of({}).empty());
+}
+
+}  // namespace
+}  // namespace asperity
