@@ -8,7 +8,17 @@ namespace asperity {
 
 void SolvedCaseMapping::solve_on_other_surfaces() {
   const double largest = protocols_.list.front().largest_force;
-  const OtherSurfaces surfaces = model_.on_other_surfaces(largest);
+  OtherSurfaces surfaces;
+  say("solving other realisations of the case's surface, by half-spaces");
+  try {
+    surfaces = model_.on_other_surfaces(largest);
+  } catch (const std::exception& error) {  // half-spaces have limits of their own
+    remarks_.push_back(
+        "what another realisation of the case's surface changes is not known, for half-spaces do "
+        "not solve it (" +
+        std::string(error.what()) + "): what is named may be the surface");
+    return;
+  }
   const auto& changes = surfaces.changes;
   if (changes.empty()) return;
   surface_errors_ = surface_errors_of(surfaces);

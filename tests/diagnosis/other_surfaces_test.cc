@@ -26,6 +26,7 @@ double rough_approach(double force, double length) {
 class RoughCase : public ForwardModel {
  public:
   double own = 1.2 * nm;
+  bool is_too_large = false;  ///< for half-spaces
   std::vector<double> others;
 
   SimulatedBodies bodies() const override {
@@ -53,6 +54,7 @@ class RoughCase : public ForwardModel {
     return solved;
   }
   OtherSurfaces on_other_surfaces(double largest) override {
+    if (is_too_large) throw InputError("the contact goes beyond half the Radius");
     OtherSurfaces surfaces;
     for (const double length : others) {
       SurfaceChange change;
@@ -136,6 +138,17 @@ TEST(OtherSurfaces_behaviour, what_no_realisation_shows_is_still_named) {
   ASSERT_EQ(alone.left_out.size(), 1u) << alone.in_words;
   const auto& narrow = alone.left_out[0].parameters[0];
   EXPECT_GT(found.high - found.low, narrow.high - narrow.low);
+}
+
+TEST(OtherSurfaces_behaviour, where_half_spaces_do_not_solve_it_the_answer_says_so) {
+  RoughCase simulation;
+  simulation.is_too_large = true;
+  const Diagnosis d = diagnosed_on(recorded_on(simulation.own), simulation);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+  bool is_said = false;
+  for (const auto& remark : d.remarks)
+    is_said |= remark.find("beyond half the Radius): what is named may be the surface") != std::string::npos;
+  EXPECT_TRUE(is_said);
 }
 
 TEST(OtherSurfaces_analytic, errors_have_the_second_moment_of_the_changes) {
