@@ -182,8 +182,15 @@ std::vector<double> LawErrors::without_shared_error(const Samples& samples, cons
   MatrixXd whitened = B;
   filter.whiten(whole_.samples, whitened);
   const VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
-  const VectorXd likely = taken_off(whitened, part_of(r, filter, whole_.samples)).coefficients;
-  const VectorXd off = B * likely.cwiseMax(-most).cwiseMin(most);
+  VectorXd likely = taken_off(whitened, part_of(r, filter, whole_.samples)).coefficients;
+  const Eigen::Index mesh = of_mesh.cols(), surfaces = of_surfaces.cols();
+  likely.head(mesh) = likely.head(mesh).cwiseMax(-most).cwiseMin(most);
+  // Surfaces resemble each other, so that their coefficients are bounded together: chi-square of as many.
+  const auto count = static_cast<double>(surfaces);
+  const double longest = std::sqrt(count + most * std::sqrt(2 * count)),
+               length = likely.tail(surfaces).norm();
+  if (length > longest) likely.tail(surfaces) *= longest / length;
+  const VectorXd off = B * likely;
   for (std::size_t row = 0; row < whole_.samples.size(); ++row)
     residual[whole_.samples[row]] -= off[static_cast<Eigen::Index>(row)];
   return residual;

@@ -65,8 +65,8 @@ class LawErrors {
   /// own, and the log determinant of its covariance over that of the noise.
   double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
               const ModelErrors& errors) const;
-  /// The residual without what is likely of the errors of mesh and surfaces, of at most two standard
-  /// deviations each.
+  /// The residual without what is likely of the errors of mesh and surfaces: of the mesh at most two standard
+  /// deviations each, of surfaces together likewise.
   std::vector<double> without_shared_error(const Samples& samples, const Noise& noise,
                                            std::vector<double> residual, const ModelErrors& errors) const;
 

@@ -73,5 +73,22 @@ TEST(LawError_behaviour, of_one_solution_is_shared_by_all_segments) {
   EXPECT_LT(m.cost(opposed, {m.error}), m.cost(m.white, {m.error}) + 100);
 }
 
+TEST(LawError_behaviour, surfaces_that_resemble_each_other_are_taken_off_together) {
+  // What is off is the small difference of two of nine errors: coefficients of 2.5 and -2.5.
+  const Made m;
+  const std::size_t n = m.samples.list.size();
+  ModelErrors errors;
+  errors.of_surfaces.assign(9, LawError(n, 0.0));
+  std::vector<double> residual(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(i) / static_cast<double>(n);
+    errors.of_surfaces[0][i] = 1000 * m.noise.sd[i] * (1 + 0.3 * x);
+    errors.of_surfaces[1][i] = 1000 * m.noise.sd[i];
+    residual[i] = 2.5 * (errors.of_surfaces[0][i] - errors.of_surfaces[1][i]);
+  }
+  const auto left = LawErrors(m.samples).without_shared_error(m.samples, m.noise, residual, errors);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_LT(std::abs(left[i]), 0.5 * m.noise.sd[i]) << i;
+}
+
 }  // namespace
 }  // namespace asperity
