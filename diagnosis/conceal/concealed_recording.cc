@@ -19,6 +19,8 @@ const std::vector<std::vector<std::string>>& exclusive() {
       {"partial_slip", "lateral_compliance"},
       {"partial_slip", "static_friction_peak"},
       {"partial_slip", "stick_slip"},
+      {"partial_slip", "run_in"},
+      {"partial_slip", "position_weakening"},
       {"partial_slip", "velocity_dependence", "rate_and_state"},
       {"area_proportional_friction", "adhesion_offset"},
       {"rate_and_state", "run_in"},

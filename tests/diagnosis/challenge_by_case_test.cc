@@ -173,6 +173,23 @@ TEST(OtherCodeTruth_behaviour, roughness_lets_the_bodies_come_closer_before_they
   EXPECT_GT(truth->force(d, 0), 0.4 * 200e-6);
 }
 
+TEST(ConcealedTruth_analytic, a_contact_that_slips_partly_ends_at_the_friction_that_is_hidden_with_it) {
+  const ConcealedRecording hidden =
+      conceal(ConcealOptions{Motion::sliding, {"adhesion_offset", "partial_slip"}, 0, 4, ""});
+  const RecordingTable& table = hidden.recording.tables[0];
+  const double mu = hidden.truth.coefficients.at("sliding_friction");
+  double attraction = 0;
+  for (const auto& effect : hidden.truth.effects)
+    if (effect.id == "adhesion_offset") attraction = effect.parameters.at("adhesion_force").value;
+  std::map<double, double> largest;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    double& most = largest[table.column("normal_force")[i]];
+    most = std::max(most, table.column("lateral_force")[i]);
+  }
+  ASSERT_EQ(largest.size(), 2u);
+  for (const auto& [load, force] : largest) EXPECT_NEAR(force / (mu * (load + attraction)), 1, 1e-9) << load;
+}
+
 TEST(ConcealedRecording_behaviour, by_another_code_asks_for_an_effect_that_one_has) {
   const std::string words = test::message_of<InputError>([] {
     conceal(ConcealOptions{Motion::normal, {"creep"}, 0.01, 1, "other_code"});
