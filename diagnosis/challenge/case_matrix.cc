@@ -68,12 +68,12 @@ class CaseMatrix {
   void nulls() {
     add("null", Motion::normal, {}, {0.003, 0.01});
     for (const char* surface : {"smooth", "rough_2.7nm_1", "rough_2.7nm_2", "rough_2.7nm_3"})
-      add_solved("null", surface, {}, "Mesh/Interface spacing=20 nm");
+      add_solved("null", surface, {}, {"Mesh/Interface spacing=20 nm"});
     add_solved("null", "rough_2.7nm_1", {},
-               "Substrate/Topography=generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=500 nm, "
-               "cutoff=72 nm, seed=12)");
+               {"Substrate/Topography=generated(rms=2.7 nm, window=2.5 um, hurst=0.8, rolloff=500 nm, "
+                "cutoff=72 nm, seed=12)",
+                "Mesh/Interface spacing=20 nm"});
     items_.back().name += "-of-another-seed";
-    items_.back().simulation->entries.push_back("Mesh/Interface spacing=20 nm");
     for (const double noise : {0.005, 0.01}) {
       add("null", Motion::normal, {"roughness_compliance"}, {noise}, other_code);
       items_.back().knows_spectrum = true;
@@ -89,16 +89,13 @@ class CaseMatrix {
 
   /// Solved by this program, on a finer mesh than the case's.
   void solved_truths() {
-    const char* without = "Interface/Work of adhesion=0 J/m^2";
+    const Names without{"Interface/Work of adhesion=0 J/m^2",
+                        "Interface/Work of adhesion on separation=0 J/m^2", "Mesh/Interface spacing=20 nm"};
     for (const char* name : {"adhesion_0.3", "adhesion_0.5"})
       add_solved("finite_elements", name, {"adhesion"}, without);
     add_solved("finite_elements", "adhesion_hysteresis", {"adhesion_hysteresis"}, without);
-    for (std::size_t i = items_.size() - 3; i < items_.size(); ++i)
-      for (const char* entry :
-           {"Interface/Work of adhesion on separation=0 J/m^2", "Mesh/Interface spacing=20 nm"})
-        items_[i].simulation->entries.push_back(entry);
-    add_solved("finite_elements", "plastic_1GPa", {"bulk_plasticity"}, "Particle/Yield stress=inf");
-    items_.back().simulation->entries.push_back("Mesh/Interface spacing=80 nm");
+    add_solved("finite_elements", "plastic_1GPa", {"bulk_plasticity"},
+               {"Particle/Yield stress=inf", "Mesh/Interface spacing=80 nm"});
   }
 
   /// Loops with partial slip, which a case has of itself.
@@ -127,14 +124,14 @@ class CaseMatrix {
     }
   }
 
-  /// The history of a solved case, and that case with another entry.
+  /// The history of a solved case, and that case with other entries.
   void add_solved(const std::string& family, const std::string& name, const Names& effects,
-                  const std::string& entry) {
+                  const Names& entries) {
     add(family, Motion::normal, effects, {0.01});
     ChallengeItem& item = items_.back();
     item.name += "-" + name;
     item.cases = {solved_truth(name)};
-    item.simulation = ChallengeCase{item.cases[0] / "case.prm", {entry}};
+    item.simulation = ChallengeCase{item.cases[0] / "case.prm", entries};
   }
 
   unsigned seed_;

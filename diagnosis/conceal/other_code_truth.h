@@ -34,7 +34,7 @@ struct RoughSurface {
   std::uint64_t seed = 1;
 };
 
-/// The elastic contact of a smooth sphere with that surface by half-spaces (half_space/), solved at a dozen
+/// The elastic contact of a smooth sphere with that surface by half-spaces (half_space/), solved at twenty
 /// loads up to a little more than `largest_force` [N]; approach from first touch, at 2e-3 of that force.
 /// Throws InputError, WorkError as half_space::contact_of_case does.
 std::unique_ptr<NormalTruth> rough_half_spaces(const ElasticBody& sphere, const ElasticBody& plane,

@@ -25,11 +25,12 @@ void SolvedCaseMapping::solve_on_other_surfaces() {
   double sum = 0;
   for (const auto& change : changes) sum += std::pow(change.displacement.back(), 2);
   remarks_.push_back(
-      "the case's surface is one that its spectrum makes, and the recorded one another: by " +
+      "the case's surface is one realisation of its spectrum, and the recorded one is another: on " +
       std::to_string(changes.size()) + " other seeds the approach under " +
       format_quantity(largest, Dimension::force) + " differs by " +
       format_quantity(std::sqrt(sum / static_cast<double>(changes.size())), Dimension::length) +
-      " (half-spaces), which is a part of the evidence; a scan of the recorded place has no such error");
+      " (root mean square, half-spaces), which is a part of the evidence; a scan of the recorded place has "
+      "no such error");
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace asperity {
 namespace {
@@ -38,7 +39,9 @@ TEST(OtherSurfacesOfCase_behaviour, sixteen_seeds_differ_by_more_on_rougher_surf
                           case_on("generated(rms=1.2 nm, hurst=0.8, rolloff=200 nm, cutoff=80 nm, seed=3)"),
                           1e-4);
   ASSERT_EQ(coarse.changes.size(), 16u);
+  std::set<double> seen;
   for (const auto& change : coarse.changes) {
+    EXPECT_TRUE(seen.insert(change.displacement.back()).second);  // each seed another surface
     ASSERT_EQ(change.force.size(), 8u);
     EXPECT_NEAR(change.force.front(), 2e-7, 1e-12);
     EXPECT_NEAR(change.force.back(), 1e-4, 1e-12);

@@ -117,7 +117,7 @@ TEST(OtherSurfaces_behaviour, another_realisation_is_no_mismatch) {
     const Diagnosis d = diagnosed_on(recording, simulation);
     EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
     bool is_said = false;
-    for (const auto& remark : d.remarks) is_said |= remark.find("by 8 other seeds") != std::string::npos;
+    for (const auto& remark : d.remarks) is_said |= remark.find("on 8 other seeds") != std::string::npos;
     EXPECT_TRUE(is_said);
   }
 }

@@ -4,45 +4,57 @@
 namespace asperity {
 namespace {
 
-class OffByError : public BranchCorrection {
+/// A correction as it is, for those that change a part of it.
+class Around : public BranchCorrection {
  public:
-  enum class Of { response, stiffness };
-  OffByError(std::shared_ptr<const BranchCorrection> exact, Of of)
-      : exact_(std::move(exact)),
-        error_(of == Of::response ? exact_->error() : 0.0),
-        stiffness_error_(of == Of::stiffness ? exact_->stiffness_error() : 0.0) {}
+  explicit Around(std::shared_ptr<const BranchCorrection> exact) : exact_(std::move(exact)) {}
   double displacement(const Sample& sample, double force) const override {
-    return exact_->displacement(sample, force) + error_;
+    return exact_->displacement(sample, force);
   }
-  double limit_factor(const Sample& sample) const override {
-    return exact_->limit_factor(sample) * (1 + error_);
-  }
-  double stiffness_factor(const Sample& sample) const override {
-    return exact_->stiffness_factor(sample) * (1 + stiffness_error_);
-  }
+  double limit_factor(const Sample& sample) const override { return exact_->limit_factor(sample); }
+  double stiffness_factor(const Sample& sample) const override { return exact_->stiffness_factor(sample); }
   std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
     return exact_->contact_for(reduced);
   }
   double error() const override { return exact_->error(); }
   double stiffness_error() const override { return exact_->stiffness_error(); }
 
+ protected:
+  const BranchCorrection& exact() const { return *exact_; }
+
  private:
   std::shared_ptr<const BranchCorrection> exact_;
-  double error_, stiffness_error_;
 };
 
-/// The exact one with the displacement of another surface.
-class OnOtherSurface : public BranchCorrection {
+class OffByError : public Around {
+ public:
+  using Around::Around;
+  double displacement(const Sample& sample, double force) const override {
+    return exact().displacement(sample, force) + error();
+  }
+  double limit_factor(const Sample& sample) const override {
+    return exact().limit_factor(sample) * (1 + error());
+  }
+};
+
+class OffByStiffnessError : public Around {
+ public:
+  using Around::Around;
+  double stiffness_factor(const Sample& sample) const override {
+    return exact().stiffness_factor(sample) * (1 + stiffness_error());
+  }
+};
+
+/// With the displacement of another surface.
+class OnOtherSurface : public Around {
  public:
   OnOtherSurface(std::shared_ptr<const BranchCorrection> exact, std::size_t surface)
-      : exact_(std::move(exact)), surface_(surface) {}
+      : Around(std::move(exact)), surface_(surface) {}
   double displacement(const Sample& sample, double force) const override {
-    return exact_->displacement(sample, force) + exact_->surface_errors()[surface_](force);
+    return exact().displacement(sample, force) + exact().surface_errors()[surface_](force);
   }
-  double error() const override { return exact_->error(); }
 
  private:
-  std::shared_ptr<const BranchCorrection> exact_;
   std::size_t surface_;
 };
 
@@ -59,9 +71,9 @@ std::vector<std::shared_ptr<const Explanation>> off_by_surfaces(const ModelFit& 
 std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit) {
   const auto& exact = fit.explanation->correction();
   std::vector<std::shared_ptr<const Explanation>> off{
-      fit.explanation->with(std::make_shared<OffByError>(exact, OffByError::Of::response))};
+      fit.explanation->with(std::make_shared<OffByError>(exact))};
   if (exact->stiffness_error() > 0)
-    off.push_back(fit.explanation->with(std::make_shared<OffByError>(exact, OffByError::Of::stiffness)));
+    off.push_back(fit.explanation->with(std::make_shared<OffByStiffnessError>(exact)));
   return off;
 }
 
