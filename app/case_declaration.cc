@@ -187,6 +187,12 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
       "Part of the particle that is meshed: the lower half, driven at its equator, or all of "
       "it, glued over the square of half width 0.45 R at its top."));
   entries.push_back(choice<std::string>(
+      "Mesh", "Fine along path", [](CaseInput& c) -> std::string& { return c.mesh.along_path; },
+      {{"travelling", "travelling"}, {"whole", "whole"}}, "travelling",
+      "Where a contact that rolls or slides finds fine cells: around it and some way ahead, made anew as it "
+      "goes (what has yielded keeps its cells), if that saves three tenths of the unknowns; or on the whole "
+      "path all the time."));
+  entries.push_back(choice<std::string>(
       "Solver", "Backend", [](CaseInput& c) -> std::string& { return c.solver.backend; },
       {{"matrix-free", "matrix-free"}, {"assembled", "assembled"}}, "matrix-free",
       "Matrix-free operators with geometric multigrid, or assembled matrices with "

@@ -66,6 +66,8 @@ struct MeshInput {
       0;           ///< half width of the finely meshed square [m]; 0: derived from load and roughness
   int layers = 4;  ///< cells of each refinement level below the interface (grading)
   std::string sphere = "hemisphere";
+  std::string along_path =
+      "travelling";  ///< fine cells "travelling" with the contact, or on the "whole" path
 };
 
 /// How a step is solved.

@@ -59,47 +59,42 @@ void make_coarse_mesh(Triangulation& forest, bool full_sphere) {
   }
 }
 
-/// How far a cell is from the contact region: 0 where it touches the uniformly meshed square. Aside by the
+/// How far a cell is from the contact region: 0 where it touches the uniformly meshed rectangle. Aside by the
 /// lattice of the surface, though the cap's lattice is narrower below: a cell is never farther than those
 /// below it, which would hang their nodes on its wide faces.
-double distance_to_region(const BodyMap& map, const LogicalBox& box, double region) {
+double distance_to_region(const BodyMap& map, const LogicalBox& box, double region, const FinePart& part) {
   const std::array<double, 2> low = map.aside(box.tree, box.vertex(0)),
                               high = map.aside(box.tree, box.vertex(7));
-  double lateral = 0;
-  for (int d = 0; d < 2; ++d) {
-    const double nearest = std::max({0.0, low[d], -high[d]});
-    const double reach = box.tree == block ? map.sizes().reach_substrate : map.sizes().reach_particle;
-    lateral = std::max(lateral, nearest - region - (d == 0 ? reach : 0.0));
-  }
+  const double along = std::max(low[0] - region - part.high, part.low - region - high[0]),
+               across = std::max(low[1], -high[1]) - region;
   const double depth = std::min(map.depth(box.tree, box.vertex(0)), map.depth(box.tree, box.vertex(7)));
-  return std::max({0.0, lateral, depth});
+  return std::max({0.0, along, across, depth});
 }
 
-bool too_coarse(const BodyMap& map, const LogicalBox& box, double layers) {
+bool too_coarse(const BodyMap& map, const LogicalBox& box, const ContactMeshOptions& options) {
   if (box.tree != cap && box.tree != block) return false;
+  if (options.kept && options.kept->has_within(box)) return true;
   const Body body = BodyMap::body_of(box.tree);
   const double spacing =
       body == Body::particle ? map.sizes().spacing_particle : map.sizes().spacing_substrate;
   const double region = body == Body::particle ? map.sizes().region_particle : map.sizes().region_substrate;
   const double width = box.size * spacing * std::pow(2.0, map.finest_level(body));
   if (width < 1.5 * spacing) return false;
-  const double distance = distance_to_region(map, box, region);
+  const double distance = distance_to_region(map, box, region, options.fine_part(body));
   // The near field, where stresses peak below a smooth contact, keeps at least six cells over the region's
   // width.
-  const double allowed =
-      distance < region ? std::min(0.5 * distance * 4 / layers, 0.35 * region) : 0.5 * distance * 4 / layers;
+  const double wide = 0.5 * distance * 4 / options.layers,
+               allowed = distance < region ? std::min(wide, 0.35 * region) : wide;
   return width > std::max(spacing, allowed) * (1 + 1e-9);
 }
 
 /// Whether the cell and all that it is a part of are too coarse. A part is never nearer to the region than
 /// the whole, but for rounding where cells begin just at the border: a part alone could be too coarse there,
 /// and a forest differ from the next coarser one by two levels.
-bool to_be_refined(const BodyMap& map, LogicalBox box, double layers) {
-  for (;;) {
-    if (!too_coarse(map, box, layers)) return false;
+bool to_be_refined(const BodyMap& map, LogicalBox box, const ContactMeshOptions& options) {
+  for (;; box = parent_of(box)) {
+    if (!too_coarse(map, box, options)) return false;
     if (box.size >= 1) return true;
-    box.size *= 2;
-    for (double& corner : box.corner) corner = std::floor(corner / box.size) * box.size;
   }
 }
 
@@ -114,6 +109,12 @@ LogicalBox logical_box(const dealii::Triangulation<3>& forest, const dealii::Cel
     for (int d = 0; d < 3; ++d) box.corner[d] += ((child >> d) & 1) * box.size;
   }
   return box;
+}
+
+FinePart ContactMeshOptions::fine_part(Body body) const {
+  const double reach = body == Body::particle ? sizes.reach_particle : sizes.reach_substrate;
+  const FinePart& part = fine[static_cast<std::size_t>(body)];
+  return {std::max(-reach, part.low), std::min(reach, part.high)};
 }
 
 RoughGeometry::RoughGeometry(const ContactMeshOptions& options)
@@ -165,7 +166,7 @@ std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactM
     for (const auto& cell : forest->active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
       const LogicalBox box = logical_box(cell);
-      if (cell->level() >= level_cap(box.tree) || !to_be_refined(map, box, options.layers)) continue;
+      if (cell->level() >= level_cap(box.tree) || !to_be_refined(map, box, options)) continue;
       cell->set_refine_flag();
       any = true;
     }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "meshing/body_map.h"
+#include "meshing/fine_part.h"
 
 namespace asperity::meshing {
 
@@ -23,6 +24,12 @@ struct ContactMeshOptions {
   /// In [m].
   double largest_height_particle = 0,
          largest_height_substrate = 0;  ///< max |height|, sets how deep the roughness fades
+  /// What of each body's fine region along x is meshed finely at present; by default all.
+  std::array<FinePart, 2> fine;
+  std::shared_ptr<const KeptCells> kept;  ///< null: none
+
+  /// The same, no longer than the region's reach.
+  FinePart fine_part(Body body) const;
 };
 
 /// Boundary indicators of the forest.
@@ -60,16 +67,7 @@ using Triangulation = dealii::parallel::distributed::Triangulation<3>;
 std::unique_ptr<Triangulation> make_forest(MPI_Comm communicator, const ContactMeshOptions& options,
                                            int coarsenings = 0);
 
-/// The logical box of a cell within its tree: lower corner and edge length.
-struct LogicalBox {
-  int tree;
-  Point3 corner;
-  /// Side of the box in its tree, a fraction [-].
-  double size;
-  Point3 vertex(int v) const {
-    return {corner[0] + (v & 1) * size, corner[1] + ((v >> 1) & 1) * size, corner[2] + ((v >> 2) & 1) * size};
-  }
-};
+/// The logical box of a cell.
 LogicalBox logical_box(const dealii::Triangulation<3>& forest, const dealii::CellId& id);
 template <typename Cell>
 LogicalBox logical_box(const Cell& cell) {

@@ -181,7 +181,7 @@ double contact_region(const CaseInput& input, const CaseSetup& setup, double spa
                    attraction_reach(input.interface));
     region = hertz_reach(setup.hertz_radius, R, reach) + 2 * spacing;
     // How far a body flows is an estimate: a mesh that holds Hertz' contact is not refused for it.
-    const double flows_to = hertz_reach(largest_contact_radius(input, setup), R, reach) + 2 * spacing;
+    const double flows_to = hertz_reach(setup.largest_radius, R, reach) + 2 * spacing;
     region = std::max(region, std::min(flows_to, largest_region));
   }
   if (region > largest_region) {
@@ -218,6 +218,7 @@ void require_friction_that_does_not_jump(const CaseInput& input, const CaseSetup
 CaseSetup set_up_sizes(const CaseInput& input) {
   CaseSetup setup;
   find_hertz_scales(input, setup);
+  setup.largest_radius = largest_contact_radius(input, setup);
   const double R = input.radius;
   const bool force = input.experiment.control == ExperimentInput::Control::force;
   const TopographySpec& upper = input.particle.topography;

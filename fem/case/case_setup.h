@@ -29,6 +29,7 @@ struct CaseSetup {
   ContactSystemOptions system;
   double hertz_radius = 0;                     ///< a of the smooth elastic contact at the largest load [m]
   double hertz_approach = 0;                   ///< its approach [m]
+  double largest_radius = 0;                   ///< of a smooth contact that may yield, at most [m]
   double reduced_modulus = 0;                  ///< E* [Pa]
   double largest_load = 0;                     ///< given, or Hertz' at the largest approach [N]
   double attraction_force = 0;                 ///< beyond the contact, which carries it beside the load [N]

@@ -50,6 +50,12 @@ void for_slopes(const meshing::HeightFunction& topography, const std::array<doub
     }
 }
 
+/// Along x in the body's frame [m].
+double middle_of_fine_part(const meshing::ContactMeshOptions& options, int body) {
+  const meshing::FinePart part = options.fine_part(static_cast<meshing::Body>(body));
+  return 0.5 * (part.low + part.high) + (body == 0 ? 0 : options.sizes.offset_substrate_x);
+}
+
 RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positions,
                            const meshing::ContactMeshOptions& options, int body) {
   RoughnessFidelity result;
@@ -61,8 +67,7 @@ RoughnessFidelity fidelity(const MeshLevel& level, const Vector<double>& positio
   const meshing::BodyMap smooth(options.sizes);
   const InterfaceNodes nodes(level);
   const auto z = nodes.gather(positions.begin(), 2);
-  const double unit = std::pow(2.0, -lattice_bits),
-               offset_x = body == 0 ? 0 : options.sizes.offset_substrate_x,
+  const double unit = std::pow(2.0, -lattice_bits), offset_x = middle_of_fine_part(options, body),
                offset_y = body == 0 ? 0 : options.sizes.offset_substrate_y;
 
   Moments nodal, deviation, sampled, between, slope, missed_slope;

@@ -1,5 +1,6 @@
 #include "fem/case/solve_cost.h"
 
+#include "fem/case/fine_path.h"
 #include "fem/programs/program.h"
 
 namespace asperity::fem {
@@ -27,10 +28,12 @@ SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yi
   // unknowns: 4.3 to 7 us for steps with little or no yielding, pressing or moving (rough, friction 0.1 and
   // 0.5), 17 us for large steps of pressing with a rough sphere that yields throughout.
   constexpr double before = 25e-6, elastic_step = 5.5e-6, yielding_step = 8e-6;
+  const auto program = make_program(input.experiment, setup.motion);
   SolveCost cost;
-  cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
+  cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers) *
+                             FinePath(input, setup, program).share_at_a_time();
   cost.memory = estimated_memory(cost.unknowns);
-  cost.steps = static_cast<int>(make_program(input.experiment, setup.motion).size());
+  cost.steps = static_cast<int>(program.size());
   cost.seconds = cost.unknowns * (before + cost.steps * (yields ? yielding_step : elastic_step));
   return cost;
 }

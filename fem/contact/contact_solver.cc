@@ -27,7 +27,7 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
       elastic_diagonal_(
           HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
   const auto& gaps = system.initial_gaps();
-  touch_offset_ = *std::min_element(gaps.begin(), gaps.end());
+  touch_offset_ = options_.touch_offset.value_or(*std::min_element(gaps.begin(), gaps.end()));
   // Snap-in and pull-off release much energy and take many iterations.
   if (tractions_.has_adhesion()) options_.largest_newton *= more_newton_steps_for_jumps;
 }

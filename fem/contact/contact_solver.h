@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "fem/contact/contact_state.h"
@@ -32,6 +33,8 @@ struct ContactSolverOptions {
   bool cautious = false;  ///< whether each step is solved as one is where the quick iteration failed
   std::shared_ptr<const FrictionLaw> friction;  ///< null: none
   AdhesionLaws adhesion;                        ///< empty: none
+  /// Approach at first touch [m], where it is known from another mesh of the same bodies.
+  std::optional<double> touch_offset;
 };
 
 class ContactSolver {

@@ -26,12 +26,18 @@ void ContactSystem::describe_rows() {
   }
   interface_ = std::make_unique<InterfaceOperator>(*level_, rows_, InterfaceNodes(*level_));
   gaps_ = interface_->gaps(positions_.begin());
-  std::array<double, 2> largest{};
-  for (const auto& row : rows_)
-    for (int c = 0; c < 2; ++c) largest[c] = std::max(largest[c], std::abs(interface_points_[row.node][c]));
+  std::array<double, 2> smallest, largest;
+  for (int c = 0; c < 2; ++c) {
+    const auto by_place = [&](const GapRow& a, const GapRow& b) {
+      return interface_points_[a.node][c] < interface_points_[b.node][c];
+    };
+    const auto [low, high] = std::minmax_element(rows_.begin(), rows_.end(), by_place);
+    smallest[c] = interface_points_[low->node][c], largest[c] = interface_points_[high->node][c];
+  }
   for (const auto& row : rows_) {
     const auto& p = interface_points_[row.node];
-    const double inside = std::min(largest[0] - std::abs(p[0]), largest[1] - std::abs(p[1]));
+    const double inside =
+        std::min({p[0] - smallest[0], p[1] - smallest[1], largest[0] - p[0], largest[1] - p[1]});
     on_rim_.push_back(inside < 0.5 * options_.mesh.sizes.spacing_particle);
   }
   linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_,
@@ -46,13 +52,14 @@ void ContactSystem::find_faces() {
     for (int k = 0; k < nodes.count(); ++k) interface_points_[k][c] = values[k];
   }
   const auto& sizes = options_.mesh.sizes;
+  const meshing::FinePart part = options_.mesh.fine_part(meshing::Body::particle);
   for (const auto& f : level_->interface_faces()) {
     PlaneFace face;
     for (int v = 0; v < 4; ++v) face.node[v] = nodes.index(f.node[v]);
     const auto& low = interface_points_[face.node[0]];
     const auto& high = interface_points_[face.node[3]];
     face.x0 = low[0], face.y0 = low[1], face.x1 = high[0], face.y1 = high[1];
-    const double along = std::max(std::abs(face.x0), std::abs(face.x1)) - sizes.reach_particle,
+    const double along = std::max(part.low - face.x0, face.x1 - part.high),
                  across = std::max(std::abs(face.y0), std::abs(face.y1));
     if (f.body == 0 && std::max(along, across) > sizes.region_particle * (1 + 1e-9)) continue;
     if (f.body == 0 && face.x1 - face.x0 > 1.5 * sizes.spacing_particle)

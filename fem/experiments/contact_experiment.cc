@@ -9,10 +9,8 @@
 #include "core/output_folder.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
-#include "fem/case/mesh_quality.h"
 #include "fem/experiments/energy_balance.h"
 #include "fem/output/added_column.h"
-#include "fem/output/checkpoint.h"
 #include "fem/output/contact_fields.h"
 #include "fem/output/progress_line.h"
 #include "fem/programs/free_rolling.h"
@@ -31,7 +29,8 @@ ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions&
     : input_(with_derived_path_length(input)),
       options_(options),
       setup_(set_up(input_)),
-      program_(make_program(input_.experiment, setup_.motion)) {
+      program_(make_program(input_.experiment, setup_.motion)),
+      path_(input_, setup_, program_) {
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
@@ -44,64 +43,9 @@ void ContactExperiment::say(const std::string& line) const {
 
 Provenance ContactExperiment::provenance() const { return {options_.inputs_sha256, build_commit()}; }
 
-void ContactExperiment::start() {
-  const auto& sizes = setup_.system.mesh.sizes;
-  say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over ±" +
-      format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
-      format_quantity(setup_.hertz_radius, Dimension::length));
-  for (int body = 0; body < 2; ++body)
-    if (setup_.roughness[body].rough())
-      say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
-  system_ = std::make_unique<ContactSystem>(MPI_COMM_WORLD, setup_.system);
-  ContactState unloaded;
-  system_->level().initialise(unloaded.displacement);
-  unloaded.displacement.update_ghost_values();
-  system_->couple_at({program_.front().motion, {}}, unloaded.displacement);
-  ContactSolverOptions solver_options;
-  solver_options.residual_tolerance = input_.solver.tolerance;
-  solver_options.largest_newton = input_.solver.newton_steps;
-  solver_options.friction = make_friction_law(input_.interface);
-  solver_options.adhesion = make_adhesion_laws(input_.interface);
-  solver_ = std::make_unique<ContactSolver>(*system_, solver_options);
-  if (options_.says_iterations && speaks()) solver_->log = options_.progress;
-  state_ = solver_->first_touch();
-  state_.motion = program_.front().motion;
-  const HexMeshQuality quality = hex_mesh_quality(system_->level(), system_->positions(), setup_.system.mesh);
-  require_quality(quality, setup_.system.mesh, input_.file);
-  for (int body = 0; body < 2; ++body) {
-    setup_.roughness[body].fidelity = quality.roughness[body];
-    const std::string missed =
-        missed_roughness_text(quality.roughness[body], body == 0 ? "particle" : "substrate");
-    if (!missed.empty()) say(missed);
-  }
-  say(std::to_string(system_->level().size()) + " unknowns, " + std::to_string(system_->rows().size()) +
-      " contact nodes, " + system_->linear().description() + " (" + wait_text(seconds() - started_) + ")");
-}
-
-bool ContactExperiment::resume() {
-  const auto checkpoint = read_checkpoint(options_.output / "checkpoint", provenance(), MPI_COMM_WORLD);
-  if (!checkpoint) return false;
-  if (checkpoint->displacement.size() != state_.displacement.locally_owned_size() ||
-      checkpoint->interface.multiplier.size() != state_.multiplier.size())
-    throw WorkError("the checkpoint in '" + options_.output.string() +
-                    "' belongs to another mesh; solve again with --overwrite");
-  std::copy(checkpoint->displacement.begin(), checkpoint->displacement.end(), state_.displacement.begin());
-  state_.displacement.update_ghost_values();
-  static_cast<InterfaceState&>(state_) = checkpoint->interface;
-  solver_->prediction().restore(checkpoint->path, state_);
-  system_->bodies().restore_history(checkpoint->history);
-  records_ = checkpoint->records;
-  load_ = checkpoint->load;
-  stiffness_ = checkpoint->stiffness;
-  time_before_ = checkpoint->wall_time;
-  say("resuming after step " + std::to_string(checkpoint->steps()));
-  return true;
-}
-
 void ContactExperiment::run() {
   started_ = seconds();
-  start();
-  const bool resumed = options_.resume && resume();
+  const bool resumed = start();
   if (speaks()) {
     if (options_.before_writing) options_.before_writing();
     make_folder(options_.output);
@@ -110,14 +54,7 @@ void ContactExperiment::run() {
     if (!resumed) std::filesystem::remove(options_.output / "result.json");
   }
   MPI_Barrier(MPI_COMM_WORLD);
-  // A radius well inside of the region and several spacings wide; the far field does not depend on it at
-  // first order. Also when resumed: the smoothers take their eigenvalues from the first system they see, and
-  // with the same ones the steps that follow are the same to the last digit.
-  const double radius =
-      std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
-               6 * setup_.system.mesh.sizes.spacing_particle);
-  stiffness_.far_field = solver_->far_field_compliance(radius);
-  stiffness_.lateral_far_field = solver_->lateral_far_field_compliance(radius);
+  if (!resumed || !path_.travels()) measure_far_field();
   const std::size_t steps = program_.size(), first = records_.size();
   for (std::size_t k = first; k < steps; ++k) {
     const double began = seconds();
@@ -283,10 +220,12 @@ void ContactExperiment::measure_stiffness() {
 void ContactExperiment::step_to(const Station& station, int index) {
   last_report_ = {};
   const double fraction = station.load;
+  const RigidMotion motion = towards(station, index > 1 ? &program_[index - 2] : nullptr);
+  travel_to(motion);
   solve_with_retries(setup_.system.control == Control::force
                          ? fraction * setup_.largest_load + setup_.attraction_force
                          : fraction * setup_.hertz_approach,
-                     towards(station, index > 1 ? &program_[index - 2] : nullptr), station.duration);
+                     motion, station.duration);
   if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
   const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
   const bool last = index == static_cast<int>(program_.size());

@@ -8,8 +8,10 @@
 
 #include "core/provenance.h"
 #include "fem/case/case_setup.h"
+#include "fem/case/fine_path.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/experiments/solve_options.h"
+#include "fem/output/checkpoint.h"
 #include "fem/output/measured_stiffness.h"
 #include "fem/programs/program.h"
 #include "results/history.h"
@@ -23,8 +25,15 @@ class ContactExperiment {
   void run();
 
  private:
-  void start();
-  bool resume();
+  /// Whether it goes on from a checkpoint.
+  bool start();
+  void resume(const Checkpoint& checkpoint);
+  /// System and solver with fine cells on `parts` and those that are kept.
+  void mesh(const FineParts& parts, const std::shared_ptr<const meshing::KeptCells>& kept);
+  void require_mesh_quality();
+  /// Meshes anew where a motion leads off the fine cells, and takes the accepted state over.
+  void travel_to(const RigidMotion& motion);
+  void measure_far_field();
   void step_to(const Station& station, int index);
   double expected_approach(double target) const;
   /// Motion prescribed at a station, after the one before; a freely rolling particle is shifted further so
@@ -70,9 +79,12 @@ class ContactExperiment {
   SolveOptions options_;
   CaseSetup setup_;
   std::vector<Station> program_;
+  FinePath path_;
   int rank_, ranks_;
   std::unique_ptr<ContactSystem> system_;
   std::unique_ptr<ContactSolver> solver_;
+  FineParts parts_;         ///< of the path that are finely meshed now
+  long most_unknowns_ = 0;  ///< of the meshes so far
   ContactState state_;
   std::vector<HistoryRow> records_;
   MeasuredStiffness stiffness_;

@@ -97,6 +97,8 @@ void ContactExperiment::write_step() {
   c.load = load_;
   c.wall_time = wall_time();
   c.stiffness = stiffness_;
+  c.parts = parts_;
+  if (const auto& kept = system_->options().mesh.kept) c.kept = kept->cells();
   c.interface = state_;
   c.path = solver_->prediction().memory(state_);
   c.displacement.assign(state_.displacement.begin(),
@@ -132,7 +134,7 @@ void ContactExperiment::write_result() {
   summary.ranks = ranks_;
   summary.threads = omp_get_max_threads();
   summary.cells = static_cast<long>(system_->forest().n_global_active_cells());
-  summary.unknowns = static_cast<long>(system_->level().size());
+  summary.unknowns = most_unknowns_;
   summary.contact_nodes = static_cast<long>(system_->rows().size());
   summary.stiffness = stiffness_;
   const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {

@@ -48,6 +48,7 @@ void each_number(AnyCheckpoint& c, Do&& on) {
   auto& i = c.interface;
   on(i.time), on(i.approach);
   on(c.path.target);
+  for (auto& part : c.parts) on(part.low), on(part.high);
   for (auto* motion : {&i.motion, &i.coupling.frames, &c.path.motion})
     on(motion->x), on(motion->y), on(motion->spin), on(motion->roll);
   on(i.coupling.elastic.x), on(i.coupling.elastic.y), on(i.coupling.elastic.turn);
@@ -56,7 +57,7 @@ void each_number(AnyCheckpoint& c, Do&& on) {
 /// The same of its lists.
 template <typename AnyCheckpoint, typename Do>
 void each_list(AnyCheckpoint& c, Do&& on) {
-  on(c.displacement), on(c.history);
+  on(c.displacement), on(c.history), on(c.kept);
   auto& i = c.interface;
   on(i.multiplier), on(i.shear[0]), on(i.shear[1]), on(i.friction_history), on(i.bonded);
   on(c.path.displacement), on(c.path.multiplier), on(c.path.shear[0]), on(c.path.shear[1]);
@@ -99,7 +100,7 @@ Checkpoint checkpoint_of(const std::string& bytes) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/8";
+constexpr const char* format = "asperity-checkpoint/9";
 
 std::string part_name(int step, int rank) {
   return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin";

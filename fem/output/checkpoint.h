@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/provenance.h"
+#include "fem/case/fine_path.h"
 #include "fem/contact/steady_prediction.h"
 #include "fem/output/measured_stiffness.h"
 #include "results/history.h"
@@ -20,6 +21,8 @@ struct Checkpoint {
   double load = 0;                  ///< of the last: force [N] or approach [m]
   double wall_time = 0;             ///< [s]
   MeasuredStiffness stiffness;
+  FineParts parts;                        ///< of the path that are finely meshed
+  std::vector<meshing::LogicalBox> kept;  ///< cells that have yielded before this mesh was made
   InterfaceState interface;
   PathMemory path;
   std::vector<double> displacement;  ///< locally owned

@@ -15,26 +15,9 @@ namespace {
 
 using dealii::types::global_dof_index;
 
-/// A cell by tree and integer lattice box; the edge is 2^edge_bits.
-struct CellKey {
-  int tree, x, y, z, edge_bits;
-  std::uint64_t packed() const {
-    return ((((static_cast<std::uint64_t>(tree) * 32 + edge_bits) << 17 | (x >> 3)) << 17 | (y >> 3)) << 17) |
-           (z >> 3);
-  }
-  CellKey parent() const {
-    const int mask = ~((1 << (edge_bits + 1)) - 1);
-    return {tree, x & mask, y & mask, z & mask, edge_bits + 1};
-  }
-};
-
-CellKey key_of(const meshing::LogicalBox& box) {
-  const double unit = std::pow(2.0, lattice_bits);
-  return {box.tree, static_cast<int>(std::lround(box.corner[0] * unit)),
-          static_cast<int>(std::lround(box.corner[1] * unit)),
-          static_cast<int>(std::lround(box.corner[2] * unit)),
-          static_cast<int>(std::lround(std::log2(box.size))) + lattice_bits};
-}
+using meshing::cell_key;
+using meshing::LogicalBox;
+using meshing::parent_of;
 
 using CellNodes = std::array<long, 8>;
 
@@ -46,7 +29,7 @@ void for_owned_cells(const MeshLevel& level, const Visit& visit) {
     cell->get_dof_indices(indices);
     CellNodes nodes;
     for (int v = 0; v < 8; ++v) nodes[v] = static_cast<long>(indices[3 * v] / 3);
-    visit(key_of(meshing::logical_box(cell)), nodes);
+    visit(meshing::logical_box(cell), nodes);
   }
 }
 
@@ -59,20 +42,21 @@ class CoarseCells {
     const unsigned ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     if (ranks == 1) {
       for_owned_cells(coarse,
-                      [&](const CellKey& key, const CellNodes& nodes) { found_[key.packed()] = nodes; });
+                      [&](const LogicalBox& box, const CellNodes& nodes) { found_[cell_key(box)] = nodes; });
       return;
     }
     const auto directory = [&](std::uint64_t key) {
       return static_cast<unsigned>((key * 0x9E3779B97F4A7C15ull >> 32) % ranks);
     };
     std::map<unsigned, std::vector<long>> announced, asked;
-    for_owned_cells(coarse, [&](const CellKey& key, const CellNodes& nodes) {
-      auto& message = announced[directory(key.packed())];
-      message.push_back(static_cast<long>(key.packed()));
+    for_owned_cells(coarse, [&](const LogicalBox& box, const CellNodes& nodes) {
+      const meshing::CellKey key = cell_key(box);
+      auto& message = announced[directory(key)];
+      message.push_back(static_cast<long>(key));
       message.insert(message.end(), nodes.begin(), nodes.end());
     });
-    for_owned_cells(fine, [&](const CellKey& key, const CellNodes&) {
-      for (const auto k : {key.packed(), key.parent().packed()})
+    for_owned_cells(fine, [&](const LogicalBox& box, const CellNodes&) {
+      for (const auto k : {cell_key(box), cell_key(parent_of(box))})
         asked[directory(k)].push_back(static_cast<long>(k));
     });
     std::unordered_map<std::uint64_t, CellNodes> entries;
@@ -113,19 +97,6 @@ std::vector<char> nodes_without_row(const MeshLevel& fine) {
   return without;
 }
 
-/// Trilinear functions of the parent's nodes at node v of one of its children.
-std::array<double, 8> weights_in_parent(const CellKey& key, const CellKey& parent, int v) {
-  const int edge = 1 << key.edge_bits;
-  const int offset[3] = {(key.x - parent.x) / edge + (v & 1), (key.y - parent.y) / edge + ((v >> 1) & 1),
-                         (key.z - parent.z) / edge + (v >> 2)};  // 0, 1 or 2 half edges of the parent
-  std::array<double, 8> weights;
-  for (int w = 0; w < 8; ++w) {
-    weights[w] = 1;
-    for (int d = 0; d < 3; ++d) weights[w] *= (w >> d) & 1 ? 0.5 * offset[d] : 1 - 0.5 * offset[d];
-  }
-  return weights;
-}
-
 }  // namespace
 
 LevelTransfer::LevelTransfer(const MeshLevel& fine, const MeshLevel& coarse)
@@ -143,10 +114,10 @@ std::vector<long> LevelTransfer::make_rows(const MeshLevel& fine) {
     columns.push_back(node);
     rows_.weight.push_back(static_cast<float>(weight));
   };
-  for_owned_cells(fine, [&](const CellKey& key, const CellNodes& nodes) {
-    const CellKey parent = key.parent();
-    const CellNodes* same = cells.find(key.packed());
-    const CellNodes* above = same ? nullptr : cells.find(parent.packed());
+  for_owned_cells(fine, [&](const LogicalBox& box, const CellNodes& nodes) {
+    const LogicalBox parent = parent_of(box);
+    const CellNodes* same = cells.find(cell_key(box));
+    const CellNodes* above = same ? nullptr : cells.find(cell_key(parent));
     if (!same && !above)
       throw WorkError("a cell has no counterpart on the next coarser mesh; this is an error of the program");
     for (int v = 0; v < 8; ++v) {
@@ -159,7 +130,7 @@ std::vector<long> LevelTransfer::make_rows(const MeshLevel& fine) {
       if (same) {
         add_entry((*same)[v], 1);
       } else {
-        const auto weights = weights_in_parent(key, parent, v);
+        const auto weights = meshing::corner_weights(parent, box.vertex(v));
         for (int w = 0; w < 8; ++w)
           if (weights[w] != 0) add_entry((*above)[w], weights[w]);
       }

@@ -124,8 +124,7 @@ std::vector<double> PlasticBodies::save_history() const {
 }
 
 void PlasticBodies::restore_history(const std::vector<double>& saved) {
-  constexpr int numbers_of_a_point = 6 + 1 + 6;  // as save_history() has them
-  constexpr std::size_t record = 1 + points_per_hex * numbers_of_a_point * lanes;
+  constexpr std::size_t record = 1 + points_per_hex * numbers_of_point * lanes;
   if (saved.size() < 2 || saved[0] != static_cast<double>(history_.size()) ||
       (saved.size() - 2) % record != 0)
     throw WorkError(
@@ -145,6 +144,40 @@ void PlasticBodies::restore_history(const std::vector<double>& saved) {
     }
     history_[static_cast<std::size_t>(saved[at])] = std::move(history);
   }
+}
+
+std::optional<PlasticBodies::CellHistory> PlasticBodies::history_of_cell(int batch, int lane) const {
+  if (!history_[batch]) return std::nullopt;
+  CellHistory taken;
+  bool yielded = false;
+  for (int q = 0; q < points_per_hex; ++q) {
+    const PointHistory& point = (*history_[batch])[q];
+    yielded = yielded || point.alpha[lane] > 0;
+    for (int c = 0; c < 6; ++c) {
+      taken[q][c] = point.strain[c][lane];
+      taken[q][7 + c] = point.flow_error[c][lane];
+    }
+    taken[q][6] = point.alpha[lane];
+  }
+  if (!yielded) return std::nullopt;
+  return taken;
+}
+
+void PlasticBodies::take_history_of_cell(int batch, int lane, const CellHistory& taken) {
+  if (!history_[batch]) history_[batch] = std::make_unique<History>();
+  const auto put = [&](int l) {
+    for (int q = 0; q < points_per_hex; ++q) {
+      PointHistory& point = (*history_[batch])[q];
+      for (int c = 0; c < 6; ++c) {
+        point.strain[c][l] = taken[q][c];
+        point.flow_error[c][l] = taken[q][7 + c];
+      }
+      point.alpha[l] = taken[q][6];
+    }
+  };
+  put(lane);
+  // The lanes beyond those that a batch has repeat the first.
+  for (int l = level_.batches()[batch].count; lane == 0 && l < lanes; ++l) put(l);
 }
 
 }  // namespace asperity::fem

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fem/cells/step_failure.h"
@@ -81,6 +82,15 @@ class PlasticBodies {
   /// History as plain numbers, for checkpoints; restore throws WorkError if it does not fit this mesh.
   std::vector<double> save_history() const;
   void restore_history(const std::vector<double>& saved);
+
+  /// What a cell has of it, if it has yielded: numbers for take_history_of_cell() of this or another mesh.
+  static constexpr int numbers_of_point = 6 + 1 + 6;  ///< plastic strain, equivalent one, flow error
+  using CellHistory = std::array<std::array<double, numbers_of_point>, points_per_hex>;
+  std::optional<CellHistory> history_of_cell(int batch, int lane) const;
+  void take_history_of_cell(int batch, int lane, const CellHistory& taken);
+  /// Error of all steps in the approach so far [m].
+  double approach_error() const { return approach_error_; }
+  void take_approach_error(double error) { approach_error_ = error; }
 
   bool can_yield() const { return materials_[0].can_yield() || materials_[1].can_yield(); }
 

@@ -88,6 +88,53 @@ TEST(Forest_behaviour, of_each_level_is_the_next_coarser_one_refined_once_at_mos
   EXPECT_TRUE(verified.below(torn, 0));
 }
 
+TEST(Forest_behaviour, that_is_fine_around_the_contact_and_where_cells_are_kept_is_nested_too) {
+  auto options = sphere_of_8p5_um(32e-9, false);
+  options.layers = 2;
+  options.sizes.spacing_substrate = 32e-9;
+  options.sizes.region_particle = 0.41e-6, options.sizes.region_substrate = 0.506e-6;
+  options.sizes.reach_particle = options.sizes.reach_substrate = 0.9e-6;
+  const auto whole = make_forest(MPI_COMM_SELF, options);
+  int torn = 0, lost = 0;
+  const auto shares_of_whole = [&](double low) {
+    options.fine = {FinePart{low, low + 0.1e-6}, FinePart{low, low + 0.1e-6}};
+    for (int coarsenings = 1; coarsenings < 6; ++coarsenings) torn += torn_cells(options, coarsenings);
+    const auto part = make_forest(MPI_COMM_SELF, options);
+    std::set<dealii::CellId> there;
+    std::set<CellKey> keys;
+    for (const auto& cell : part->active_cell_iterators()) {
+      there.insert(cell->id());
+      keys.insert(cell_key(logical_box(cell)));
+    }
+    // What is in the part, is as in the whole.
+    const BodyMap map(options.sizes);
+    std::vector<LogicalBox> kept;
+    for (const auto& cell : whole->active_cell_iterators()) {
+      const LogicalBox box = logical_box(cell);
+      if (box.tree != cap && box.tree != block) continue;
+      const double x = map.aside(box.tree, box.centre())[0], y = map.aside(box.tree, box.centre())[1];
+      const bool surface = map.depth(box.tree, box.centre()) < 32e-9;
+      if (surface && std::abs(y) < 0.4e-6 && x > low - 0.4e-6 && x < low + 0.5e-6) {
+        lost += !there.count(cell->id());
+        if (std::abs(y) < 0.1e-6) kept.push_back(box);
+      }
+    }
+    if (options.kept)
+      for (const auto& box : options.kept->cells()) lost += !keys.count(cell_key(box));
+    options.kept = std::make_shared<KeptCells>(kept);
+    return static_cast<double>(part->n_active_cells()) / whole->n_active_cells();
+  };
+  const double first = shares_of_whole(-0.9e-6), with_wake = shares_of_whole(0.1e-6);
+  EXPECT_LT(first, 0.75);
+  EXPECT_GT(with_wake, first);
+  EXPECT_LT(with_wake, 0.85);
+  const asperity::test::Verified verified{"Meshes",
+                                          "fine around a contact on its way: torn cells, and cells of the "
+                                          "contact and kept ones that are not there",
+                                          "none"};
+  EXPECT_TRUE(verified.below(torn + lost, 0));
+}
+
 /// p4est takes it for granted, and deal.II does not check it.
 TEST(CoarseMesh_behaviour, has_edges_of_the_same_direction_in_all_trees_that_share_them) {
   const BodyMap map(sphere_of_8p5_um(40e-9, true).sizes);
