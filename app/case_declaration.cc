@@ -213,7 +213,9 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
       "Write the fields for ParaView (VTU and PVD of the bodies, VTP of the interface)."));
   entries.push_back(whole_number(
       "Output", "Fields every", [](CaseInput& c) -> int& { return c.output.fields_every; }, 0, "0",
-      "Steps between files of fields; 0: at the largest load and at the last step."));
+      "Steps between files of fields; 0: ten of them, even in load or path. The largest load and the last "
+      "step "
+      "always have some."));
   for (auto entry = entries.begin() + first; entry != entries.end(); ++entry) entry->is_physical = false;
 }
 

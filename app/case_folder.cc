@@ -138,7 +138,7 @@ void claim_folder(const FolderedCase& now, SolveStart start) {
   // The result first: what is left when this is interrupted must not pass for a solved case.
   if (start == SolveStart::anew)
     for (const char* name : {"result.json", "checkpoint", "history.csv", "fields", "fields.pvd", "interface",
-                             "interface.pvd", "report.html"})
+                             "interface.pvd", "show_in_paraview.py", "report.html"})
       fs::remove_all(now.folder / name);
   write_case(now);
 }

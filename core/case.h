@@ -82,7 +82,7 @@ struct SolverInput {
 /// Which fields are written.
 struct OutputInput {
   bool fields = true;    ///< VTU/PVD of the bodies, VTP/PVD of the interface
-  int fields_every = 0;  ///< steps between field files; 0: at the largest load and the last step
+  int fields_every = 0;  ///< steps between field files; 0: ten of them, even in load or path
 };
 
 /// All of a case file.

@@ -30,7 +30,10 @@ ContactExperiment::ContactExperiment(const CaseInput& input, const SolveOptions&
       options_(options),
       setup_(set_up(input_)),
       program_(make_program(input_.experiment, setup_.motion)),
-      path_(input_, setup_, program_) {
+      path_(input_, setup_, program_),
+      frames_(frames_of(input_.experiment, program_, setup_.motion,
+                        setup_.system.control == Control::force ? setup_.largest_load : setup_.hertz_approach,
+                        input_.output.fields_every)) {
   rank_ = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   ranks_ = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
 }
@@ -227,11 +230,10 @@ void ContactExperiment::step_to(const Station& station, int index) {
                          : fraction * setup_.hertz_approach,
                      motion, station.duration);
   if (fraction == 1.0 && stiffness_.normal == 0) measure_stiffness();
-  const bool peak = fraction == 1.0 && (index == 1 || program_[index - 2].load < 1.0);
-  const bool last = index == static_cast<int>(program_.size());
-  const int every = input_.output.fields_every;
-  if (input_.output.fields && (peak || last || (every > 0 && index % every == 0)))
-    write_contact_fields(options_.output, index, *system_, *solver_, state_);
+  if (input_.output.fields && frames_.shown[index - 1])
+    write_contact_fields(options_.output,
+                         {index, input_.title, solver_->resultants(state_).force - setup_.attraction_force},
+                         frames_, *system_, *solver_, state_);
   write_step();
 }
 

@@ -12,6 +12,7 @@
 #include "fem/contact/contact_solver.h"
 #include "fem/experiments/solve_options.h"
 #include "fem/output/checkpoint.h"
+#include "fem/output/frames.h"
 #include "fem/output/measured_stiffness.h"
 #include "fem/programs/program.h"
 #include "results/history.h"
@@ -80,6 +81,7 @@ class ContactExperiment {
   CaseSetup setup_;
   std::vector<Station> program_;
   FinePath path_;
+  Frames frames_;
   int rank_, ranks_;
   std::unique_ptr<ContactSystem> system_;
   std::unique_ptr<ContactSolver> solver_;

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <map>
 
+#include "core/atomic_file.h"
 #include "fem/cells/vtk_order.h"
 #include "fem/output/field.h"
+#include "fem/output/paraview_script.h"
 #include "fem/output/vtk_writer.h"
 
 namespace asperity::fem {
@@ -19,8 +21,30 @@ void add_fields(const std::vector<Field>& fields, FieldPlace place, const ShownS
   for (const auto& field : fields) {
     if (field.place != place) continue;
     const auto values = field.values(shown);
-    arrays.push_back({field.name, field.components, {values.begin(), values.end()}});
+    arrays.push_back({field.name, field.components, {values.begin(), values.end()}, field.unit});
   }
+}
+
+/// Plastic strain at nodes, the mean of the cells around each: for contours and smooth colours. Collective.
+std::vector<float> plastic_strain_at_nodes(const ShownState& shown) {
+  const MeshLevel& level = shown.system.level();
+  Vector<double> sum;  // x: of strains, y: of cells
+  level.initialise(sum);
+  auto cell = shown.cells.begin();
+  for (const auto& batch : level.batches())
+    for (int l = 0; l < batch.count; ++l, ++cell)
+      for (const auto& node : batch.node) {
+        sum.begin()[3 * node[l]] += cell->plastic_strain;
+        sum.begin()[3 * node[l] + 1] += 1;
+      }
+  sum.compress(dealii::VectorOperation::add);
+  sum.update_ghost_values();
+  const std::size_t nodes =
+      (level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) / 3;
+  std::vector<float> strain;
+  for (std::size_t n = 0; n < nodes; ++n)
+    strain.push_back(static_cast<float>(sum.begin()[3 * n] / std::max(1.0, sum.begin()[3 * n + 1])));
+  return strain;
 }
 
 VtkMesh bodies(const ShownState& shown) {
@@ -32,7 +56,8 @@ VtkMesh bodies(const ShownState& shown) {
   Vector<double> moved = shown.state.displacement;  // the driven plane's common displacement on all its nodes
   moved.update_ghost_values();
   mesh.points.assign(positions.begin(), positions.begin() + 3 * nodes);
-  mesh.point_data.push_back({"displacement", 3, {moved.begin(), moved.begin() + 3 * nodes}});
+  mesh.point_data.push_back({"displacement", 3, {moved.begin(), moved.begin() + 3 * nodes}, "m"});
+  mesh.point_data.push_back({"plastic_strain_at_nodes", 1, plastic_strain_at_nodes(shown)});
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l)
       for (const int v : vtk_order) mesh.connectivity.push_back(batch.node[v][l]);
@@ -64,8 +89,8 @@ VtkMesh contact_surface(const ShownState& shown) {
   return mesh;
 }
 
-/// Lists what is in a sub-folder: name_NNNN[_rank].ext by step.
-void write_series(const fs::path& folder, const std::string& sub) {
+/// Lists what is in a sub-folder: name_NNNN[_rank].ext by the time of its step.
+void write_series(const fs::path& folder, const std::string& sub, const Frames& frames) {
   std::map<int, std::vector<std::string>> by_step;
   for (const auto& entry : fs::directory_iterator(folder / sub)) {
     int step = 0;
@@ -76,20 +101,31 @@ void write_series(const fs::path& folder, const std::string& sub) {
   std::vector<std::pair<double, std::vector<std::string>>> files;
   for (auto& [step, names] : by_step) {
     std::sort(names.begin(), names.end());
-    files.emplace_back(step, names);
+    const auto index = static_cast<std::size_t>(step - 1);
+    files.emplace_back(index < frames.time.size() ? frames.time[index] : step, names);
   }
   write_pvd(folder / (sub + ".pvd"), files);
 }
 
+VtkNotes notes_of(const FrameNotes& notes, const Frames& frames) {
+  const auto index = static_cast<std::size_t>(notes.step - 1);
+  return {{{"TimeValue", frames.time[index]},
+           {"step", notes.step},
+           {"load [N]", notes.load},
+           {"path length [m]", frames.path_length[index]}},
+          {{"title", notes.title}, {"time", frames.time_text()}}};
+}
+
 }  // namespace
 
-void write_contact_fields(const fs::path& folder, int step, const ContactSystem& system,
-                          const ContactSolver& solver, const ContactState& state) {
+void write_contact_fields(const fs::path& folder, const FrameNotes& notes, const Frames& frames,
+                          const ContactSystem& system, const ContactSolver& solver,
+                          const ContactState& state) {
   const MPI_Comm communicator = system.level().communicator();
   const int rank = dealii::Utilities::MPI::this_mpi_process(communicator),
             ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   char name[32];
-  std::snprintf(name, sizeof name, "step_%04d", step);
+  std::snprintf(name, sizeof name, "step_%04d", notes.step);
   const std::string part = ranks == 1 ? "" : "_rank_" + std::to_string(rank);
   if (rank == 0) {
     fs::create_directories(folder / "fields");
@@ -98,13 +134,15 @@ void write_contact_fields(const fs::path& folder, int step, const ContactSystem&
   MPI_Barrier(communicator);
   const ShownState shown{system, solver, state, solver.gaps(state),
                          system.bodies().cell_states(state.displacement)};
-  write_vtk(folder / "fields" / (name + part + ".vtu"), bodies(shown));
-  const VtkMesh surface = contact_surface(shown);  // collective
+  VtkMesh volume = bodies(shown), surface = contact_surface(shown);  // collective
+  volume.notes = surface.notes = notes_of(notes, frames);
+  write_vtk(folder / "fields" / (name + part + ".vtu"), volume);
   if (rank == 0) write_vtk(folder / "interface" / (std::string(name) + ".vtp"), surface);
   MPI_Barrier(communicator);
   if (rank != 0) return;
-  write_series(folder, "fields");
-  write_series(folder, "interface");
+  write_series(folder, "fields", frames);
+  write_series(folder, "interface", frames);
+  write_file_atomically(folder / "show_in_paraview.py", paraview_script());
 }
 
 }  // namespace asperity::fem

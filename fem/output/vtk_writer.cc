@@ -1,6 +1,7 @@
 #include "fem/output/vtk_writer.h"
 
 #include <cstdint>
+#include <iomanip>
 #include <sstream>
 
 #include "core/atomic_file.h"
@@ -34,6 +35,31 @@ void describe(std::ostringstream& xml, const std::vector<VtkArray>& arrays, cons
   xml << "</" << element << ">\n";
 }
 
+/// Texts stand in VTK's files as the codes of their bytes, each with a 0 behind it.
+void describe_texts(std::ostringstream& xml, const std::string& name, const std::vector<std::string>& texts) {
+  xml << "<DataArray type=\"String\" Name=\"" << name << "\" NumberOfTuples=\"" << texts.size()
+      << "\" format=\"ascii\">\n";
+  for (const auto& text : texts) {
+    for (const unsigned char byte : text) xml << static_cast<int>(byte) << ' ';
+    xml << "0\n";
+  }
+  xml << "</DataArray>\n";
+}
+
+void describe_notes(std::ostringstream& xml, const VtkMesh& mesh) {
+  xml << "<FieldData>\n";
+  for (const auto& [name, number] : mesh.notes.numbers)
+    xml << "<DataArray type=\"Float64\" Name=\"" << name << "\" NumberOfTuples=\"1\" format=\"ascii\">"
+        << std::setprecision(6) << number << "</DataArray>\n";
+  for (const auto& [name, text] : mesh.notes.texts) describe_texts(xml, name, {text});
+  std::vector<std::string> units;
+  for (const auto* arrays : {&mesh.point_data, &mesh.cell_data})
+    for (const auto& array : *arrays)
+      if (!array.unit.empty()) units.push_back(array.name + " [" + array.unit + "]");
+  describe_texts(xml, "units", units);
+  xml << "</FieldData>\n";
+}
+
 }  // namespace
 
 void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh) {
@@ -46,8 +72,9 @@ void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh) {
   Appended data;
   std::ostringstream xml;
   xml << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
-      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" << type
-      << ">\n<Piece NumberOfPoints=\"" << mesh.points.size() / 3 << "\" "
+      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" << type << ">\n";
+  describe_notes(xml, mesh);
+  xml << "<Piece NumberOfPoints=\"" << mesh.points.size() / 3 << "\" "
       << (grid ? "NumberOfCells" : "NumberOfPolys") << "=\"" << cells << "\">\n";
   describe(xml, mesh.point_data, "PointData", data);
   describe(xml, mesh.cell_data, "CellData", data);

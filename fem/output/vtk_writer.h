@@ -14,6 +14,13 @@ struct VtkArray {
   std::string name;
   int components = 1;
   std::vector<float> values;
+  std::string unit = {};  ///< empty: a number; "units" of the field data lists them
+};
+
+/// What a file says of its data as a whole, in the field data.
+struct VtkNotes {
+  std::vector<std::pair<std::string, double>> numbers;
+  std::vector<std::pair<std::string, std::string>> texts;
 };
 
 /// Points [m] and hexahedra (VTK order) or quadrilaterals.
@@ -22,6 +29,7 @@ struct VtkMesh {
   std::vector<int> connectivity;  ///< 8 or 4 per cell
   int points_per_cell = 8;
   std::vector<VtkArray> point_data, cell_data;
+  VtkNotes notes;
 };
 
 /// Writes a .vtu (8 points per cell) or .vtp (4), in one step.

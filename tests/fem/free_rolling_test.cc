@@ -5,6 +5,7 @@
 namespace {
 
 using namespace asperity::fem;
+using asperity::HistoryRow;
 
 constexpr RollingContact rolling_contact{8e-6, 2e-7, 1e5};
 

@@ -172,7 +172,8 @@ double difference(const test::SolvedExperiment& one, const test::SolvedExperimen
 void expect_same(const std::string& what, const test::SolvedExperiment& whole,
                  const test::SolvedExperiment& travelling) {
   const auto verified = [&](const std::string& column, const std::string& of, double asked) {
-    const test::Verified row{"Travelling mesh", what + ": " + column, "a mesh fine on the whole path"};
+    const test::Verified row{"Meshes", "travelling: " + what + ": " + column,
+                             "a mesh fine on the whole path"};
     EXPECT_TRUE(row.below(100 * difference(whole, travelling, column, of), 100 * asked, "%"));
   };
   verified("normal_displacement [m]", "normal_displacement [m]", 1e-3);
@@ -183,7 +184,8 @@ void expect_same(const std::string& what, const test::SolvedExperiment& whole,
   verified("plastic_work [J]", "plastic_work [J]", 1e-3);
   verified("plastic_volume [m^3]", "plastic_volume [m^3]", 1e-2);
   verified("adhesion_loss [J]", "adhesion_loss [J]", 1e-3);
-  const test::Verified energy{"Travelling mesh", what + ": energy left open, beside that of the other",
+  const test::Verified energy{"Meshes",
+                              "travelling: " + what + ": energy left open, beside that of the other",
                               "a mesh fine on the whole path"};
   const auto left_open = [](const test::SolvedExperiment& s) {
     return s.result["balance"]["energy"].get<double>();
@@ -195,7 +197,7 @@ void expect_same(const std::string& what, const test::SolvedExperiment& whole,
   EXPECT_LT(unknowns(travelling), 0.85 * unknowns(whole));
 }
 
-TEST(TravellingMesh_code,
+TEST(TravellingMesh_behaviour,
      of_a_rolling_contact_that_comes_back_over_its_own_track_gives_the_same_and_resumes) {
   const test::TemporaryFolder folder;
   CaseInput input = long_path(Motion::rolling, "whole");
@@ -211,7 +213,7 @@ TEST(TravellingMesh_code,
   EXPECT_LT(difference(travelling, resumed, "normal_displacement [m]", "normal_displacement [m]"), 1e-6);
 }
 
-TEST(TravellingMeshNightly_code, of_a_sliding_contact_that_turns_gives_the_same) {
+TEST(TravellingMeshNightly_behaviour, of_a_sliding_contact_that_turns_gives_the_same) {
   const test::TemporaryFolder folder;
   CaseInput input = long_path(Motion::sliding, "whole");
   input.experiment.reverse = true;

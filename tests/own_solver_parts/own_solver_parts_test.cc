@@ -4,6 +4,12 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +17,7 @@
 
 #include "app/case_declaration.h"
 #include "app/case_file.h"
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "report/fields/field_files.h"
 #include "report/report.h"
@@ -28,7 +35,7 @@ constexpr int cycles = 1;
 CaseInput fretting_case(const std::filesystem::path& folder, const std::string& experiment) {
   const std::string glass = "set Young modulus = 71 GPa\n set Poisson ratio = 0.17\nend\n";
   const std::filesystem::path file = folder / "case.prm";
-  std::ofstream(file) << "subsection Particle\n set Radius = 8.5 um\n"
+  std::ofstream(file) << "set Title = <b>fretting & more</b>\nsubsection Particle\n set Radius = 8.5 um\n"
                       << glass << "subsection Substrate\n"
                       << glass << "subsection Interface\n set Friction coefficient = 0.3\nend\n"
                       << "subsection Experiment\n set Normal load = 100 uN\n set Load steps = 2\n"
@@ -96,6 +103,42 @@ TEST(OwnField_analytic, of_the_bodies_is_that_of_the_stress_in_each_cell) {
   }
   EXPECT_GT(largest, 1e8);
   EXPECT_LT(difference, 1e-6 * largest);
+}
+
+/// The fields of a step, as VTK reads them.
+vtkSmartPointer<vtkDataSet> read_fields(const std::filesystem::path& file) {
+  vtkNew<vtkXMLGenericDataObjectReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return vtkDataSet::SafeDownCast(reader->GetOutput());
+}
+
+TEST(Fields_behaviour, say_units_title_load_and_path_and_run_on_with_the_path) {
+  const CsvTable history = read_csv(solved() / "history.csv");
+  const auto load_of = history.numbers("normal_force [N]");
+  for (const std::string name : {"fields", "interface"}) {
+    for (const auto& [step, files] : report::field_files(solved() / (name + ".pvd"))) {
+      const auto data = read_fields(files.front());
+      ASSERT_TRUE(data);
+      vtkFieldData* notes = data->GetFieldData();
+      EXPECT_NEAR(notes->GetArray("load [N]")->GetComponent(0, 0), load_of[step - 1], 1e-6 * load);
+      EXPECT_EQ(notes->GetArray("step")->GetComponent(0, 0), step);
+      auto* title = vtkStringArray::SafeDownCast(notes->GetAbstractArray("title"));
+      ASSERT_TRUE(title);
+      EXPECT_EQ(title->GetValue(0), "<b>fretting & more</b>");
+      auto* units = vtkStringArray::SafeDownCast(notes->GetAbstractArray("units"));
+      ASSERT_TRUE(units);
+      EXPECT_GE(units->LookupValue(name == "fields" ? "von_mises [Pa]" : "pressure [Pa]"), 0);
+      EXPECT_GE(units->LookupValue(name == "fields" ? "displacement [m]" : "gap [m]"), 0);
+      if (name == "fields") EXPECT_TRUE(data->GetPointData()->GetArray("plastic_strain_at_nodes"));
+    }
+    const std::string list = read_file(solved() / (name + ".pvd"));
+    // Pressed in two steps, then to and fro: the nanometre of pressing, then the path.
+    EXPECT_NE(list.find("timestep=\"0\""), std::string::npos);
+    const double path = amplitude * (1 + 4 * cycles) / 1e-9;
+    EXPECT_NE(list.find("timestep=\"" + std::to_string(std::lround(path)) + "\""), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::exists(solved() / "show_in_paraview.py"));
 }
 
 TEST(OwnExperiment_analytic, slides_to_and_fro_against_coulombs_friction) {
