@@ -7,8 +7,8 @@ constexpr const char* script =
     R"python(# What `asperity solve` wrote beside this file, as a picture in ParaView (checked with 5.11):
 #   paraview --script=show_in_paraview.py      or File > Load State... in a ParaView that runs
 #   pvbatch show_in_paraview.py picture.png    without a screen
-# Left: von Mises stress in both bodies, displaced and cut at the largest pressure; white: a tenth of the largest
-# plastic strain. Right: the contact pressure, seen from above.
+# Left: von Mises stress in both bodies, displaced and cut at the largest pressure; white: a tenth of the
+# largest plastic strain. Right: the contact pressure, seen from above.
 import os
 import sys
 
@@ -19,7 +19,8 @@ FOLDER = os.path.dirname(os.path.abspath(__file__)) if '__file__' in globals() e
 
 def time_of_largest_load(reader):
     """The frame that is shown first."""
-    times = list(reader.TimestepValues) if hasattr(reader.TimestepValues, '__iter__') else [reader.TimestepValues]
+    times = reader.TimestepValues
+    times = list(times) if hasattr(times, '__iter__') else [times]
     loads = []
     for time in times:
         reader.UpdatePipeline(time)
