@@ -47,6 +47,30 @@ std::vector<float> plastic_strain_at_nodes(const ShownState& shown) {
   return strain;
 }
 
+/// Where nodes are seen from the substrate, less where they were in their body's frame: displacement, and
+/// what the particle has moved and turned.
+std::vector<float> motion_of_nodes(const ShownState& shown, const std::vector<double>& points,
+                                   const std::vector<float>& displacement) {
+  const RigidMotion& frames = shown.state.coupling.frames;
+  const Rotation turn = rotation(frames);
+  const double radius = shown.system.options().mesh.sizes.radius;
+  std::vector<float> motion = displacement;
+  for (const auto& batch : shown.system.level().batches())
+    for (int l = 0; l < batch.count; ++l) {
+      if (batch.body[l] != 0) continue;
+      for (const auto& nodes : batch.node) {
+        const std::size_t at = 3 * static_cast<std::size_t>(nodes[l]);
+        const std::array<double, 3> shift{frames.x, frames.y, 0};
+        const auto place = turned(turn,
+                                  {points[at] + displacement[at], points[at + 1] + displacement[at + 1],
+                                   points[at + 2] + displacement[at + 2]},
+                                  radius);
+        for (int c = 0; c < 3; ++c) motion[at + c] = static_cast<float>(place[c] + shift[c] - points[at + c]);
+      }
+    }
+  return motion;
+}
+
 VtkMesh bodies(const ShownState& shown) {
   const MeshLevel& level = shown.system.level();
   const auto& positions = shown.system.positions();
@@ -57,6 +81,8 @@ VtkMesh bodies(const ShownState& shown) {
   moved.update_ghost_values();
   mesh.points.assign(positions.begin(), positions.begin() + 3 * nodes);
   mesh.point_data.push_back({"displacement", 3, {moved.begin(), moved.begin() + 3 * nodes}, "m"});
+  mesh.point_data.push_back(
+      {"motion", 3, motion_of_nodes(shown, mesh.points, mesh.point_data[0].values), "m"});
   mesh.point_data.push_back({"plastic_strain_at_nodes", 1, plastic_strain_at_nodes(shown)});
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l)
@@ -72,10 +98,9 @@ VtkMesh contact_surface(const ShownState& shown) {
   mesh.points_per_cell = 4;
   for (const auto& quad : system.row_quads())
     mesh.connectivity.insert(mesh.connectivity.end(), {quad[0], quad[1], quad[3], quad[2]});
-  for (const auto& row : system.rows()) {
-    const auto& place = system.interface_points()[row.node];
-    mesh.points.insert(mesh.points.end(), place.begin(), place.end());
-  }
+  const RigidMotion shift = system.coupling().surface();
+  for (const auto& place : system.row_points())
+    mesh.points.insert(mesh.points.end(), {place[0] + shift.x, place[1] + shift.y, place[2]});
   add_fields(shipped_fields(), FieldPlace::contact, shown, mesh.point_data);
   const FrictionLaw* friction = shown.solver.friction();
   const auto remembered = friction ? friction->history() : std::vector<std::string>{};
@@ -107,12 +132,14 @@ void write_series(const fs::path& folder, const std::string& sub, const Frames& 
   write_pvd(folder / (sub + ".pvd"), files);
 }
 
-VtkNotes notes_of(const FrameNotes& notes, const Frames& frames) {
+VtkNotes notes_of(const FrameNotes& notes, const Frames& frames, const RigidMotion& motion) {
   const auto index = static_cast<std::size_t>(notes.step - 1);
   return {{{"TimeValue", frames.time[index]},
            {"step", notes.step},
            {"load [N]", notes.load},
-           {"path length [m]", frames.path_length[index]}},
+           {"path length [m]", frames.path_length[index]},
+           {"axis x [m]", motion.x},
+           {"axis y [m]", motion.y}},
           {{"title", notes.title}, {"time", frames.time_text()}}};
 }
 
@@ -135,7 +162,7 @@ void write_contact_fields(const fs::path& folder, const FrameNotes& notes, const
   const ShownState shown{system, solver, state, solver.gaps(state),
                          system.bodies().cell_states(state.displacement)};
   VtkMesh volume = bodies(shown), surface = contact_surface(shown);  // collective
-  volume.notes = surface.notes = notes_of(notes, frames);
+  volume.notes = surface.notes = notes_of(notes, frames, state.motion);
   write_vtk(folder / "fields" / (name + part + ".vtu"), volume);
   if (rank == 0) write_vtk(folder / "interface" / (std::string(name) + ".vtp"), surface);
   MPI_Barrier(communicator);

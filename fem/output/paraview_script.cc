@@ -66,7 +66,7 @@ right = CreateView('RenderView')
 AssignViewToLayout(view=right, layout=layout, hint=2)
 
 warped = WarpByVector(registrationName='displaced', Input=bodies)
-warped.Vectors, warped.ScaleFactor = ['POINTS', 'displacement'], 1.0
+warped.Vectors, warped.ScaleFactor = ['POINTS', 'motion'], 1.0
 section = Clip(registrationName='section', Input=warped, ClipType='Plane')
 section.ClipType.Origin, section.ClipType.Normal, section.Invert = list(peak), [0.0, 1.0, 0.0], 0
 section.UpdatePipeline(time)

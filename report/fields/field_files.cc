@@ -4,6 +4,7 @@
 #include <vtkCutter.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -13,6 +14,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <regex>
@@ -42,6 +44,15 @@ vtkDataArray* point_array(vtkDataSet& data, const std::string& name, const fs::p
   return array;
 }
 
+/// Place of the particle's axis [m], which figures are drawn about; 0 where the file does not say it.
+std::array<double, 2> axis_of(vtkDataSet& data) {
+  const auto number = [&](const char* name) {
+    vtkDataArray* array = data.GetFieldData()->GetArray(name);
+    return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
+  };
+  return {number("axis x [m]"), number("axis y [m]")};
+}
+
 }  // namespace
 
 std::map<int, StepFiles> field_files(const fs::path& pvd) {
@@ -62,13 +73,14 @@ std::map<int, StepFiles> field_files(const fs::path& pvd) {
 Map interface_map(const fs::path& file, const std::string& array, double half_width, int pixels) {
   const auto surface = read_data<vtkPolyData>(file);
   point_array(*surface, array, file);
+  const auto axis = axis_of(*surface);
   vtkNew<vtkPoints> flat;  // heights and curvature do not matter for a view from above
   flat->SetDataTypeToDouble();
   flat->SetNumberOfPoints(surface->GetNumberOfPoints());
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     double x[3];
     surface->GetPoint(i, x);
-    flat->SetPoint(i, x[0], x[1], 0);
+    flat->SetPoint(i, x[0] - axis[0], x[1] - axis[1], 0);
   }
   surface->SetPoints(flat);
 
@@ -93,11 +105,13 @@ Map interface_map(const fs::path& file, const std::string& array, double half_wi
 InterfaceExtent interface_extent(const fs::path& file) {
   const auto surface = read_data<vtkPolyData>(file);
   vtkDataArray* pressure = point_array(*surface, "pressure", file);
+  const auto axis = axis_of(*surface);
   InterfaceExtent extent;
   double largest = 0;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     double x[3];
     surface->GetPoint(i, x);
+    x[0] -= axis[0], x[1] -= axis[1];
     const double reach = std::max(std::abs(x[0]), std::abs(x[1]));
     extent.surface = std::max(extent.surface, reach);
     const double p = pressure->GetComponent(i, 0);
@@ -115,14 +129,17 @@ namespace {
 
 vtkSmartPointer<vtkPolyData> section_of_part(const fs::path& file, double y) {
   const auto bodies = read_data<vtkUnstructuredGrid>(file);
-  vtkDataArray* displacement = point_array(*bodies, "displacement", file);
+  // Files of earlier versions have no rigid motion; their particle was pressed and no more.
+  const bool moves = bodies->GetPointData()->HasArray("motion");
+  vtkDataArray* displacement = point_array(*bodies, moves ? "motion" : "displacement", file);
+  const auto axis = axis_of(*bodies);
   vtkNew<vtkPoints> displaced;
   displaced->SetDataTypeToDouble();  // gaps of a nanometre beside bodies of many micrometres
   displaced->SetNumberOfPoints(bodies->GetNumberOfPoints());
   for (vtkIdType i = 0; i < bodies->GetNumberOfPoints(); ++i) {
     double x[3];
     bodies->GetPoint(i, x);
-    for (int c = 0; c < 3; ++c) x[c] += displacement->GetComponent(i, c);
+    for (int c = 0; c < 3; ++c) x[c] += displacement->GetComponent(i, c) - (c < 2 ? axis[c] : 0.0);
     displaced->SetPoint(i, x);
   }
   bodies->SetPoints(displaced);

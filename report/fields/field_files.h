@@ -20,8 +20,9 @@ using StepFiles = std::vector<std::filesystem::path>;
 /// without a .pvd.
 std::map<int, StepFiles> field_files(const std::filesystem::path& pvd);
 
-/// A point data array of the contact surface on a regular grid over the square |x|, |y| <= half_width [m].
-/// Throws InputError if the file cannot be read or lacks the array.
+/// A point data array of the contact surface on a regular grid over the square |x|, |y| <= half_width [m]
+/// about the particle's axis, as are all places here. Throws InputError if the file cannot be read or lacks
+/// the array.
 Map interface_map(const std::filesystem::path& file, const std::string& array, double half_width, int pixels);
 
 /// Where the contact surface is and presses [m].

@@ -116,6 +116,7 @@ vtkSmartPointer<vtkDataSet> read_fields(const std::filesystem::path& file) {
 TEST(Fields_behaviour, say_units_title_load_and_path_and_run_on_with_the_path) {
   const CsvTable history = read_csv(solved() / "history.csv");
   const auto load_of = history.numbers("normal_force [N]");
+  double furthest = 0;
   for (const std::string name : {"fields", "interface"}) {
     for (const auto& [step, files] : report::field_files(solved() / (name + ".pvd"))) {
       const auto data = read_fields(files.front());
@@ -130,7 +131,15 @@ TEST(Fields_behaviour, say_units_title_load_and_path_and_run_on_with_the_path) {
       ASSERT_TRUE(units);
       EXPECT_GE(units->LookupValue(name == "fields" ? "von_mises [Pa]" : "pressure [Pa]"), 0);
       EXPECT_GE(units->LookupValue(name == "fields" ? "displacement [m]" : "gap [m]"), 0);
-      if (name == "fields") EXPECT_TRUE(data->GetPointData()->GetArray("plastic_strain_at_nodes"));
+      if (name == "interface") continue;
+      EXPECT_TRUE(data->GetPointData()->GetArray("plastic_strain_at_nodes"));
+      // The driven plane, on top, moves as the particle's frame does.
+      const double shift = notes->GetArray("axis x [m]")->GetComponent(0, 0);
+      vtkIdType top = 0;
+      for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n)
+        if (data->GetPoint(n)[2] > data->GetPoint(top)[2]) top = n;
+      EXPECT_NEAR(data->GetPointData()->GetArray("motion")->GetComponent(top, 0), shift, 1e-5 * amplitude);
+      furthest = std::max(furthest, shift);
     }
     const std::string list = read_file(solved() / (name + ".pvd"));
     // Pressed in two steps, then to and fro: the nanometre of pressing, then the path.
@@ -138,6 +147,7 @@ TEST(Fields_behaviour, say_units_title_load_and_path_and_run_on_with_the_path) {
     const double path = amplitude * (1 + 4 * cycles) / 1e-9;
     EXPECT_NE(list.find("timestep=\"" + std::to_string(std::lround(path)) + "\""), std::string::npos);
   }
+  EXPECT_NEAR(furthest, amplitude, 1e-3 * amplitude);
   EXPECT_TRUE(std::filesystem::exists(solved() / "show_in_paraview.py"));
 }
 

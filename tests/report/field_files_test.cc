@@ -44,6 +44,21 @@ TEST_F(FieldFiles_behaviour, the_file_shown_is_that_of_the_largest_load) {
   EXPECT_EQ(files_at_largest_load(solved, "interface.pvd").front().filename(), "step_0008.vtp");
 }
 
+TEST_F(FieldFiles_behaviour, are_drawn_about_the_axis_that_they_state) {
+  const fs::path file = folder / "interface" / "step_0008.vtp";
+  const InterfaceExtent before = interface_extent(file);
+  std::string text = read_file(file);
+  const std::string piece = "<Piece";
+  text.insert(text.find(piece),
+              "<FieldData><DataArray type=\"Float64\" Name=\"axis x [m]\" NumberOfTuples=\"1\" "
+              "format=\"ascii\">1e-7</DataArray></FieldData>");
+  write_file_atomically(file, text);
+  const InterfaceExtent about_axis = interface_extent(file);
+  EXPECT_NEAR(about_axis.peak_x, before.peak_x - 1e-7, 1e-15);
+  EXPECT_NEAR(about_axis.surface, before.surface + 1e-7, 1e-15);
+  EXPECT_EQ(about_axis.peak_y, before.peak_y);
+}
+
 TEST_F(FieldFiles_behaviour, a_map_of_the_interface_holds_the_values_of_the_surface_in_place) {
   const Hertz hertz = test::synthetic::contact(made);
   const double a = hertz.contact_radius(made.load);
