@@ -28,13 +28,12 @@ void with_mpi(int threads, const std::function<void()>& work) {
     // a server that ends meanwhile.
     constexpr int unless_set = 0;
     ::setenv("HWLOC_COMPONENTS", "-gl", unless_set);
+    // Ours are OpenMP threads, deal.II has its own for meshing: as many of both. deal.II knows how many cores
+    // each rank of this machine may have.
+    if (threads == 0 && std::getenv("OMP_NUM_THREADS")) threads = omp_get_max_threads();
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
-    // Ours are OpenMP threads; deal.II knows how many cores each rank of this machine may have.
-    if (threads > 0)
-      omp_set_num_threads(threads);
-    else if (!std::getenv("OMP_NUM_THREADS"))
-      omp_set_num_threads(static_cast<int>(dealii::MultithreadInfo::n_threads()));
+    omp_set_num_threads(threads > 0 ? threads : static_cast<int>(dealii::MultithreadInfo::n_threads()));
     try {
       work();
     } catch (const InputError&) {

@@ -38,7 +38,8 @@ void for_owned_cells(const ContactSystem& system, const Visit& visit) {
     }
 }
 
-/// Which of the last entries of a list by rows each of `rows` had; `anew` where there was none.
+/// A list with `width` entries of each row on a mesh whose rows were `rows` before, -1: these get those of
+/// `anew`. Nothing where the list has none.
 template <typename Value>
 std::vector<Value> moved(const std::vector<Value>& list, const std::vector<int>& rows, std::size_t width,
                          const std::vector<Value>& anew) {
@@ -78,7 +79,6 @@ void CarriedState::collect(const ContactSystem& system,
 
 void CarriedState::share(MPI_Comm communicator) {
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return;
-  // Keys travel as they are in the bytes of a number.
   std::vector<std::pair<meshing::CellKey, std::vector<double>>> own;
   for (const auto& [key, cell] : cells_) {
     auto& numbers = own.emplace_back(key, std::vector<double>()).second;

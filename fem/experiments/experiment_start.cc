@@ -95,8 +95,12 @@ void ContactExperiment::travel_to(const RigidMotion& motion) {
   if (!path_.travels() || path_.holds(parts_, motion)) return;
   const CarriedState carried(*system_, state_, solver_->prediction().memory(state_));
   mesh(path_.onwards(state_.motion, motion), carried.yielded());
+  // Other places of the path have other slopes.
+  require_quality(hex_mesh_quality(system_->level(), system_->positions(), system_->options().mesh),
+                  system_->options().mesh, input_.file);
   auto taken = carried.taken_by(*system_, solver_->first_touch());
   state_.take(taken.state);
+  system_->couple_at(state_.coupling, state_.displacement);
   solver_->push_rigidly(state_, 0);  // constrained nodes of the new mesh follow those that hold them
   solver_->prediction().restore(taken.path, state_);
 }
