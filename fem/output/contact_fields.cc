@@ -169,7 +169,7 @@ void write_contact_fields(const fs::path& folder, const FrameNotes& notes, const
   if (rank != 0) return;
   write_series(folder, "fields", frames);
   write_series(folder, "interface", frames);
-  write_file_atomically(folder / "show_in_paraview.py", paraview_script());
+  write_file_atomically(folder / "show_in_paraview.py", paraview_script(folder));
 }
 
 }  // namespace asperity::fem

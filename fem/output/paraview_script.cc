@@ -1,20 +1,34 @@
 #include "fem/output/paraview_script.h"
 
+#include "core/printed.h"
+
 namespace asperity::fem {
 namespace {
 
 constexpr const char* script =
-    R"python(# What `asperity solve` wrote beside this file, as a picture in ParaView (checked with 5.11):
-#   paraview --script=show_in_paraview.py      or File > Load State... in a ParaView that runs
-#   pvbatch show_in_paraview.py picture.png    without a screen
+    R"python(# What `asperity solve` wrote beside this file, as a picture in ParaView:
+#   pvbatch show_in_paraview.py picture.png    draws it (checked with 5.11)
+#   paraview --script=show_in_paraview.py      or File > Load State... in a ParaView that runs (not tried)
 # Left: von Mises stress in both bodies, displaced and cut at the largest pressure; white: a tenth of the
-# largest plastic strain. Right: the contact pressure, seen from above.
+# largest plastic strain. Right: the contact pressure, seen from above, upright beside the section.
 import os
 import sys
 
 from paraview.simple import *
 
-FOLDER = os.path.dirname(os.path.abspath(__file__)) if '__file__' in globals() else os.getcwd()
+WRITTEN_TO = os.fsdecode(bytes.fromhex('@folder@'))  # the folder's name in bytes
+
+
+def folder_of_the_case():
+    """Beside this file, which ParaView with a screen does not tell the place of, or where it was written."""
+    own = [os.path.dirname(os.path.abspath(__file__))] if '__file__' in globals() else []
+    for place in own + [WRITTEN_TO, os.getcwd()]:
+        if os.path.exists(os.path.join(place, 'fields.pvd')):
+            return place
+    raise FileNotFoundError('no fields.pvd in ' + WRITTEN_TO + '; start ParaView in the folder of this script')
+
+
+FOLDER = folder_of_the_case()
 
 
 def time_of_largest_load(reader):
@@ -58,51 +72,54 @@ centre = [0.5 * (l + h) for l, h in zip(low, high)]
 width = max(h - l for l, h in zip(low, high))
 peak = surface.GetPoint(max(presses, key=pressure.GetValue)) if presses else centre
 
-layout = CreateLayout('contact')
-left = CreateView('RenderView')
-AssignViewToLayout(view=left, layout=layout, hint=0)
-layout.SplitHorizontal(0, 0.5)
-right = CreateView('RenderView')
-AssignViewToLayout(view=right, layout=layout, hint=2)
+view = GetActiveViewOrCreate('RenderView')
 
 warped = WarpByVector(registrationName='displaced', Input=bodies)
 warped.Vectors, warped.ScaleFactor = ['POINTS', 'motion'], 1.0
 section = Clip(registrationName='section', Input=warped, ClipType='Plane')
 section.ClipType.Origin, section.ClipType.Normal, section.Invert = list(peak), [0.0, 1.0, 0.0], 0
 section.UpdatePipeline(time)
-shown = Show(section, left)
-colour(shown, left, 'CELLS', 'von_mises', 'von Mises stress [Pa]')
+shown = Show(section, view)
+colour(shown, view, 'CELLS', 'von_mises', 'von Mises stress [Pa]')
 strain = section.PointData.GetArray('plastic_strain_at_nodes').GetRange()[1]
 if strain > 0:
     yielded = Contour(registrationName='yielded', Input=section)
     yielded.ContourBy, yielded.Isosurfaces = ['POINTS', 'plastic_strain_at_nodes'], [0.1 * strain]
-    outline = Show(yielded, left)
+    outline = Show(yielded, view)
     ColorBy(outline, None)
     outline.DiffuseColor = [1.0, 1.0, 1.0]
 
-shown = Show(contact, right)
-colour(shown, right, 'POINTS', 'pressure', 'contact pressure [Pa]')
+# The map of the pressure stands upright beside the section, y upwards.
+upright = Transform(registrationName='pressure', Input=contact)
+upright.Transform.Rotate = [90.0, 0.0, 0.0]
+upright.Transform.Translate = [2.2 * width, peak[1] + centre[2] - 0.5 * width, centre[2] - centre[1]]
+shown = Show(upright, view)
+colour(shown, view, 'POINTS', 'pressure', 'contact pressure [Pa]')
 for name, place in (('title', 'Upper Left Corner'), ('load [N]', 'Lower Left Corner')):
     note = AnnotateAttributeData(registrationName=name, Input=contact)
     note.SelectInputArray = ['FIELD', name]
     note.Prefix = '' if name == 'title' else name + ': '
-    Show(note, right, 'TextSourceRepresentation').WindowLocation = place
+    Show(note, view, 'TextSourceRepresentation').WindowLocation = place
 
 scene = GetAnimationScene()
 scene.UpdateAnimationUsingDataTimeSteps()
 scene.AnimationTime = time
-left.ViewTime = right.ViewTime = time
-RenderAllViews()
-look(left, [centre[0], peak[1], centre[2]], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], width)
-look(right, centre, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], 0.75 * width)
-RenderAllViews()
+view.ViewTime = time
+Render(view)
+look(view, [centre[0] + 1.1 * width, peak[1], centre[2]], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], 1.25 * width)
+Render(view)
 if len(sys.argv) > 1 and sys.argv[-1].endswith('.png'):
-    layout.SetSize(1600, 800)
-    SaveScreenshot(sys.argv[-1], layout, ImageResolution=[1600, 800])
+    view.ViewSize = [1600, 800]
+    SaveScreenshot(sys.argv[-1], view, ImageResolution=[1600, 800])
 )python";
 
 }  // namespace
 
-std::string paraview_script() { return script; }
+std::string paraview_script(const std::filesystem::path& folder) {
+  const std::string place = std::filesystem::absolute(folder).lexically_normal().string(), mark = "@folder@";
+  std::string bytes, text = script;
+  for (const unsigned char byte : place) bytes += printed("%02x", byte);
+  return text.replace(text.find(mark), mark.size(), bytes);
+}
 
 }  // namespace asperity::fem

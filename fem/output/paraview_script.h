@@ -1,12 +1,14 @@
 // The script that opens a case's fields in ParaView as a picture rather than as a list of files.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace asperity::fem {
 
-/// Text of show_in_paraview.py, the same for all cases: contact pressure beside the bodies, displaced and cut
-/// through the contact, coloured by plastic strain or stress. Checked with ParaView 5.11.
-std::string paraview_script();
+/// Text of show_in_paraview.py for the fields in `folder`: contact pressure beside the bodies, displaced and
+/// cut through the contact, coloured by stress. The folder's name stands in it as bytes, which are no code.
+/// Checked with pvbatch of ParaView 5.11.
+std::string paraview_script(const std::filesystem::path& folder);
 
 }  // namespace asperity::fem

@@ -19,6 +19,7 @@
 #include "app/case_file.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "fem/output/paraview_script.h"
 #include "report/fields/field_files.h"
 #include "report/report.h"
 #include "results/solved_case.h"
@@ -148,7 +149,11 @@ TEST(Fields_behaviour, say_units_title_load_and_path_and_run_on_with_the_path) {
     EXPECT_NE(list.find("timestep=\"" + std::to_string(std::lround(path)) + "\""), std::string::npos);
   }
   EXPECT_NEAR(furthest, amplitude, 1e-3 * amplitude);
-  EXPECT_TRUE(std::filesystem::exists(solved() / "show_in_paraview.py"));
+  const std::string script = read_file(solved() / "show_in_paraview.py");
+  EXPECT_EQ(script.find("@folder@"), std::string::npos);
+  EXPECT_NE(script.find("fromhex('2f"), std::string::npos);  // an absolute path
+  const std::string hostile = "/tmp/a'); import os #\n\"";
+  EXPECT_EQ(fem::paraview_script(hostile).find("a');"), std::string::npos);
 }
 
 TEST(OwnExperiment_analytic, slides_to_and_fro_against_coulombs_friction) {
