@@ -25,7 +25,7 @@ def folder_of_the_case():
     for place in own + [WRITTEN_TO, os.getcwd()]:
         if os.path.exists(os.path.join(place, 'fields.pvd')):
             return place
-    raise FileNotFoundError('no fields.pvd in ' + WRITTEN_TO + '; start ParaView in the folder of this script')
+    raise FileNotFoundError(f'no fields.pvd in {WRITTEN_TO}; start ParaView in the folder of this script')
 
 
 FOLDER = folder_of_the_case()
