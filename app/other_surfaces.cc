@@ -1,5 +1,6 @@
 #include "app/other_surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "half_space/case_contact.h"
@@ -7,7 +8,7 @@
 namespace asperity {
 namespace {
 
-constexpr int surfaces = 16, forces = 8;
+constexpr int surfaces = 32, forces = 12;
 
 /// The same spectrum with another seed; true: it was generated.
 bool reseed(TopographySpec& surface, int realisation) {
@@ -40,7 +41,7 @@ OtherSurfaces other_surfaces_of(const CaseInput& input, double largest_force) {
   OtherSurfaces other_surfaces;
   std::vector<double> under, own;
   for (int i = 0; i < forces; ++i) under.push_back(largest_force * std::pow(seen, 1 - i / (forces - 1.0)));
-  double unseen = 0;
+  double apart = 0;
   for (int k = 1; k <= surfaces; ++k) {
     CaseInput other = input;
     const bool particle = reseed(other.particle.topography, k),
@@ -48,11 +49,13 @@ OtherSurfaces other_surfaces_of(const CaseInput& input, double largest_force) {
     if (!particle && !substrate) return {};
     if (own.empty()) own = approaches(input, under);
     SurfaceChange change{under, approaches(other, under)};
-    unseen += std::pow(change.displacement.front(), 2) / surfaces;
-    for (std::size_t i = 0; i < own.size(); ++i) change.displacement[i] -= own[i];
+    const double first = change.displacement.front() - own.front();
+    for (std::size_t i = 0; i < own.size(); ++i) change.displacement[i] -= own[i] + first;
+    apart += first * first / surfaces;
     other_surfaces.changes.push_back(std::move(change));
   }
-  other_surfaces.unseen = std::sqrt(unseen);
+  // Displacement is counted from first touch, as the case does, or from where an instrument sees it.
+  other_surfaces.unseen = std::max(own.front(), std::sqrt(apart));
   return other_surfaces;
 }
 

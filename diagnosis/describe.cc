@@ -8,6 +8,7 @@
 #include "core/printed.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/fit/likely_surface.h"
 
 namespace asperity {
 namespace {
@@ -28,17 +29,15 @@ std::string titles(const std::vector<DiagnosedEffect>& effects) {
   return text;
 }
 
-/// What each parameter would be off by if finite elements were off by what they state, or solved on another
-/// surface; in its unit.
+/// What each parameter would be off by if finite elements were off by what they state; in its unit. What
+/// another surface changes is in the covariance already.
 std::vector<double> shifts_by_mesh_errors(const FitProblem& problem, const ModelFit& fit) {
   std::vector<double> shifts(fit.values.size(), 0.0);
   if (!fit.explanation->correction()) return shifts;
   constexpr int steps = 6;
-  auto explanations = off_by_mesh_errors(fit);
-  for (auto& other : off_by_surfaces(fit)) explanations.push_back(std::move(other));
-  for (auto& explanation : explanations) {
+  for (auto& explanation : off_by_mesh_errors(fit)) {
     ModelFit off = fit;
-    off.explanation = std::move(explanation);
+    off.explanation = explanation;
     off = refitted(problem, off, problem.thin, false, steps);
     for (std::size_t k = 0; k < shifts.size(); ++k)
       shifts[k] = std::hypot(shifts[k], off.values[k] - fit.values[k]);
@@ -54,7 +53,7 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   const auto& effects = fit.explanation->effects();
   const double inflation =
       std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count))) *
-      shared_variance(problem.samples, fit.residual(problem.samples), problem.noise);
+      shared_variance(problem.samples, residual_beyond_surfaces(problem, fit), problem.noise);
   const ModelFit known = with_intervals(problem, fit);
   const double accuracy = accuracy_of(problem, fit);
   const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
@@ -84,10 +83,10 @@ bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit) {
   return false;
 }
 
-FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
-                      const HeldOut& held_out) {
+FitQuality quality_of(const FitProblem& problem, const ModelFit& fit, const HeldOut& held_out) {
+  const std::vector<double> residual = fit.residual(problem.samples);
   FitQuality q;
-  q.chi2_reduced = chi2_reduced(problem.samples, residual, problem.noise);
+  q.chi2_reduced = chi2_reduced(problem.samples, residual_beyond_surfaces(problem, fit), problem.noise);
   q.held_out_chi2_reduced = held_out.chi2_reduced;
   std::map<std::string, std::pair<double, double>> sums;
   for (const auto& run : problem.samples.runs)

@@ -15,9 +15,9 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
 /// Whether an interval that described_effects() gives holds the value with which there is no effect.
 bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit);
 
-/// Numbers of a residual in the fit's unit, and of what was held out.
-FitQuality quality_of(const FitProblem& problem, const std::vector<double>& residual,
-                      const HeldOut& held_out);
+/// Numbers of what a fit leaves, and of what was held out: deviations as they are, chi-square beyond what is
+/// likely of another surface of the case.
+FitQuality quality_of(const FitProblem& problem, const ModelFit& fit, const HeldOut& held_out);
 
 /// The deviation of a sample by response channel: the median of its table.
 std::map<std::string, NoiseEstimate> described_noise(const FitProblem& problem);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/prepared_fit.h"
@@ -101,7 +102,7 @@ class Diagnoser {
   /// where it is more, but nothing else is left than noise that neighbours share.
   bool learns_noise_from(const ModelFit& fit) {
     const Noise kept = problem_.noise;
-    const std::vector<double> residual = fit.residual(problem_.samples);
+    const std::vector<double> residual = residual_beyond_surfaces(problem_, fit);
     if (prepared_.learn_noise(residual)) return true;
     if (!prepared_.learn_noise(residual, most_off)) return false;
     if (remaining(problem_, baseline_, *new_scanner(), fit).p_value > significance && is_all_noise(residual))
@@ -142,7 +143,7 @@ class Diagnoser {
     for (const JudgedSet& set : screened.list) survivors.push_back(set.candidate);
     mapping_->confirm(search_, problem_, survivors);
     if (search_.explains() &&
-        prepared_.learn_noise(search_.candidates.front().fit.residual(problem_.samples)))
+        prepared_.learn_noise(residual_beyond_surfaces(problem_, search_.candidates.front().fit)))
       rescore(search_, problem_);
     baseline_ = search_.alone.fit;
   }
@@ -201,7 +202,7 @@ class Diagnoser {
                                 ", takes away only part of the mismatch and is not named");
       return;
     }
-    result_.improved = quality_of(problem_, chosen.fit.residual(problem_.samples), chosen.held_out);
+    result_.improved = quality_of(problem_, chosen.fit, chosen.held_out);
     if (!clean) result_.remaining = left.regions;
     const auto rivals = rivals_of(chosen);
     double weight = 1;
@@ -255,7 +256,7 @@ class Diagnoser {
 
   void describe_common(const ScanResult& before) {
     result_.mismatch = before.regions;
-    result_.baseline = quality_of(problem_, problem_.baseline_residual, baseline_held_out_);
+    result_.baseline = quality_of(problem_, baseline_, baseline_held_out_);
     const ModelFit calibrated = finished(problem_, baseline_);
     for (std::size_t k = 0; k < calibrated.values.size(); ++k)
       result_.calibrated.push_back(calibrated.parameter(k, 1));

@@ -36,6 +36,7 @@ class CaseMatrix {
           Names{"effective_radius", "thermal_drift"}, Names{"bulk_plasticity", "thermal_drift"},
           Names{"roughness_compliance", "thermal_drift"}})
       add("pair", Motion::normal, effects, {0.005});
+    beside_another_surface();
     sliding();
     return std::move(items_);
   }
@@ -96,6 +97,19 @@ class CaseMatrix {
     add_solved("finite_elements", "adhesion_hysteresis", {"adhesion_hysteresis"}, without);
     add_solved("finite_elements", "plastic_1GPa", {"bulk_plasticity"},
                {"Particle/Yield stress=inf", "Mesh/Interface spacing=80 nm"});
+  }
+
+  /// Half-spaces on another realisation of the case's surface, recorded by an instrument that is off.
+  void beside_another_surface() {
+    for (const char* effect :
+         {"instrument_compliance", "contact_point_offset", "thermal_drift", "baseline_tilt"}) {
+      add("single", Motion::normal, {"roughness_compliance", effect}, {0.005}, other_code);
+      ChallengeItem& item = items_.back();
+      item.name += "-of-another-seed";
+      item.knows_spectrum = true;
+      item.simulation->entries = {"Mesh/Interface spacing=16 nm"};
+      item.answer = Names{effect};
+    }
   }
 
   /// Loops with partial slip, which a case has of itself.

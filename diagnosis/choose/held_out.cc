@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "diagnosis/fit/likely_surface.h"
+
 namespace asperity {
 namespace {
 
@@ -87,7 +89,7 @@ HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const B
       if (fit.covariance.size() > 0 && moves_too_far(parameters[k], fit.values[k], without.values[k], sd))
         result.consistent = false;
     }
-    const auto simulated = without.simulate(problem.samples);
+    const auto simulated = simulated_on_likely_surface(problem, without, rest);
     for (std::size_t i = 0; i < simulated.size(); ++i) {
       const Sample& s = problem.samples.list[i];
       if (!s.counts || blocks.of_sample[i] != block) continue;

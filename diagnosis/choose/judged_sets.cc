@@ -79,13 +79,12 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
 
 ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
                      const ModelFit& fit) {
-  const std::vector<double> residual = fit.residual(problem.samples);
   const LawError tolerated = law_error(problem, fit, baseline);
-  if (!has_shared_error(problem)) return scanner.scan(residual, tolerated);
-  const ModelErrors shared = shared_errors(problem, fit, fit.simulate(problem.samples));
+  if (!has_shared_error(problem)) return scanner.scan(fit.residual(problem.samples), tolerated);
+  const Misfit shared = shared_misfit(problem, fit);
   const LawErrors errors(problem.samples);
-  return scanner.scan(errors.without_shared_error(problem.samples, problem.noise, residual, shared),
-                      tolerated);
+  return scanner.scan(
+      errors.without_shared_error(problem.samples, problem.noise, shared.residual, shared.errors), tolerated);
 }
 
 bool JudgedSet::is_part_of(const JudgedSet& other) const {

@@ -55,30 +55,6 @@ MatrixXd shapes_of_whole(const Samples& samples, const std::vector<std::size_t>&
   return shapes;
 }
 
-/// What is likely of the columns of B, with coefficients of unit variance, by reweighting.
-struct TakenOff {
-  VectorXd coefficients, left;
-  double cost = 0;  ///< what the coefficients add to the cost
-};
-TakenOff taken_off(const MatrixXd& B, const VectorXd& residual) {
-  TakenOff t{VectorXd::Zero(B.cols()), residual};
-  MatrixXd H;
-  constexpr int rounds = 6;
-  for (int round = 0; round < rounds; ++round) {
-    VectorXd weight = VectorXd::Ones(B.rows());
-    for (Eigen::Index row = 0; row < B.rows(); ++row)
-      if (std::abs(t.left[row]) > huber_bend) weight[row] = huber_bend / std::abs(t.left[row]);
-    const MatrixXd W = weight.asDiagonal() * B;
-    H = MatrixXd::Identity(B.cols(), B.cols());
-    H.noalias() += B.transpose() * W;
-    t.coefficients = H.llt().solve(W.transpose() * residual);
-    t.left = residual - B * t.coefficients;
-  }
-  const MatrixXd L = H.llt().matrixL();
-  t.cost = 2 * L.diagonal().array().log().sum() + t.coefficients.squaredNorm();
-  return t;
-}
-
 /// A column for each error and shape; a row for each sample.
 MatrixXd columns_of(const std::vector<std::size_t>& samples, const MatrixXd& shapes,
                     const std::vector<LawError>& errors) {
@@ -151,18 +127,19 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
   double own = 0;
-  const auto take_off = [&](const Group& group, const std::vector<LawError>& of) {
+  const auto take_off = [&](const Group& group, const std::vector<LawError>& of, bool with_determinant) {
     if (of.empty() || group.samples.empty()) return;
     MatrixXd B = columns_of(group.samples, group.shapes, of);
     filter.whiten(group.samples, B);
-    const TakenOff t = taken_off(B, part_of(r, filter, group.samples));
-    own += t.cost;
+    const LikelyPart t = likely_part(B, part_of(r, filter, group.samples));
+    own += t.coefficients.squaredNorm() + (with_determinant ? t.log_determinant : 0);
     for (std::size_t row = 0; row < group.samples.size(); ++row)
       r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
-  take_off(whole_, errors.of_mesh);
-  take_off(once_, errors.of_surfaces);
-  for (const Group& group : groups_) take_off(group, errors.of_laws);
+  take_off(whole_, errors.of_mesh, true);
+  // Every set has the same factors of surfaces: one that mutes them, as a clipped reading does, gains nothing.
+  take_off(once_, errors.of_surfaces, false);
+  for (const Group& group : groups_) take_off(group, errors.of_laws, true);
   double sum = own;
   for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
@@ -182,7 +159,7 @@ std::vector<double> LawErrors::without_shared_error(const Samples& samples, cons
   MatrixXd whitened = B;
   filter.whiten(whole_.samples, whitened);
   const VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
-  VectorXd likely = taken_off(whitened, part_of(r, filter, whole_.samples)).coefficients;
+  VectorXd likely = likely_part(whitened, part_of(r, filter, whole_.samples)).coefficients;
   const Eigen::Index mesh = of_mesh.cols(), surfaces = of_surfaces.cols();
   likely.head(mesh) = likely.head(mesh).cwiseMax(-most).cwiseMin(most);
   // Surfaces resemble each other, so that their coefficients are bounded together: chi-square of as many.

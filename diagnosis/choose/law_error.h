@@ -10,12 +10,9 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "diagnosis/fit/model_fit.h"
+#include "diagnosis/fit/stated_errors.h"
 
 namespace asperity {
-
-/// Standard deviation of one effect's law, of each sample; signed where all samples are off together.
-using LawError = std::vector<double>;
 
 /// What an explanation may be off by.
 struct ModelErrors {
@@ -32,20 +29,16 @@ inline bool has_shared_error(const FitProblem& problem) {
          (problem.experiment.mode == Motion::sliding || !problem.correction->surface_errors().empty());
 }
 
-/// What mesh and load steps of finite elements may be off by, as a part of the response, signed: one standard
-/// deviation of each that they state (off_by_mesh_errors). Approach is off in proportion to the square of
-/// spacing over contact radius, whose square is in proportion to the approach: by the same length at any
-/// load.
-std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
-                                  const std::vector<double>& response);
+/// What a fit leaves and what it may be off by.
+struct Misfit {
+  std::vector<double> residual;  ///< on the case's own surface, to which of_surfaces is linear
+  ModelErrors errors;
+};
 
-/// Likewise of the case's surfaces (off_by_surfaces).
-std::vector<LawError> surface_errors(const ModelFit& fit, const Samples& samples,
-                                     const std::vector<double>& response);
-
-/// What a fit is off by with one factor at all samples: mesh in sliding, and surfaces.
-ModelErrors shared_errors(const FitProblem& problem, const ModelFit& fit,
-                          const std::vector<double>& response);
+/// With what it is off by with one factor at all samples only: mesh in sliding, and surfaces.
+Misfit shared_misfit(const FitProblem& problem, const ModelFit& fit);
+/// With all of it: law_errors() and surfaces.
+Misfit misfit_of(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 
 /// Root of the sum of squares, of each sample; zeros of `count` where there is none.
 LawError together(const std::vector<LawError>& errors, std::size_t count);
@@ -62,7 +55,7 @@ class LawErrors {
   explicit LawErrors(const Samples& samples);
 
   /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's
-  /// own, and the log determinant of its covariance over that of the noise.
+  /// own, and the log determinant of its covariance (without surfaces) over that of the noise.
   double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
               const ModelErrors& errors) const;
   /// The residual without what is likely of the errors of mesh and surfaces: of the mesh at most two standard

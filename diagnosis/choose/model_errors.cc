@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/fit/likely_surface.h"
 
 namespace asperity {
 namespace {
@@ -25,41 +26,23 @@ LawError largest_nearby(const Samples& samples, const LawError& error) {
   return largest;
 }
 
-/// What the response of a fit changes by with each of these explanations in its place.
-std::vector<LawError> changes_by(const std::vector<std::shared_ptr<const Explanation>>& explanations,
-                                 const ModelFit& fit, const Samples& samples,
-                                 const std::vector<double>& response) {
-  std::vector<LawError> errors;
-  for (const auto& explanation : explanations) {
-    const auto off = asperity::simulate(explanation->mechanics(fit.values), samples);
-    LawError error(response.size());
-    for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = samples.list[i].counts ? off[i] - response[i] : 0.0;
-    errors.push_back(std::move(error));
-  }
-  return errors;
-}
-
 }  // namespace
 
-std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples,
-                                  const std::vector<double>& response) {
-  return changes_by(off_by_mesh_errors(fit), fit, samples, response);
+Misfit shared_misfit(const FitProblem& problem, const ModelFit& fit) {
+  const LikelySurface surface(problem, fit, problem.samples);
+  Misfit misfit;
+  misfit.residual = FitProblem::residual(problem.samples, surface.simulated(*fit.explanation, fit.values));
+  misfit.errors.of_surfaces = surface.changes();
+  if (fit.explanation->correction() && problem.experiment.mode == Motion::sliding)
+    misfit.errors.of_mesh = mesh_errors(fit, problem.samples);
+  return misfit;
 }
 
-std::vector<LawError> surface_errors(const ModelFit& fit, const Samples& samples,
-                                     const std::vector<double>& response) {
-  return changes_by(off_by_surfaces(fit), fit, samples, response);
-}
-
-ModelErrors shared_errors(const FitProblem& problem, const ModelFit& fit,
-                          const std::vector<double>& response) {
-  ModelErrors errors;
-  if (!fit.explanation->correction()) return errors;
-  if (problem.experiment.mode == Motion::sliding)
-    errors.of_mesh = mesh_errors(fit, problem.samples, response);
-  errors.of_surfaces = surface_errors(fit, problem.samples, response);
-  return errors;
+Misfit misfit_of(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+  Misfit misfit = shared_misfit(problem, fit);
+  ModelErrors own = law_errors(problem, fit, baseline);
+  misfit.errors.of_laws = std::move(own.of_laws);
+  return misfit;
 }
 
 LawError together(const std::vector<LawError>& errors, std::size_t count) {
@@ -73,9 +56,10 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   const Samples& samples = problem.samples;
   const auto& effects = fit.explanation->effects();
   const auto with = fit.simulate(samples);
-  ModelErrors errors = shared_errors(problem, fit, with);
-  if (fit.explanation->correction() && problem.experiment.mode != Motion::sliding)
-    errors.of_laws = mesh_errors(fit, samples, with);
+  ModelErrors errors;
+  if (fit.explanation->correction())
+    (problem.experiment.mode == Motion::sliding ? errors.of_mesh : errors.of_laws) =
+        mesh_errors(fit, samples);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
   for (std::size_t i = 0; i < with.size(); ++i)

@@ -45,8 +45,8 @@ void score_all(SearchResult& result, const Experiment& experiment) {
 
 double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit,
                            const ModelFit& baseline) {
-  const auto residual = FitProblem::residual(problem.samples, fit.simulate(problem.samples));
-  return laws.cost(problem.samples, problem.noise, residual, law_errors(problem, fit, baseline));
+  const Misfit misfit = misfit_of(problem, fit, baseline);
+  return laws.cost(problem.samples, problem.noise, misfit.residual, misfit.errors);
 }
 
 /// In a case of finite elements only what enters there, or acts on any history.

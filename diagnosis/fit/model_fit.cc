@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/fit/snaps.h"
+#include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/recording/median.h"
 
 namespace asperity {
@@ -15,37 +16,64 @@ VectorXd to_vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// Residuals of an explanation in the coordinates of its search.
-std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem,
-                                                      const Explanation& explanation,
-                                                      const Samples& samples) {
-  const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
-  return [&samples, &explanation, filter](const VectorXd& x) {
-    std::vector<double> values(static_cast<std::size_t>(x.size()));
-    for (std::size_t k = 0; k < values.size(); ++k)
-      values[k] = explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]);
-    const auto simulated = simulate(explanation.mechanics(values), samples);
-    VectorXd white = to_vector(filter->whitened(FitProblem::residual(samples, simulated)));
-    constexpr double absurd = 1e6;
-    for (Eigen::Index i = 0; i < white.size(); ++i)
-      if (!std::isfinite(white[i])) white[i] = absurd;
-    return white;
-  };
-}
-
+/// Of the search: the parameters, and the zero of the displacement where another surface moves it.
 struct Coordinates {
   VectorXd low, high;
 };
 
-Coordinates bounds_of(const Explanation& explanation) {
+Coordinates bounds_of(const Explanation& explanation, const LikelySurface& surface) {
+  constexpr double farthest_zero = 5;  // standard deviations
   const auto& parameters = explanation.parameters();
-  Coordinates b{VectorXd(static_cast<Eigen::Index>(parameters.size())),
-                VectorXd(static_cast<Eigen::Index>(parameters.size()))};
+  const auto count = static_cast<Eigen::Index>(parameters.size()) + (surface.is_another() ? 1 : 0);
+  Coordinates b{VectorXd::Constant(count, -farthest_zero), VectorXd::Constant(count, farthest_zero)};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     b.low[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].low);
     b.high[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].high);
   }
   return b;
+}
+
+VectorXd coordinates_of(const Explanation& explanation, const std::vector<double>& values,
+                        const LikelySurface& surface) {
+  VectorXd x(static_cast<Eigen::Index>(values.size()) + (surface.is_another() ? 1 : 0));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(values[k]);
+  if (surface.is_another()) x[x.size() - 1] = surface.factors().back();
+  return x;
+}
+
+std::vector<double> values_at(const Explanation& explanation, const VectorXd& x) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < explanation.parameters().size(); ++k)
+    values.push_back(explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]));
+  return values;
+}
+
+std::vector<double> surface_at(const LikelySurface& surface, const VectorXd& x) {
+  std::vector<double> factors = surface.factors();
+  if (!factors.empty()) factors.back() = x[x.size() - 1];
+  return factors;
+}
+
+/// Residuals of an explanation, the last that of the zero.
+std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem,
+                                                      const Explanation& explanation, const Samples& samples,
+                                                      std::shared_ptr<const LikelySurface> surface) {
+  const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
+  return [&samples, &explanation, filter, surface](const VectorXd& x) {
+    const auto values = values_at(explanation, x);
+    const double zero = surface->is_another() ? x[x.size() - 1] : 0;
+    const auto simulated = surface->is_another() ? surface->simulated_at(zero, explanation, values)
+                                                 : simulate(explanation.mechanics(values), samples);
+    VectorXd white = to_vector(filter->whitened(FitProblem::residual(samples, simulated)));
+    constexpr double absurd = 1e6;
+    for (Eigen::Index i = 0; i < white.size(); ++i)
+      if (!std::isfinite(white[i])) white[i] = absurd;
+    if (!surface->is_another()) return white;
+    VectorXd with_zero(white.size() + 1);
+    with_zero << surface->independent(white), zero;
+    return with_zero;
+  };
 }
 
 double huber_sum(const VectorXd& r) {
@@ -175,14 +203,17 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   const bool grown = near && !near->explanation->effects().empty(),
              jumps = !explanation->is_smooth() && effects.size() <= few;
   const std::size_t searched = jumps ? 5 : grown && explanation->is_smooth() ? 2 : 3;
-  const Coordinates bounds = bounds_of(*explanation);
-  const auto thin_residuals = residuals_of(problem, *explanation, problem.thin);
+  ModelFit fit;
+  fit.explanation = explanation;
+  const auto points = starting_points(problem, *explanation, near);
+  fit.values = points.front();
+  const auto surface = std::make_shared<LikelySurface>(problem, near ? *near : fit, problem.thin);
+  const Coordinates bounds = bounds_of(*explanation, *surface);
+  const auto thin_residuals = residuals_of(problem, *explanation, problem.thin, surface);
   std::vector<std::pair<double, VectorXd>> starts;
-  for (const auto& point : starting_points(problem, *explanation, near)) {
-    VectorXd x(static_cast<Eigen::Index>(point.size()));
-    for (std::size_t k = 0; k < point.size(); ++k)
-      x[static_cast<Eigen::Index>(k)] = explanation->parameters()[k].coordinate(point[k]);
-    x = x.cwiseMax(bounds.low).cwiseMin(bounds.high);
+  for (const auto& point : points) {
+    const VectorXd x =
+        coordinates_of(*explanation, point, *surface).cwiseMax(bounds.low).cwiseMin(bounds.high);
     starts.push_back({huber_sum(thin_residuals(x)), x});
   }
   std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -196,10 +227,12 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   }
   if (jumps || (!explanation->is_smooth() && (!near || near->explanation->is_smooth())))
     best = search_at_random(thin_residuals, best, bounds.low, bounds.high);
-  ModelFit fit;
-  fit.explanation = explanation;
-  for (Eigen::Index k = 0; k < best.x.size(); ++k)
-    fit.values.push_back(explanation->parameters()[static_cast<std::size_t>(k)].value(best.x[k]));
+  fit.surface = surface_at(*surface, best.x);
+  fit.values = values_at(*explanation, best.x);
+  if (!fit.surface.empty()) {
+    constexpr int steps_of_own_weights = 8;  // so far those of a smaller explanation
+    fit = refitted(problem, fit, problem.thin, false, steps_of_own_weights);
+  }
   constexpr int last_steps = 1;  // the optimum on thinned samples is near; finish with refitted()
   return refitted(problem, fit, problem.samples, false,
                   problem.thin.list.size() == problem.samples.list.size() ? 0 : last_steps);
@@ -208,31 +241,31 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
 ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance,
                   int iterations) {
   const Explanation& explanation = *fit.explanation;
-  const Coordinates bounds = bounds_of(explanation);
-  VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
-  for (std::size_t k = 0; k < fit.values.size(); ++k)
-    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
+  const auto surface = std::make_shared<LikelySurface>(problem, fit, samples);
+  const Coordinates bounds = bounds_of(explanation, *surface);
+  const VectorXd x = coordinates_of(explanation, fit.values, *surface);
   BoundedFitOptions options;
   options.most_iterations = iterations;
   options.covariance = covariance;
   std::size_t count = 0;
-  const auto inner = residuals_of(problem, explanation, samples);
+  const auto inner = residuals_of(problem, explanation, samples, surface);
   const auto residuals = [&](const VectorXd& at) {
     VectorXd r = inner(at);
-    count = static_cast<std::size_t>(r.size());
+    count = static_cast<std::size_t>(r.size()) - (surface->is_another() ? 1 : 0);
     return r;
   };
   BoundedFit found = fit_within_bounds(residuals, x, bounds.low, bounds.high, options);
   if (covariance && !explanation.is_smooth()) {
     const Eigen::MatrixXd known = found.covariance;
+    const auto thin = std::make_shared<LikelySurface>(problem, fit, problem.thin);
     found =
-        search_at_random(residuals_of(problem, explanation, problem.thin), found, bounds.low, bounds.high);
+        search_at_random(residuals_of(problem, explanation, problem.thin, thin), found, bounds.low, bounds.high);
     found.cost = huber_sum(residuals(found.x));
     found.covariance = known;
   }
   ModelFit result = fit;
-  for (std::size_t k = 0; k < fit.values.size(); ++k)
-    result.values[k] = explanation.parameters()[k].value(found.x[static_cast<Eigen::Index>(k)]);
+  result.values = values_at(explanation, found.x);
+  result.surface = surface_at(*surface, found.x);
   result.cost = found.cost;
   result.count = count;
   result.stretch.clear();
@@ -251,18 +284,18 @@ ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
   constexpr double widest = 64;
   ModelFit result = fit;
   const Explanation& explanation = *fit.explanation;
-  const Coordinates bounds = bounds_of(explanation);
-  const auto residuals = residuals_of(problem, explanation, problem.samples);
+  const auto surface = std::make_shared<LikelySurface>(problem, fit, problem.samples);
+  const Coordinates bounds = bounds_of(explanation, *surface);
+  const auto residuals = residuals_of(problem, explanation, problem.samples, surface);
   const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count)));
-  VectorXd x(static_cast<Eigen::Index>(fit.values.size()));
-  for (std::size_t k = 0; k < fit.values.size(); ++k)
-    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(fit.values[k]);
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
+  const VectorXd x = coordinates_of(explanation, fit.values, *surface);
+  const double least = huber_sum(residuals(x));
+  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(fit.values.size()); ++k) {
     const double sd = std::sqrt(std::max(0.0, fit.covariance(k, k)));
     const VectorXd along = sd > 0 ? (fit.covariance.col(k) / sd).eval() : VectorXd::Zero(x.size()).eval();
     const auto rise_at = [&](double deviations) {
       const VectorXd at = (x + deviations * along).cwiseMax(bounds.low).cwiseMin(bounds.high);
-      return (huber_sum(residuals(at)) - fit.cost) / inflation;
+      return (huber_sum(residuals(at)) - least) / inflation;
     };
     std::pair<double, double> stretch{1, 1};
     for (const int side : {-1, 1}) {

@@ -28,12 +28,16 @@ struct FitProblem {
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
   std::vector<double> values;  ///< of explanation->parameters()
+  /// Factors of the ways in which the recorded surface differs from the case's, as last known [-]; empty: none.
+  std::vector<double> surface;
   /// Finite elements were solved with these values: the reduced laws of effects with entries in the case
   /// count for no more than small steps.
   bool is_confirmed = false;
   double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples [-]
   std::size_t count = 0;       ///< of whitened residuals
-  Eigen::MatrixXd covariance;  ///< of the search coordinates; empty where it was not asked for
+  /// Of the search coordinates, the last the zero of another surface where there is one; empty where it was
+  /// not asked for.
+  Eigen::MatrixXd covariance;
   /// Factors on the standard deviations, downwards and upwards, that make the cost rise as a parabola would
   /// (with_intervals()).
   std::vector<std::pair<double, double>> stretch;
@@ -78,8 +82,10 @@ ModelFit finished(const FitProblem& problem, const ModelFit& fit);
 /// displacement or friction, and of the lateral stiffness where that is stated. Expects a correction.
 std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit);
 
-/// The same explanation on each other surface of the case, by one standard deviation. Expects a correction.
-std::vector<std::shared_ptr<const Explanation>> off_by_surfaces(const ModelFit& fit);
+/// The same explanation on another surface of the case: this many standard deviations away in each of the
+/// ways that surfaces differ in [-]. Expects a correction.
+std::shared_ptr<const Explanation> on_surface(const Explanation& explanation,
+                                              const std::vector<double>& factors);
 
 /// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
 /// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.

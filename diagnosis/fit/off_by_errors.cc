@@ -18,6 +18,9 @@ class Around : public BranchCorrection {
   }
   double error() const override { return exact_->error(); }
   double stiffness_error() const override { return exact_->stiffness_error(); }
+  const std::vector<std::function<double(double)>>& surface_errors() const override {
+    return exact_->surface_errors();
+  }
 
  protected:
   const BranchCorrection& exact() const { return *exact_; }
@@ -46,26 +49,25 @@ class OffByStiffnessError : public Around {
 };
 
 /// With the displacement of another surface.
-class OnOtherSurface : public Around {
+class OnSurface : public Around {
  public:
-  OnOtherSurface(std::shared_ptr<const BranchCorrection> exact, std::size_t surface)
-      : Around(std::move(exact)), surface_(surface) {}
+  OnSurface(std::shared_ptr<const BranchCorrection> exact, std::vector<double> factors)
+      : Around(std::move(exact)), factors_(std::move(factors)) {}
   double displacement(const Sample& sample, double force) const override {
-    return exact().displacement(sample, force) + exact().surface_errors()[surface_](force);
+    double d = exact().displacement(sample, force);
+    for (std::size_t k = 0; k < factors_.size(); ++k) d += factors_[k] * exact().surface_errors()[k](force);
+    return d;
   }
 
  private:
-  std::size_t surface_;
+  std::vector<double> factors_;
 };
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Explanation>> off_by_surfaces(const ModelFit& fit) {
-  const auto& exact = fit.explanation->correction();
-  std::vector<std::shared_ptr<const Explanation>> off;
-  for (std::size_t k = 0; k < exact->surface_errors().size(); ++k)
-    off.push_back(fit.explanation->with(std::make_shared<OnOtherSurface>(exact, k)));
-  return off;
+std::shared_ptr<const Explanation> on_surface(const Explanation& explanation,
+                                              const std::vector<double>& factors) {
+  return explanation.with(std::make_shared<OnSurface>(explanation.correction(), factors));
 }
 
 std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFit& fit) {

@@ -59,18 +59,19 @@ struct SolvedSlide {
   std::string source;                  ///< where it can be looked up
 };
 
-/// By how much the approach under a force, from first touch on, is another on another realisation of the
-/// case's generated surfaces than on its own.
+/// By how much the approach under a force, from the smallest of these forces on, is another on another
+/// realisation of the case's generated surfaces than on its own.
 struct SurfaceChange {
-  std::vector<double> force;         ///< rising [N]
-  std::vector<double> displacement;  ///< [m]
+  std::vector<double> force;         ///< rising, the first where an instrument sees the contact [N]
+  std::vector<double> displacement;  ///< 0 at the first of them [m]
 };
 
 /// The case on other realisations of its surfaces.
 struct OtherSurfaces {
   std::vector<SurfaceChange> changes;  ///< of one seed each; none: no surface is generated
-  /// Approach from first touch to where an instrument sees it, root mean square: single asperities bear next
-  /// to nothing [m].
+  /// What the zero of the displacement may be off by: the case's own approach from first touch to where an
+  /// instrument sees it, for single asperities bear next to nothing, or what the others' differs from it,
+  /// root mean square, where that is more [m].
   double unseen = 0;
 };
 

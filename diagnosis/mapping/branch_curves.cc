@@ -1,5 +1,8 @@
 #include "diagnosis/mapping/branch_curves.h"
 
+#include <Eigen/Dense>
+#include <boost/math/interpolators/makima.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,12 +20,18 @@ class ForceCurve {
   void finish() {
     std::stable_sort(points_.begin(), points_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    constexpr std::size_t fewest = 4;
+    std::vector<double> x, y;
+    for (const auto& [at, value] : points_)
+      if (x.empty() || at > x.back()) x.push_back(at), y.push_back(value);
+    if (x.size() >= fewest) smooth_ = std::make_shared<Smooth>(std::move(x), std::move(y));
   }
   double at(double force) const {
     const double x = scaled(force);
     if (points_.empty()) return 0;
     if (x <= points_.front().first) return points_.front().second;
     if (x >= points_.back().first) return points_.back().second;
+    if (smooth_) return (*smooth_)(x);
     const auto after = std::upper_bound(points_.begin(), points_.end(), x,
                                         [](double value, const auto& point) { return value < point.first; });
     const auto before = after - 1;
@@ -32,8 +41,12 @@ class ForceCurve {
   }
 
  private:
+  /// Piecewise cubic that does not swing where slopes change (Akima 1970).
+  using Smooth = boost::math::interpolators::makima<std::vector<double>>;
+
   static double scaled(double force) { return std::copysign(std::pow(std::abs(force), 2.0 / 3), force); }
   std::vector<std::pair<double, double>> points_;
+  std::shared_ptr<const Smooth> smooth_;
 };
 
 struct Branches {
@@ -203,14 +216,24 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
 std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces) {
   std::vector<std::function<double(double)>> errors;
   if (surfaces.changes.empty()) return errors;
-  const double share = 1 / std::sqrt(static_cast<double>(surfaces.changes.size()));
-  for (const SurfaceChange& change : surfaces.changes) {
+  const std::vector<double>& force = surfaces.changes.front().force;
+  const auto forces = static_cast<Eigen::Index>(force.size()),
+             changes = static_cast<Eigen::Index>(surfaces.changes.size());
+  Eigen::MatrixXd all(forces, changes);
+  for (Eigen::Index k = 0; k < changes; ++k)
+    all.col(k) = Eigen::Map<const Eigen::VectorXd>(
+        surfaces.changes[static_cast<std::size_t>(k)].displacement.data(), forces);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(all / std::sqrt(static_cast<double>(changes)),
+                                                Eigen::ComputeThinU);
+  constexpr double nothing = 1e-3;  // of the largest
+  const Eigen::VectorXd& sizes = parts.singularValues();
+  for (Eigen::Index k = 0; k < sizes.size() && sizes[k] > nothing * sizes[0]; ++k) {
     ForceCurve curve;
     curve.add(0, 0);
-    for (std::size_t i = 0; i < change.force.size(); ++i)
-      curve.add(change.force[i], share * change.displacement[i]);
+    for (Eigen::Index i = 0; i < forces; ++i)
+      curve.add(force[static_cast<std::size_t>(i)], sizes[k] * parts.matrixU()(i, k));
     curve.finish();
-    errors.push_back([curve](double force) { return force > 0 ? curve.at(force) : 0.0; });
+    errors.push_back([curve](double f) { return f > 0 ? curve.at(f) : 0.0; });
   }
   errors.push_back([unseen = surfaces.unseen](double) { return unseen; });
   return errors;

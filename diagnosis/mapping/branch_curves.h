@@ -42,9 +42,9 @@ SolvedReach reach_of(const SolvedResponse& solved);
 Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
                     const std::vector<SolvedResponse>& solved);
 
-/// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: the changes
-/// over the root of their number, straight in f^(2/3) between their forces, and what is unseen of the
-/// approach.
+/// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: principal
+/// components of the changes (all at the same forces), straight in f^(2/3) between these, and last what the
+/// zero may be off by.
 std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces);
 
 /// The difference to solutions, one for each protocol, for the reduced law `reduced`: a contact without

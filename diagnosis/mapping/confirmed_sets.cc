@@ -48,7 +48,7 @@ Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
 double distance(const FitProblem& problem, const Samples& part, const ModelFit& fit,
                 const std::vector<double>& expected) {
   const auto solved = fit.simulate(problem.samples);
-  const LawError mesh = together(mesh_errors(fit, problem.samples, solved), solved.size());
+  const LawError mesh = together(mesh_errors(fit, problem.samples), solved.size());
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < solved.size(); ++i)
     if (part.list[i].counts) {

@@ -10,7 +10,8 @@ double worse_on_part(const FitProblem& problem, const Samples& part, const Model
   on_part.samples = part;
   const LawErrors laws(part);
   const auto cost = [&](const ModelFit& of) {
-    return laws.cost(part, problem.noise, of.residual(part), law_errors(on_part, of, other));
+    const Misfit misfit = misfit_of(on_part, of, other);
+    return laws.cost(part, problem.noise, misfit.residual, misfit.errors);
   };
   return 0.5 * (cost(fit) - cost(other)) / overdispersion;
 }

@@ -31,18 +31,19 @@ TEST(OtherSurfacesOfCase_behaviour, smooth_bodies_and_scans_have_none) {
   EXPECT_TRUE(other_surfaces_of(case_on("wafer.gwy"), 1e-4).changes.empty());
 }
 
-TEST(OtherSurfacesOfCase_behaviour, sixteen_seeds_differ_by_more_on_rougher_surfaces) {
+TEST(OtherSurfacesOfCase_behaviour, other_seeds_differ_by_more_on_rougher_surfaces) {
   const OtherSurfaces fine = other_surfaces_of(
                           case_on("generated(rms=0.3 nm, hurst=0.8, rolloff=200 nm, cutoff=80 nm, seed=3)"),
                           1e-4),
                       coarse = other_surfaces_of(
                           case_on("generated(rms=1.2 nm, hurst=0.8, rolloff=200 nm, cutoff=80 nm, seed=3)"),
                           1e-4);
-  ASSERT_EQ(coarse.changes.size(), 16u);
+  ASSERT_EQ(coarse.changes.size(), 32u);
   std::set<double> seen;
   for (const auto& change : coarse.changes) {
     EXPECT_TRUE(seen.insert(change.displacement.back()).second);  // each seed another surface
-    ASSERT_EQ(change.force.size(), 8u);
+    ASSERT_EQ(change.force.size(), 12u);
+    EXPECT_EQ(change.displacement.front(), 0);  // from where an instrument sees the contact
     EXPECT_NEAR(change.force.front(), 2e-7, 1e-12);
     EXPECT_NEAR(change.force.back(), 1e-4, 1e-12);
     EXPECT_NE(change.displacement.back(), 0);

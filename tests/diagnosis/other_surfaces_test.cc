@@ -62,7 +62,9 @@ class RoughCase : public ForwardModel {
         const double force = largest * std::pow(2e-3, 1 - i / 7.0);
         change.force.push_back(force);
         change.displacement.push_back(rough_approach(force, length) - rough_approach(force, own));
+        if (i > 0) change.displacement.back() -= change.displacement.front();
       }
+      change.displacement.front() = 0;
       surfaces.changes.push_back(change);
     }
     surfaces.unseen = 0.3 * nm;
@@ -140,6 +142,25 @@ TEST(OtherSurfaces_behaviour, what_no_realisation_shows_is_still_named) {
   EXPECT_GT(found.high - found.low, narrow.high - narrow.low);
 }
 
+TEST(OtherSurfaces_behaviour, a_compliance_is_named_on_each_of_five_other_surfaces) {
+  // Five nanometres of it at the largest load, where surfaces differ by three.
+  const double compliance = 5 * nm / (200 * test::uN);
+  int named = 0, held = 0;
+  std::string answers;
+  for (int i = 0; i < 5; ++i) {
+    RoughCase simulation;
+    simulation.others = lengths;
+    const Diagnosis d = diagnosed_on(recorded_on((0.75 + 0.2 * i) * nm, compliance), simulation);
+    answers += d.in_words + "\n";
+    if (d.left_out.size() != 1u || d.left_out[0].id != "instrument_compliance") continue;
+    ++named;
+    const auto& found = d.left_out[0].parameters[0];
+    held += found.low <= compliance && compliance <= found.high;
+  }
+  EXPECT_EQ(named, 5) << answers;
+  EXPECT_EQ(held, named);
+}
+
 TEST(OtherSurfaces_behaviour, where_half_spaces_do_not_solve_it_the_answer_says_so) {
   RoughCase simulation;
   simulation.is_too_large = true;
@@ -151,19 +172,23 @@ TEST(OtherSurfaces_behaviour, where_half_spaces_do_not_solve_it_the_answer_says_
   EXPECT_TRUE(is_said);
 }
 
-TEST(OtherSurfaces_analytic, errors_have_the_second_moment_of_the_changes) {
+TEST(OtherSurfaces_analytic, errors_have_the_second_moments_of_the_changes) {
   OtherSurfaces surfaces;
-  surfaces.changes = {{{1, 8}, {1e-9, 2e-9}}, {{1, 8}, {-3e-9, 4e-9}}};
+  surfaces.changes = {{{1, 8}, {1e-9, 2e-9}}, {{1, 8}, {-3e-9, 4e-9}}, {{1, 8}, {2e-9, -1e-9}}};
   surfaces.unseen = 5e-10;
   const auto errors = surface_errors_of(surfaces);
-  ASSERT_EQ(errors.size(), 3u);
-  const auto variance = [&](double force) {
-    return errors[0](force) * errors[0](force) + errors[1](force) * errors[1](force);
+  ASSERT_EQ(errors.size(), 3u);  // two forces: two ways in which three surfaces differ, and the zero
+  const auto moment = [&](double a, double b) {
+    return errors[0](a) * errors[0](b) + errors[1](a) * errors[1](b);
   };
-  EXPECT_NEAR(variance(1), (1 + 9) / 2.0 * 1e-18, 1e-27);
-  EXPECT_NEAR(variance(8), (4 + 16) / 2.0 * 1e-18, 1e-27);
-  EXPECT_NEAR(errors[0](std::pow(2.5, 1.5)) * std::sqrt(2.0), 1.5e-9, 1e-18);  // halfway in f^(2/3)
-  EXPECT_EQ(errors[0](0), 0);
+  EXPECT_NEAR(moment(1, 1), (1 + 9 + 4) / 3.0 * 1e-18, 1e-27);
+  EXPECT_NEAR(moment(8, 8), (4 + 16 + 1) / 3.0 * 1e-18, 1e-27);
+  EXPECT_NEAR(moment(1, 8), (2 - 12 - 2) / 3.0 * 1e-18, 1e-27);
+  for (const std::size_t k : {0u, 1u}) {
+    EXPECT_EQ(errors[k](0), 0);
+    // Halfway in f^(2/3).
+    EXPECT_NEAR(errors[k](std::pow(2.5, 1.5)), 0.5 * (errors[k](1) + errors[k](8)), 1e-18);
+  }
   EXPECT_EQ(errors[2](0), 5e-10);
   EXPECT_EQ(errors[2](8), 5e-10);
   EXPECT_TRUE(surface_errors_of({}).empty());
