@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// How the approach changes on sixteen other seeds, under eight forces from 0.2 % of
+/// How the approach changes on 32 other seeds, under twelve forces from 0.2 % of
 /// `largest_force` on, where an instrument sees the contact, up to it [N]: elastic, on
 /// cells of a sixth of the shortest wave. Empty where no surface is generated. Throws InputError and
 /// WorkError as half_space::contact_of_case does.

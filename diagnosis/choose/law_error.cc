@@ -121,18 +121,19 @@ LawErrors::LawErrors(const Samples& samples) {
   }
 }
 
-double LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
-                       const ModelErrors& errors) const {
+LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
+                                const ModelErrors& errors) const {
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
-  double own = 0;
+  Cost cost;
   const auto take_off = [&](const Group& group, const std::vector<LawError>& of, bool with_determinant) {
     if (of.empty() || group.samples.empty()) return;
     MatrixXd B = columns_of(group.samples, group.shapes, of);
     filter.whiten(group.samples, B);
     const LikelyPart t = likely_part(B, part_of(r, filter, group.samples));
-    own += t.coefficients.squaredNorm() + (with_determinant ? t.log_determinant : 0);
+    cost.of_misfit += t.coefficients.squaredNorm();
+    if (with_determinant) cost.log_determinant += t.log_determinant;
     for (std::size_t row = 0; row < group.samples.size(); ++row)
       r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
@@ -140,9 +141,9 @@ double LawErrors::cost(const Samples& samples, const Noise& noise, const std::ve
   // Every set has the same factors of surfaces: one that mutes them, as a clipped reading does, gains nothing.
   take_off(once_, errors.of_surfaces, false);
   for (const Group& group : groups_) take_off(group, errors.of_laws, true);
-  double sum = own;
-  for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
-  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < r.size(); ++i) cost.of_misfit += huber_cost(r[i]);
+  if (!std::isfinite(cost.sum())) cost.of_misfit = std::numeric_limits<double>::infinity();
+  return cost;
 }
 
 std::vector<double> LawErrors::without_shared_error(const Samples& samples, const Noise& noise,

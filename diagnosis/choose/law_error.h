@@ -56,8 +56,12 @@ class LawErrors {
 
   /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's
   /// own, and the log determinant of its covariance (without surfaces) over that of the noise.
-  double cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
-              const ModelErrors& errors) const;
+  struct Cost {
+    double of_misfit = 0, log_determinant = 0;  ///< [-]
+    double sum() const { return of_misfit + log_determinant; }
+  };
+  Cost cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
+            const ModelErrors& errors) const;
   /// The residual without what is likely of the errors of mesh and surfaces: of the mesh at most two standard
   /// deviations each, of surfaces together likewise.
   std::vector<double> without_shared_error(const Samples& samples, const Noise& noise,

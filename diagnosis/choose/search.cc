@@ -31,9 +31,12 @@ void score(Candidate& candidate, const Experiment& experiment, std::size_t admis
     if (!effect->not_recorded(experiment).empty()) candidate.score -= not_shown;
 }
 
-void score_all(SearchResult& result, const Experiment& experiment) {
-  double least = result.alone.cost;
-  for (const auto& candidate : result.candidates) least = std::min(least, candidate.cost);
+void score_all(SearchResult& result, const FitProblem& problem) {
+  const Experiment& experiment = problem.experiment;
+  // Of what is left, not of the room that a mesh has.
+  const auto misfit = [&](const Candidate& of) { return has_shared_error(problem) ? of.left(problem) : of.cost; };
+  double least = misfit(result.alone);
+  for (const auto& candidate : result.candidates) least = std::min(least, misfit(candidate));
   result.overdispersion =
       std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
   score(result.alone, experiment, result.admissible, result.overdispersion);
@@ -43,10 +46,12 @@ void score_all(SearchResult& result, const Experiment& experiment) {
                    [](const auto& a, const auto& b) { return a.score > b.score; });
 }
 
-double cost_of_explanation(const FitProblem& problem, const LawErrors& laws, const ModelFit& fit,
-                           const ModelFit& baseline) {
-  const Misfit misfit = misfit_of(problem, fit, baseline);
-  return laws.cost(problem.samples, problem.noise, misfit.residual, misfit.errors);
+void cost_explanation(Candidate& candidate, const FitProblem& problem, const LawErrors& laws,
+                      const ModelFit& baseline) {
+  const Misfit misfit = misfit_of(problem, candidate.fit, baseline);
+  const LawErrors::Cost cost = laws.cost(problem.samples, problem.noise, misfit.residual, misfit.errors);
+  candidate.cost = cost.sum();
+  candidate.room = cost.log_determinant;
 }
 
 /// In a case of finite elements only what enters there, or acts on any history.
@@ -84,7 +89,7 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
     for (std::size_t i = 0; i < sets.size(); ++i) {
       const ModelFit start = sets[i].second->only(problem, sets[i].first, result.alone.fit);
       found[i].fit = refitted(problem, start, problem.samples, false, iterations);
-      found[i].cost = cost_of_explanation(problem, laws, found[i].fit, result.alone.fit);
+      cost_explanation(found[i], problem, laws, result.alone.fit);
     }
     for (std::size_t i = 0; i < sets.size(); ++i) {
       const auto same =
@@ -97,7 +102,7 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
         *same = found[i];
     }
   }
-  score_all(result, problem.experiment);
+  score_all(result, problem);
 }
 
 }  // namespace
@@ -107,8 +112,8 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
   SearchResult result;
   result.alone.fit = baseline;
   const LawErrors laws(problem.samples);
-  result.alone.cost =
-      problem.correction ? cost_of_explanation(problem, laws, baseline, baseline) : baseline.cost;
+  result.alone.cost = baseline.cost;
+  if (problem.correction) cost_explanation(result.alone, problem, laws, baseline);
   Effects admissible;
   for (const auto& effect : effect_catalogue())
     if (effect->is_shown_by(problem.experiment) && has_a_form(*effect, problem.experiment))
@@ -146,10 +151,10 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t i = 0; i < sets.size(); ++i) {
       fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
-      fitted[i].cost = cost_of_explanation(problem, laws, fitted[i].fit, baseline);
+      cost_explanation(fitted[i], problem, laws, baseline);
     }
     result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
-    score_all(result, problem.experiment);
+    score_all(result, problem);
     if (result.candidates.empty()) break;
     // Noise of which no effect takes anything away holds no pairs either.
     constexpr double something = 2;
@@ -165,16 +170,15 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
 void rescore(SearchResult& result, const FitProblem& problem) {
   const LawErrors laws(problem.samples);
   result.alone.fit = refitted(problem, result.alone.fit, problem.samples, false, 0);
-  result.alone.cost = problem.correction
-                          ? cost_of_explanation(problem, laws, result.alone.fit, result.alone.fit)
-                          : result.alone.fit.cost;
+  result.alone.cost = result.alone.fit.cost;
+  if (problem.correction) cost_explanation(result.alone, problem, laws, ModelFit(result.alone.fit));
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < result.candidates.size(); ++i) {
     Candidate& candidate = result.candidates[i];
     candidate.fit = refitted(problem, candidate.fit, problem.samples, false, 0);
-    candidate.cost = cost_of_explanation(problem, laws, candidate.fit, result.alone.fit);
+    cost_explanation(candidate, problem, laws, result.alone.fit);
   }
-  score_all(result, problem.experiment);
+  score_all(result, problem);
 }
 
 }  // namespace asperity

@@ -14,13 +14,14 @@ namespace asperity {
 struct Candidate {
   ModelFit fit;
   double cost = 0;  ///< -2 log likelihood, with what the laws may be off by (law_error.h) [-]
+  double room = 0;  ///< the part of it that is the log determinant of what they may be off by [-]
   /// [-].
   double score =
       0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
 
   /// -2 log likelihood of what is left: of a case that was slid beyond what its mesh may be off by, which the
   /// cost of every set allows for [-].
-  double left(const FitProblem& problem) const { return has_shared_error(problem) ? cost : fit.cost; }
+  double left(const FitProblem& problem) const { return has_shared_error(problem) ? cost - room : fit.cost; }
   /// The same for each sample [-].
   double chi2(const FitProblem& problem) const {
     return left(problem) / static_cast<double>(std::max<std::size_t>(1, fit.count));

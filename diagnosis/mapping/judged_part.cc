@@ -11,7 +11,7 @@ double worse_on_part(const FitProblem& problem, const Samples& part, const Model
   const LawErrors laws(part);
   const auto cost = [&](const ModelFit& of) {
     const Misfit misfit = misfit_of(on_part, of, other);
-    return laws.cost(part, problem.noise, misfit.residual, misfit.errors);
+    return laws.cost(part, problem.noise, misfit.residual, misfit.errors).sum();
   };
   return 0.5 * (cost(fit) - cost(other)) / overdispersion;
 }

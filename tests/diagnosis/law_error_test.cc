@@ -27,7 +27,7 @@ struct Made {
       white.push_back(normal(random)), error.push_back(5);  // a law off by five deviations
   }
   double cost(const std::vector<double>& residual, const std::vector<LawError>& errors) const {
-    return LawErrors(samples).cost(samples, noise, residual, {{}, errors});
+    return LawErrors(samples).cost(samples, noise, residual, {{}, errors}).sum();
   }
 };
 
@@ -65,7 +65,7 @@ TEST(LawError_behaviour, of_one_solution_is_shared_by_all_segments) {
   auto same = m.white, opposed = m.white;
   for (std::size_t i = 0; i < 400; ++i) same[i] += 5, opposed[i] += i < 200 ? 5 : -5;
   const auto by_mesh = [&](const std::vector<double>& residual) {
-    return LawErrors(m.samples).cost(m.samples, m.noise, residual, {{m.error}, {}});
+    return LawErrors(m.samples).cost(m.samples, m.noise, residual, {{m.error}, {}}).sum();
   };
   const double noise = by_mesh(m.white);
   EXPECT_LT(by_mesh(same), noise + 10);
