@@ -8,9 +8,9 @@
 #include "core/error.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
-#include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/describe.h"
+#include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/fit/prepared_fit.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
@@ -102,7 +102,7 @@ class Diagnoser {
   /// where it is more, but nothing else is left than noise that neighbours share.
   bool learns_noise_from(const ModelFit& fit) {
     const Noise kept = problem_.noise;
-    const std::vector<double> residual = residual_beyond_surfaces(problem_, fit);
+    const auto residual = residual_beyond_surfaces(problem_, fit);
     if (prepared_.learn_noise(residual)) return true;
     if (!prepared_.learn_noise(residual, most_off)) return false;
     if (remaining(problem_, baseline_, *new_scanner(), fit).p_value > significance && is_all_noise(residual))
@@ -159,8 +159,7 @@ class Diagnoser {
   void describe_simulation() {
     describe_in_case(result_.left_out);
     for (auto& alternative : result_.alternatives) describe_in_case(alternative.effects);
-    const bool named = !result_.left_out.empty();
-    result_.simulation = mapping_->described(named ? &judged_.list.front().fit : nullptr);
+    result_.simulation = mapping_->described(result_.left_out.empty() ? nullptr : &judged_.list.front().fit);
     for (const auto& remark : mapping_->remarks()) result_.remarks.push_back(remark);
     result_.not_tried = mapping_->effects_without_form(problem_.experiment);
   }

@@ -121,8 +121,8 @@ LawErrors::LawErrors(const Samples& samples) {
   }
 }
 
-LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
-                                const ModelErrors& errors) const {
+LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise,
+                                const std::vector<double>& residual, const ModelErrors& errors) const {
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
@@ -138,7 +138,8 @@ LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise, cons
       r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
   take_off(whole_, errors.of_mesh, true);
-  // Every set has the same factors of surfaces: one that mutes them, as a clipped reading does, gains nothing.
+  // Every set has the same factors of surfaces: one that mutes them, as a clipped reading does, gains
+  // nothing.
   take_off(once_, errors.of_surfaces, false);
   for (const Group& group : groups_) take_off(group, errors.of_laws, true);
   for (Eigen::Index i = 0; i < r.size(); ++i) cost.of_misfit += huber_cost(r[i]);

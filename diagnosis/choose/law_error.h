@@ -58,6 +58,7 @@ class LawErrors {
   /// own, and the log determinant of its covariance (without surfaces) over that of the noise.
   struct Cost {
     double of_misfit = 0, log_determinant = 0;  ///< [-]
+    /// [-]
     double sum() const { return of_misfit + log_determinant; }
   };
   Cost cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,

@@ -34,7 +34,9 @@ void score(Candidate& candidate, const Experiment& experiment, std::size_t admis
 void score_all(SearchResult& result, const FitProblem& problem) {
   const Experiment& experiment = problem.experiment;
   // Of what is left, not of the room that a mesh has.
-  const auto misfit = [&](const Candidate& of) { return has_shared_error(problem) ? of.left(problem) : of.cost; };
+  const auto misfit = [&](const Candidate& of) {
+    return has_shared_error(problem) ? of.left(problem) : of.cost;
+  };
   double least = misfit(result.alone);
   for (const auto& candidate : result.candidates) least = std::min(least, misfit(candidate));
   result.overdispersion =

@@ -72,8 +72,7 @@ VectorXd LikelySurface::linearise(const ModelFit& fit, const NoiseFilter& filter
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(shapes.transpose() * shapes);
   const Eigen::Index some = (eigen.eigenvalues().array() > nothing).count();
   const VectorXd sizes = eigen.eigenvalues().tail(some);
-  axes_ =
-      shapes * eigen.eigenvectors().rightCols(some) * sizes.cwiseSqrt().cwiseInverse().asDiagonal();
+  axes_ = shapes * eigen.eigenvectors().rightCols(some) * sizes.cwiseSqrt().cwiseInverse().asDiagonal();
   shrink_ = 1 - (1 + sizes.array()).sqrt().inverse();
   const auto white = filter.whitened(FitProblem::residual(samples_, simulated(*fit.explanation, fit.values)));
   return likely_part(S, Eigen::Map<const VectorXd>(white.data(), S.rows())).coefficients;

@@ -3,84 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/fit/fit_residuals.h"
 #include "diagnosis/fit/snaps.h"
-#include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/recording/median.h"
 
 namespace asperity {
 namespace {
 
 using Eigen::VectorXd;
-
-VectorXd to_vector(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/// Of the search: the parameters, and the zero of the displacement where another surface moves it.
-struct Coordinates {
-  VectorXd low, high;
-};
-
-Coordinates bounds_of(const Explanation& explanation, const LikelySurface& surface) {
-  constexpr double farthest_zero = 5;  // standard deviations
-  const auto& parameters = explanation.parameters();
-  const auto count = static_cast<Eigen::Index>(parameters.size()) + (surface.is_another() ? 1 : 0);
-  Coordinates b{VectorXd::Constant(count, -farthest_zero), VectorXd::Constant(count, farthest_zero)};
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    b.low[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].low);
-    b.high[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].high);
-  }
-  return b;
-}
-
-VectorXd coordinates_of(const Explanation& explanation, const std::vector<double>& values,
-                        const LikelySurface& surface) {
-  VectorXd x(static_cast<Eigen::Index>(values.size()) + (surface.is_another() ? 1 : 0));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    x[static_cast<Eigen::Index>(k)] = explanation.parameters()[k].coordinate(values[k]);
-  if (surface.is_another()) x[x.size() - 1] = surface.factors().back();
-  return x;
-}
-
-std::vector<double> values_at(const Explanation& explanation, const VectorXd& x) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < explanation.parameters().size(); ++k)
-    values.push_back(explanation.parameters()[k].value(x[static_cast<Eigen::Index>(k)]));
-  return values;
-}
-
-std::vector<double> surface_at(const LikelySurface& surface, const VectorXd& x) {
-  std::vector<double> factors = surface.factors();
-  if (!factors.empty()) factors.back() = x[x.size() - 1];
-  return factors;
-}
-
-/// Residuals of an explanation, the last that of the zero.
-std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem,
-                                                      const Explanation& explanation, const Samples& samples,
-                                                      std::shared_ptr<const LikelySurface> surface) {
-  const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
-  return [&samples, &explanation, filter, surface](const VectorXd& x) {
-    const auto values = values_at(explanation, x);
-    const double zero = surface->is_another() ? x[x.size() - 1] : 0;
-    const auto simulated = surface->is_another() ? surface->simulated_at(zero, explanation, values)
-                                                 : simulate(explanation.mechanics(values), samples);
-    VectorXd white = to_vector(filter->whitened(FitProblem::residual(samples, simulated)));
-    constexpr double absurd = 1e6;
-    for (Eigen::Index i = 0; i < white.size(); ++i)
-      if (!std::isfinite(white[i])) white[i] = absurd;
-    if (!surface->is_another()) return white;
-    VectorXd with_zero(white.size() + 1);
-    with_zero << surface->independent(white), zero;
-    return with_zero;
-  };
-}
-
-double huber_sum(const VectorXd& r) {
-  double sum = 0;
-  for (Eigen::Index i = 0; i < r.size(); ++i) sum += huber_cost(r[i]);
-  return sum;
-}
 
 /// Where responses jump, samples between a snap and its place elsewhere outweigh all others, and hold the fit
 /// where the snap is: a fit to the usual residuals, the large ones held down.
@@ -258,8 +188,8 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
   if (covariance && !explanation.is_smooth()) {
     const Eigen::MatrixXd known = found.covariance;
     const auto thin = std::make_shared<LikelySurface>(problem, fit, problem.thin);
-    found =
-        search_at_random(residuals_of(problem, explanation, problem.thin, thin), found, bounds.low, bounds.high);
+    found = search_at_random(residuals_of(problem, explanation, problem.thin, thin), found, bounds.low,
+                             bounds.high);
     found.cost = huber_sum(residuals(found.x));
     found.covariance = known;
   }

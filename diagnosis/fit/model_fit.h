@@ -28,13 +28,14 @@ struct FitProblem {
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
   std::vector<double> values;  ///< of explanation->parameters()
-  /// Factors of the ways in which the recorded surface differs from the case's, as last known [-]; empty: none.
+  /// Factors of the ways in which the recorded surface differs from the case's, as last known [-]; empty:
+  /// none.
   std::vector<double> surface;
   /// Finite elements were solved with these values: the reduced laws of effects with entries in the case
   /// count for no more than small steps.
   bool is_confirmed = false;
-  double cost = 0;             ///< sum of Huber's costs of the whitened residuals of all samples [-]
-  std::size_t count = 0;       ///< of whitened residuals
+  double cost = 0;        ///< sum of Huber's costs of the whitened residuals of all samples [-]
+  std::size_t count = 0;  ///< of whitened residuals
   /// Of the search coordinates, the last the zero of another surface where there is one; empty where it was
   /// not asked for.
   Eigen::MatrixXd covariance;

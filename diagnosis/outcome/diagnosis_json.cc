@@ -4,6 +4,7 @@
 #include "core/printed.h"
 #include "core/quantity.h"
 #include "diagnosis/outcome/diagnosis.h"
+#include "diagnosis/recording/recording.h"
 
 namespace asperity {
 namespace {

@@ -24,10 +24,9 @@ class OneOfMany : public BranchCorrection {
   const std::vector<std::function<double(double)>>& surface_errors() const override { return errors_; }
 
  private:
-  std::vector<std::function<double(double)>> errors_{
-      [](double f) { return 1.5 * nm * std::sqrt(f / 3e-3); },
-      [](double f) { return 0.4 * nm * std::sin(f / 5e-4); },
-      [](double) { return 0.8 * nm; }};  // of the zero
+  std::vector<std::function<double(double)>> errors_{[](double f) { return 1.5 * nm * std::sqrt(f / 3e-3); },
+                                                     [](double f) { return 0.4 * nm * std::sin(f / 5e-4); },
+                                                     [](double) { return 0.8 * nm; }};  // of the zero
 };
 
 constexpr double noise = 0.1 * nm;
