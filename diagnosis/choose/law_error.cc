@@ -164,11 +164,7 @@ std::vector<double> LawErrors::without_shared_error(const Samples& samples, cons
   VectorXd likely = likely_part(whitened, part_of(r, filter, whole_.samples)).coefficients;
   const Eigen::Index mesh = of_mesh.cols(), surfaces = of_surfaces.cols();
   likely.head(mesh) = likely.head(mesh).cwiseMax(-most).cwiseMin(most);
-  // Surfaces resemble each other, so that their coefficients are bounded together: chi-square of as many.
-  const auto count = static_cast<double>(surfaces);
-  const double longest = std::sqrt(count + most * std::sqrt(2 * count)),
-               length = likely.tail(surfaces).norm();
-  if (length > longest) likely.tail(surfaces) *= longest / length;
+  likely.tail(surfaces) = of_likely_length(likely.tail(surfaces));
   const VectorXd off = B * likely;
   for (std::size_t row = 0; row < whole_.samples.size(); ++row)
     residual[whole_.samples[row]] -= off[static_cast<Eigen::Index>(row)];

@@ -64,7 +64,7 @@ class LawErrors {
   Cost cost(const Samples& samples, const Noise& noise, const std::vector<double>& residual,
             const ModelErrors& errors) const;
   /// The residual without what is likely of the errors of mesh and surfaces: of the mesh at most two standard
-  /// deviations each, of surfaces together likewise.
+  /// deviations each, of surfaces together no more than is likely (of_likely_length).
   std::vector<double> without_shared_error(const Samples& samples, const Noise& noise,
                                            std::vector<double> residual, const ModelErrors& errors) const;
 

@@ -14,13 +14,6 @@ bool has_other_surfaces(const ModelFit& fit) {
   return correction && !correction->surface_errors().empty();
 }
 
-/// No longer than chance makes it: chi-square of as many factors, two standard deviations up.
-VectorXd of_likely_length(const VectorXd& factors) {
-  const auto count = static_cast<double>(factors.size());
-  const double longest = std::sqrt(count + 2 * std::sqrt(2 * count)), length = factors.norm();
-  return length > longest ? (factors * (longest / length)).eval() : factors;
-}
-
 std::vector<double> to_list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "diagnosis/fit/stated_errors.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 namespace asperity {
@@ -49,6 +50,15 @@ LikelyPart likely_part(const MatrixXd& B, const VectorXd& residual) {
   const MatrixXd L = H.llt().matrixL();
   part.log_determinant = 2 * L.diagonal().array().log().sum();
   return part;
+}
+
+VectorXd of_likely_length(const VectorXd& coefficients) {
+  if (coefficients.size() == 0) return coefficients;
+  constexpr double nearly_all = 0.999;
+  const double longest = std::sqrt(boost::math::quantile(
+                   boost::math::chi_squared(static_cast<double>(coefficients.size())), nearly_all)),
+               length = coefficients.norm();
+  return length > longest ? (coefficients * (longest / length)).eval() : coefficients;
 }
 
 }  // namespace asperity

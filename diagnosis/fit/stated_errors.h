@@ -25,4 +25,7 @@ struct LikelyPart {
 };
 LikelyPart likely_part(const Eigen::MatrixXd& B, const Eigen::VectorXd& residual);
 
+/// Coefficients of unit variance, together no longer than 999 of 1000 are by chance (chi-square).
+Eigen::VectorXd of_likely_length(const Eigen::VectorXd& coefficients);
+
 }  // namespace asperity

@@ -100,6 +100,14 @@ TEST(LikelySurface_analytic, factors_of_a_surface_are_found) {
                 1e-6 * nm);
 }
 
+TEST(LikelySurface_analytic, factors_are_no_longer_than_in_999_of_1000_surfaces) {
+  // Quantiles of chi-square: 3.2905^2 for one, 5.4^2 = 29.588 for ten degrees of freedom.
+  EXPECT_NEAR(of_likely_length(VectorXd::Constant(1, -8.0))[0], -3.2905, 1e-4);
+  EXPECT_NEAR(of_likely_length(VectorXd::Constant(10, 4.0)).squaredNorm(), 29.588, 1e-3);
+  EXPECT_EQ(of_likely_length(VectorXd::Constant(10, 1.5))[3], 1.5);
+  EXPECT_EQ(of_likely_length(VectorXd()).size(), 0);
+}
+
 TEST(LikelySurface_analytic, the_interval_of_a_compliance_is_that_of_generalised_least_squares) {
   // Factors and noise drawn from what the case states: intervals hold the truth in 95 of 100.
   const double compliance = 8 * nm / 3e-3;
