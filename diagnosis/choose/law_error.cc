@@ -127,21 +127,27 @@ LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise,
   const std::vector<double> white = filter.whitened(residual);
   VectorXd r = Eigen::Map<const VectorXd>(white.data(), static_cast<Eigen::Index>(white.size()));
   Cost cost;
-  const auto take_off = [&](const Group& group, const std::vector<LawError>& of, bool with_determinant) {
-    if (of.empty() || group.samples.empty()) return;
-    MatrixXd B = columns_of(group.samples, group.shapes, of);
+  const auto take_off = [&](const Group& group, const std::vector<LawError>& counted,
+                            const std::vector<LawError>& free) {
+    if ((counted.empty() && free.empty()) || group.samples.empty()) return;
+    std::vector<LawError> all = free;
+    all.insert(all.end(), counted.begin(), counted.end());
+    MatrixXd B = columns_of(group.samples, group.shapes, all);
     filter.whiten(group.samples, B);
-    const LikelyPart t = likely_part(B, part_of(r, filter, group.samples));
+    const VectorXd part = part_of(r, filter, group.samples);
+    const LikelyPart t = likely_part(B, part);
     cost.of_misfit += t.coefficients.squaredNorm();
-    if (with_determinant) cost.log_determinant += t.log_determinant;
+    if (!counted.empty()) {
+      cost.log_determinant += t.log_determinant;
+      const auto columns = static_cast<Eigen::Index>(free.size()) * group.shapes.cols();
+      if (columns > 0) cost.log_determinant -= likely_part(B.leftCols(columns), part).log_determinant;
+    }
     for (std::size_t row = 0; row < group.samples.size(); ++row)
       r[filter.place(group.samples[row])] = t.left[static_cast<Eigen::Index>(row)];
   };
-  take_off(whole_, errors.of_mesh, true);
-  // Every set has the same factors of surfaces: one that mutes them, as a clipped reading does, gains
-  // nothing.
-  take_off(once_, errors.of_surfaces, false);
-  for (const Group& group : groups_) take_off(group, errors.of_laws, true);
+  take_off(whole_, errors.of_mesh, {});
+  take_off(once_, {}, errors.of_surfaces);
+  for (const Group& group : groups_) take_off(group, errors.of_laws, errors.of_mesh_along);
   for (Eigen::Index i = 0; i < r.size(); ++i) cost.of_misfit += huber_cost(r[i]);
   if (!std::isfinite(cost.sum())) cost.of_misfit = std::numeric_limits<double>::infinity();
   return cost;

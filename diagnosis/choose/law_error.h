@@ -18,7 +18,8 @@ namespace asperity {
 struct ModelErrors {
   std::vector<LawError> of_mesh;  ///< of one solution, by the same part everywhere or straight in the load
   std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
-  std::vector<LawError> of_surfaces = {};  ///< of one surface, each by the same part everywhere
+  std::vector<LawError> of_mesh_along = {};  ///< of one solution under normal load, likewise
+  std::vector<LawError> of_surfaces = {};    ///< of one surface, each by the same part everywhere
 };
 
 /// Whether finite elements are off by one factor at all samples: as friction is that is slid at a few loads,
@@ -55,7 +56,8 @@ class LawErrors {
   explicit LawErrors(const Samples& samples);
 
   /// -2 log likelihood, up to what all explanations share: the least of Huber's costs plus the discrepancy's
-  /// own, and the log determinant of its covariance (without surfaces) over that of the noise.
+  /// own, and the log determinant of its covariance over that of the noise: of mesh under normal load and of
+  /// surfaces it is left out, which every set has, so that none gains by stating or letting through less.
   struct Cost {
     double of_misfit = 0, log_determinant = 0;  ///< [-]
     /// [-]

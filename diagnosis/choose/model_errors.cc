@@ -42,6 +42,7 @@ Misfit misfit_of(const FitProblem& problem, const ModelFit& fit, const ModelFit&
   Misfit misfit = shared_misfit(problem, fit);
   ModelErrors own = law_errors(problem, fit, baseline);
   misfit.errors.of_laws = std::move(own.of_laws);
+  misfit.errors.of_mesh_along = std::move(own.of_mesh_along);
   return misfit;
 }
 
@@ -58,7 +59,7 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   const auto with = fit.simulate(samples);
   ModelErrors errors;
   if (fit.explanation->correction())
-    (problem.experiment.mode == Motion::sliding ? errors.of_mesh : errors.of_laws) =
+    (problem.experiment.mode == Motion::sliding ? errors.of_mesh : errors.of_mesh_along) =
         mesh_errors(fit, samples);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());
@@ -96,7 +97,9 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
   const ModelErrors errors = law_errors(problem, fit, baseline);
   const std::size_t count = problem.samples.list.size();
-  return together({together(errors.of_mesh, count), together(errors.of_laws, count)}, count);
+  return together({together(errors.of_mesh, count), together(errors.of_mesh_along, count),
+                   together(errors.of_laws, count)},
+                  count);
 }
 
 double accuracy_of(const FitProblem& problem, const ModelFit& fit) {

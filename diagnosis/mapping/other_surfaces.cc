@@ -29,8 +29,9 @@ void SolvedCaseMapping::solve_on_other_surfaces() {
       std::to_string(changes.size()) + " other seeds the approach under " +
       format_quantity(largest, Dimension::force) + " differs by " +
       format_quantity(std::sqrt(sum / static_cast<double>(changes.size())), Dimension::length) +
-      " (root mean square, half-spaces), which is a part of the evidence; a scan of the recorded place has "
-      "no such error");
+      " (root mean square, half-spaces) and its zero may be off by " +
+      format_quantity(surfaces.unseen, Dimension::length) +
+      ", which is a part of the evidence; a scan of the recorded place has no such error");
 }
 
 }  // namespace asperity

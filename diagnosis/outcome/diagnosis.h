@@ -66,11 +66,12 @@ struct NoiseEstimate {
   std::string from;  ///< "given", "given by row", "repeats", "high frequencies"
 };
 
-/// How well one model does.
+/// How well one model does. Chi-square is beyond what is likely of another realisation of a case's surface
+/// (docs/diagnosis.md), the deviations are not.
 struct FitQuality {
-  double chi2_reduced = 0;
-  std::map<std::string, double> rms;  ///< by channel
-  double held_out_chi2_reduced = 0;
+  double chi2_reduced = 0;            ///< of all samples [-]
+  std::map<std::string, double> rms;  ///< of the residual, by channel, in its unit
+  double held_out_chi2_reduced = 0;   ///< of data kept out of the fit [-]
 };
 
 /// Another set of effects that the data allow.
