@@ -38,7 +38,6 @@ LikelySurface::LikelySurface(const FitProblem& problem, const ModelFit& fit, con
 }
 
 VectorXd LikelySurface::linearise(const ModelFit& fit, const NoiseFilter& filter) {
-  constexpr double nothing = 1e-6;  // of a variance of one: such directions have no axis
   const auto at = asperity::simulate(on_surface(*fit.explanation, factors_)->mechanics(fit.values), samples_);
   changes_.clear();
   shift_.assign(at.size(), 0.0);
@@ -61,14 +60,20 @@ VectorXd LikelySurface::linearise(const ModelFit& fit, const NoiseFilter& filter
     for (std::size_t row = 0; row < counted_.size(); ++row)
       S(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) = changes_[k][counted_[row]];
   filter.whiten(counted_, S);
-  const MatrixXd shapes = S.leftCols(S.cols() - 1);
+  weigh(S.leftCols(S.cols() - 1));
+  const auto white = filter.whitened(FitProblem::residual(samples_, simulated(*fit.explanation, fit.values)));
+  return likely_part(S, Eigen::Map<const VectorXd>(white.data(), S.rows())).coefficients;
+}
+
+void LikelySurface::weigh(const MatrixXd& shapes) {
+  constexpr double nothing = 1e-6;  // of a variance of one: such directions have no axis
+  shrink_.resize(0);
+  if (shapes.size() == 0) return;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(shapes.transpose() * shapes);
   const Eigen::Index some = (eigen.eigenvalues().array() > nothing).count();
   const VectorXd sizes = eigen.eigenvalues().tail(some);
   axes_ = shapes * eigen.eigenvectors().rightCols(some) * sizes.cwiseSqrt().cwiseInverse().asDiagonal();
   shrink_ = 1 - (1 + sizes.array()).sqrt().inverse();
-  const auto white = filter.whitened(FitProblem::residual(samples_, simulated(*fit.explanation, fit.values)));
-  return likely_part(S, Eigen::Map<const VectorXd>(white.data(), S.rows())).coefficients;
 }
 
 std::shared_ptr<const Explanation> LikelySurface::explanation(const ModelFit& fit) const {

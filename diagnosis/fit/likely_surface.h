@@ -39,6 +39,9 @@ class LikelySurface {
   /// Linear about z*, which says the likely factors.
   Eigen::VectorXd linearise(const ModelFit& fit, const NoiseFilter& filter);
 
+  /// Axes of all changes but that of the zero, whitened.
+  void weigh(const Eigen::MatrixXd& shapes);
+
   const Samples& samples_;
   std::vector<std::size_t> counted_;
   std::vector<LawError> changes_;

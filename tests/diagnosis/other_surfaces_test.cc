@@ -161,6 +161,14 @@ TEST(OtherSurfaces_behaviour, a_compliance_is_named_on_each_of_five_other_surfac
   EXPECT_EQ(held, named);
 }
 
+TEST(OtherSurfaces_behaviour, surfaces_that_are_all_alike_leave_the_zero_alone) {
+  RoughCase simulation;
+  simulation.others = {simulation.own, simulation.own};
+  const Diagnosis d = diagnosed_on(recorded_on(simulation.own), simulation);
+  EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
+  EXPECT_LT(d.baseline.chi2_reduced, 1.3);
+}
+
 TEST(OtherSurfaces_behaviour, where_half_spaces_do_not_solve_it_the_answer_says_so) {
   RoughCase simulation;
   simulation.is_too_large = true;
